@@ -1,0 +1,74 @@
+# How every target of this project is compiled, and the one way to declare a folder of src/ or tests/.
+
+# Same bits everywhere: no contraction into fused multiply-adds, no reassociation. `-fno-math-errno` and
+# `-fno-trapping-math` change no result; without them sqrt and selected divisions are not vectorised.
+add_library(steplab_arithmetic INTERFACE)
+target_compile_options(steplab_arithmetic INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(STEPLAB_NATIVE)
+  target_compile_options(steplab_arithmetic INTERFACE -march=native)
+endif()
+
+add_library(steplab_warnings INTERFACE)
+target_compile_options(steplab_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+                                                  $<$<BOOL:${STEPLAB_WERROR}>:-Werror>)
+
+add_library(steplab_instruments INTERFACE)
+if(STEPLAB_SANITIZE)
+  target_compile_options(steplab_instruments INTERFACE -fsanitize=${STEPLAB_SANITIZE} -fno-sanitize-recover=all
+                                                       -fno-omit-frame-pointer)
+  target_link_options(steplab_instruments INTERFACE -fsanitize=${STEPLAB_SANITIZE})
+endif()
+if(STEPLAB_COVERAGE)
+  target_compile_options(steplab_instruments INTERFACE --coverage -fprofile-update=atomic)
+  target_link_options(steplab_instruments INTERFACE --coverage)
+endif()
+
+function(steplab_compile target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${target} PRIVATE steplab_arithmetic steplab_warnings steplab_instruments)
+endfunction()
+
+# steplab_library(folder [LINK target...]): the static library steplab_<folder> of all sources in the current folder.
+# It is compiled as position-independent code, because the off-screen modules link it too.
+function(steplab_library folder)
+  cmake_parse_arguments(ARG "" "" "LINK;SOURCES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  set(target steplab_${folder})
+  if(sources OR ARG_SOURCES)
+    add_library(${target} STATIC ${sources} ${ARG_SOURCES})
+    steplab_compile(${target})
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${target} PUBLIC ${ARG_LINK})
+  else()
+    add_library(${target} INTERFACE)
+    target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR}/src)
+    target_link_libraries(${target} INTERFACE ${ARG_LINK})
+  endif()
+endfunction()
+
+# steplab_program(name SOURCES file... [LINK target...]): a program in build/<preset>/bin.
+function(steplab_program name)
+  cmake_parse_arguments(ARG "" "" "LINK;SOURCES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  steplab_compile(${name})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK})
+endfunction()
+
+# steplab_tests(folder [LINK target...]): test_<folder> of all *_test.cpp in the current folder, each test known to ctest.
+function(steplab_tests folder)
+  cmake_parse_arguments(ARG "" "" "LINK;LABELS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  steplab_program(test_${folder} SOURCES ${sources} LINK ${ARG_LINK} GTest::gmock GTest::gtest GTest::gtest_main)
+  target_include_directories(test_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  set_target_properties(test_${folder} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  target_compile_definitions(test_${folder} PRIVATE STEPLAB_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                                    STEPLAB_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  include(GoogleTest)
+  gtest_discover_tests(test_${folder} TEST_PREFIX ${folder}. DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT 300 LABELS "${folder};${ARG_LABELS}")
+endfunction()

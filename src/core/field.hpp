@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/vec3.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <span>
+#include <vector>
+
+namespace steplab {
+
+/// Memory that starts on a cache line, so that vector loads of a field never straddle two.
+template <class T>
+struct CacheLineAllocator {
+    using value_type = T;
+    static constexpr std::align_val_t alignment{64};
+
+    CacheLineAllocator() = default;
+    template <class U>
+    CacheLineAllocator(const CacheLineAllocator<U>&) {}
+    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+    void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+    friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+};
+
+/// A vector quantity of n particles as a structure of arrays: n x, padding, n y, padding, n z, padding.
+/// The padding is zero and stays zero under the elementwise steps that run over flat().
+template <class T>
+class Field {
+public:
+    Field() = default;
+    explicit Field(std::size_t count) : count_(count), stride_(padded(count)), values_(3 * stride_, T(0)) {}
+
+    std::size_t count() const { return count_; }
+    T* x() { return values_.data(); }
+    T* y() { return values_.data() + stride_; }
+    T* z() { return values_.data() + 2 * stride_; }
+    const T* x() const { return values_.data(); }
+    const T* y() const { return values_.data() + stride_; }
+    const T* z() const { return values_.data() + 2 * stride_; }
+    /// All numbers, padding included; the length is a multiple of `granule`.
+    std::span<T> flat() { return values_; }
+    std::span<const T> flat() const { return values_; }
+
+    Vec3 at(std::size_t i) const {
+        return {static_cast<double>(x()[i]), static_cast<double>(y()[i]), static_cast<double>(z()[i])};
+    }
+    void set(std::size_t i, Vec3 value) {
+        x()[i] = static_cast<T>(value.x);
+        y()[i] = static_cast<T>(value.y);
+        z()[i] = static_cast<T>(value.z);
+    }
+
+    /// Numbers in one cache line of float: loops over flat() have no remainder.
+    static constexpr std::size_t granule = 16;
+
+private:
+    static std::size_t padded(std::size_t count) { return (count + granule - 1) / granule * granule; }
+
+    std::size_t count_ = 0;
+    std::size_t stride_ = 0;
+    std::vector<T, CacheLineAllocator<T>> values_;
+};
+
+/// The same field in another number type, each number rounded once.
+template <class To, class From>
+Field<To> converted(const Field<From>& from) {
+    Field<To> to(from.count());
+    std::transform(from.flat().begin(), from.flat().end(), to.flat().begin(), [](From v) { return static_cast<To>(v); });
+    return to;
+}
+
+/// Displacements from the reference positions, and velocities, of one time.
+template <class T>
+struct State {
+    Field<T> displacement;
+    Field<T> velocity;
+};
+
+}  // namespace steplab

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/vec3.hpp"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace steplab {
+
+/// What a particle is in its scene; drawn apart by colour and shape.
+enum class Role : std::uint8_t { moving, fixed, kicked, bullet };
+
+constexpr std::string_view id(Role role) {
+    constexpr std::string_view ids[] = {"moving", "fixed", "kicked", "bullet"};
+    return ids[static_cast<std::size_t>(role)];
+}
+
+/// A spring between two particles, by their indices.
+struct Spring {
+    std::uint32_t first = 0;
+    std::uint32_t second = 0;
+    double rest_length = 0;
+};
+
+/// What of a scene never changes while it runs: shared by all frames of a run, plain data.
+struct Shape {
+    std::vector<Vec3> rest;       ///< rest position of each particle; where there is none (free, morse) its start
+    std::vector<Role> roles;      ///< one per particle
+    std::vector<Spring> springs;  ///< empty where particles act on each other without springs
+    double spacing = 1;           ///< typical distance of neighbours, > 0; sizes of drawn things follow it
+    double extent_hint = 0;       ///< how far from rest the scene is expected to move, 0 if unknown; the first camera shows it
+};
+
+}  // namespace steplab

@@ -1,0 +1,3 @@
+# The methods, in the order of menus and tables. Each is the file <id>.hpp of this folder with a class of that name
+# (rk4 -> Rk4, verlet-2008 -> Verlet2008).
+set(STEPLAB_METHODS euler midpoint rk4 stoermer verlet verlet-2008 stoermer-2008)

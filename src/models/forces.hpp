@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <variant>
+
+namespace steplab {
+
+/// Forces of position, one description per layout, in double: what a model hands to whoever computes with them.
+/// All particles of a scene have the same mass. Each layout has its templated engine in the header of its name.
+
+/// Every particle has its own constant acceleration (0, -step * i, 0), i its index.  constant.hpp
+struct ConstantForces {
+    std::size_t count = 0;
+    double mass = 1;
+    double step = 0.1;
+};
+
+/// Springs between neighbours in a line whose reference positions are (i L, 0, 0), and gravity.  line.hpp
+struct LineForces {
+    std::size_t count = 0;
+    bool first_fixed = true;
+    double mass = 1;
+    double k = 1;            ///< force constant of a spring
+    double spacing = 1;      ///< distance of neighbours in the reference positions, along x
+    double rest_length = 1;  ///< of a spring
+    double gravity = 0;      ///< acceleration along -y
+};
+
+/// Springs to the 8 neighbours of a dim x dim grid in the xz plane, its border fixed.  grid.hpp
+struct GridForces {
+    std::size_t dim = 0;
+    double mass = 1;
+    double k = 1;
+    double rest_length = 1;  ///< of the springs along the axes; the diagonal ones have sqrt(2) times it
+};
+
+/// Morse potential between all pairs.  pairs.hpp
+struct PairForces {
+    std::size_t count = 0;
+    double mass = 1;
+    double depth = 1;  ///< D
+    double k = 0.5;    ///< force constant at r0: b = sqrt(k / (2 D))
+    double r0 = 0.5;
+};
+
+/// Morse potential between pairs nearer than `cutoff`, shifted to zero there.  near_pairs.hpp
+struct NearPairForces : PairForces {
+    double cutoff = 1;
+};
+
+using Forces = std::variant<ConstantForces, LineForces, GridForces, PairForces, NearPairForces>;
+
+/// Potential energy of a state in the parts that the tests of energy need.
+struct PotentialEnergy {
+    double value = 0;      ///< all potentials
+    double magnitude = 0;  ///< sum of their absolute values
+    double external = 0;   ///< of gravity and constant forces alone; part of `value`
+};
+
+}  // namespace steplab

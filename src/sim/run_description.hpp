@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/entry.hpp"
+#include "core/precision.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace steplab {
+
+/// What is to be computed: scene, method, precision and dt. Two equal ones give the same bits, step for step.
+struct RunDescription {
+    std::string model;
+    ParameterValues scene;
+    std::string method;
+    ParameterValues method_parameters;
+    Precision precision = Precision::double_;
+    double dt = 0.1;
+
+    friend bool operator==(const RunDescription&, const RunDescription&) = default;
+};
+
+/// Every parameter at its default. Throws UsageError, naming the known ids, if an id is unknown.
+RunDescription describe(std::string_view model = "mesh", std::string_view method = "rk4");
+
+/// The same description with another model or method, whose parameters start at their defaults.
+RunDescription with_model(RunDescription description, std::string_view model);
+RunDescription with_method(RunDescription description, std::string_view method);
+
+/// Sets a parameter of the model or of the method, whichever has it. Throws UsageError naming the known ones.
+void set_parameter(RunDescription& description, std::string_view name, std::string_view text);
+
+/// Throws UsageError unless dt is finite, > 0 and not lost in the precision, every parameter fits into the precision,
+/// and the particles fit into this machine's memory (the message tells the bytes needed).
+void check(const RunDescription& description);
+
+/// "--model chain --set n=20 --method rk4 --precision double --dt 0.1": what differs from a default is named, so that
+/// the command line gives the same description back.
+std::string command_line(const RunDescription& description);
+
+/// The largest stable dt of the method on this scene as its linear theory gives it, with the reason in numbers.
+/// limit: infinity = stable at any dt; 0 = unstable at any dt. Nothing if the scene's omega_max is not known.
+struct StabilityLimit {
+    double limit = 0;
+    double omega_max = 0;
+};
+std::optional<StabilityLimit> stability_limit(const RunDescription& description);
+
+/// ceil(duration / dt * (1 - 1e-12)): the steps that reach `duration`.
+std::uint64_t steps_until(double duration, double dt);
+
+}  // namespace steplab

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "core/diagnostics.hpp"
+#include "core/frame.hpp"
+#include "sim/run_description.hpp"
+#include "sim/stepper.hpp"
+
+#include <any>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace steplab {
+
+/// How a run ended that could not go on.
+struct Divergence {
+    std::uint64_t step = 0;          ///< the last good step; the run stands there
+    double time = 0;                 ///< its time
+    std::size_t particle = 0;        ///< the particle that left first (largest speed, or not finite) in the step after
+    double dt = 0;
+    std::optional<double> limit;     ///< the method's stability limit for this scene, where known; 0 = unstable at any dt
+    std::string message;             ///< one sentence: what happened, why
+    std::optional<double> remedy_dt; ///< a dt that should work, where known
+};
+
+/// What a change of description did to the run.
+enum class Change { none, continued, restarted };
+
+/// One run under way: owns the scene, the method's internal state and the clock in steps.
+class Simulation {
+public:
+    /// Throws UsageError if the description cannot be run (see check()).
+    explicit Simulation(RunDescription description);
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    const RunDescription& description() const;
+    std::uint64_t step() const;
+    /// t0 + (step - step0) dt of the segment, in double, with dt as the precision holds it.
+    double time() const;
+    double dt() const;
+    std::size_t particles() const;
+    /// Of the whole run, over all segments.
+    std::uint64_t evaluations() const;
+
+    /// Takes up to `steps` steps. Fewer if the run diverges: it then stands at the last good step and goes no further.
+    /// Returns the steps taken.
+    std::uint64_t advance(std::uint64_t steps);
+    const std::optional<Divergence>& divergence() const;
+
+    /// The moment as seen from outside; looking never changes the run. The second form reuses the vectors of `out`.
+    Frame frame() const;
+    void frame(Frame& out) const;
+    Diagnostics diagnostics() const;
+    /// The unchanging part of the scene; built when first asked for.
+    std::shared_ptr<const Shape> shape() const;
+    /// Hash of step and synchronised state bits, 16 hexadecimal digits.
+    std::string hash() const;
+
+    /// Position of a particle at time t in closed form. None if no exact solution is known, or since the run left its
+    /// conditions (a parameter of the scene was changed under way).
+    std::optional<Vec3> exact_position(std::size_t particle, double time) const;
+    bool has_exact() const;
+
+    /// Goes on from the synchronised state with another method, dt, precision or live parameter, beginning a new
+    /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
+    Change change(const RunDescription& description);
+    void restart();
+    /// True since the start if nothing has changed the energy from outside; false once a live change began a new baseline.
+    bool baseline_is_start() const;
+    std::uint64_t baseline_step() const;
+
+    /// Everything needed to come back to this very moment and go on with the same bits.
+    struct Snapshot {
+        std::uint64_t step = 0;
+        std::uint64_t evaluations = 0;
+        std::any internal;
+        std::size_t bytes = 0;
+        std::uint64_t segment = 0;  ///< snapshots can be restored within the segment they were taken in
+    };
+    Snapshot save() const;
+    void restore(const Snapshot& snapshot);
+    std::uint64_t segment() const;
+
+private:
+    struct Body;
+    std::unique_ptr<Body> body_;
+};
+
+}  // namespace steplab
