@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace steplab {
+
+/// Parses the arguments of one command (its name not among them). Returns the text to print instead of running the
+/// command, if --help or --version was asked. Throws UsageError: one line, with the nearest and the known options.
+///
+///     CLI::App app("what it does", "steplab-view");
+///     options.declare(app);
+///     if (const auto text = parse(app, arguments)) return print(*text);
+std::optional<std::string> parse(CLI::App& app, std::vector<std::string> arguments);
+
+/// Writes text to standard output, all of it or an exception (FileError, ReaderGone).
+void print(std::string_view text);
+
+/// Runs the body of a main. An error becomes one line on standard error, "program: message", and its exit code.
+int guarded(const std::string& program, const std::function<int()>& body);
+
+/// Makes standard input, output and error exist, so that no file ever takes the number of a closed one, and a write to
+/// a closed pipe an error instead of a signal. First thing in a main.
+void prepare_standard_streams();
+
+}  // namespace steplab

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "sim/run_description.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace steplab {
+
+/// The options SCENE, the same for every command and program: --model, --set, --method, --precision, --dt.
+/// Everything is taken as text and read by our own parsers: in the C locale, whole, with one kind of message.
+class SceneOptions {
+public:
+    /// Adds the options, and the table of models, methods and parameters at the foot of the help.
+    void declare(CLI::App& app);
+    /// The run they describe, checked. Throws UsageError.
+    RunDescription description() const;
+
+private:
+    std::string model_;
+    std::vector<std::string> settings_;
+    std::string method_;
+    std::string precision_;
+    std::string dt_;
+};
+
+/// The options TIME: --steps or --until.
+class TimeOptions {
+public:
+    explicit TimeOptions(std::uint64_t default_steps) : default_steps_(default_steps) {}
+    void declare(CLI::App& app);
+    /// Number of steps from the start. Throws UsageError.
+    std::uint64_t steps(const RunDescription& description) const;
+
+private:
+    std::uint64_t default_steps_;
+    std::string steps_;
+    std::string until_;
+};
+
+}  // namespace steplab
