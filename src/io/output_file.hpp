@@ -57,7 +57,6 @@ private:
     std::filesystem::path temporary_;  ///< the hidden file beside it, while there is one
     int descriptor_ = -1;
     bool owns_descriptor_ = false;
-    bool written_ = false;
     std::string held_back_;
 };
 

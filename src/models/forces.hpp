@@ -21,8 +21,7 @@ struct LineForces {
     bool first_fixed = true;
     double mass = 1;
     double k = 1;            ///< force constant of a spring
-    double spacing = 1;      ///< distance of neighbours in the reference positions, along x
-    double rest_length = 1;  ///< of a spring
+    double rest_length = 1;  ///< L: of a spring, and the distance of neighbours in the reference positions
     double gravity = 0;      ///< acceleration along -y
 };
 

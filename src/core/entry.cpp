@@ -1,0 +1,104 @@
+#include "core/entry.hpp"
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+/// Whole numbers beyond this are not all doubles.
+constexpr double largest_whole = 9007199254740992.0;
+
+[[noreturn]] void refuse(const ParameterInfo& info, std::string_view text) {
+    throw UsageError(fmt::format("{} = '{}' is not possible: {} must be {}", info.name, text, info.name, range_text(info)));
+}
+
+}  // namespace
+
+std::string range_text(const ParameterInfo& info) {
+    using Kind = ParameterInfo::Kind;
+    if (info.kind == Kind::choice) return joined(info.choices, " or ");
+    const std::string_view what = info.kind == Kind::integer ? "a whole number" : "a number";
+    const bool bounded = std::isfinite(info.maximum);
+    if (info.minimum == -infinity && !bounded) return std::string(what == "a number" ? "any finite number" : what);
+    if (bounded) return fmt::format("{} from {} to {}", what, number_text(info.minimum), number_text(info.maximum));
+    if (info.kind == Kind::integer) return fmt::format("{} from {} upwards", what, number_text(info.minimum));
+    return fmt::format("{} {} {}", what, info.minimum_included ? ">=" : ">", number_text(info.minimum));
+}
+
+void check_value(const ParameterInfo& info, double value) {
+    const bool low = info.minimum_included ? value < info.minimum : value <= info.minimum;
+    const bool whole = info.kind == ParameterInfo::Kind::real || (value == std::floor(value) && value <= largest_whole);
+    const double maximum = info.kind == ParameterInfo::Kind::choice ? static_cast<double>(info.choices.size()) - 1 : info.maximum;
+    if (!std::isfinite(value) || low || value > maximum || !whole) refuse(info, number_text(value));
+}
+
+double parse_value(const ParameterInfo& info, std::string_view text) {
+    if (info.kind == ParameterInfo::Kind::choice) {
+        const auto found = std::find(info.choices.begin(), info.choices.end(), text);
+        if (found == info.choices.end()) refuse(info, text);
+        return static_cast<double>(found - info.choices.begin());
+    }
+    const auto value = parse_number(text);
+    if (!value) refuse(info, text);
+    check_value(info, *value);
+    return *value;
+}
+
+std::string format_value(const ParameterInfo& info, double value) {
+    if (info.kind == ParameterInfo::Kind::choice) return std::string(info.choices[static_cast<std::size_t>(value)]);
+    return number_text(value);
+}
+
+ParameterValues::ParameterValues(std::span<const ParameterInfo> infos) : infos_(infos) {
+    values_.reserve(infos.size());
+    for (const auto& info : infos) values_.push_back(info.default_value);
+}
+
+std::size_t ParameterValues::index_of(std::string_view name) const {
+    const auto found = std::find_if(infos_.begin(), infos_.end(), [&](const auto& info) { return info.name == name; });
+    return static_cast<std::size_t>(found - infos_.begin());
+}
+
+bool ParameterValues::contains(std::string_view name) const { return index_of(name) < values_.size(); }
+
+double ParameterValues::operator[](std::string_view name) const {
+    assert(contains(name));
+    return values_[index_of(name)];
+}
+
+std::size_t ParameterValues::count(std::string_view name) const { return static_cast<std::size_t>((*this)[name]); }
+
+void ParameterValues::set(std::string_view name, double value) {
+    assert(contains(name));
+    const std::size_t index = index_of(name);
+    check_value(infos_[index], value);
+    values_[index] = value;
+}
+
+void ParameterValues::set_text(std::string_view name, std::string_view text) {
+    assert(contains(name));
+    const std::size_t index = index_of(name);
+    values_[index] = parse_value(infos_[index], text);
+}
+
+namespace {
+
+double substeps(const ParameterValues& values) { return values.contains("substeps") ? values["substeps"] : 1; }
+
+}  // namespace
+
+double evaluations_per_step(const MethodInfo& info, const ParameterValues& values) {
+    return info.evaluations * substeps(values);
+}
+
+double linear_limit(const MethodInfo& info, const ParameterValues& values) { return info.linear_limit * substeps(values); }
+
+}  // namespace steplab

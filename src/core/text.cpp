@@ -1,0 +1,69 @@
+#include "core/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+template <class T>
+std::string shortest(T value) {
+    char buffer[32];
+    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+    return std::string(buffer, result.ptr);
+}
+
+/// Levenshtein distance: the single-letter changes that turn one word into the other.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, changed}));
+        }
+    }
+    return row.back();
+}
+
+/// The known word a typing error away, if there is one.
+std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known) {
+    const auto closest = std::min_element(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
+        return edit_distance(word, a) < edit_distance(word, b);
+    });
+    if (closest == known.end() || closest->size() < 3) return std::nullopt;
+    if (edit_distance(word, *closest) > std::max<std::size_t>(1, closest->size() / 3)) return std::nullopt;
+    return *closest;
+}
+
+}  // namespace
+
+std::string number_text(double value) { return shortest(value); }
+std::string number_text(float value) { return shortest(value); }
+
+std::optional<double> parse_number(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    double value = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::string joined(std::span<const std::string_view> words, std::string_view separator) {
+    return fmt::format("{}", fmt::join(words, separator));
+}
+
+std::string unknown_word(std::string_view kind, std::string_view word, std::span<const std::string_view> known) {
+    const auto guess = nearest(word, known);
+    return fmt::format("unknown {} '{}'{}; known: {}", kind, word,
+                       guess ? fmt::format(" (did you mean '{}'?)", *guess) : "", joined(known));
+}
+
+}  // namespace steplab

@@ -1,0 +1,183 @@
+#include "io/output_file.hpp"
+
+#include "core/error.hpp"
+#include "io/interruption.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace steplab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t block_size = std::size_t{1} << 18;
+
+std::optional<struct stat> status_of(const std::string& name) {
+    struct stat status {};
+    const int result = name == "-" ? fstat(STDOUT_FILENO, &status) : stat(name.c_str(), &status);
+    if (result != 0) return std::nullopt;
+    return status;
+}
+
+/// The path at the end of a chain of links, even if nothing is there yet.
+fs::path link_target(fs::path path) {
+    constexpr int most_links = 40;  // as the system itself allows
+    std::error_code ignored;
+    for (int i = 0; i < most_links && fs::is_symlink(path, ignored); ++i) {
+        const fs::path next = fs::read_symlink(path, ignored);
+        path = next.is_absolute() ? next : path.parent_path() / next;
+    }
+    return path;
+}
+
+/// The ordinary file that a name leads to, with links in its folder resolved where the folder exists.
+fs::path resolved(const std::string& name) {
+    std::error_code error;
+    const fs::path target = link_target(name);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const fs::path real_folder = fs::canonical(folder, error);
+    return (error ? folder : real_folder) / target.filename();
+}
+
+/// An existing file's permissions and owner pass to the one that takes its place.
+void inherit(int descriptor, const struct stat& old) {
+    const int not_ours_to_give = fchown(descriptor, old.st_uid, old.st_gid);
+    static_cast<void>(not_ours_to_give);
+    fchmod(descriptor, old.st_mode & 07777);
+}
+
+}  // namespace
+
+bool written_directly(const std::string& name) {
+    const auto status = status_of(name);
+    return name == "-" || (status && !S_ISREG(status->st_mode) && !S_ISDIR(status->st_mode));
+}
+
+bool same_output(const std::string& a, const std::string& b) {
+    if (a == b && a == "-") return true;
+    const auto first = status_of(a);
+    const auto second = status_of(b);
+    if (first && second) {
+        return first->st_dev == second->st_dev && first->st_ino == second->st_ino && !S_ISCHR(first->st_mode);
+    }
+    return !first && !second && resolved(a) == resolved(b);
+}
+
+OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
+    if (name_.empty()) throw FileError("cannot write a file without a name");
+    held_back_.reserve(block_size);
+    if (name_ == "-") {
+        name_ = "standard output";
+        descriptor_ = STDOUT_FILENO;
+    } else if (written_directly(name_)) {
+        open_directly(name_);
+    } else {
+        target_ = resolved(name_);
+        open_beside();
+    }
+}
+
+OutputFile::~OutputFile() {
+    if (owns_descriptor_ && descriptor_ >= 0) close(descriptor_);
+    if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void OutputFile::open_directly(const std::string& path) {
+    while ((descriptor_ = open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC)) < 0) {
+        if (errno != EINTR) fail("write", errno);
+        check_interruption();  // a named pipe without a reader waits here
+    }
+    owns_descriptor_ = true;
+}
+
+void OutputFile::open_beside() {
+    const auto old = status_of(target_);
+    if (old && S_ISDIR(old->st_mode)) fail("write", EISDIR);
+    if (old && access(target_.c_str(), W_OK) != 0) fail("write", errno);
+    const fs::path folder = target_.parent_path();
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) {
+        throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", name_, folder.string()));
+    }
+    for (int attempt = 0; descriptor_ < 0; ++attempt) {
+        const fs::path candidate = folder / fmt::format(".steplab-{}-{}", getpid(), attempt);
+        descriptor_ = open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (descriptor_ < 0 && errno != EEXIST) fail("write", errno);
+        if (descriptor_ >= 0) temporary_ = candidate;
+    }
+    owns_descriptor_ = true;
+    if (old) inherit(descriptor_, *old);
+}
+
+void OutputFile::write(std::string_view bytes) {
+    if (held_back_.size() + bytes.size() > block_size) flush();
+    if (bytes.size() >= block_size) {
+        send(bytes);
+    } else {
+        held_back_.append(bytes);
+    }
+}
+
+void OutputFile::flush() {
+    send(held_back_);
+    held_back_.clear();
+}
+
+void OutputFile::send(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t sent = ::write(descriptor_, bytes.data(), bytes.size());
+        if (sent >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(sent));
+        } else if (errno == EINTR) {
+            check_interruption();
+        } else if (errno == EPIPE) {
+            throw ReaderGone();
+        } else {
+            fail("write", errno);
+        }
+    }
+}
+
+void OutputFile::commit() {
+    flush();
+    if (temporary_.empty()) return;
+    if (fsync(descriptor_) != 0 && errno != EINVAL) fail("write", errno);
+    owns_descriptor_ = false;
+    if (close(std::exchange(descriptor_, -1)) != 0) fail("write", errno);
+    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("write", errno);
+    temporary_.clear();
+    // The folder keeps the new name through a loss of power; where folders cannot be synced there is nothing to do.
+    const int folder = open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) {
+        fsync(folder);
+        close(folder);
+    }
+}
+
+std::optional<std::string> OutputFile::keep_partial() {
+    if (temporary_.empty()) return std::nullopt;
+    flush();
+    struct stat status {};
+    if (fstat(descriptor_, &status) != 0 || status.st_size == 0) return std::nullopt;
+    fsync(descriptor_);
+    const std::string partial = target_.string() + ".partial";
+    if (rename(temporary_.c_str(), partial.c_str()) != 0) fail("keep", errno);
+    temporary_.clear();
+    return name_ + ".partial";
+}
+
+void OutputFile::fail(std::string_view action, int error) const {
+    const std::string reason = error == EISDIR ? "it is a folder" : std::generic_category().message(error);
+    throw FileError(
+        fmt::format("cannot {} {}: {}", action, descriptor_ == STDOUT_FILENO ? name_ : "'" + name_ + "'", reason));
+}
+
+}  // namespace steplab

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/elementwise.hpp"
+#include "core/field.hpp"
+#include "core/sum.hpp"
+#include "models/forces.hpp"
+
+namespace steplab {
+
+/// ConstantForces at work: a_i = (0, -step * i, 0).
+template <class T>
+class Constant {
+public:
+    explicit Constant(const ConstantForces& forces)
+        : count_(forces.count), mass_(forces.mass), step_(static_cast<T>(forces.step)) {}
+
+    void accelerations(const Field<T>&, Field<T>& a) const {
+        T* const ay = a.y();
+        elementwise(count_, [=, step = step_](std::size_t i) { ay[i] = -(step * static_cast<T>(static_cast<int>(i))); });
+    }
+
+    /// Zero at y = 0 for every particle.
+    PotentialEnergy potential(const Field<T>& u) const {
+        CompensatedSum sum;
+        for (std::size_t i = 0; i < count_; ++i) sum.add(step_ * static_cast<double>(i) * static_cast<double>(u.y()[i]));
+        const double value = mass_ * sum.value();
+        return {value, value < 0 ? -value : value, value};
+    }
+
+private:
+    std::size_t count_;
+    double mass_;
+    T step_;
+};
+
+}  // namespace steplab

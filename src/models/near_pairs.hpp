@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/field.hpp"
+#include "core/sum.hpp"
+#include "models/forces.hpp"
+#include "models/morse_pair.hpp"
+#include "models/neighbours.hpp"
+#include "models/pairs.hpp"
+
+namespace steplab {
+
+/// NearPairForces at work: every particle sums the pulls of those nearer than the cut-off in the order of their
+/// indices. The list of neighbours reaches a little further and is renewed when somebody may have come in; as pairs
+/// beyond the cut-off add nothing, the sums do not depend on when that was.
+template <class T>
+class NearPairs {
+public:
+    explicit NearPairs(const NearPairForces& forces)
+        : count_(forces.count),
+          morse_(morse_constants<T>(forces)),
+          cutoff_(static_cast<T>(forces.cutoff)),
+          shift_(morse_energy(morse_, cutoff_)),
+          neighbours_(forces.cutoff) {}
+
+    void accelerations(const Field<T>& u, Field<T>& a) {
+        neighbours_.follow(u);
+        const T *const x = u.x(), *const y = u.y(), *const z = u.z();
+        for (std::size_t i = 0; i < count_; ++i) {
+            Vector<T> sum{T(0), T(0), T(0)};
+            for (const std::uint32_t j : neighbours_.of(i)) {
+                const Vector<T> d{x[i] - x[j], y[i] - y[j], z[i] - z[j]};
+                if (!(d.x * d.x + d.y * d.y + d.z * d.z < cutoff_ * cutoff_)) continue;
+                const Vector<T> pull = morse_pull(morse_, d);
+                sum.x += pull.x;
+                sum.y += pull.y;
+                sum.z += pull.z;
+            }
+            a.x()[i] = sum.x;
+            a.y()[i] = sum.y;
+            a.z()[i] = sum.z;
+        }
+    }
+
+    /// V(r) - V(cut-off), so that the energy does not jump where pairs come in.
+    PotentialEnergy potential(const Field<T>& u) {
+        neighbours_.follow(u);
+        CompensatedSum value, magnitude;
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (const std::uint32_t j : neighbours_.of(i)) {
+                if (j < i) continue;
+                const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
+                const T distance2 = dx * dx + dy * dy + dz * dz;
+                if (!(distance2 < cutoff_ * cutoff_)) continue;
+                const double energy = static_cast<double>(morse_energy(morse_, square_root(distance2)) - shift_);
+                value.add(energy);
+                magnitude.add(energy < 0 ? -energy : energy);
+            }
+        }
+        return {value.value(), magnitude.value(), 0};
+    }
+
+private:
+    std::size_t count_;
+    MorseConstants<T> morse_;
+    T cutoff_;
+    T shift_;
+    Neighbours neighbours_;
+};
+
+}  // namespace steplab

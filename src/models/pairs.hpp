@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/elementwise.hpp"
+#include "core/field.hpp"
+#include "core/sum.hpp"
+#include "models/forces.hpp"
+#include "models/morse_pair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace steplab {
+
+template <class T>
+MorseConstants<T> morse_constants(const PairForces& forces) {
+    const T depth = static_cast<T>(forces.depth);
+    const T b = square_root(static_cast<T>(forces.k) / (T(2) * depth));
+    return {depth, b, static_cast<T>(forces.r0), T(2) * b * depth / static_cast<T>(forces.mass)};
+}
+
+/// PairForces at work: every particle sums the pulls of all others in the order of their indices.
+template <class T>
+class Pairs {
+public:
+    explicit Pairs(const PairForces& forces) : count_(forces.count), morse_(morse_constants<T>(forces)) {}
+
+    void accelerations(const Field<T>& u, Field<T>& a) const {
+        for (std::size_t begin = 0; begin < count_; begin += lanes) accelerate_lanes(u, a, begin);
+    }
+
+    PotentialEnergy potential(const Field<T>& u) const {
+        CompensatedSum value, magnitude;
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (std::size_t j = i + 1; j < count_; ++j) {
+                const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
+                const double energy = static_cast<double>(morse_energy(morse_, square_root(dx * dx + dy * dy + dz * dz)));
+                value.add(energy);
+                magnitude.add(std::abs(energy));
+            }
+        }
+        return {value.value(), magnitude.value(), 0};
+    }
+
+private:
+    /// Particles whose sums are kept in registers while one passes over all others.
+    static constexpr std::size_t lanes = 16;
+    using Lanes = std::array<T, lanes>;
+
+    void accelerate_lanes(const Field<T>& u, Field<T>& a, std::size_t begin) const {
+        alignas(64) Lanes sx{}, sy{}, sz{};
+        const T *const x = u.x(), *const y = u.y(), *const z = u.z();
+        const MorseConstants<T> morse = morse_;
+        for (std::size_t j = 0; j < count_; ++j) {
+            for (std::size_t l = 0; l < lanes; ++l) {
+                const std::size_t i = begin + l;
+                const Vector<T> pull = morse_pull(morse, Vector<T>{x[i] - x[j], y[i] - y[j], z[i] - z[j]});
+                sx[l] += pull.x;
+                sy[l] += pull.y;
+                sz[l] += pull.z;
+            }
+        }
+        const std::size_t used = std::min(lanes, count_ - begin);
+        std::copy_n(sx.data(), used, a.x() + begin);
+        std::copy_n(sy.data(), used, a.y() + begin);
+        std::copy_n(sz.data(), used, a.z() + begin);
+    }
+
+    std::size_t count_;
+    MorseConstants<T> morse_;
+};
+
+}  // namespace steplab

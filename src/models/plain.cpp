@@ -1,0 +1,113 @@
+#include "models/plain.hpp"
+
+#include "core/number.hpp"
+
+#include <cmath>
+
+namespace steplab {
+
+template <class T>
+Plain<T>::Plain(const Forces& forces) {
+    std::visit([this](const auto& layout) { add(layout); }, forces);
+}
+
+template <class T>
+void Plain<T>::add(const ConstantForces& forces) {
+    constant_step_ = static_cast<T>(forces.step);
+}
+
+template <class T>
+void Plain<T>::add(const LineForces& forces) {
+    mass_ = static_cast<T>(forces.mass);
+    k_ = static_cast<T>(forces.k);
+    gravity_ = static_cast<T>(forces.gravity);
+    for (std::size_t i = 0; i + 1 < forces.count; ++i) springs_.push_back({i, i + 1, static_cast<T>(forces.rest_length)});
+    if (forces.first_fixed) fixed_.push_back(0);
+}
+
+template <class T>
+void Plain<T>::add(const GridForces& forces) {
+    mass_ = static_cast<T>(forces.mass);
+    k_ = static_cast<T>(forces.k);
+    const std::size_t dim = forces.dim;
+    const T length = static_cast<T>(forces.rest_length), diagonal = static_cast<T>(std::sqrt(2.0) * forces.rest_length);
+    for (std::size_t i = 0; i < dim; ++i) {
+        for (std::size_t j = 0; j < dim; ++j) {
+            const std::size_t p = i * dim + j;
+            if (j + 1 < dim) springs_.push_back({p, p + 1, length});
+            if (i + 1 < dim) springs_.push_back({p, p + dim, length});
+            if (i + 1 < dim && j + 1 < dim) springs_.push_back({p, p + dim + 1, diagonal});
+            if (i + 1 < dim && j > 0) springs_.push_back({p, p + dim - 1, diagonal});
+            if (i == 0 || j == 0 || i + 1 == dim || j + 1 == dim) fixed_.push_back(p);
+        }
+    }
+}
+
+template <class T>
+void Plain<T>::add(const PairForces& forces) {
+    mass_ = static_cast<T>(forces.mass);
+    morse_ = true;
+    depth_ = static_cast<T>(forces.depth);
+    b_ = square_root(static_cast<T>(forces.k) / (T(2) * depth_));
+    r0_ = static_cast<T>(forces.r0);
+}
+
+template <class T>
+void Plain<T>::add(const NearPairForces& forces) {
+    add(static_cast<const PairForces&>(forces));
+    cutoff_ = static_cast<T>(forces.cutoff);
+}
+
+template <class T>
+void Plain<T>::accelerations(const Field<T>& positions, Field<T>& a) const {
+    for (std::size_t i = 0; i < a.count(); ++i) {
+        a.x()[i] = T(0);
+        a.y()[i] = -(constant_step_ * static_cast<T>(i)) - gravity_;
+        a.z()[i] = T(0);
+    }
+    add_springs(positions, a);
+    if (morse_) add_pairs(positions, a);
+    for (const std::size_t i : fixed_) a.set(i, {});
+}
+
+template <class T>
+void Plain<T>::add_springs(const Field<T>& positions, Field<T>& a) const {
+    const T *const x = positions.x(), *const y = positions.y(), *const z = positions.z();
+    for (const auto& [i, j, length] : springs_) {
+        const T dx = x[j] - x[i], dy = y[j] - y[i], dz = z[j] - z[i];
+        const T distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+        const T s = distance > T(0) ? k_ * (distance - length) / distance : T(0);
+        const T fx = s * dx, fy = s * dy, fz = s * dz;
+        a.x()[i] += fx / mass_;
+        a.y()[i] += fy / mass_;
+        a.z()[i] += fz / mass_;
+        a.x()[j] -= fx / mass_;
+        a.y()[j] -= fy / mass_;
+        a.z()[j] -= fz / mass_;
+    }
+}
+
+template <class T>
+void Plain<T>::add_pairs(const Field<T>& positions, Field<T>& a) const {
+    const T *const x = positions.x(), *const y = positions.y(), *const z = positions.z();
+    for (std::size_t i = 0; i < positions.count(); ++i) {
+        for (std::size_t j = i + 1; j < positions.count(); ++j) {
+            const T dx = x[i] - x[j], dy = y[i] - y[j], dz = z[i] - z[j];
+            const T distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+            if (!(distance > T(0)) || (cutoff_ > T(0) && !(distance < cutoff_))) continue;
+            const T e = exponential(-(b_ * (distance - r0_)));
+            const T s = -(T(2) * b_ * depth_ * e * (T(1) - e)) / distance;
+            a.x()[i] += s * dx / mass_;
+            a.y()[i] += s * dy / mass_;
+            a.z()[i] += s * dz / mass_;
+            a.x()[j] -= s * dx / mass_;
+            a.y()[j] -= s * dy / mass_;
+            a.z()[j] -= s * dz / mass_;
+        }
+    }
+}
+
+template class Plain<float>;
+template class Plain<double>;
+
+}  // namespace steplab

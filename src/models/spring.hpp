@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/number.hpp"
+
+namespace steplab {
+
+/// A vector of any number type, for the formulas of forces.
+template <class N>
+struct Vector {
+    N x, y, z;
+};
+
+/// The spring formulas, once for every number type. A spring joins two particles whose reference positions differ by
+/// `rest`, |rest| = `length` being its rest length; e is the difference of their displacements. Then d = rest + e, and
+/// |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the rounding of positions is right.
+template <class N>
+struct SpringGeometry {
+    Vector<N> d;     ///< from the first particle to the second
+    N stretch;       ///< |d|^2 - length^2
+    N distance2;     ///< |d|^2
+    N distance;      ///< |d|
+
+    SpringGeometry(const Vector<N>& rest, const Vector<N>& e)
+        : d{rest.x + e.x, rest.y + e.y, rest.z + e.z},
+          stretch(e.x * (rest.x + d.x) + e.y * (rest.y + d.y) + e.z * (rest.z + d.z)),
+          distance2(d.x * d.x + d.y * d.y + d.z * d.z),
+          distance(square_root(distance2)) {}
+};
+
+/// (|d| - length) d / |d|: the pull of a spring of force constant 1 on its first particle. Zero for coincident particles.
+template <class N>
+Vector<N> spring_pull(const Vector<N>& rest, N length, const Vector<N>& e) {
+    const SpringGeometry<N> spring(rest, e);
+    const N denominator = spring.distance2 + length * spring.distance;
+    const N factor = spring.stretch / where(denominator > N(0), denominator, N(1));
+    return {factor * spring.d.x, factor * spring.d.y, factor * spring.d.z};
+}
+
+/// (|d| - length)^2 / 2: the energy of a spring of force constant 1.
+template <class N>
+N spring_energy(const Vector<N>& rest, N length, const Vector<N>& e) {
+    const SpringGeometry<N> spring(rest, e);
+    const N denominator = spring.distance + length;
+    const N extension = spring.stretch / where(denominator > N(0), denominator, N(1));
+    return extension * extension / N(2);
+}
+
+}  // namespace steplab
