@@ -1,0 +1,34 @@
+# What `cmake --install` puts where, and the target `programs`: everything a user runs, without the tests.
+# Programs and run-time modules are those that the folders under src/ declare; nobody lists them a second time.
+
+# steplab_targets_below(directory result): all targets declared in a source folder and the folders it adds.
+function(steplab_targets_below directory result)
+  get_property(targets DIRECTORY ${directory} PROPERTY BUILDSYSTEM_TARGETS)
+  get_property(folders DIRECTORY ${directory} PROPERTY SUBDIRECTORIES)
+  foreach(folder IN LISTS folders)
+    steplab_targets_below(${folder} below)
+    list(APPEND targets ${below})
+  endforeach()
+  set(${result} ${targets} PARENT_SCOPE)
+endfunction()
+
+add_custom_target(programs)
+steplab_targets_below(${PROJECT_SOURCE_DIR}/src all_targets)
+foreach(target IN LISTS all_targets)
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL "EXECUTABLE")
+    install(TARGETS ${target} RUNTIME DESTINATION bin)
+    add_dependencies(programs ${target})
+  elseif(type STREQUAL "MODULE_LIBRARY")
+    # Beside the program at ../lib/steplab, in the build tree as when installed: the programs look nowhere else.
+    install(TARGETS ${target} LIBRARY DESTINATION lib/steplab)
+    add_dependencies(programs ${target})
+  endif()
+endforeach()
+
+if(STEPLAB_GRAPHICS)
+  install(DIRECTORY shaders/ DESTINATION share/steplab/shaders)
+  install(FILES assets/steplab.desktop DESTINATION share/applications)
+  install(FILES assets/steplab.svg DESTINATION share/icons/hicolor/scalable/apps)
+endif()
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/steplab)

@@ -1,0 +1,93 @@
+# What the scripts of this folder share; to be sourced. Nothing here asks a question.
+# shellcheck shell=bash
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+exec </dev/null
+
+say() { printf '\n== %s\n' "$*" >&2; }
+
+fail() {
+    printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+    exit 1
+}
+
+# help_of FILE: the comment at the head of a script, which is its --help.
+help_of() { awk 'NR > 1 && !/^#/ { exit } NR > 1 { sub(/^# ?/, ""); print }' "$1"; }
+
+# entries SECTION...: the lines of these sections of packages.txt, comments removed.
+entries() {
+    awk -v wanted=" $* " '
+        { sub(/#.*/, ""); gsub(/^[ \t]+|[ \t]+$/, "") }
+        /^\[/ { gsub(/[][ \t]/, ""); inside = index(wanted, " " $0 " "); next }
+        inside && NF' "$root/scripts/packages.txt"
+}
+
+is_installed() { dpkg-query -W -f='${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
+
+is_offered() { [[ -n $(apt-cache madison "$1" 2>/dev/null) ]]; }
+
+# missing NAME...: what to install where one of these will do: nothing if one is there, else the first that is offered.
+missing_of() {
+    local name
+    for name in "$@"; do
+        if is_installed "$name"; then return; fi
+    done
+    for name in "$@"; do
+        if is_offered "$name"; then echo "$name"; return; fi
+    done
+    echo "$1"
+}
+
+# missing_packages SECTION...: what has to be installed, one name a line; wanted ones only where they are offered.
+missing_packages() {
+    local entry name
+    while read -r entry; do
+        read -r -a names <<<"${entry//[?|]/ }"
+        name=$(missing_of "${names[@]}")
+        if [[ -z $name ]]; then continue; fi
+        if [[ $entry == \?* ]] && ! is_offered "$name"; then continue; fi
+        echo "$name"
+    done < <(entries "$@")
+}
+
+as_root() {
+    if ((EUID == 0)); then "$@"; else sudo -n "$@"; fi
+}
+
+check_apt() {
+    if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then return; fi
+    fail "there is no apt here to install packages with. Install what scripts/packages.txt lists by the means of
+your system, then run:  cmake --preset release && cmake --build --preset release"
+}
+
+check_right_to_install() {
+    if as_root true 2>/dev/null; then return; fi
+    fail "packages are missing, and installing them needs root, or a sudo that asks for no password.
+Run this script as root, or have these installed first:  apt-get install --no-install-recommends $*"
+}
+
+# ensure_packages SECTION...: installs what is missing; where everything is there, apt is not called at all.
+ensure_packages() {
+    check_apt
+    local packages
+    mapfile -t packages < <(missing_packages "$@")
+    if ((${#packages[@]} == 0)); then return; fi
+    check_right_to_install "${packages[@]}"
+    say "refreshing apt's lists: packages are missing (${packages[*]})"
+    as_root apt-get update -q >&2 || say "the lists could not be refreshed; going on with the old ones"
+    mapfile -t packages < <(missing_packages "$@")
+    say "installing with apt: ${packages[*]}"
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${packages[@]}" >&2 ||
+        fail "apt could not install: ${packages[*]}"
+}
+
+# build PRESET [arguments of cmake --build]
+build() {
+    local preset=$1 log=$root/build/$1.configure.log
+    shift
+    say "building build/$preset"
+    mkdir -p "$root/build"
+    cd "$root" || exit
+    cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; fail "cmake could not set up build/$preset"; }
+    cmake --build --preset "$preset" "$@" >&2
+}

@@ -1,0 +1,50 @@
+#include "repository/files.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace steplab::repository {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Hidden folders are tools' own (.git, .cache); build folders hold what is made from the rest.
+bool is_kept(const fs::path& folder) {
+    const std::string name = folder.filename().string();
+    return name == ".ci" || (!name.starts_with('.') && !name.starts_with("build"));
+}
+
+std::string read(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+bool has_run_bit(const fs::path& path) {
+    return (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
+}
+
+}  // namespace
+
+std::vector<TextFile> text_files(const fs::path& root) {
+    std::vector<TextFile> files;
+    for (auto entry = fs::recursive_directory_iterator(root); entry != fs::recursive_directory_iterator(); ++entry) {
+        if (entry->is_directory() && !is_kept(entry->path())) entry.disable_recursion_pending();
+        if (!entry->is_regular_file()) continue;
+        std::string text = read(entry->path());
+        const bool binary = text.find('\0') != std::string::npos;
+        if (!binary) files.push_back({entry->path().lexically_relative(root), text, has_run_bit(entry->path())});
+    }
+    std::ranges::sort(files, {}, &TextFile::path);
+    return files;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+}  // namespace steplab::repository
