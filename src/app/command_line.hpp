@@ -8,9 +8,18 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace steplab {
+
+/// Declares an option whose value is taken as it stands; our own parsers read it, in the C locale and with our
+/// messages. `placeholder` stands for the value in the help: "--dt X".
+CLI::Option* text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
+                         const std::string& what);
+/// The same for an option that may be repeated.
+CLI::Option* repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                             const std::string& placeholder, const std::string& what);
 
 /// Parses the arguments of one command (its name not among them). Returns the text to print instead of running the
 /// command, if --help or --version was asked. Throws UsageError: one line, with the nearest and the known options.

@@ -1,6 +1,7 @@
 #include "io/interruption.hpp"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace steplab {
 

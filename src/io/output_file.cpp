@@ -171,7 +171,8 @@ std::optional<std::string> OutputFile::keep_partial() {
     const std::string partial = target_.string() + ".partial";
     if (rename(temporary_.c_str(), partial.c_str()) != 0) fail("keep", errno);
     temporary_.clear();
-    return name_ + ".partial";
+    std::error_code ignored;
+    return fs::is_symlink(name_, ignored) ? partial : name_ + ".partial";
 }
 
 void OutputFile::fail(std::string_view action, int error) const {

@@ -1,0 +1,134 @@
+#include "app/catalogue_text.hpp"
+
+#include "sim/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::size_t page_width = 100;
+
+/// Breaks text into lines of at most page_width, each but the first indented.
+std::string wrapped(std::string_view text, std::size_t indent) {
+    std::string out;
+    std::size_t column = indent;
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find(' '), text.size());
+        const bool first = column == indent;
+        if (!first && column + 1 + length > page_width) {
+            out += '\n' + std::string(indent, ' ');
+            column = indent;
+        } else if (!first) {
+            out += ' ';
+            ++column;
+        }
+        out += text.substr(0, length);
+        column += length;
+        text.remove_prefix(std::min(length + 1, text.size()));
+    }
+    return out;
+}
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest cell; the last one takes the rest of the page.
+std::string aligned(const std::vector<Row>& rows, std::size_t indent) {
+    std::vector<std::size_t> widths(rows.front().size(), 0);
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string out;
+    for (const Row& row : rows) {
+        std::string line(indent, ' ');
+        for (std::size_t i = 0; i + 1 < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
+        line += wrapped(row.back(), line.size());
+        out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    }
+    return out;
+}
+
+std::string default_text(const ParameterInfo& info) {
+    const std::string value = format_value(info, info.default_value);
+    return info.unit.empty() ? value : fmt::format("{} {}", value, info.unit);
+}
+
+std::string parameter_rows(std::span<const ParameterInfo> parameters) {
+    if (parameters.empty()) return "";
+    std::vector<Row> rows;
+    for (const ParameterInfo& info : parameters) {
+        rows.push_back(
+            {std::string(info.name), "default " + default_text(info), range_text(info), std::string(info.what)});
+    }
+    return aligned(rows, 6);
+}
+
+template <class Info>
+std::string help_entry(const Info& info) {
+    std::string text = fmt::format("  {:<14}", info.id);
+    return text + wrapped(fmt::format("{}: {}", info.name, info.what), text.size()) + '\n' +
+           parameter_rows(info.parameters);
+}
+
+std::string settings(std::span<const ParameterInfo> parameters) {
+    std::string text;
+    for (const ParameterInfo& info : parameters) {
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", info.name, format_value(info, info.default_value));
+    }
+    return text;
+}
+
+std::string limit_text(const MethodInfo& info) {
+    if (info.linear_limit == 0) return "never";
+    const double limit = linear_limit(info, ParameterValues(info.parameters));
+    return limit == infinity ? "always" : fmt::format("< {:.4g}", limit);
+}
+
+std::string properties(const MethodInfo& info) {
+    std::string text;
+    const auto add = [&text](bool has, std::string_view word) {
+        if (has) text += (text.empty() ? "" : ", ") + std::string(word);
+    };
+    add(info.symplectic, "symplectic");
+    add(info.reversible, "reversible");
+    add(info.adaptive, "adaptive");
+    add(info.curiosity, "curiosity");
+    return text.empty() ? "-" : text;
+}
+
+}  // namespace
+
+std::string catalogue_help() {
+    std::string text = "Models (--model) and their parameters (--set name=value)\n";
+    for (const Model& model : models()) text += help_entry(model.info);
+    text += "\nMethods (--method) and their parameters (--set name=value)\n";
+    for (const Method& method : methods()) text += help_entry(method.info);
+    return text.substr(0, text.size() - 1);
+}
+
+std::string models_table() {
+    std::vector<Row> rows{{"MODEL", "PARAMETERS", "WHAT IT IS"}};
+    for (const Model& model : models()) {
+        rows.push_back({std::string(model.info.id), settings(model.info.parameters), std::string(model.info.what)});
+    }
+    return aligned(rows, 0);
+}
+
+std::string methods_table() {
+    std::vector<Row> rows{{"METHOD", "ORDER", "EVALUATIONS", "STABLE w dt", "PROPERTIES", "PARAMETERS", "NAME"}};
+    for (const Method& method : methods()) {
+        const MethodInfo& info = method.info;
+        const double evaluations = evaluations_per_step(info, ParameterValues(info.parameters));
+        rows.push_back({std::string(info.id), std::to_string(info.order), fmt::format("{:g}", evaluations),
+                        limit_text(info), properties(info), info.parameters.empty() ? "-" : settings(info.parameters),
+                        std::string(info.name)});
+    }
+    return aligned(rows, 0);
+}
+
+}  // namespace steplab

@@ -1,0 +1,101 @@
+#include "app/scene_options.hpp"
+
+#include "app/catalogue_text.hpp"
+#include "app/command_line.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace steplab {
+
+namespace {
+
+/// Up to here every whole number is a double, so that step * dt is the time.
+constexpr double most_steps = 9007199254740992.0;
+
+constexpr ParameterInfo dt_info{.name = "--dt", .unit = "", .minimum_included = false, .what = "time step"};
+constexpr ParameterInfo until_info{.name = "--until", .unit = "", .what = "time to reach"};
+constexpr ParameterInfo steps_info{.name = "--steps",
+                                   .kind = ParameterInfo::Kind::integer,
+                                   .unit = "",
+                                   .maximum = most_steps,
+                                   .what = "number of steps"};
+
+Precision precision_of(std::string_view text) {
+    constexpr std::array known{id(Precision::float_), id(Precision::double_)};
+    if (text == known[0]) return Precision::float_;
+    if (text == known[1]) return Precision::double_;
+    throw UsageError(unknown_word("precision", text, known));
+}
+
+void apply(RunDescription& description, const std::vector<std::string>& settings) {
+    std::vector<std::string> names;
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        if (equals == std::string::npos || equals == 0) {
+            throw UsageError(fmt::format("--set '{}' is not of the form name=value, such as --set n=20", setting));
+        }
+        const std::string name = setting.substr(0, equals);
+        if (std::find(names.begin(), names.end(), name) != names.end()) {
+            throw UsageError(fmt::format("parameter '{}' is set more than once", name));
+        }
+        names.push_back(name);
+        set_parameter(description, name, setting.substr(equals + 1));
+    }
+}
+
+}  // namespace
+
+void SceneOptions::declare(CLI::App& app) {
+    const RunDescription defaults = describe();
+    model_ = defaults.model;
+    method_ = defaults.method;
+    precision_ = id(defaults.precision);
+    dt_ = number_text(defaults.dt);
+    const std::string group = "Scene";
+    text_option(app, "--model", model_, "ID", fmt::format("What moves (default {})", model_))->group(group);
+    repeated_option(app, "--set", settings_, "name=value", "A parameter of the model or method; repeatable")
+        ->group(group);
+    text_option(app, "--method", method_, "ID", fmt::format("How it is integrated (default {})", method_))
+        ->group(group);
+    text_option(app, "--precision", precision_, "float|double",
+                fmt::format("Of the whole run (default {})", precision_))
+        ->group(group);
+    text_option(app, "--dt", dt_, "X", fmt::format("Time step (default {})", dt_))->group(group);
+    app.footer(catalogue_help);
+}
+
+RunDescription SceneOptions::description() const {
+    RunDescription description = describe(model_, method_);
+    description.precision = precision_of(precision_);
+    description.dt = parse_value(dt_info, dt_);
+    apply(description, settings_);
+    check(description);
+    return description;
+}
+
+void TimeOptions::declare(CLI::App& app) {
+    const std::string group = "Time";
+    text_option(app, "--steps", steps_, "N", fmt::format("How many steps (default {})", default_steps_))->group(group);
+    text_option(app, "--until", until_, "T", "Instead of --steps: the time to reach")->group(group);
+}
+
+std::uint64_t TimeOptions::steps(const RunDescription& description) const {
+    if (!steps_.empty() && !until_.empty()) throw UsageError("--steps and --until both say how long: give one of them");
+    if (!steps_.empty()) return static_cast<std::uint64_t>(parse_value(steps_info, steps_));
+    if (until_.empty()) return default_steps_;
+    const double until = parse_value(until_info, until_);
+    if (until / description.dt > most_steps) {
+        throw UsageError(fmt::format("--until {} takes more than {} steps of {}", until_, number_text(most_steps),
+                                     number_text(description.dt)));
+    }
+    return steps_until(until, description.dt);
+}
+
+}  // namespace steplab

@@ -1,0 +1,7 @@
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+
+int main(int argc, char** argv) {
+    steplab::prepare_standard_streams();
+    return steplab::run_steplab({argv + (argc > 0 ? 1 : 0), argv + argc});
+}
