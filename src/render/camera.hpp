@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/vec3.hpp"
+
+#include <optional>
+
+namespace steplab::render {
+
+/// Where the scene is looked at from; plain data. At yaw 0 and pitch 0 it looks along -z: x to the right, y up.
+struct Camera {
+    Vec3 focus;            ///< the point it looks at and turns about
+    double distance = 10;  ///< from the eye to the focus, > 0
+    double yaw = 0;        ///< degrees; the eye moves towards +x as it grows
+    double pitch = 0;      ///< degrees, -90 .. 90; the eye moves up as it grows
+
+    friend bool operator==(const Camera&, const Camera&) = default;
+};
+
+/// Height of the picture as an angle in degrees.
+inline constexpr double field_of_view = 32;
+
+/// Size of a picture in pixels.
+struct PictureSize {
+    int width = 1280;
+    int height = 720;
+    friend bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+/// A point of a picture in pixels from its top left corner, the centre of the first pixel at (0.5, 0.5).
+struct PixelPoint {
+    double x = 0;
+    double y = 0;
+};
+
+struct Ray {
+    Vec3 origin;
+    Vec3 direction;  ///< of length 1
+};
+
+/// A camera with a size of picture: the way from space to pixels and back, in double.
+class Projection {
+public:
+    Projection(const Camera& camera, PictureSize size);
+
+    const Camera& camera() const { return camera_; }
+    PictureSize size() const { return size_; }
+    Vec3 eye() const { return eye_; }
+    Vec3 right() const { return right_; }
+    Vec3 up() const { return up_; }
+    Vec3 forward() const { return forward_; }
+    /// How far in front of the eye a point is, along the direction of view; negative behind it.
+    double depth(Vec3 point) const { return dot(point - eye_, forward_); }
+    /// Where a point is in the picture, also beyond its edges. None if it is not in front of the eye.
+    std::optional<PixelPoint> pixel(Vec3 point) const;
+    /// The ray from the eye through a pixel.
+    Ray ray(PixelPoint pixel) const;
+    /// The point under a pixel on the plane through the focus that faces the eye.
+    Vec3 on_focus_plane(PixelPoint pixel) const;
+    /// Pixels that a length of 1 covers at a depth, > 0.
+    double pixels_per_unit(double depth) const { return pixels_at_one_ / depth; }
+    /// Tangents of half the picture's width and height as angles.
+    double half_width() const { return half_width_; }
+    double half_height() const { return half_height_; }
+
+private:
+    Camera camera_;
+    PictureSize size_;
+    Vec3 right_, up_, forward_, eye_;
+    double half_width_, half_height_, pixels_at_one_;
+};
+
+/// Turns about the focus by a drag of the mouse, in pixels; half a turn is the picture's height.
+Camera orbited(const Projection& projection, double dx, double dy);
+/// Moves so that the focus follows a drag of the mouse, in pixels.
+Camera panned(const Projection& projection, double dx, double dy);
+/// Nearer by `factor` (> 1) or farther (< 1); the point of the focus plane under the pixel stays under it.
+Camera zoomed(const Projection& projection, double factor, PixelPoint pixel);
+
+}  // namespace steplab::render

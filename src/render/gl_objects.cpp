@@ -1,0 +1,57 @@
+#include "render/gl_objects.hpp"
+
+namespace steplab::render {
+namespace {
+
+const void* byte_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
+
+}  // namespace
+
+GLuint BufferKind::create() {
+    GLuint id = 0;
+    glGenBuffers(1, &id);
+    return id;
+}
+void BufferKind::destroy(GLuint id) { glDeleteBuffers(1, &id); }
+
+GLuint VertexArrayKind::create() {
+    GLuint id = 0;
+    glGenVertexArrays(1, &id);
+    return id;
+}
+void VertexArrayKind::destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
+
+GLuint TextureKind::create() {
+    GLuint id = 0;
+    glGenTextures(1, &id);
+    return id;
+}
+void TextureKind::destroy(GLuint id) { glDeleteTextures(1, &id); }
+
+GLuint FramebufferKind::create() {
+    GLuint id = 0;
+    glGenFramebuffers(1, &id);
+    return id;
+}
+void FramebufferKind::destroy(GLuint id) { glDeleteFramebuffers(1, &id); }
+
+GLuint RenderbufferKind::create() {
+    GLuint id = 0;
+    glGenRenderbuffers(1, &id);
+    return id;
+}
+void RenderbufferKind::destroy(GLuint id) { glDeleteRenderbuffers(1, &id); }
+
+void float_attribute(GLuint location, int components, std::size_t stride, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), byte_offset(offset));
+}
+
+void colour_attribute(GLuint location, std::size_t stride, std::size_t offset) {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, 4, GL_UNSIGNED_BYTE, GL_TRUE, static_cast<GLsizei>(stride), byte_offset(offset));
+}
+
+void per_instance(GLuint location) { glVertexAttribDivisor(location, 1); }
+
+}  // namespace steplab::render

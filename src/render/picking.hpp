@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/frame.hpp"
+#include "render/camera.hpp"
+
+#include <cstddef>
+#include <optional>
+
+namespace steplab::render {
+
+/// Radius at which a particle is drawn, from its scene's spacing and its role.
+double drawn_radius(const Shape& shape, Role role);
+
+/// The particle under a pixel, the nearest to the eye of those whose drawn disc has it; discs count as at least
+/// `reach` pixels in radius, so that far ones can be hit too. None if there is nothing.
+std::optional<std::size_t> particle_at(const Frame& frame, const Projection& projection, PixelPoint pixel,
+                                       double reach = 6);
+
+}  // namespace steplab::render

@@ -1,0 +1,110 @@
+#include "render/render_target.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace steplab::render {
+namespace {
+
+constexpr int wanted_samples = 4;
+
+int integer(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+void make_storage(const Renderbuffer& buffer, GLenum format, int samples, PictureSize size) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.width, size.height);
+}
+
+void make_colour_texture(const Texture& texture, const Framebuffer& framebuffer, PictureSize size) {
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+}
+
+void require_complete(PictureSize size) {
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
+    throw GraphicsError(fmt::format("this OpenGL cannot draw a picture of {}x{} pixels", size.width, size.height));
+}
+
+void require_size(PictureSize size) {
+    const int largest = std::min(integer(GL_MAX_RENDERBUFFER_SIZE), integer(GL_MAX_TEXTURE_SIZE));
+    const bool possible = size.width >= 1 && size.height >= 1 && size.width <= largest && size.height <= largest;
+    if (possible) return;
+    throw GraphicsError(fmt::format("this OpenGL draws at most {}x{} pixels at once, not {}x{}", largest, largest,
+                                    size.width, size.height));
+}
+
+void blit(const Framebuffer& from, PictureSize from_size, const Framebuffer& to, PictureSize to_size, GLenum filter) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.id());
+    glBlitFramebuffer(0, 0, from_size.width, from_size.height, 0, 0, to_size.width, to_size.height, GL_COLOR_BUFFER_BIT,
+                      filter);
+}
+
+PictureSize times(PictureSize size, int factor) { return {size.width * factor, size.height * factor}; }
+
+}  // namespace
+
+RenderTarget::RenderTarget(PictureSize size, int supersampling)
+    : size_(size), supersampling_(supersampling), samples_(std::min(wanted_samples, integer(GL_MAX_SAMPLES))) {
+    const PictureSize drawn = times(size, supersampling);
+    require_size(drawn);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    make_storage(colour_, GL_RGBA8, samples_, drawn);
+    make_storage(depth_, GL_DEPTH_COMPONENT24, samples_, drawn);
+    glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+    require_complete(drawn);
+    if (supersampling > 1) {
+        intermediate_.emplace();
+        make_colour_texture(intermediate_->texture, intermediate_->framebuffer, drawn);
+        require_complete(drawn);
+    }
+    make_colour_texture(texture_, framebuffer_, size);
+    require_complete(size);
+}
+
+void RenderTarget::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
+    glViewport(0, 0, size_.width * supersampling_, size_.height * supersampling_);
+}
+
+void RenderTarget::resolve() const {
+    const PictureSize drawn = times(size_, supersampling_);
+    const Framebuffer& resolved = intermediate_ ? intermediate_->framebuffer : framebuffer_;
+    glDisable(GL_SCISSOR_TEST);
+    blit(multisampled_, drawn, resolved, drawn, GL_NEAREST);
+    if (intermediate_) blit(resolved, drawn, framebuffer_, size_, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, size_.width, size_.height);
+}
+
+std::vector<std::uint8_t> RenderTarget::read() const {
+    const std::size_t row = 4 * static_cast<std::size_t>(size_.width);
+    std::vector<std::uint8_t> bytes(row * static_cast<std::size_t>(size_.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    for (std::size_t top = 0, bottom = static_cast<std::size_t>(size_.height) - 1; top < bottom; ++top, --bottom) {
+        const auto upper = bytes.begin() + static_cast<std::ptrdiff_t>(top * row);
+        const auto lower = bytes.begin() + static_cast<std::ptrdiff_t>(bottom * row);
+        std::swap_ranges(upper, upper + static_cast<std::ptrdiff_t>(row), lower);
+    }
+    return bytes;
+}
+
+}  // namespace steplab::render
