@@ -1,0 +1,129 @@
+#include "tables.hpp"
+
+#include "shell.hpp"
+#include "sim/catalogue.hpp"
+#ifdef STEPLAB_GRAPHICS
+#include "ui/keys.hpp"
+#endif
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace steplab::docs {
+namespace {
+
+std::string default_text(const ParameterInfo& info) {
+    return fmt::format("{}{}{}", format_value(info, info.default_value), info.unit.empty() ? "" : " ", info.unit);
+}
+
+/// "n = 10, k = 1 N/m": the parameters with their defaults.
+std::string defaults_text(std::span<const ParameterInfo> parameters) {
+    std::string text;
+    for (const ParameterInfo& info : parameters) {
+        text += fmt::format("{}`{}` = {}", text.empty() ? "" : ", ", info.name, default_text(info));
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::string parameter_table(std::span<const ParameterInfo> parameters) {
+    if (parameters.empty()) return "It has no parameters.\n";
+    std::string table = "| parameter | what it is | unit | range | default | a change |\n|---|---|---|---|---|---|\n";
+    for (const ParameterInfo& info : parameters) {
+        table += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", info.name, info.what, info.unit, range_text(info),
+                             format_value(info, info.default_value),
+                             info.on_change == OnChange::applies_live ? "applies at once" : "restarts the run");
+    }
+    return table;
+}
+
+std::string order_text(const MethodInfo& info) {
+    if (info.order == info.order_with_drag) return fmt::format("{}", info.order);
+    return fmt::format("{} ({} with drag)", info.order, info.order_with_drag);
+}
+
+std::string limit_text(const MethodInfo& info) {
+    const double limit = linear_limit(info, ParameterValues(info.parameters));
+    if (limit == 0) return "none: grows at any dt";
+    return std::isinf(limit) ? "any dt" : fmt::format("ω dt < {:.5g}", limit);
+}
+
+std::string evaluations_text(const MethodInfo& info) {
+    return fmt::format("{:g}", evaluations_per_step(info, ParameterValues(info.parameters)));
+}
+
+std::string method_in_full(const MethodInfo& info) {
+    std::string text = fmt::format("### `{}`: {}\n\n{}\n\n", info.id, info.name, info.what);
+    text += fmt::format("- order: {}\n- evaluations a step: {}\n- stable on x'' = -ω²x for: {}\n", order_text(info),
+                        evaluations_text(info), limit_text(info));
+    text += fmt::format("- symplectic: {}; reversible: {}\n", info.symplectic ? "yes" : "no",
+                        info.reversible ? "yes" : "no");
+    if (!info.conserves.empty()) text += fmt::format("- keeps: {}\n", info.conserves);
+    text += fmt::format("- source: {}\n", info.source);
+    return text + (info.parameters.empty() ? "\n" : "\n" + parameter_table(info.parameters) + "\n");
+}
+
+std::string keys([[maybe_unused]] const std::string& present) {
+#ifdef STEPLAB_GRAPHICS
+    return ui::key_table();
+#else
+    return present;
+#endif
+}
+
+}  // namespace
+
+std::string models_table() {
+    std::string table = "| model | what it is | parameters and their defaults |\n|---|---|---|\n";
+    for (const Model& model : models()) {
+        table +=
+            fmt::format("| `{}` | {} | {} |\n", model.info.id, model.info.what, defaults_text(model.info.parameters));
+    }
+    return table;
+}
+
+std::string methods_table() {
+    std::string table =
+        "| method | name | order | evaluations a step | stable on x'' = -ω²x for | keeps "
+        "|\n|---|---|---|---|---|---|\n";
+    for (const Method& method : methods()) {
+        const MethodInfo& info = method.info;
+        table += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", info.id, info.name, order_text(info),
+                             evaluations_text(info), limit_text(info), info.conserves);
+    }
+    return table;
+}
+
+std::string models_in_full() {
+    std::string text;
+    for (const Model& model : models()) {
+        text += fmt::format("### `{}`: {}\n\n{}\n\n{}\n", model.info.id, model.info.name, model.info.what,
+                            parameter_table(model.info.parameters));
+    }
+    return text;
+}
+
+std::string methods_in_full() {
+    std::string text;
+    for (const Method& method : methods()) text += method_in_full(method.info);
+    return text;
+}
+
+std::string command_and_output(const std::string& command, const std::string& folder) {
+    const Outcome outcome = run(command, std::filesystem::temp_directory_path(), folder);
+    if (outcome.code != 0) throw std::runtime_error("the documentation's command failed: " + command);
+    return fmt::format("```console\n$ {}\n{}```\n", command, outcome.output);
+}
+
+std::string section(const std::string& name, const std::string& present, const std::string& folder) {
+    if (name == "models") return models_table();
+    if (name == "methods") return methods_table();
+    if (name == "models in full") return models_in_full();
+    if (name == "methods in full") return methods_in_full();
+    if (name == "keys") return keys(present);
+    if (name.starts_with("$ ")) return command_and_output(name.substr(2), folder);
+    throw std::runtime_error("the documentation has a section that nobody makes: " + name);
+}
+
+}  // namespace steplab::docs

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+namespace steplab::docs {
+
+/// The models with their parameters and defaults, a row each.
+std::string models_table();
+/// The methods with what tells them apart, a row each.
+std::string methods_table();
+/// A heading, a sentence and a table of parameters for each model.
+std::string models_in_full();
+/// A heading, what it is, what it keeps, its source and parameters for each method.
+std::string methods_in_full();
+
+/// A shell command and what it prints, as a code block. `folder` is the programs' folder and comes first in PATH.
+/// Throws std::runtime_error if the command fails.
+std::string command_and_output(const std::string& command, const std::string& folder);
+
+/// The section of that name: "models", "methods", "models in full", "methods in full", "keys", or "$ command".
+/// What only a build with the window can make stays as it is in others. Throws std::runtime_error if the name is
+/// unknown.
+std::string section(const std::string& name, const std::string& present, const std::string& folder);
+
+}  // namespace steplab::docs

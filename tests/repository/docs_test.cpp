@@ -1,0 +1,93 @@
+#include "repository/files.hpp"
+#include "sections.hpp"
+#include "sim/catalogue.hpp"
+#include "tables.hpp"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+namespace steplab::repository {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<TextFile> pages() {
+    std::vector<TextFile> files = text_files(STEPLAB_SOURCE_DIR);
+    std::erase_if(files, [](const TextFile& file) { return file.path.extension() != ".md"; });
+    return files;
+}
+
+std::string page(const std::string& path) {
+    for (const TextFile& file : pages()) {
+        if (file.path == path) return file.text;
+    }
+    throw std::runtime_error(path + " is not in the repository");
+}
+
+std::string made(const std::string& name, const std::string& present = {}) {
+    return docs::section(name, present, std::string(STEPLAB_BINARY_DIR) + "/bin");
+}
+
+TEST(Docs, made_sections_are_up_to_date) {
+    for (const TextFile& file : pages()) {
+        EXPECT_EQ(docs::with_sections_made(file.text, made), file.text) << file.path << ": run scripts/update-docs.sh";
+    }
+}
+
+TEST(Docs, section_out_of_date_is_made_anew) {
+    const std::string old_page = "before\n<!-- made: a -->\nold\n<!-- made end -->\nafter\n";
+    const auto make = [](const std::string& name, const std::string& present) {
+        return "new " + name + " for " + present;
+    };
+    EXPECT_EQ(docs::with_sections_made(old_page, make),
+              "before\n<!-- made: a -->\nnew a for old\n<!-- made end -->\nafter\n");
+}
+
+TEST(Docs, broken_section_is_refused) {
+    EXPECT_THROW(docs::with_sections_made("<!-- made: models -->\nold\n", made), std::runtime_error);
+    EXPECT_THROW(made("no such section"), std::runtime_error);
+    EXPECT_THROW(made("$ false"), std::runtime_error);
+}
+
+TEST(Docs, every_model_and_method_is_in_the_tables_of_the_first_page) {
+    const std::string readme = page("README.md");
+    for (const Model& model : models()) EXPECT_THAT(readme, HasSubstr("\n| `" + std::string(model.info.id) + "` |"));
+    for (const Method& method : methods())
+        EXPECT_THAT(readme, HasSubstr("\n| `" + std::string(method.info.id) + "` |"));
+}
+
+TEST(Docs, units_of_all_parameters_are_in_the_table_of_units) {
+    const std::string units = page("docs/units.md");
+    for (const Model& model : models()) {
+        for (const ParameterInfo& info : model.info.parameters) {
+            const std::string unit = info.unit.empty() ? "1" : std::string(info.unit);
+            EXPECT_THAT(units, HasSubstr("| " + unit + " |")) << model.info.id << ' ' << info.name;
+        }
+    }
+}
+
+TEST(Docs, links_lead_to_files) {
+    const std::filesystem::path root = STEPLAB_SOURCE_DIR;
+    for (const TextFile& file : pages()) {
+        for (const std::string& target : docs::linked_files(file.text)) {
+            EXPECT_TRUE(std::filesystem::exists(root / file.path.parent_path() / target))
+                << file.path << ": " << target;
+        }
+    }
+}
+
+TEST(Docs, links_are_found) {
+    EXPECT_THAT(docs::linked_files("![a](docs/a.png), [b](b.md#part), [c](#part), [d](https://example.org/d)"),
+                ElementsAre("docs/a.png", "b.md"));
+}
+
+TEST(Docs, examples_are_found_in_shell_blocks_only) {
+    EXPECT_THAT(
+        docs::examples("```sh\nsteplab list\nls\nsteplab run \\\n--steps 3\n```\n```\nsteplab no\n```\nsteplab no\n"),
+        ElementsAre("steplab list", "steplab run  --steps 3"));
+}
+
+}  // namespace
+}  // namespace steplab::repository

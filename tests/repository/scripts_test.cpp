@@ -1,0 +1,115 @@
+#include "repository/scratch_folder.hpp"
+#include "shell.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace steplab::repository {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+/// The scripts with programs of the test's own before, or instead of, those of the system.
+class Scripts : public testing::Test {
+protected:
+    /// A program in PATH that writes its name and arguments to the file `calls`, prints `output` and ends with `code`.
+    void put_recorder(const std::string& name, int code, const std::string& output = {}) const {
+        std::ofstream(programs() / name) << "#!/bin/bash\necho \"" << name << " $*\" >> " << folder_.path() / "calls"
+                                         << "\necho '" << output << "'\nexit " << code << '\n';
+        fs::permissions(programs() / name, fs::perms::owner_all);
+    }
+
+    /// A command in a shell that has read scripts/lib.sh.
+    docs::Outcome with_functions(const std::string& command) const {
+        return docs::run("source '" STEPLAB_SOURCE_DIR "/scripts/lib.sh'; " + command + " 2>&1", folder_.path(),
+                         programs());
+    }
+
+    bool was_called(const std::string& name) const {
+        std::ifstream calls(folder_.path() / "calls");
+        for (std::string line; std::getline(calls, line);) {
+            if (line.starts_with(name)) return true;
+        }
+        return false;
+    }
+
+    fs::path programs() const {
+        fs::create_directories(folder_.path() / "programs");
+        return folder_.path() / "programs";
+    }
+
+private:
+    ScratchFolder folder_;
+};
+
+TEST_F(Scripts, list_of_packages_is_read_by_section) {
+    const std::string core = with_functions("entries core").output;
+    EXPECT_THAT(core, HasSubstr("cmake\n"));
+    EXPECT_THAT(core, Not(HasSubstr("libglfw3-dev")));
+    EXPECT_THAT(core, Not(HasSubstr("#")));
+    EXPECT_THAT(with_functions("entries core graphics").output, HasSubstr("libglfw3-dev\n"));
+}
+
+TEST_F(Scripts, installed_packages_need_no_apt) {
+    put_recorder("apt-get", 1);
+    put_recorder("apt-cache", 1);
+    put_recorder("dpkg-query", 0, "installed");
+    EXPECT_EQ(with_functions("ensure_packages core graphics tests checks").code, 0);
+    EXPECT_FALSE(was_called("apt"));
+}
+
+TEST_F(Scripts, missing_packages_are_named_and_installed_without_a_question) {
+    put_recorder("apt-get", 0);
+    put_recorder("apt-cache", 0);
+    put_recorder("dpkg-query", 1);
+    const auto outcome = with_functions("as_root() { \"$@\"; }; ensure_packages core");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("installing with apt: g++ cmake"));
+    EXPECT_THAT(outcome.output, Not(HasSubstr("ccache")));  // wanted only, and not offered
+    EXPECT_TRUE(was_called("apt-get install -q -y --no-install-recommends g++ cmake"));
+}
+
+TEST_F(Scripts, failing_apt_ends_with_a_message) {
+    put_recorder("apt-get", 100);
+    put_recorder("apt-cache", 0);
+    put_recorder("dpkg-query", 1);
+    const auto outcome = with_functions("as_root() { \"$@\"; }; ensure_packages core");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.output, HasSubstr("apt could not install: g++"));
+}
+
+TEST_F(Scripts, no_right_to_install_ends_with_the_command_to_run) {
+    put_recorder("apt-get", 0);
+    put_recorder("apt-cache", 0);
+    put_recorder("dpkg-query", 1);
+    const auto outcome = with_functions("as_root() { return 1; }; ensure_packages core");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.output, HasSubstr("apt-get install --no-install-recommends g++ cmake"));
+    EXPECT_FALSE(was_called("apt-get"));
+}
+
+TEST_F(Scripts, system_without_apt_is_told_what_to_do) {
+    const auto outcome = with_functions("PATH=/nowhere; basename() { echo test.sh; }; ensure_packages core");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_THAT(outcome.output, HasSubstr("there is no apt here"));
+    EXPECT_THAT(outcome.output, HasSubstr("scripts/packages.txt"));
+}
+
+TEST_F(Scripts, help_is_given_before_anything_is_installed) {
+    put_recorder("apt-get", 1);
+    put_recorder("dpkg-query", 1);
+    for (const char* script : {"run.sh", "test.sh"}) {
+        const auto outcome =
+            docs::run(std::string(STEPLAB_SOURCE_DIR "/scripts/") + script + " --help", "/", programs());
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_THAT(outcome.output, HasSubstr(std::string("scripts/") + script));
+    }
+    EXPECT_FALSE(was_called("dpkg-query"));
+}
+
+}  // namespace
+}  // namespace steplab::repository
