@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/frame.hpp"
+#include "core/vec3.hpp"
+
+#include <array>
+#include <span>
+
+namespace steplab::render {
+
+/// A box along the axes of space.
+struct Bounds {
+    Vec3 low;
+    Vec3 high;
+
+    Vec3 centre() const { return 0.5 * (low + high); }
+    Vec3 size() const { return high - low; }
+    std::array<Vec3, 8> corners() const;
+    friend bool operator==(const Bounds&, const Bounds&) = default;
+};
+
+/// The smallest box that holds all points; at least one.
+Bounds bounds_of(std::span<const Vec3> points);
+Bounds joined(const Bounds& a, const Bounds& b);
+/// Larger by `margin` on every side.
+Bounds widened(const Bounds& bounds, double margin);
+
+/// The box whose edges carry the axes: it holds the scene at rest, where it is expected to move, and the frame, and
+/// grows by whole steps of the ground grid, so that it stands still while the scene moves a little.
+struct AxesBox {
+    Bounds bounds;
+    double step = 1;  ///< of the ground grid: 1, 2 or 5 times a power of ten
+};
+AxesBox axes_box(const Frame& frame);
+
+}  // namespace steplab::render

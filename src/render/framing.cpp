@@ -1,0 +1,119 @@
+#include "render/framing.hpp"
+
+#include "core/error.hpp"
+#include "render/bounds.hpp"
+#include "render/picking.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace steplab::render {
+namespace {
+
+// Part of the half picture that the scene may fill; the rest is for legend, axes' numbers and air.
+constexpr double filled_width = 0.86;
+constexpr double filled_height = 0.80;
+
+struct Direction {
+    double yaw = 0;
+    double pitch = 0;
+};
+
+Direction opening_direction(const Shape& shape) {
+    const Vec3 size = bounds_of(shape.rest).size();
+    std::array<double, 3> sides{size.x, size.y, size.z};
+    std::sort(sides.begin(), sides.end());
+    const bool line = sides[1] <= 0.2 * sides[2];
+    const bool with_bullet = std::find(shape.roles.begin(), shape.roles.end(), Role::bullet) != shape.roles.end();
+    if (with_bullet) return {34, 16};
+    if (line) return {-14, 12};
+    return {30, 32};
+}
+
+/// How far the scene reaches across the picture, seen from one direction: the largest of across + t ahead and of
+/// -across + t ahead over all particles, t the tangent of half the angle of view. From both follow the nearest
+/// distance that shows them all and the centre of the picture.
+struct Reach {
+    double tangent = 1;
+    double positive = -INFINITY;
+    double negative = -INFINITY;
+
+    void include(double across, double ahead, double radius) {
+        // A ball touches the edge of the picture where its surface, not its centre, does.
+        const double round = radius * std::hypot(1.0, tangent);
+        positive = std::max(positive, across + tangent * ahead + round);
+        negative = std::max(negative, -across + tangent * ahead + round);
+    }
+    double centre() const { return (positive - negative) / 2; }
+    double distance() const { return (positive + negative) / (2 * tangent); }
+};
+
+bool read_number(std::string_view text, double& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
+}
+
+bool read_numbers(std::string_view text, std::array<double, 6>& numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::size_t comma = text.find(',');
+        const bool last = i + 1 == numbers.size();
+        if (last != (comma == std::string_view::npos) || !read_number(text.substr(0, comma), numbers[i])) return false;
+        if (!last) text.remove_prefix(comma + 1);
+    }
+    return true;
+}
+
+}  // namespace
+
+Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
+    const Shape& shape = *frame.shape;
+    const Vec3 centre = bounds_of(shape.rest).centre();
+    const Projection projection({centre, 1, yaw, pitch}, size);
+    Reach wide{filled_width * projection.half_width()};
+    Reach high{filled_height * projection.half_height()};
+    const auto include = [&](Vec3 point, double radius) {
+        const Vec3 from = point - centre;
+        const double ahead = -dot(from, projection.forward());
+        wide.include(dot(from, projection.right()), ahead, radius);
+        high.include(dot(from, projection.up()), ahead, radius);
+    };
+    for (std::size_t i = 0; i < shape.rest.size(); ++i) {
+        const double radius = drawn_radius(shape, shape.roles[i]);
+        include(shape.rest[i], std::max(radius, shape.extent_hint));
+        include(frame.positions[i], radius);
+    }
+    const double closest = 4 * shape.spacing;  // a lone particle does not fill the picture
+    return {centre + wide.centre() * projection.right() + high.centre() * projection.up(),
+            std::max({wide.distance(), high.distance(), closest}), yaw, pitch};
+}
+
+Camera default_camera(const Frame& frame, PictureSize size) {
+    const Direction direction = opening_direction(*frame.shape);
+    return framed(frame, direction.yaw, direction.pitch, size);
+}
+
+std::string view_text(const Camera& camera) {
+    return fmt::format("{},{},{},{},{},{}", camera.yaw, camera.pitch, camera.distance, camera.focus.x, camera.focus.y,
+                       camera.focus.z);
+}
+
+Camera camera_of(std::string_view text, const Frame& frame, PictureSize size) {
+    if (text == "default") return default_camera(frame, size);
+    if (text == "front") return framed(frame, 0, 0, size);
+    if (text == "side") return framed(frame, 90, 0, size);
+    if (text == "top") return framed(frame, 0, 90, size);
+    std::array<double, 6> numbers{};
+    if (!read_numbers(text, numbers) || std::abs(numbers[1]) > 90 || !(numbers[2] > 0)) {
+        throw UsageError(fmt::format(
+            "--view '{}' is no view: give default, front, side or top, or the six numbers yaw,pitch,distance,x,y,z "
+            "(angles in degrees, pitch from -90 to 90, distance > 0, x,y,z the point looked at)",
+            text));
+    }
+    return {{numbers[3], numbers[4], numbers[5]}, numbers[2], numbers[0], numbers[1]};
+}
+
+}  // namespace steplab::render

@@ -1,0 +1,32 @@
+#include "render/palette.hpp"
+
+namespace steplab::render {
+namespace {
+
+// Blue against orange, red only with a shape of its own: readable with every kind of colour blindness.
+constexpr Palette dark{.top = rgb(0x161b22),
+                       .bottom = rgb(0x0d1117),
+                       .grid = rgb(0x8b98a9),
+                       .text = rgb(0xa9b4c2),
+                       .spring = rgb(0x8b95a3),
+                       .selection = rgb(0xffffff),
+                       .roles = {rgb(0x4c9bf5), rgb(0x8f99a6), rgb(0xf5b83d), rgb(0xf0645a)},
+                       .axes = {rgb(0xe8736c), rgb(0x5fbf77), rgb(0x5c9ce6)},
+                       .compressed = rgb(0x3d8bff),
+                       .stretched = rgb(0xff9a3d)};
+constexpr Palette light{.top = rgb(0xffffff),
+                        .bottom = rgb(0xe9edf2),
+                        .grid = rgb(0x5a6675),
+                        .text = rgb(0x475261),
+                        .spring = rgb(0x8a94a1),
+                        .selection = rgb(0x10151c),
+                        .roles = {rgb(0x2f7fe0), rgb(0x8c96a3), rgb(0xe8a413), rgb(0xe0483e)},
+                        .axes = {rgb(0xc9453d), rgb(0x2e8f4a), rgb(0x2f6fc4)},
+                        .compressed = rgb(0x1464dc),
+                        .stretched = rgb(0xe06a00)};
+
+}  // namespace
+
+const Palette& palette(Background background) { return background == Background::dark ? dark : light; }
+
+}  // namespace steplab::render

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/shape.hpp"
+#include "render/style.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace steplab::render {
+
+/// A colour as it is shown (sRGB).
+struct Rgb {
+    std::uint8_t red = 0;
+    std::uint8_t green = 0;
+    std::uint8_t blue = 0;
+    friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+constexpr Rgb rgb(std::uint32_t hex) {
+    return {static_cast<std::uint8_t>(hex >> 16), static_cast<std::uint8_t>(hex >> 8), static_cast<std::uint8_t>(hex)};
+}
+
+/// The colours of a drawing.
+struct Palette {
+    Rgb top, bottom;  ///< of the background
+    Rgb grid;         ///< lines on the ground, axes
+    Rgb text;         ///< numbers and titles
+    Rgb spring;
+    Rgb selection;              ///< ring around the selected particle
+    std::array<Rgb, 4> roles;   ///< by Role
+    std::array<Rgb, 3> axes;    ///< x, y, z of the small cross
+    Rgb compressed, stretched;  ///< ends of the scale of strain; its middle is `spring`
+};
+
+const Palette& palette(Background background);
+
+}  // namespace steplab::render
