@@ -81,13 +81,14 @@ ensure_packages() {
         fail "apt could not install: ${packages[*]}"
 }
 
-# build PRESET [arguments of cmake --build]
+# build PRESET [-Doption=value ...] [arguments of cmake --build]
 build() {
-    local preset=$1 log=$root/build/$1.configure.log
+    local preset=$1 log=$root/build/$1.configure.log options=()
     shift
+    while [[ ${1:-} == -D* ]]; do options+=("$1"); shift; done
     say "building build/$preset"
     mkdir -p "$root/build"
     cd "$root" || exit
-    cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; fail "cmake could not set up build/$preset"; }
+    cmake --preset "$preset" "${options[@]}" >"$log" 2>&1 || { cat "$log" >&2; fail "cmake could not set up build/$preset"; }
     cmake --build --preset "$preset" "$@" >&2
 }
