@@ -9,6 +9,6 @@ case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
 ensure_packages core checks
 build coverage
 find "$root/build/coverage" -name '*.gcda' -delete
-ctest --preset coverage --parallel "$(nproc)" --no-label-summary --quiet
+quiet_tests coverage
 gcovr --root "$root" --object-directory "$root/build/coverage" --filter 'src/(core|methods|models|sim)/' \
     --exclude-unreachable-branches --exclude-throw-branches --print-summary --fail-under-line 95 -j "$(nproc)"

@@ -92,3 +92,15 @@ build() {
     cmake --preset "$preset" "${options[@]}" >"$log" 2>&1 || { cat "$log" >&2; fail "cmake could not set up build/$preset"; }
     cmake --build --preset "$preset" "$@" >&2
 }
+
+# quiet_tests PRESET [arguments of ctest]: prints the summary only, everything if a test fails.
+quiet_tests() {
+    local preset=$1 log=$root/build/$1.tests.log
+    shift
+    say "testing build/$preset: ctest $*"
+    if ! ctest --preset "$preset" --parallel "$(nproc)" --no-label-summary "$@" >"$log" 2>&1; then
+        cat "$log" >&2
+        fail "tests of build/$preset failed"
+    fi
+    tail -n 3 "$log"
+}
