@@ -11,12 +11,12 @@ struct Diagnostics {
     double kinetic = 0;
     double potential = 0;
     double energy = 0;
-    double energy_error = 0;        ///< energy - energy at the start of the baseline, signed
+    double energy_error = 0;  ///< energy - energy at the start of the baseline, signed
     Vec3 momentum;
-    Vec3 angular_momentum;          ///< about the origin
-    double max_displacement = 0;    ///< largest |position - rest| of a particle
+    Vec3 angular_momentum;        ///< about the origin
+    double max_displacement = 0;  ///< largest |position - rest| of a particle
     double max_speed = 0;
-    std::optional<double> error;    ///< largest distance of a particle from the exact solution, where one is known
+    std::optional<double> error;  ///< largest distance of a particle from the exact solution, where one is known
 };
 
 }  // namespace steplab

@@ -4,7 +4,8 @@
 
 namespace steplab {
 
-/// A number with its derivative along one direction: a formula evaluated with it yields its exact directional derivative.
+/// A number with its derivative along one direction: a formula evaluated with it yields its exact directional
+/// derivative.
 template <class T>
 struct Dual {
     T value = T(0);

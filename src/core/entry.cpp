@@ -17,7 +17,8 @@ namespace {
 constexpr double largest_whole = 9007199254740992.0;
 
 [[noreturn]] void refuse(const ParameterInfo& info, std::string_view text) {
-    throw UsageError(fmt::format("{} = '{}' is not possible: {} must be {}", info.name, text, info.name, range_text(info)));
+    throw UsageError(
+        fmt::format("{} = '{}' is not possible: {} must be {}", info.name, text, info.name, range_text(info)));
 }
 
 }  // namespace
@@ -36,7 +37,8 @@ std::string range_text(const ParameterInfo& info) {
 void check_value(const ParameterInfo& info, double value) {
     const bool low = info.minimum_included ? value < info.minimum : value <= info.minimum;
     const bool whole = info.kind == ParameterInfo::Kind::real || (value == std::floor(value) && value <= largest_whole);
-    const double maximum = info.kind == ParameterInfo::Kind::choice ? static_cast<double>(info.choices.size()) - 1 : info.maximum;
+    const double maximum =
+        info.kind == ParameterInfo::Kind::choice ? static_cast<double>(info.choices.size()) - 1 : info.maximum;
     if (!std::isfinite(value) || low || value > maximum || !whole) refuse(info, number_text(value));
 }
 
@@ -99,6 +101,8 @@ double evaluations_per_step(const MethodInfo& info, const ParameterValues& value
     return info.evaluations * substeps(values);
 }
 
-double linear_limit(const MethodInfo& info, const ParameterValues& values) { return info.linear_limit * substeps(values); }
+double linear_limit(const MethodInfo& info, const ParameterValues& values) {
+    return info.linear_limit * substeps(values);
+}
 
 }  // namespace steplab

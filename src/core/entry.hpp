@@ -19,14 +19,14 @@ struct ParameterInfo {
 
     std::string_view name;
     Kind kind = Kind::real;
-    std::string_view unit;           ///< "" if it is a pure number
+    std::string_view unit;  ///< "" if it is a pure number
     double minimum = 0;
-    bool minimum_included = true;    ///< false: the value must be greater than `minimum`
+    bool minimum_included = true;  ///< false: the value must be greater than `minimum`
     double maximum = infinity;
-    double default_value = 0;        ///< for a choice: the index of the default
+    double default_value = 0;  ///< for a choice: the index of the default
     OnChange on_change = OnChange::applies_live;
-    std::string_view what;           ///< a phrase: "rest length of a spring"
-    double slider_low = 0;           ///< the range a slider offers; exact entry goes beyond it
+    std::string_view what;  ///< a phrase: "rest length of a spring"
+    double slider_low = 0;  ///< the range a slider offers; exact entry goes beyond it
     double slider_high = 1;
     bool slider_logarithmic = false;
     std::span<const std::string_view> choices = {};
@@ -73,18 +73,18 @@ private:
 struct MethodInfo {
     std::string_view id;
     std::string_view name;
-    std::string_view what;             ///< one sentence for a person who chooses
+    std::string_view what;  ///< one sentence for a person who chooses
     int order = 1;
     int order_with_drag = 1;
-    int evaluations = 1;               ///< a step; a substep if it has the parameter `substeps`
-    int start_evaluations = 0;         ///< once, at the start of each segment
+    int evaluations = 1;        ///< a step; a substep if it has the parameter `substeps`
+    int start_evaluations = 0;  ///< once, at the start of each segment
     /// Largest stable omega dt on x'' = -omega^2 x (of one substep): 0 = unstable at any dt.
     double linear_limit = 0;
     bool symplectic = false;
     bool reversible = false;
     bool adaptive = false;
-    bool curiosity = false;            ///< kept to show a mistake; not for work
-    std::string_view conserves;        ///< what it keeps, in words
+    bool curiosity = false;      ///< kept to show a mistake; not for work, its velocities least of all
+    std::string_view conserves;  ///< what it keeps, in words
     std::string_view source;
     std::span<const ParameterInfo> parameters = {};
 };
@@ -98,7 +98,7 @@ double linear_limit(const MethodInfo& info, const ParameterValues& values);
 struct ModelInfo {
     std::string_view id;
     std::string_view name;
-    std::string_view what;             ///< one or two sentences
+    std::string_view what;  ///< one or two sentences
     std::span<const ParameterInfo> parameters = {};
 };
 

@@ -7,7 +7,8 @@ namespace steplab {
 /// The exit codes of the programs (README, "Exit codes").
 enum class ExitCode : int { done = 0, usage = 2, file = 3, diverged = 4, no_opengl = 5, replay = 6 };
 
-/// Head of the one family of exceptions. what() is one message for a person: what was wrong, where, what would be right.
+/// Head of the one family of exceptions. what() is one message for a person: what was wrong, where, what would be
+/// right.
 class Error : public std::runtime_error {
 public:
     Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -64,11 +64,18 @@ private:
     std::vector<T, CacheLineAllocator<T>> values_;
 };
 
-/// The same field in another number type, each number rounded once.
+/// Makes `to` the same field in another number type, each number rounded once; its memory is reused.
+template <class From, class To>
+void convert(const Field<From>& from, Field<To>& to) {
+    if (to.count() != from.count()) to = Field<To>(from.count());
+    std::transform(from.flat().begin(), from.flat().end(), to.flat().begin(),
+                   [](From v) { return static_cast<To>(v); });
+}
+
 template <class To, class From>
 Field<To> converted(const Field<From>& from) {
-    Field<To> to(from.count());
-    std::transform(from.flat().begin(), from.flat().end(), to.flat().begin(), [](From v) { return static_cast<To>(v); });
+    Field<To> to;
+    convert(from, to);
     return to;
 }
 

@@ -10,7 +10,8 @@
 
 namespace steplab {
 
-/// What one moment of a run looks like from outside. Plain data: the drawing, the files and the panels see nothing else.
+/// What one moment of a run looks like from outside. Plain data: the drawing, the files and the panels see nothing
+/// else.
 struct Frame {
     std::uint64_t step = 0;
     double time = 0;

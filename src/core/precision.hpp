@@ -7,9 +7,7 @@ namespace steplab {
 /// The arithmetic of a whole run, dt and parameters included.
 enum class Precision { float_, double_ };
 
-constexpr std::string_view id(Precision precision) {
-    return precision == Precision::float_ ? "float" : "double";
-}
+constexpr std::string_view id(Precision precision) { return precision == Precision::float_ ? "float" : "double"; }
 
 /// The number a run of this precision holds for `value`: unchanged in double, the nearest float in float.
 /// A value too large for float becomes infinite.

@@ -16,13 +16,15 @@ public:
 
     void accelerations(const Field<T>&, Field<T>& a) const {
         T* const ay = a.y();
-        elementwise(count_, [=, step = step_](std::size_t i) { ay[i] = -(step * static_cast<T>(static_cast<int>(i))); });
+        elementwise(count_,
+                    [=, step = step_](std::size_t i) { ay[i] = -(step * static_cast<T>(static_cast<int>(i))); });
     }
 
     /// Zero at y = 0 for every particle.
     PotentialEnergy potential(const Field<T>& u) const {
         CompensatedSum sum;
-        for (std::size_t i = 0; i < count_; ++i) sum.add(step_ * static_cast<double>(i) * static_cast<double>(u.y()[i]));
+        for (std::size_t i = 0; i < count_; ++i)
+            sum.add(step_ * static_cast<double>(i) * static_cast<double>(u.y()[i]));
         const double value = mass_ * sum.value();
         return {value, value < 0 ? -value : value, value};
     }

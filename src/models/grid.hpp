@@ -14,8 +14,8 @@
 namespace steplab {
 
 /// GridForces at work. Particle (row i, column j) has index i * dim + j and reference position (j L, 0, -i L).
-/// Every spring is computed once, in the row of its first particle: to the east (i, j+1), south (i+1, j), south-east and
-/// south-west. The acceleration is ((E - E of west) + (S - S of north)) + ((SE - SE of north-west) + (SW - SW of
+/// Every spring is computed once, in the row of its first particle: to the east (i, j+1), south (i+1, j), south-east
+/// and south-west. The acceleration is ((E - E of west) + (S - S of north)) + ((SE - SE of north-west) + (SW - SW of
 /// north-east)). The particles of the border are fixed.
 template <class T>
 class Grid {
@@ -69,10 +69,14 @@ private:
         const std::size_t dim = forces_.dim;
         const T l = length_, o = T(0);
         switch (d) {
-            case east: return {{l, o, o}, length_, 1, 0, 0, dim - 1};
-            case south: return {{o, o, -l}, length_, dim, 1, 0, dim};
-            case south_east: return {{l, o, -l}, diagonal_, dim + 1, 1, 0, dim - 1};
-            default: return {{-l, o, -l}, diagonal_, dim - 1, 1, 1, dim};
+            case east:
+                return {{l, o, o}, length_, 1, 0, 0, dim - 1};
+            case south:
+                return {{o, o, -l}, length_, dim, 1, 0, dim};
+            case south_east:
+                return {{l, o, -l}, diagonal_, dim + 1, 1, 0, dim - 1};
+            default:
+                return {{-l, o, -l}, diagonal_, dim - 1, 1, 1, dim};
         }
     }
 
@@ -102,7 +106,7 @@ private:
     void combine(T* a, std::size_t c) const {
         const T *const e = pulls_[east].data() + c, *const s = pulls_[south].data() + c;
         const T *const se = pulls_[south_east].data() + c, *const sw = pulls_[south_west].data() + c;
-        const T *const n = pulls_[south + 3].data() + c;
+        const T* const n = pulls_[south + 3].data() + c;
         const T *const nw = pulls_[south_east + 3].data() + c, *const ne = pulls_[south_west + 3].data() + c;
         elementwise(forces_.dim - 2, [=](std::size_t k) {
             const std::size_t j = k + 1;

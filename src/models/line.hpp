@@ -38,7 +38,8 @@ public:
 
     PotentialEnergy potential(const Field<T>& u) const {
         CompensatedSum springs, heights;
-        for (std::size_t i = 0; i + 1 < forces_.count; ++i) springs.add(static_cast<double>(spring_energy(rest(), length_, difference(u, i))));
+        for (std::size_t i = 0; i + 1 < forces_.count; ++i)
+            springs.add(static_cast<double>(spring_energy(rest(), length_, difference(u, i))));
         if (gravity_ != T(0)) {
             for (std::size_t i = 0; i < forces_.count; ++i) heights.add(static_cast<double>(u.y()[i]));
         }

@@ -25,10 +25,10 @@ public:
 
 /// A model with its parameters filled in, ready to be stepped: everything in double.
 struct Scene {
-    double mass = 1;             ///< of each particle, > 0
-    double drag = 0;             ///< rate gamma = c / m of the drag -c v, >= 0
+    double mass = 1;  ///< of each particle, > 0
+    double drag = 0;  ///< rate gamma = c / m of the drag -c v, >= 0
     Forces forces;
-    Field<double> reference;     ///< absolute position = reference + displacement
+    Field<double> reference;  ///< absolute position = reference + displacement
     State<double> start;
 };
 

@@ -38,7 +38,8 @@ void Neighbours::make_lists() {
 
 void Neighbours::append_neighbours(std::size_t i, std::span<const Placed> placed) {
     const Vec3 here = made_at_[i];
-    const std::uint64_t cx = coordinate(here.x, reach_), cy = coordinate(here.y, reach_), cz = coordinate(here.z, reach_);
+    const std::uint64_t cx = coordinate(here.x, reach_), cy = coordinate(here.y, reach_),
+                        cz = coordinate(here.z, reach_);
     const auto before = [](Placed p, std::uint64_t cell) { return p.cell < cell; };
     for (std::uint64_t x = cx - 1; x <= cx + 1; ++x) {
         for (std::uint64_t y = cy - 1; y <= cy + 1; ++y) {

@@ -34,7 +34,8 @@ public:
         for (std::size_t i = 0; i < count_; ++i) {
             for (std::size_t j = i + 1; j < count_; ++j) {
                 const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
-                const double energy = static_cast<double>(morse_energy(morse_, square_root(dx * dx + dy * dy + dz * dz)));
+                const double energy =
+                    static_cast<double>(morse_energy(morse_, square_root(dx * dx + dy * dy + dz * dz)));
                 value.add(energy);
                 magnitude.add(std::abs(energy));
             }

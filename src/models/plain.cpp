@@ -21,7 +21,8 @@ void Plain<T>::add(const LineForces& forces) {
     mass_ = static_cast<T>(forces.mass);
     k_ = static_cast<T>(forces.k);
     gravity_ = static_cast<T>(forces.gravity);
-    for (std::size_t i = 0; i + 1 < forces.count; ++i) springs_.push_back({i, i + 1, static_cast<T>(forces.rest_length)});
+    for (std::size_t i = 0; i + 1 < forces.count; ++i)
+        springs_.push_back({i, i + 1, static_cast<T>(forces.rest_length)});
     if (forces.first_fixed) fixed_.push_back(0);
 }
 

@@ -7,9 +7,10 @@
 
 namespace steplab {
 
-/// The forces of any scene in the most straightforward way, on absolute positions, pair after pair: what a first program
-/// computes. Kept for the 2008 variants, whose failures hang on this order of operations (docs/curiosities.md), and as a
-/// check of the layouts. Springs: d = x(j) - x(i), s = k (|d| - L) / |d|, f = s d, a(i) += f / m, a(j) -= f / m.
+/// The forces of any scene in the most straightforward way, on absolute positions, pair after pair: what a first
+/// program computes. Kept for the 2008 variants, whose failures hang on this order of operations (docs/curiosities.md),
+/// and as a check of the layouts. Springs: d = x(j) - x(i), s = k (|d| - L) / |d|, f = s d, a(i) += f / m, a(j) -= f /
+/// m.
 template <class T>
 class Plain {
 public:

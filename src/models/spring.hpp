@@ -12,13 +12,14 @@ struct Vector {
 
 /// The spring formulas, once for every number type. A spring joins two particles whose reference positions differ by
 /// `rest`, |rest| = `length` being its rest length; e is the difference of their displacements. Then d = rest + e, and
-/// |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the rounding of positions is right.
+/// |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the rounding of positions is
+/// right.
 template <class N>
 struct SpringGeometry {
-    Vector<N> d;     ///< from the first particle to the second
-    N stretch;       ///< |d|^2 - length^2
-    N distance2;     ///< |d|^2
-    N distance;      ///< |d|
+    Vector<N> d;  ///< from the first particle to the second
+    N stretch;    ///< |d|^2 - length^2
+    N distance2;  ///< |d|^2
+    N distance;   ///< |d|
 
     SpringGeometry(const Vector<N>& rest, const Vector<N>& e)
         : d{rest.x + e.x, rest.y + e.y, rest.z + e.z},
@@ -27,7 +28,8 @@ struct SpringGeometry {
           distance(square_root(distance2)) {}
 };
 
-/// (|d| - length) d / |d|: the pull of a spring of force constant 1 on its first particle. Zero for coincident particles.
+/// (|d| - length) d / |d|: the pull of a spring of force constant 1 on its first particle. Zero for coincident
+/// particles.
 template <class N>
 Vector<N> spring_pull(const Vector<N>& rest, N length, const Vector<N>& e) {
     const SpringGeometry<N> spring(rest, e);

@@ -16,13 +16,13 @@ namespace steplab {
 
 /// How a run ended that could not go on.
 struct Divergence {
-    std::uint64_t step = 0;          ///< the last good step; the run stands there
-    double time = 0;                 ///< its time
-    std::size_t particle = 0;        ///< the particle that left first (largest speed, or not finite) in the step after
+    std::uint64_t step = 0;    ///< the last good step; the run stands there
+    double time = 0;           ///< its time
+    std::size_t particle = 0;  ///< the particle that left first (largest speed, or not finite) in the step after
     double dt = 0;
-    std::optional<double> limit;     ///< the method's stability limit for this scene, where known; 0 = unstable at any dt
-    std::string message;             ///< one sentence: what happened, why
-    std::optional<double> remedy_dt; ///< a dt that should work, where known
+    std::optional<double> limit;  ///< the method's stability limit for this scene, where known; 0 = unstable at any dt
+    std::string message;          ///< one sentence: what happened, why
+    std::optional<double> remedy_dt;  ///< a dt that should work, where known
 };
 
 /// What a change of description did to the run.
@@ -69,7 +69,8 @@ public:
     /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
     Change change(const RunDescription& description);
     void restart();
-    /// True since the start if nothing has changed the energy from outside; false once a live change began a new baseline.
+    /// True since the start if nothing has changed the energy from outside; false once a live change began a new
+    /// baseline.
     bool baseline_is_start() const;
     std::uint64_t baseline_step() const;
 

@@ -24,6 +24,8 @@ public:
     /// The internal state, to come back to.
     virtual std::any save() const = 0;
     virtual void restore(const std::any& saved) = 0;
+    /// Size of the internal state.
+    virtual std::size_t bytes() const = 0;
 };
 
 /// What a method needs to begin a segment.

@@ -20,14 +20,14 @@ struct Rate {
 /// One particle at one time against the exact solution, for plots and read-outs.
 struct Tracked {
     std::size_t particle = 0;
-    Vec3 displacement;                        ///< from its rest position
+    Vec3 displacement;  ///< from its rest position
     std::optional<Vec3> exact_displacement;
 };
 
 /// What the interface sees of a run: one consistent moment of it and how it is doing. Plain data, made by the worker
 /// or, for a still picture, by view_of().
 struct RunView {
-    RunDescription description;          ///< as it is being computed
+    RunDescription description;  ///< as it is being computed
     Frame frame;
     Diagnostics diagnostics;
     std::optional<Tracked> tracked;
@@ -37,14 +37,14 @@ struct RunView {
     bool playing = false;
     bool can_step_back = false;
     Rate rate;
-    double segment_start = 0;            ///< time the current method, dt and parameters began to hold
-    std::uint64_t baseline_step = 0;     ///< step from which the energy error counts
-    std::uint64_t run = 0;               ///< grows with every restart or change of scene: plots begin anew
-    double dt = 0.1;                     ///< as the precision holds it
+    double segment_start = 0;         ///< time the current method, dt and parameters began to hold
+    std::uint64_t baseline_step = 0;  ///< step from which the energy error counts
+    std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots begin anew
+    double dt = 0.1;                  ///< as the precision holds it
     /// Measured; none in still pictures.
     std::optional<double> steps_per_second;
     std::optional<double> evaluations_per_second;
-    std::string error;                   ///< message of a command that was refused; empty if none
+    std::string error;  ///< message of a command that was refused; empty if none
 };
 
 /// The view of a run that stands still.

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "methods/splitting.hpp"
+
+namespace steplab {
+
+/// Euler as the thesis uses it: the new velocity moves the particles (semi-implicit, symplectic).
+struct Euler {
+    static constexpr MethodInfo info{
+        .id = "euler",
+        .name = "Euler, semi-implicit",
+        .what = "The simplest that keeps energy bounded: kick, then drift with the new velocity.",
+        .order = 1,
+        .order_with_drag = 1,
+        .evaluations = 1,
+        .linear_limit = 2,
+        .symplectic = true,
+        .conserves = "momentum, angular momentum, energy within bounds",
+        .source = "Hairer, Lubich, Wanner, Geometric Numerical Integration, I.1.2",
+    };
+
+    static constexpr std::array<KickAndDrift, 1> table{{{.kick = 1, .drift = 1}}};
+
+    template <class T>
+    using Integrator = Splitting<T, Euler>;
+};
+
+}  // namespace steplab

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "methods/runge_kutta.hpp"
+
+namespace steplab {
+
+/// The explicit midpoint rule, the thesis' RK2.
+struct Midpoint {
+    static constexpr MethodInfo info{
+        .id = "midpoint",
+        .name = "Midpoint (RK2)",
+        .what = "One look ahead to the middle of the step; gains energy at any dt, slowly if dt is small.",
+        .order = 2,
+        .order_with_drag = 2,
+        .evaluations = 2,
+        .linear_limit = 0,  // grows by sqrt(1 + (omega dt)^4 / 4) a step
+        .conserves = "momentum",
+        .source = "Runge, Math. Ann. 46 (1895) 167; Hairer, Nørsett, Wanner I, II.1",
+    };
+
+    static constexpr ButcherTable<2> table{.a = {{{0, 0}, {0.5, 0}}}, .b = {0, 1}};
+
+    template <class T>
+    using Integrator = RungeKutta<T, Midpoint>;
+};
+
+}  // namespace steplab

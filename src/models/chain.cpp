@@ -1,0 +1,79 @@
+#include "models/chain_modes.hpp"
+#include "models/line_scene.hpp"
+#include "models/parameters.hpp"
+
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+constexpr ParameterInfo parameters[] = {number_of_particles(2, 10),
+                                        rest_length(2),
+                                        force_constant(1, "N/m", 100),
+                                        particle_mass(1),
+                                        drag(0),
+                                        {.name = "fixed",
+                                         .kind = ParameterInfo::Kind::integer,
+                                         .unit = "",
+                                         .minimum = 0,
+                                         .maximum = 1,
+                                         .default_value = 1,
+                                         .on_change = OnChange::restarts,
+                                         .what = "1: particle 0 is held, 0: nothing is",
+                                         .slider_high = 1},
+                                        kick_speed(2, "speed of the last particle at the start, along x")};
+
+/// A sum over all modes for each particle: beyond this many it takes longer than a look at it is worth.
+constexpr std::size_t most_exact = 4096;
+
+ChainModes modes(const ParameterValues& values) {
+    return {values.count("n"), values["fixed"] != 0, values["k"] / values["m"], values["c"] / values["m"]};
+}
+
+Scene scene(const ParameterValues& values) {
+    const std::size_t n = values.count("n");
+    Scene scene = line_scene({.count = n,
+                              .first_fixed = values["fixed"] != 0,
+                              .mass = values["m"],
+                              .k = values["k"],
+                              .rest_length = values["L"]},
+                             values["c"] / values["m"]);
+    scene.start.velocity.set(n - 1, {values["v0"], 0, 0});
+    return scene;
+}
+
+Shape shape(const ParameterValues& values) {
+    Shape shape = line_shape(values.count("n"), values["L"], values["fixed"] != 0);
+    shape.roles.back() = Role::kicked;
+    shape.extent_hint = std::abs(values["v0"]) * std::sqrt(values["m"] / values["k"]);
+    return shape;
+}
+
+/// Neighbours cannot pass each other if the kick's energy does not suffice to press one spring to length 0; and with
+/// L = 0 the springs are linear however they lie.
+std::shared_ptr<const ExactSolution> exact(const ParameterValues& values) {
+    const bool linear =
+        values["L"] == 0 || std::abs(values["v0"]) * std::sqrt(values["m"] / values["k"]) <= values["L"];
+    if (!linear || values.count("n") > most_exact) return nullptr;
+    return chain_solution(modes(values), values["v0"]);
+}
+
+}  // namespace
+
+const Model& chain_model() {
+    static const Model model{
+        .info = {.id = "chain",
+                 .name = "Spring chain",
+                 .what = "Particles in a line on springs to both neighbours; the last one is kicked along the line.",
+                 .parameters = parameters},
+        .particles = [](const ParameterValues& values) { return values["n"]; },
+        .scene = scene,
+        .shape = shape,
+        .omega_max = [](const ParameterValues& values) { return std::optional(modes(values).highest_frequency()); },
+        .exact = exact,
+    };
+    return model;
+}
+
+}  // namespace steplab

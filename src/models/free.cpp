@@ -1,0 +1,61 @@
+#include "models/model.hpp"
+#include "models/parameters.hpp"
+
+#include <algorithm>
+
+namespace steplab {
+
+namespace {
+
+constexpr ParameterInfo parameters[] = {number_of_particles(1, 10), particle_mass(1)};
+
+class Solution final : public ExactSolution {
+public:
+    /// From (i, 0, 0) at rest under (0, -0.1 i, 0); the reference positions are zero.
+    Vec3 displacement(std::size_t particle, double t) const override {
+        const double i = static_cast<double>(particle);
+        return {i, -0.05 * i * t * t, 0};
+    }
+};
+
+Scene scene(const ParameterValues& values) {
+    const std::size_t n = values.count("n");
+    Scene scene{.mass = values["m"],
+                .forces = ConstantForces{.count = n, .mass = values["m"]},
+                .reference = Field<double>(n),
+                .start = {Field<double>(n), Field<double>(n)}};
+    for (std::size_t i = 0; i < n; ++i) scene.start.displacement.x()[i] = static_cast<double>(i);
+    return scene;
+}
+
+Shape shape(const ParameterValues& values) {
+    const std::size_t n = values.count("n");
+    Shape shape;
+    for (std::size_t i = 0; i < n; ++i) shape.rest.push_back({static_cast<double>(i), 0, 0});
+    shape.roles.assign(n, Role::moving);
+    shape.spacing = 1;
+    shape.extent_hint = static_cast<double>(std::min<std::size_t>(n, 10)) * 0.5;
+    return shape;
+}
+
+}  // namespace
+
+const Model& free_model() {
+    static const Model model{
+        .info = {.id = "free",
+                 .name = "Free points",
+                 .what =
+                     "Points that fall without touching each other, particle i with the constant acceleration 0.1 i.",
+                 .parameters = parameters},
+        .particles = [](const ParameterValues& values) { return values["n"]; },
+        .scene = scene,
+        .shape = shape,
+        .omega_max = [](const ParameterValues&) { return std::optional<double>(0.0); },
+        .exact = [](const ParameterValues&) -> std::shared_ptr<const ExactSolution> {
+            return std::make_shared<Solution>();
+        },
+    };
+    return model;
+}
+
+}  // namespace steplab

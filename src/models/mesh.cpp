@@ -1,0 +1,113 @@
+#include "models/model.hpp"
+#include "models/parameters.hpp"
+
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::string_view kick_places[] = {"centre", "corner"};
+
+constexpr ParameterInfo parameters[] = {{.name = "dim",
+                                         .kind = ParameterInfo::Kind::integer,
+                                         .unit = "",
+                                         .minimum = 3,
+                                         .default_value = 10,
+                                         .on_change = OnChange::restarts,
+                                         .what = "particles along a side",
+                                         .slider_low = 3,
+                                         .slider_high = 100,
+                                         .slider_logarithmic = true},
+                                        rest_length(2),
+                                        force_constant(1, "N/m", 100),
+                                        particle_mass(1),
+                                        kick_speed(1, "speed of the kicked particle at the start, along y"),
+                                        {.name = "kick",
+                                         .kind = ParameterInfo::Kind::choice,
+                                         .unit = "",
+                                         .default_value = 0,
+                                         .on_change = OnChange::restarts,
+                                         .what = "which particle is kicked",
+                                         .choices = kick_places}};
+
+/// Row and column of the kicked particle.
+std::size_t kicked_row(const ParameterValues& values) { return values["kick"] == 0 ? values.count("dim") / 2 : 1; }
+
+std::size_t kicked_particle(const ParameterValues& values) {
+    return kicked_row(values) * values.count("dim") + kicked_row(values);
+}
+
+Vec3 rest_position(const ParameterValues& values, std::size_t row, std::size_t column) {
+    return {static_cast<double>(column) * values["L"], 0, -static_cast<double>(row) * values["L"]};
+}
+
+Scene scene(const ParameterValues& values) {
+    const std::size_t dim = values.count("dim"), n = dim * dim;
+    Scene scene{.mass = values["m"],
+                .forces = GridForces{.dim = dim, .mass = values["m"], .k = values["k"], .rest_length = values["L"]},
+                .reference = Field<double>(n),
+                .start = {Field<double>(n), Field<double>(n)}};
+    for (std::size_t i = 0; i < n; ++i) scene.reference.set(i, rest_position(values, i / dim, i % dim));
+    scene.start.velocity.set(kicked_particle(values), {0, values["v0"], 0});
+    return scene;
+}
+
+/// To the east, south, south-east and south-west: each spring once, in the order of its first particle.
+void add_springs(Shape& shape, const ParameterValues& values) {
+    const std::size_t dim = values.count("dim");
+    const double length = values["L"], diagonal = std::sqrt(2.0) * length;
+    shape.springs.reserve(4 * dim * dim);
+    const auto add = [&](std::size_t first, std::size_t second, double rest) {
+        shape.springs.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second), rest});
+    };
+    for (std::size_t i = 0; i < dim; ++i) {
+        for (std::size_t j = 0; j < dim; ++j) {
+            const std::size_t p = i * dim + j;
+            if (j + 1 < dim) add(p, p + 1, length);
+            if (i + 1 < dim) add(p, p + dim, length);
+            if (i + 1 < dim && j + 1 < dim) add(p, p + dim + 1, diagonal);
+            if (i + 1 < dim && j > 0) add(p, p + dim - 1, diagonal);
+        }
+    }
+}
+
+Shape shape(const ParameterValues& values) {
+    const std::size_t dim = values.count("dim");
+    Shape shape;
+    for (std::size_t i = 0; i < dim * dim; ++i) {
+        const std::size_t row = i / dim, column = i % dim;
+        const bool border = row == 0 || column == 0 || row + 1 == dim || column + 1 == dim;
+        shape.rest.push_back(rest_position(values, row, column));
+        shape.roles.push_back(border ? Role::fixed : Role::moving);
+    }
+    shape.roles[kicked_particle(values)] = Role::kicked;
+    add_springs(shape, values);
+    shape.spacing = values["L"] > 0 ? values["L"] : 1;
+    shape.extent_hint = std::abs(values["v0"]) * std::sqrt(values["m"] / values["k"]);
+    return shape;
+}
+
+/// Of the endless grid, in its plane at wave vector (pi, 0): omega^2 = 8 k / m. The fixed border lowers it by some
+/// percent in small meshes, so a dt below the limit computed from it is always below the true one.
+std::optional<double> omega_max(const ParameterValues& values) { return std::sqrt(8 * values["k"] / values["m"]); }
+
+}  // namespace
+
+const Model& mesh_model() {
+    static const Model model{
+        .info = {.id = "mesh",
+                 .name = "Mesh",
+                 .what =
+                     "dim × dim particles on springs to 8 neighbours, border fixed; one particle is kicked upwards.",
+                 .parameters = parameters},
+        .particles = [](const ParameterValues& values) { return values["dim"] * values["dim"]; },
+        .scene = scene,
+        .shape = shape,
+        .omega_max = omega_max,
+        .exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); },
+    };
+    return model;
+}
+
+}  // namespace steplab

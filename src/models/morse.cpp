@@ -1,0 +1,124 @@
+#include "models/model.hpp"
+#include "models/parameters.hpp"
+
+namespace steplab {
+
+namespace {
+
+constexpr ParameterInfo parameters[] = {{.name = "D",
+                                         .unit = "J",
+                                         .minimum = 0,
+                                         .minimum_included = false,
+                                         .default_value = 1,
+                                         .what = "depth of the Morse potential",
+                                         .slider_low = 0.05,
+                                         .slider_high = 10,
+                                         .slider_logarithmic = true},
+                                        {.name = "k",
+                                         .unit = "N/m",
+                                         .minimum = 0,
+                                         .minimum_included = false,
+                                         .default_value = 0.5,
+                                         .what = "force constant at the minimum, b = √(k/(2D))",
+                                         .slider_low = 0.05,
+                                         .slider_high = 10,
+                                         .slider_logarithmic = true},
+                                        {.name = "r0",
+                                         .unit = "m",
+                                         .minimum = 0,
+                                         .minimum_included = false,
+                                         .default_value = 0.5,
+                                         .what = "distance of the potential's minimum",
+                                         .slider_low = 0.1,
+                                         .slider_high = 3},
+                                        {.name = "spacing",
+                                         .unit = "m",
+                                         .minimum = 0,
+                                         .minimum_included = false,
+                                         .default_value = 0.5,
+                                         .on_change = OnChange::restarts,
+                                         .what = "distance of neighbours in the cube at the start",
+                                         .slider_low = 0.1,
+                                         .slider_high = 3},
+                                        particle_mass(1),
+                                        kick_speed(1, "speed of the bullet at the start, along x"),
+                                        {.name = "edge",
+                                         .kind = ParameterInfo::Kind::integer,
+                                         .unit = "",
+                                         .minimum = 1,
+                                         .default_value = 3,
+                                         .on_change = OnChange::restarts,
+                                         .what = "particles along the cube's side",
+                                         .slider_low = 1,
+                                         .slider_high = 10},
+                                        {.name = "cutoff",
+                                         .unit = "m",
+                                         .minimum = 0,
+                                         .default_value = 0,
+                                         .what = "distance beyond which pairs do not act on each other, 0 = none",
+                                         .slider_low = 0,
+                                         .slider_high = 5}};
+
+constexpr Vec3 bullet_start{-10, 0, 0};
+
+std::size_t count(const ParameterValues& values) {
+    const std::size_t edge = values.count("edge");
+    return edge * edge * edge + 1;
+}
+
+/// The cube's particles with x running fastest, then y, then z; the bullet is the last particle.
+Vec3 start_position(const ParameterValues& values, std::size_t particle) {
+    const std::size_t edge = values.count("edge");
+    if (particle == edge * edge * edge) return bullet_start;
+    const auto along = [&](std::size_t index) { return static_cast<double>(index) * values["spacing"]; };
+    return {along(particle % edge), along(particle / edge % edge), along(particle / (edge * edge))};
+}
+
+Forces forces(const ParameterValues& values) {
+    const PairForces pairs{count(values), values["m"], values["D"], values["k"], values["r0"]};
+    if (values["cutoff"] > 0) return NearPairForces{pairs, values["cutoff"]};
+    return pairs;
+}
+
+Scene scene(const ParameterValues& values) {
+    const std::size_t n = count(values);
+    Scene scene{.mass = values["m"],
+                .forces = forces(values),
+                .reference = Field<double>(n),
+                .start = {Field<double>(n), Field<double>(n)}};
+    for (std::size_t i = 0; i < n; ++i) scene.start.displacement.set(i, start_position(values, i));
+    scene.start.velocity.set(n - 1, {values["v0"], 0, 0});
+    return scene;
+}
+
+Shape shape(const ParameterValues& values) {
+    const std::size_t n = count(values);
+    Shape shape;
+    for (std::size_t i = 0; i < n; ++i) shape.rest.push_back(start_position(values, i));
+    shape.roles.assign(n, Role::moving);
+    shape.roles.back() = Role::bullet;
+    shape.spacing = values["spacing"];
+    return shape;
+}
+
+double particles(const ParameterValues& values) { return values["edge"] * values["edge"] * values["edge"] + 1; }
+
+}  // namespace
+
+const Model& morse_model() {
+    static const Model model{
+        .info = {.id = "morse",
+                 .name = "Morse cluster",
+                 .what = "A cube of particles that attract and repel each other by the Morse potential, and a bullet "
+                         "shot at it.",
+                 .parameters = parameters},
+        .particles = particles,
+        .scene = scene,
+        .shape = shape,
+        .omega_max = [](const ParameterValues&) { return std::optional<double>(); },
+        .exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); },
+    };
+    return model;
+}
+
+}  // namespace steplab

@@ -1,0 +1,72 @@
+#include "models/linear_response.hpp"
+#include "models/model.hpp"
+#include "models/parameters.hpp"
+
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+constexpr ParameterInfo parameters[] = {particle_mass(1), force_constant(1, "N/m", 100), drag(0),
+                                        kick_speed(1, "speed of the particle at the start, along x")};
+
+double omega(const ParameterValues& values) { return std::sqrt(values["k"] / values["m"]); }
+
+class Solution final : public ExactSolution {
+public:
+    explicit Solution(const ParameterValues& values)
+        : omega2_(values["k"] / values["m"]), gamma_(values["c"] / values["m"]), v0_(values["v0"]) {}
+
+    Vec3 displacement(std::size_t particle, double t) const override {
+        if (particle == 0) return {};
+        return {v0_ * kick_response(omega2_, gamma_, t), 0, 0};
+    }
+
+private:
+    double omega2_, gamma_, v0_;
+};
+
+/// Particle 0 is the fixed end of the spring, at the origin; particle 1 is the one that swings.
+Scene scene(const ParameterValues& values) {
+    Scene scene{
+        .mass = values["m"],
+        .drag = values["c"] / values["m"],
+        .forces = LineForces{.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
+        .reference = Field<double>(2),
+        .start = {Field<double>(2), Field<double>(2)}};
+    scene.start.velocity.set(1, {values["v0"], 0, 0});
+    return scene;
+}
+
+Shape shape(const ParameterValues& values) {
+    const double amplitude = std::abs(values["v0"]) / omega(values);
+    Shape shape;
+    shape.rest.assign(2, {});
+    shape.roles = {Role::fixed, Role::kicked};
+    shape.springs = {{0, 1, 0}};
+    shape.spacing = amplitude > 0 ? amplitude : 1;
+    shape.extent_hint = amplitude;
+    return shape;
+}
+
+}  // namespace
+
+const Model& oscillator_model() {
+    static const Model model{
+        .info = {.id = "oscillator",
+                 .name = "Oscillator",
+                 .what = "One particle on a spring of rest length 0 to the origin, kicked along x.",
+                 .parameters = parameters},
+        .particles = [](const ParameterValues&) { return 2.0; },
+        .scene = scene,
+        .shape = shape,
+        .omega_max = [](const ParameterValues& values) { return std::optional<double>(omega(values)); },
+        .exact = [](const ParameterValues& values) -> std::shared_ptr<const ExactSolution> {
+            return std::make_shared<Solution>(values);
+        },
+    };
+    return model;
+}
+
+}  // namespace steplab

@@ -1,0 +1,67 @@
+#include "models/chain_modes.hpp"
+#include "models/line_scene.hpp"
+#include "models/parameters.hpp"
+
+namespace steplab {
+
+namespace {
+
+constexpr ParameterInfo parameters[] = {number_of_particles(2, 10),
+                                        rest_length(0.5),
+                                        force_constant(200, "1/s²", 2000),
+                                        drag(0.3),
+                                        {.name = "g",
+                                         .unit = "m/s²",
+                                         .minimum = 0,
+                                         .default_value = 9.81,
+                                         .what = "gravity, along -y",
+                                         .slider_low = 0,
+                                         .slider_high = 30},
+                                        particle_mass(0.3)};
+
+/// The springs' force constant is k m, so that the rope hangs the same whatever its mass.
+Scene scene(const ParameterValues& values) {
+    return line_scene({.count = values.count("n"),
+                       .first_fixed = true,
+                       .mass = values["m"],
+                       .k = values["k"] * values["m"],
+                       .rest_length = values["L"],
+                       .gravity = values["g"]},
+                      values["c"] / values["m"]);
+}
+
+/// How far the end hangs below the fixed particle at rest: (n - 1) L + (g / k) n (n - 1) / 2.
+double hanging_length(const ParameterValues& values) {
+    const double n = values["n"];
+    return (n - 1) * values["L"] + values["g"] / values["k"] * n * (n - 1) / 2;
+}
+
+Shape shape(const ParameterValues& values) {
+    Shape shape = line_shape(values.count("n"), values["L"], true);
+    shape.extent_hint = hanging_length(values);
+    return shape;
+}
+
+}  // namespace
+
+const Model& rope_model() {
+    static const Model model{
+        .info = {.id = "rope",
+                 .name = "Rope",
+                 .what = "Particles on stiff springs, the first one fixed; the rope starts level, falls and swings "
+                         "against drag.",
+                 .parameters = parameters},
+        .particles = [](const ParameterValues& values) { return values["n"]; },
+        .scene = scene,
+        .shape = shape,
+        .omega_max =
+            [](const ParameterValues& values) {
+                return std::optional(
+                    ChainModes{.count = values.count("n"), .k_over_m = values["k"]}.highest_frequency());
+            },
+        .exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); },
+    };
+    return model;
+}
+
+}  // namespace steplab

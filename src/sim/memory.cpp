@@ -1,0 +1,40 @@
+#include "sim/memory.hpp"
+
+#include "sim/catalogue.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+/// MemAvailable of /proc/meminfo in bytes, or all physical memory where there is no such line.
+double system_memory() {
+    std::ifstream info("/proc/meminfo");
+    std::string name, unit;
+    double kilobytes = 0;
+    while (info >> name >> kilobytes) {
+        if (name == "MemAvailable:") return kilobytes * 1024;
+        std::getline(info, unit);
+    }
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+}  // namespace
+
+double available_memory() { return std::max(0.0, 0.9 * system_memory()); }
+
+double bytes_per_particle(const RunDescription& description) {
+    const double number = description.precision == Precision::float_ ? 4 : 8;
+    const MethodInfo& info = method(description.method).info;
+    const double fields = 3.0 + 2.0 * std::min(info.evaluations, 20);  // of the integrator, stages included
+    const double scene_and_state = 5 * 3 * 8.0, frame = 2 * 3 * 8.0;   // in double, whatever the precision
+    const double kept = 3 * 3 * number;                                // the state to come back to
+    const double shape = 3 * 8.0 + 1 + 4 * 16.0;                       // a particle has up to 4 springs of its own
+    return fields * 3 * number + scene_and_state + kept + frame + shape;
+}
+
+}  // namespace steplab

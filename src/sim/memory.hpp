@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/run_description.hpp"
+
+namespace steplab {
+
+/// Bytes of memory that new data may take: what the system says is available, less a reserve for everything else.
+double available_memory();
+
+/// Bytes a running simulation needs for each particle: integrator, kept state, frame and what is looked at.
+double bytes_per_particle(const RunDescription& description);
+
+}  // namespace steplab

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "sim/catalogue.hpp"
+#include "sim/energy.hpp"
+#include "sim/run_description.hpp"
+
+#include <memory>
+
+namespace steplab {
+
+/// A stretch of a run in which nothing changes: one description, the scene it makes, the method at work on it.
+struct Segment {
+    RunDescription description;  ///< as given
+    RunDescription held;         ///< with dt and parameters as the precision holds them
+    Scene scene;
+    EnergyMeter meter;
+    std::unique_ptr<Stepper> stepper;
+
+    /// Begins at the scene's own start. Throws UsageError if the description cannot be run.
+    explicit Segment(const RunDescription& description);
+    /// Begins at a synchronised state.
+    Segment(const RunDescription& description, const State<double>& state);
+
+private:
+    void start(const State<double>& state);
+};
+
+}  // namespace steplab

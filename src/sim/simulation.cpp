@@ -1,0 +1,294 @@
+#include "sim/simulation.hpp"
+
+#include "core/flush_subnormals.hpp"
+#include "sim/divergence.hpp"
+#include "sim/segment.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+/// Steps between two looks whether the run is still good, counted from the start of the segment. Energy is as costly as
+/// an evaluation, so this keeps the looking below half a percent of the cheapest method.
+constexpr std::uint64_t check_interval = 256;
+
+/// True if only what may change under way differs between the two.
+bool continues(const RunDescription& from, const RunDescription& to) {
+    if (from.model != to.model) return false;
+    return std::all_of(from.scene.infos().begin(), from.scene.infos().end(), [&](const ParameterInfo& info) {
+        return info.on_change == OnChange::applies_live || from.scene[info.name] == to.scene[info.name];
+    });
+}
+
+/// Momentum, angular momentum and the largest displacement and speed.
+Diagnostics sums_over_particles(const State<double>& state, const Scene& scene, const Shape& shape) {
+    Diagnostics sums;
+    for (std::size_t i = 0; i < state.velocity.count(); ++i) {
+        const Vec3 position = scene.reference.at(i) + state.displacement.at(i), v = state.velocity.at(i);
+        sums.momentum = sums.momentum + scene.mass * v;
+        sums.angular_momentum = sums.angular_momentum + scene.mass * cross(position, v);
+        sums.max_displacement = std::max(sums.max_displacement, length(position - shape.rest[i]));
+        sums.max_speed = std::max(sums.max_speed, length(v));
+    }
+    return sums;
+}
+
+double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time) {
+    std::vector<Vec3> right(displacement.count());
+    exact.displacements(time, right);
+    double largest = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) largest = std::max(largest, length(displacement.at(i) - right[i]));
+    return largest;
+}
+
+template <class T>
+std::uint64_t hash_of(std::uint64_t step, const State<double>& state) {
+    XXH64_hash_t hash = XXH64(&step, sizeof step, 0);
+    for (const Field<double>* field : {&state.displacement, &state.velocity}) {
+        const Field<T> held = converted<T>(*field);
+        for (const T* component : {held.x(), held.y(), held.z()})
+            hash = XXH64(component, held.count() * sizeof(T), hash);
+    }
+    return hash;
+}
+
+}  // namespace
+
+struct Simulation::Body {
+    Segment segment;
+    std::uint64_t segment_number = 0;
+    std::uint64_t step = 0;
+    std::uint64_t segment_step = 0;  // step at which the segment began
+    double segment_time = 0;
+    std::uint64_t evaluations_before = 0;  // of the segments before
+    Energy baseline;
+    std::uint64_t baseline_step = 0;
+    std::shared_ptr<const ExactSolution> exact;
+    mutable std::shared_ptr<const Shape> shape;
+
+    std::any kept;  // internal state at a step known to be good
+    std::uint64_t kept_step = 0;
+    State<double> state;  // synchronised, of the current step
+    Energy energy;        // of that state
+    std::optional<Divergence> divergence;
+
+    explicit Body(const RunDescription& description) : segment(description) {
+        const FlushSubnormals flush;
+        exact = model(segment.held.model).exact(segment.held.scene);
+        look();
+        baseline = energy;
+        keep();
+    }
+
+    double time_at(std::uint64_t at) const {
+        return segment_time + static_cast<double>(at - segment_step) * segment.held.dt;
+    }
+
+    /// Reads the stepper's state; false if it is no longer a state of this scene.
+    bool look() {
+        segment.stepper->synchronised(state);
+        energy = segment.meter.energy(state);
+        return segment.stepper->finite() && energy_is_possible(judged_energy(), baseline, segment.meter.floor());
+    }
+
+    /// The velocities a curiosity shows may be wrong while its positions are right: they are left out.
+    Energy judged_energy() const {
+        return {method(segment.held.method).info.curiosity ? 0 : energy.kinetic, energy.potential};
+    }
+
+    void keep() {
+        kept = segment.stepper->save();
+        kept_step = step;
+    }
+
+    std::uint64_t steps_to_check() const { return check_interval - (step - segment_step) % check_interval; }
+
+    std::uint64_t advance(std::uint64_t steps);
+    void go_back_to_last_good(std::uint64_t bad_step);
+    void diverged();
+    void go_on(const RunDescription& description, bool energy_changed);
+};
+
+std::uint64_t Simulation::Body::advance(std::uint64_t steps) {
+    const FlushSubnormals flush;
+    const std::uint64_t begin = step;
+    while (!divergence && step - begin < steps) {
+        const std::uint64_t taken = std::min(steps - (step - begin), steps_to_check());
+        segment.stepper->advance(taken);
+        if (!look()) {
+            go_back_to_last_good(step + taken);
+            diverged();
+            break;
+        }
+        step += taken;
+        if (steps_to_check() == check_interval) keep();
+    }
+    return step - begin;
+}
+
+/// Steps again from the kept state, halving the interval between the last good and the first bad step.
+void Simulation::Body::go_back_to_last_good(std::uint64_t bad_step) {
+    Stepper& stepper = *segment.stepper;
+    stepper.restore(kept);
+    stepper.advance(step - kept_step);
+    std::any good = stepper.save();
+    while (bad_step - step > 1) {
+        const std::uint64_t middle = step + (bad_step - step) / 2;
+        stepper.advance(middle - step);
+        if (look()) {
+            step = middle;
+            good = stepper.save();
+        } else {
+            bad_step = middle;
+            stepper.restore(good);
+        }
+    }
+    stepper.advance(1);
+    look();
+    const std::size_t particle = wildest_particle(state);
+    stepper.restore(good);
+    look();
+    divergence.emplace();
+    divergence->step = step;
+    divergence->particle = particle;
+}
+
+void Simulation::Body::diverged() {
+    divergence->time = time_at(step);
+    explain(*divergence, segment.held);
+    keep();
+}
+
+/// Begins a new segment at the synchronised state.
+void Simulation::Body::go_on(const RunDescription& description, bool energy_changed) {
+    const FlushSubnormals flush;
+    Segment next(description, state);
+    evaluations_before += segment.stepper->evaluations();
+    segment_time = time_at(step);
+    segment_step = step;
+    segment = std::move(next);
+    ++segment_number;
+    divergence.reset();
+    look();
+    if (energy_changed) {
+        baseline = energy;
+        baseline_step = step;
+        exact = nullptr;
+    }
+    keep();
+}
+
+Simulation::Simulation(RunDescription description) : body_(std::make_unique<Body>(description)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+const RunDescription& Simulation::description() const { return body_->segment.description; }
+std::uint64_t Simulation::step() const { return body_->step; }
+double Simulation::time() const { return body_->time_at(body_->step); }
+double Simulation::dt() const { return body_->segment.held.dt; }
+std::size_t Simulation::particles() const { return body_->segment.scene.reference.count(); }
+std::uint64_t Simulation::segment() const { return body_->segment_number; }
+std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
+bool Simulation::has_exact() const { return body_->exact != nullptr; }
+const std::optional<Divergence>& Simulation::divergence() const { return body_->divergence; }
+
+std::uint64_t Simulation::evaluations() const {
+    return body_->evaluations_before + body_->segment.stepper->evaluations();
+}
+
+std::uint64_t Simulation::advance(std::uint64_t steps) { return body_->advance(steps); }
+
+Frame Simulation::frame() const {
+    Frame out;
+    frame(out);
+    return out;
+}
+
+void Simulation::frame(Frame& out) const {
+    const Field<double>& reference = body_->segment.scene.reference;
+    const Precision precision = body_->segment.held.precision;
+    out.step = step();
+    out.time = time();
+    out.precision = precision;
+    out.shape = shape();
+    out.positions.resize(particles());
+    out.velocities.resize(particles());
+    for (std::size_t i = 0; i < particles(); ++i) {
+        const Vec3 position = reference.at(i) + body_->state.displacement.at(i);
+        out.positions[i] = {rounded_to(precision, position.x), rounded_to(precision, position.y),
+                            rounded_to(precision, position.z)};
+        out.velocities[i] = body_->state.velocity.at(i);
+    }
+}
+
+std::shared_ptr<const Shape> Simulation::shape() const {
+    if (!body_->shape) {
+        const RunDescription& held = body_->segment.held;
+        body_->shape = std::make_shared<const Shape>(model(held.model).shape(held.scene));
+    }
+    return body_->shape;
+}
+
+std::string Simulation::hash() const {
+    const bool in_float = body_->segment.held.precision == Precision::float_;
+    const std::uint64_t hash = in_float ? hash_of<float>(step(), body_->state) : hash_of<double>(step(), body_->state);
+    return fmt::format("{:016x}", hash);
+}
+
+Diagnostics Simulation::diagnostics() const {
+    const Body& body = *body_;
+    Diagnostics sums = sums_over_particles(body.state, body.segment.scene, *shape());
+    sums.kinetic = body.energy.kinetic;
+    sums.potential = body.energy.potential.value;
+    sums.energy = body.energy.total();
+    sums.energy_error = sums.energy - body.baseline.total();
+    if (body.exact) sums.error = largest_error(body.state.displacement, *body.exact, time());
+    return sums;
+}
+
+std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time) const {
+    if (!body_->exact) return std::nullopt;
+    return body_->segment.scene.reference.at(particle) + body_->exact->displacement(particle, time);
+}
+
+Change Simulation::change(const RunDescription& description) {
+    const RunDescription& now = body_->segment.description;
+    if (description == now) return Change::none;
+    if (!continues(now, description) || step() == 0) {
+        const Change change = continues(now, description) ? Change::continued : Change::restarted;
+        const std::uint64_t number = body_->segment_number;
+        body_ = std::make_unique<Body>(description);
+        body_->segment_number = number + 1;
+        return change;
+    }
+    body_->go_on(description, !(description.scene == now.scene));
+    return Change::continued;
+}
+
+void Simulation::restart() {
+    const std::uint64_t number = body_->segment_number;
+    body_ = std::make_unique<Body>(RunDescription(description()));
+    body_->segment_number = number + 1;
+}
+
+Simulation::Snapshot Simulation::save() const {
+    return {step(), evaluations(), body_->segment.stepper->save(), body_->segment.stepper->bytes(), segment()};
+}
+
+void Simulation::restore(const Snapshot& snapshot) {
+    const FlushSubnormals flush;
+    body_->segment.stepper->restore(snapshot.internal);
+    body_->step = snapshot.step;
+    body_->divergence.reset();
+    body_->look();
+    body_->keep();
+}
+
+}  // namespace steplab

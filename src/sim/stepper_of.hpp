@@ -1,0 +1,126 @@
+#pragma once
+
+#include "methods/system.hpp"
+#include "models/layouts.hpp"
+#include "models/plain.hpp"
+#include "sim/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+/// True for methods that work on absolute positions with the plain force loop.
+template <class Method>
+inline constexpr bool is_plain = requires {
+    Method::plain;
+};
+
+/// A method in one precision on one layout of forces.
+template <class Method, class T, class Force>
+class StepperOf final : public Stepper {
+public:
+    StepperOf(const StepperSetup& setup, Force force)
+        : system_(std::move(force), static_cast<T>(setup.scene.drag), static_cast<T>(setup.dt)),
+          integrator_(setup.parameters) {
+        State<T> state{converted<T>(setup.state.displacement), converted<T>(setup.state.velocity)};
+        if constexpr (is_plain<Method>) {
+            reference_ = converted<T>(setup.scene.reference);
+            add_reference(state.displacement, T(1));
+        }
+        integrator_.start(system_, state);
+    }
+
+    void advance(std::uint64_t steps) override {
+        for (std::uint64_t i = 0; i < steps; ++i) integrator_.step(system_);
+    }
+
+    bool finite() const override {
+        bool all = true;
+        parts([&](const Field<T>& part) { all = all && all_finite(part); });
+        return all;
+    }
+
+    void synchronised(State<double>& out) const override {
+        integrator_.synchronised(system_, seen_);
+        if constexpr (is_plain<Method>) add_reference(seen_.displacement, T(-1));
+        convert(seen_.displacement, out.displacement);
+        convert(seen_.velocity, out.velocity);
+    }
+
+    std::uint64_t evaluations() const override { return system_.evaluations(); }
+
+    std::any save() const override {
+        Saved saved{{}, system_.evaluations()};
+        parts([&](const Field<T>& part) { saved.parts.push_back(part); });
+        return saved;
+    }
+
+    void restore(const std::any& state) override {
+        const Saved& saved = std::any_cast<const Saved&>(state);
+        auto part = saved.parts.begin();
+        integrator_.each_part([&](Field<T>& mine) { mine = *part++; });
+        system_.evaluations(saved.evaluations);
+    }
+
+    std::size_t bytes() const override {
+        std::size_t sum = 0;
+        parts([&](const Field<T>& part) { sum += part.flat().size_bytes(); });
+        return sum;
+    }
+
+private:
+    struct Saved {
+        std::vector<Field<T>> parts;
+        std::uint64_t evaluations;
+    };
+
+    /// The parts of the internal state to look at; the visitor does not change them.
+    template <class F>
+    void parts(F f) const {
+        const_cast<Integrator&>(integrator_).each_part([&](const Field<T>& part) { f(part); });
+    }
+
+    /// A number minus itself is zero if it is finite, else not a number, which every sum passes on.
+    static bool all_finite(const Field<T>& field) {
+        T sum = T(0);
+        for (const T number : field.flat()) sum += number - number;
+        return sum == T(0);
+    }
+
+    void add_reference(Field<T>& positions, T sign) const {
+        for (std::size_t k = 0; k < positions.flat().size(); ++k) positions.flat()[k] += sign * reference_.flat()[k];
+    }
+
+    using Integrator = typename Method::template Integrator<T>;
+
+    System<T, Force> system_;
+    Integrator integrator_;
+    Field<T> reference_;     ///< of plain methods
+    mutable State<T> seen_;  ///< memory for synchronised()
+};
+
+/// Chooses at the border what is static inside: precision and layout of forces.
+template <class Method, class T>
+std::unique_ptr<Stepper> make_stepper_in(const StepperSetup& setup) {
+    if constexpr (is_plain<Method>) {
+        return std::make_unique<StepperOf<Method, T, Plain<T>>>(setup, Plain<T>(setup.scene.forces));
+    } else {
+        return std::visit(
+            [&](const auto& forces) -> std::unique_ptr<Stepper> {
+                using Force = decltype(engine<T>(forces));
+                return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces));
+            },
+            setup.scene.forces);
+    }
+}
+
+template <class Method>
+std::unique_ptr<Stepper> make_stepper(const StepperSetup& setup) {
+    return setup.precision == Precision::float_ ? make_stepper_in<Method, float>(setup)
+                                                : make_stepper_in<Method, double>(setup);
+}
+
+}  // namespace steplab
