@@ -3,6 +3,7 @@
 #include "app/catalogue_text.hpp"
 #include "app/command_line.hpp"
 #include "app/command_list.hpp"
+#include "app/command_run.hpp"
 #include "app/command_view.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -59,6 +60,7 @@ Command& find_command(const Commands& all, std::string_view name) {
 std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& arguments) {
     Commands all;
     all.push_back(list_command());
+    all.push_back(run_command());
     all.push_back(view_command(arguments));
     return all;
 }

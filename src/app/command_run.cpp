@@ -1,0 +1,154 @@
+#include "app/command_run.hpp"
+
+#include "app/command_line.hpp"
+#include "app/progress.hpp"
+#include "app/run_outputs.hpp"
+#include "app/scene_options.hpp"
+#include "core/error.hpp"
+#include "io/interruption.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// Steps in pieces of some milliseconds, so that neither a signal nor the progress bar waits for a long stretch.
+class Pacer {
+public:
+    void advance(Simulation& simulation, std::uint64_t target, Progress& progress) {
+        while (simulation.step() < target && !simulation.divergence()) {
+            const std::uint64_t steps = std::min(piece_, target - simulation.step());
+            const auto begin = Clock::now();
+            simulation.advance(steps);
+            const double seconds = seconds_since(begin);
+            if (steps == piece_ && seconds < 0.01) piece_ *= 2;
+            if (seconds > 0.04) piece_ = std::max<std::uint64_t>(1, piece_ / 2);
+            check_interruption();
+            progress.at(simulation.step());
+        }
+    }
+
+private:
+    std::uint64_t piece_ = 1;
+};
+
+class RunCommand final : public Command {
+public:
+    std::string_view name() const override { return "run"; }
+    std::string_view what() const override { return "Compute a run and write its numbers"; }
+
+    void declare(CLI::App& app) override {
+        scene_.declare(app);
+        time_.declare(app);
+        text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
+        output_.declare(app);
+    }
+
+    int run() override {
+        const RunDescription description = scene_.description();
+        steps_ = time_.steps(description);
+        const std::uint64_t every = every_.empty() ? std::max<std::uint64_t>(1, steps_) : parse_every();
+        output_.check();
+        catch_interruptions();
+        RunOutputs outputs(output_, description);
+        Simulation simulation(description);
+        try {
+            const RunSummary summary = compute(simulation, every, outputs);
+            outputs.commit(summary);
+            show(summary);
+        } catch (const Interrupted&) {
+            tell_interruption(simulation.step(), outputs.keep_partial());
+            throw;
+        }
+        if (!simulation.divergence()) return static_cast<int>(ExitCode::done);
+        throw Error(ExitCode::diverged, simulation.divergence()->message);
+    }
+
+private:
+    std::uint64_t parse_every() const {
+        constexpr ParameterInfo info{.name = "--every",
+                                     .kind = ParameterInfo::Kind::integer,
+                                     .unit = "",
+                                     .minimum = 1,
+                                     .maximum = 9007199254740992.0,
+                                     .what = "steps between two rows"};
+        return static_cast<std::uint64_t>(parse_value(info, every_));
+    }
+
+    /// Takes the steps and records the first one, every K-th and the last one.
+    RunSummary compute(Simulation& simulation, std::uint64_t every, RunOutputs& outputs) {
+        const bool rows_on_terminal = output_.standard_output_taken() && isatty(STDOUT_FILENO) != 0;
+        Progress progress(steps_, isatty(STDERR_FILENO) != 0 && !rows_on_terminal);
+        Pacer pacer;
+        const auto begin = Clock::now();
+        RunSummary summary;
+        Diagnostics now = simulation.diagnostics();
+        summary.energy_start = now.energy;
+        outputs.record(simulation, now);
+        for (std::uint64_t recorded = 0; recorded < steps_ && !simulation.divergence();) {
+            pacer.advance(simulation, std::min(steps_, recorded + every), progress);
+            if (simulation.step() == recorded) break;  // no step more was good
+            recorded = simulation.step();
+            now = simulation.diagnostics();
+            summary.energy_error = std::max(summary.energy_error, std::abs(now.energy_error));
+            outputs.record(simulation, now);
+        }
+        summary.energy_end = now.energy;
+        summary.wall_seconds = seconds_since(begin);
+        describe(simulation, summary);
+        return summary;
+    }
+
+    static void describe(const Simulation& simulation, RunSummary& summary) {
+        const RunDescription& description = simulation.description();
+        summary.model = description.model;
+        summary.method = description.method;
+        summary.precision = description.precision;
+        summary.dt = simulation.dt();
+        summary.steps = simulation.step();
+        summary.time = simulation.time();
+        summary.particles = simulation.particles();
+        summary.evaluations = simulation.evaluations();
+        summary.hash = simulation.hash();
+        if (simulation.divergence()) summary.diverged_step = simulation.step() + 1;
+    }
+
+    void show(const RunSummary& summary) const {
+        const std::string text = summary_text(summary);
+        if (output_.standard_output_taken()) {
+            std::fputs(text.c_str(), stderr);
+        } else {
+            print(text);
+        }
+    }
+
+    static void tell_interruption(std::uint64_t step, const std::vector<std::string>& kept) {
+        std::string text = fmt::format("steplab run: interrupted after step {}", step);
+        for (const std::string& name : kept) text += fmt::format("; what was written is kept as '{}'", name);
+        std::fputs((text + '\n').c_str(), stderr);
+    }
+
+    SceneOptions scene_;
+    TimeOptions time_{1000};
+    std::string every_;
+    OutputOptions output_;
+    std::uint64_t steps_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> run_command() { return std::make_unique<RunCommand>(); }
+
+}  // namespace steplab

@@ -1,0 +1,52 @@
+#include "app/progress.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace steplab {
+
+namespace {
+
+std::string time_left(double seconds) {
+    if (!std::isfinite(seconds) || seconds > 99 * 3600.0) return "days left";
+    const auto whole = static_cast<long>(std::ceil(seconds));
+    if (whole < 60) return fmt::format("{} s left", whole);
+    if (whole < 3600) return fmt::format("{} min {:02} s left", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min left", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace
+
+std::string progress_text(double fraction, double elapsed_seconds) {
+    constexpr int width = 30;
+    const int filled = std::clamp(static_cast<int>(fraction * width), 0, width);
+    return fmt::format("[{}{}] {:3.0f} %  {}", std::string(static_cast<std::size_t>(filled), '#'),
+                       std::string(static_cast<std::size_t>(width - filled), '-'), std::floor(fraction * 100),
+                       time_left(elapsed_seconds * (1 - fraction) / fraction));
+}
+
+Progress::Progress(std::uint64_t total, bool watched) : total_(total), watched_(watched) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::at(std::uint64_t done) {
+    if (!watched_) return;
+    const auto now = Clock::now();
+    if (now < next_) return;
+    next_ = now + std::chrono::milliseconds(100);
+    drawn_ = true;
+    const double fraction = static_cast<double>(done) / static_cast<double>(total_);
+    const std::string line = progress_text(fraction, std::chrono::duration<double>(now - begin_).count());
+    std::fputs(fmt::format("\r{}\x1b[K", line).c_str(), stderr);
+    std::fflush(stderr);
+}
+
+void Progress::clear() {
+    if (drawn_) std::fputs("\r\x1b[K", stderr);
+    drawn_ = false;
+}
+
+}  // namespace steplab

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/precision.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace steplab {
+
+/// What came of a run.
+struct RunSummary {
+    std::string model;
+    std::string method;
+    Precision precision = Precision::double_;
+    double dt = 0;            ///< as the precision holds it
+    std::uint64_t steps = 0;  ///< taken; up to the last good one
+    double time = 0;          ///< reached
+    std::size_t particles = 0;
+    std::uint64_t evaluations = 0;
+    double energy_start = 0;
+    double energy_end = 0;
+    double energy_error = 0;  ///< largest |E - E0| over the written steps
+    double wall_seconds = 0;
+    std::string hash;
+    std::optional<std::uint64_t> diverged_step;
+};
+
+/// One JSON object with exactly these fields; numbers that are not finite are null.
+std::string summary_json(const RunSummary& summary);
+/// A few aligned lines for a person.
+std::string summary_text(const RunSummary& summary);
+
+}  // namespace steplab
