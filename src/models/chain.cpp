@@ -24,8 +24,8 @@ constexpr ParameterInfo parameters[] = {number_of_particles(2, 10),
                                          .slider_high = 1},
                                         kick_speed(2, "speed of the last particle at the start, along x")};
 
-/// A sum over all modes for each particle: beyond this many it takes longer than a look at it is worth.
-constexpr std::size_t most_exact = 4096;
+/// A sum over all modes for each particle: beyond this many, it takes longer than a look at it is worth.
+constexpr std::size_t most_exact = 1024;
 
 ChainModes modes(const ParameterValues& values) {
     return {values.count("n"), values["fixed"] != 0, values["k"] / values["m"], values["c"] / values["m"]};

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace steplab {
 
@@ -23,6 +24,9 @@ class ChainSolution final : public ExactSolution {
 public:
     ChainSolution(const ChainModes& modes, double v0) : modes_(modes), v0_(v0) {
         for (std::size_t j = 1; j <= modes.modes(); ++j) omega2_.push_back(std::pow(modes.frequency(j), 2));
+        for (std::size_t i = 0; i < modes.count; ++i) {
+            for (std::size_t j = 1; j <= modes.modes(); ++j) shapes_.push_back(modes.shape(j, i));
+        }
     }
 
     Vec3 displacement(std::size_t particle, double t) const override { return {sum(particle, responses(t)), 0, 0}; }
@@ -41,14 +45,14 @@ private:
     }
 
     double sum(std::size_t particle, const std::vector<double>& answers) const {
-        double u = 0;
-        for (std::size_t j = 1; j <= answers.size(); ++j) u += modes_.shape(j, particle) * answers[j - 1];
-        return u;
+        return std::inner_product(answers.begin(), answers.end(),
+                                  shapes_.begin() + static_cast<std::ptrdiff_t>(particle * answers.size()), 0.0);
     }
 
     ChainModes modes_;
     double v0_;
     std::vector<double> omega2_;
+    std::vector<double> shapes_;  ///< of each particle in each mode
 };
 
 }  // namespace

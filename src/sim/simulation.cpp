@@ -8,6 +8,8 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <any>
+#include <cmath>
 #include <vector>
 
 namespace steplab {
@@ -31,11 +33,16 @@ Diagnostics sums_over_particles(const State<double>& state, const Scene& scene, 
     Diagnostics sums;
     for (std::size_t i = 0; i < state.velocity.count(); ++i) {
         const Vec3 position = scene.reference.at(i) + state.displacement.at(i), v = state.velocity.at(i);
-        sums.momentum = sums.momentum + scene.mass * v;
-        sums.angular_momentum = sums.angular_momentum + scene.mass * cross(position, v);
-        sums.max_displacement = std::max(sums.max_displacement, length(position - shape.rest[i]));
-        sums.max_speed = std::max(sums.max_speed, length(v));
+        const Vec3 displacement = position - shape.rest[i];
+        sums.momentum = sums.momentum + v;
+        sums.angular_momentum = sums.angular_momentum + cross(position, v);
+        sums.max_displacement = std::max(sums.max_displacement, dot(displacement, displacement));
+        sums.max_speed = std::max(sums.max_speed, dot(v, v));
     }
+    sums.momentum = scene.mass * sums.momentum;
+    sums.angular_momentum = scene.mass * sums.angular_momentum;
+    sums.max_displacement = std::sqrt(sums.max_displacement);
+    sums.max_speed = std::sqrt(sums.max_speed);
     return sums;
 }
 
@@ -58,18 +65,29 @@ std::uint64_t hash_of(std::uint64_t step, const State<double>& state) {
     return hash;
 }
 
-}  // namespace
-
-struct Simulation::Body {
-    Segment segment;
-    std::uint64_t segment_number = 0;
+/// Where a run is and what it is measured against; with the description and the internal state it is all of a run.
+struct Course {
     std::uint64_t step = 0;
+    std::uint64_t segment_number = 0;
     std::uint64_t segment_step = 0;  // step at which the segment began
     double segment_time = 0;
     std::uint64_t evaluations_before = 0;  // of the segments before
     Energy baseline;
     std::uint64_t baseline_step = 0;
     std::shared_ptr<const ExactSolution> exact;
+};
+
+}  // namespace
+
+struct Simulation::Snapshot::Content {
+    RunDescription description;
+    Course course;
+    std::any internal;
+    std::size_t bytes;
+};
+
+struct Simulation::Body : Course {
+    Segment segment;
     mutable std::shared_ptr<const Shape> shape;
 
     std::any kept;  // internal state at a step known to be good
@@ -195,6 +213,7 @@ double Simulation::time() const { return body_->time_at(body_->step); }
 double Simulation::dt() const { return body_->segment.held.dt; }
 std::size_t Simulation::particles() const { return body_->segment.scene.reference.count(); }
 std::uint64_t Simulation::segment() const { return body_->segment_number; }
+double Simulation::segment_start() const { return body_->segment_time; }
 std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
 bool Simulation::has_exact() const { return body_->exact != nullptr; }
 const std::optional<Divergence>& Simulation::divergence() const { return body_->divergence; }
@@ -272,20 +291,37 @@ Change Simulation::change(const RunDescription& description) {
     return Change::continued;
 }
 
+void Simulation::pull(std::size_t particle, Vec3 position) {
+    if (particle >= particles() || shape()->roles[particle] == Role::fixed) return;
+    body_->state.displacement.set(particle, position - body_->segment.scene.reference.at(particle));
+    body_->state.velocity.set(particle, {});
+    body_->go_on(RunDescription(description()), true);
+}
+
 void Simulation::restart() {
     const std::uint64_t number = body_->segment_number;
     body_ = std::make_unique<Body>(RunDescription(description()));
     body_->segment_number = number + 1;
 }
 
+std::uint64_t Simulation::Snapshot::step() const { return content_->course.step; }
+std::uint64_t Simulation::Snapshot::segment() const { return content_->course.segment_number; }
+std::size_t Simulation::Snapshot::bytes() const { return content_->bytes; }
+
 Simulation::Snapshot Simulation::save() const {
-    return {step(), evaluations(), body_->segment.stepper->save(), body_->segment.stepper->bytes(), segment()};
+    const Stepper& stepper = *body_->segment.stepper;
+    Snapshot snapshot;
+    snapshot.content_ = std::make_shared<const Snapshot::Content>(
+        Snapshot::Content{description(), *body_, stepper.save(), stepper.bytes()});
+    return snapshot;
 }
 
 void Simulation::restore(const Snapshot& snapshot) {
     const FlushSubnormals flush;
-    body_->segment.stepper->restore(snapshot.internal);
-    body_->step = snapshot.step;
+    const Snapshot::Content& content = *snapshot.content_;
+    if (content.course.segment_number != segment()) body_->segment = Segment(content.description);
+    static_cast<Course&>(*body_) = content.course;
+    body_->segment.stepper->restore(content.internal);
     body_->divergence.reset();
     body_->look();
     body_->keep();

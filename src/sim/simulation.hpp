@@ -5,7 +5,6 @@
 #include "sim/run_description.hpp"
 #include "sim/stepper.hpp"
 
-#include <any>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -68,23 +67,33 @@ public:
     /// Goes on from the synchronised state with another method, dt, precision or live parameter, beginning a new
     /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
     Change change(const RunDescription& description);
+    /// Takes a particle to a place, without velocity, and goes on in a new segment with a new baseline of energy.
+    /// Fixed particles stay where they are.
+    void pull(std::size_t particle, Vec3 position);
     void restart();
     /// True since the start if nothing has changed the energy from outside; false once a live change began a new
     /// baseline.
     bool baseline_is_start() const;
     std::uint64_t baseline_step() const;
 
-    /// Everything needed to come back to this very moment and go on with the same bits.
-    struct Snapshot {
-        std::uint64_t step = 0;
-        std::uint64_t evaluations = 0;
-        std::any internal;
-        std::size_t bytes = 0;
-        std::uint64_t segment = 0;  ///< snapshots can be restored within the segment they were taken in
+    /// Counts the stretches of the run in which nothing was changed.
+    std::uint64_t segment() const;
+    double segment_start() const;  ///< time at which the present one began
+
+    /// Everything needed to come back to this very moment and go on with the same bits, also from another segment.
+    class Snapshot {
+    public:
+        std::uint64_t step() const;
+        std::uint64_t segment() const;
+        std::size_t bytes() const;
+
+    private:
+        friend class Simulation;
+        struct Content;
+        std::shared_ptr<const Content> content_;
     };
     Snapshot save() const;
     void restore(const Snapshot& snapshot);
-    std::uint64_t segment() const;
 
 private:
     struct Body;

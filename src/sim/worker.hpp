@@ -1,54 +1,11 @@
 #pragma once
 
-#include "core/diagnostics.hpp"
-#include "core/frame.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run_view.hpp"
 
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace steplab {
-
-/// How fast a playing run goes: simulated seconds a second, or as fast as the machine can.
-struct Rate {
-    bool as_fast_as_possible = false;
-    double seconds_per_second = 1;
-    friend bool operator==(const Rate&, const Rate&) = default;
-};
-
-/// One particle at one time against the exact solution, for plots and read-outs.
-struct Tracked {
-    std::size_t particle = 0;
-    Vec3 displacement;  ///< from its rest position
-    std::optional<Vec3> exact_displacement;
-};
-
-/// What the interface sees of a run: one consistent moment of it and how it is doing. Plain data, made by the worker
-/// or, for a still picture, by view_of().
-struct RunView {
-    RunDescription description;  ///< as it is being computed
-    Frame frame;
-    Diagnostics diagnostics;
-    std::optional<Tracked> tracked;
-    std::optional<Divergence> divergence;
-    std::optional<StabilityLimit> limit;
-    bool has_exact = false;
-    bool playing = false;
-    bool can_step_back = false;
-    Rate rate;
-    double segment_start = 0;         ///< time the current method, dt and parameters began to hold
-    std::uint64_t baseline_step = 0;  ///< step from which the energy error counts
-    std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots begin anew
-    double dt = 0.1;                  ///< as the precision holds it
-    /// Measured; none in still pictures.
-    std::optional<double> steps_per_second;
-    std::optional<double> evaluations_per_second;
-    std::string error;  ///< message of a command that was refused; empty if none
-};
-
-/// The view of a run that stands still.
-RunView view_of(const Simulation& simulation, std::optional<std::size_t> tracked = std::nullopt);
 
 /// What a person can do to a run. The interface talks to this alone; tests put a recorder in its place.
 class Commands {
@@ -61,6 +18,8 @@ public:
     virtual void change(const RunDescription& description) = 0;
     virtual void set_rate(Rate rate) = 0;
     virtual void track(std::optional<std::size_t> particle) = 0;
+    /// Takes a particle to a place and holds it there for this moment: without velocity, beginning a new segment.
+    virtual void pull(std::size_t particle, Vec3 position) = 0;
 };
 
 /// Owns a simulation on a thread of its own. Commands return at once; results are taken when there are new ones.
@@ -76,6 +35,7 @@ public:
     void change(const RunDescription& description) override;
     void set_rate(Rate rate) override;
     void track(std::optional<std::size_t> particle) override;
+    void pull(std::size_t particle, Vec3 position) override;
 
     /// Swaps the newest view into `view` if there is one that was not taken yet; false if nothing is new. Never waits.
     bool take(RunView& view);

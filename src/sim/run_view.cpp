@@ -1,0 +1,36 @@
+#include "sim/run_view.hpp"
+
+namespace steplab {
+
+namespace {
+
+Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_t particle) {
+    const Vec3 rest = frame.shape->rest[particle];
+    Tracked tracked{particle, frame.positions[particle] - rest, std::nullopt};
+    if (const auto exact = simulation.exact_position(particle, frame.time)) tracked.exact_displacement = *exact - rest;
+    return tracked;
+}
+
+}  // namespace
+
+void look(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
+    view.description = simulation.description();
+    simulation.frame(view.frame);
+    view.diagnostics = simulation.diagnostics();
+    view.tracked.reset();
+    if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
+    view.divergence = simulation.divergence();
+    view.limit = stability_limit(simulation.description());
+    view.has_exact = simulation.has_exact();
+    view.segment_start = simulation.segment_start();
+    view.baseline_step = simulation.baseline_step();
+    view.dt = simulation.dt();
+}
+
+RunView view_of(const Simulation& simulation, std::optional<std::size_t> particle) {
+    RunView view;
+    look(simulation, particle, view);
+    return view;
+}
+
+}  // namespace steplab

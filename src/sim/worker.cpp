@@ -1,0 +1,250 @@
+#include "sim/worker.hpp"
+
+#include "sim/history.hpp"
+#include "sim/pace.hpp"
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Computing between two looks at the commands: short enough that a change is felt at once.
+constexpr Pace::Duration slice{0.008};
+/// A view that nobody has taken yet is replaced by a newer one after this time.
+constexpr Pace::Duration stale{0.05};
+
+}  // namespace
+
+struct Worker::Body {
+    // shared between the threads
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<std::function<void(Body&)>> commands;
+    std::optional<RunDescription> wanted;  // the newest change asked for; older ones it overtook are never computed
+    bool stopping = false;
+    bool fresh = false;  // `ready` has not been taken yet
+    RunView ready;
+    void (*wake)() = nullptr;
+
+    // the worker's own
+    Simulation simulation;
+    History history;
+    Pace pace;
+    Rate rate;
+    bool playing = false;
+    std::optional<std::size_t> tracked;
+    std::uint64_t run = 0;
+    std::string error;
+    RunView view;
+    Clock::time_point published;
+    std::thread thread;
+
+    explicit Body(const RunDescription& description) : simulation(description) {
+        history.offer(simulation);
+        publish();
+        thread = std::thread([this] { loop(); });
+    }
+
+    void post(std::function<void(Body&)> command) {
+        {
+            const std::lock_guard lock(mutex);
+            commands.push_back(std::move(command));
+        }
+        changed.notify_one();
+    }
+
+    void loop();
+    void wait_for_work();
+    bool carry_out_commands();
+    void take_steps();
+    void publish();
+    void apply(const RunDescription& description);
+    void begin_anew();
+    void play(bool on);
+};
+
+void Worker::Body::loop() {
+    while (true) {
+        wait_for_work();
+        {
+            const std::lock_guard lock(mutex);
+            if (stopping) return;
+        }
+        bool something_new = carry_out_commands();
+        const std::uint64_t before = simulation.step();
+        if (playing) take_steps();
+        something_new = something_new || simulation.step() != before || simulation.divergence().has_value();
+        if (something_new) publish();
+    }
+}
+
+void Worker::Body::wait_for_work() {
+    std::unique_lock lock(mutex);
+    const auto called = [this] { return stopping || !commands.empty() || wanted; };
+    if (!playing) return changed.wait(lock, called);
+    changed.wait_until(lock, pace.next_due(Clock::now(), rate, simulation.dt()), called);
+}
+
+bool Worker::Body::carry_out_commands() {
+    std::deque<std::function<void(Body&)>> taken;
+    std::optional<RunDescription> description;
+    {
+        const std::lock_guard lock(mutex);
+        taken.swap(commands);
+        description = std::exchange(wanted, std::nullopt);
+    }
+    if (taken.empty() && !description) return false;
+    error.clear();
+    try {
+        if (description) apply(*description);
+        for (const auto& command : taken) command(*this);
+    } catch (const std::exception& problem) {
+        error = problem.what();
+    }
+    return true;
+}
+
+void Worker::Body::take_steps() {
+    const auto begin = Clock::now();
+    const std::uint64_t due = pace.steps_due(begin, rate, simulation.dt(), slice);
+    if (due == 0) return;
+    const std::uint64_t evaluations = simulation.evaluations();
+    const std::uint64_t taken = simulation.advance(due);
+    pace.took(taken, simulation.evaluations() - evaluations, static_cast<double>(taken) * simulation.dt(), begin,
+              Clock::now(), rate);
+    history.offer(simulation);
+    if (simulation.divergence()) playing = false;
+}
+
+/// Makes a view of the present moment, unless the last one is still waiting and has not grown stale.
+void Worker::Body::publish() {
+    {
+        const std::lock_guard lock(mutex);
+        if (playing && fresh && Clock::now() - published < stale) return;
+    }
+    look(simulation, tracked, view);
+    view.playing = playing;
+    view.can_step_back = history.reaches_before(simulation.step());
+    view.rate = rate;
+    view.run = run;
+    view.error = error;
+    view.steps_per_second = pace.steps_per_second();
+    view.evaluations_per_second = pace.evaluations_per_second();
+    void (*call)() = nullptr;
+    {
+        const std::lock_guard lock(mutex);
+        std::swap(view, ready);
+        fresh = true;
+        call = wake;
+    }
+    published = Clock::now();
+    if (call) call();
+}
+
+void Worker::Body::apply(const RunDescription& description) {
+    const bool at_start = simulation.step() == 0;
+    const Change change = simulation.change(description);
+    if (change == Change::none) return;
+    pace.forget_speed();
+    if (change == Change::restarted || at_start) begin_anew();
+    history.offer(simulation);
+    pace.begin(Clock::now());
+}
+
+void Worker::Body::begin_anew() {
+    ++run;
+    history.clear();
+    history.offer(simulation);
+}
+
+void Worker::Body::play(bool on) {
+    playing = on && !simulation.divergence();
+    pace.begin(Clock::now());
+}
+
+Worker::Worker(const RunDescription& description) : body_(std::make_unique<Body>(description)) {}
+
+Worker::~Worker() {
+    {
+        const std::lock_guard lock(body_->mutex);
+        body_->stopping = true;
+    }
+    body_->changed.notify_one();
+    body_->thread.join();
+}
+
+void Worker::play(bool on) {
+    body_->post([on](Body& body) { body.play(on); });
+}
+
+void Worker::step_forward() {
+    body_->post([](Body& body) {
+        body.playing = false;
+        body.simulation.advance(1);
+        body.history.offer(body.simulation);
+    });
+}
+
+void Worker::step_back() {
+    body_->post([](Body& body) {
+        body.playing = false;
+        if (body.simulation.step() > 0) body.history.go_back(body.simulation, body.simulation.step() - 1);
+    });
+}
+
+void Worker::restart() {
+    body_->post([](Body& body) {
+        body.simulation.restart();
+        body.begin_anew();
+        body.pace.begin(Clock::now());
+    });
+}
+
+void Worker::change(const RunDescription& description) {
+    {
+        const std::lock_guard lock(body_->mutex);
+        body_->wanted = description;
+    }
+    body_->changed.notify_one();
+}
+
+void Worker::pull(std::size_t particle, Vec3 position) {
+    body_->post([=](Body& body) {
+        body.simulation.pull(particle, position);
+        body.history.offer(body.simulation);
+    });
+}
+
+void Worker::set_rate(Rate rate) {
+    body_->post([rate](Body& body) {
+        body.rate = rate;
+        body.pace.begin(Clock::now());
+    });
+}
+
+void Worker::track(std::optional<std::size_t> particle) {
+    body_->post([particle](Body& body) { body.tracked = particle; });
+}
+
+bool Worker::take(RunView& view) {
+    const std::lock_guard lock(body_->mutex);
+    if (!body_->fresh) return false;
+    std::swap(view, body_->ready);
+    body_->fresh = false;
+    return true;
+}
+
+void Worker::on_view(void (*wake)()) {
+    const std::lock_guard lock(body_->mutex);
+    body_->wake = wake;
+}
+
+}  // namespace steplab
