@@ -14,23 +14,32 @@ namespace {
 
 constexpr std::size_t page_width = 100;
 
+/// Columns that UTF-8 text takes on a terminal: one for each character, so bytes that go on one do not count.
+std::size_t width(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string_view text, std::size_t columns) {
+    return std::string(text) + std::string(columns - std::min(columns, width(text)), ' ');
+}
+
 /// Breaks text into lines of at most page_width, each but the first indented.
 std::string wrapped(std::string_view text, std::size_t indent) {
     std::string out;
     std::size_t column = indent;
     while (!text.empty()) {
-        const std::size_t length = std::min(text.find(' '), text.size());
+        const std::string_view word = text.substr(0, text.find(' '));
         const bool first = column == indent;
-        if (!first && column + 1 + length > page_width) {
+        if (!first && column + 1 + width(word) > page_width) {
             out += '\n' + std::string(indent, ' ');
             column = indent;
         } else if (!first) {
             out += ' ';
             ++column;
         }
-        out += text.substr(0, length);
-        column += length;
-        text.remove_prefix(std::min(length + 1, text.size()));
+        out += word;
+        column += width(word);
+        text.remove_prefix(std::min(word.size() + 1, text.size()));
     }
     return out;
 }
@@ -41,13 +50,13 @@ using Row = std::vector<std::string>;
 std::string aligned(const std::vector<Row>& rows, std::size_t indent) {
     std::vector<std::size_t> widths(rows.front().size(), 0);
     for (const Row& row : rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
     }
     std::string out;
     for (const Row& row : rows) {
         std::string line(indent, ' ');
-        for (std::size_t i = 0; i + 1 < row.size(); ++i) line += fmt::format("{:<{}}  ", row[i], widths[i]);
-        line += wrapped(row.back(), line.size());
+        for (std::size_t i = 0; i + 1 < row.size(); ++i) line += padded(row[i], widths[i] + 2);
+        line += wrapped(row.back(), width(line));
         out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
     }
     return out;
@@ -112,21 +121,22 @@ std::string catalogue_help() {
 }
 
 std::string models_table() {
-    std::vector<Row> rows{{"MODEL", "PARAMETERS", "WHAT IT IS"}};
+    std::vector<Row> rows{{"MODEL", "WHAT IT IS, AND ITS PARAMETERS"}};
     for (const Model& model : models()) {
-        rows.push_back({std::string(model.info.id), settings(model.info.parameters), std::string(model.info.what)});
+        rows.push_back({std::string(model.info.id), fmt::format("{}: {}", model.info.name, model.info.what)});
+        rows.push_back({"", settings(model.info.parameters)});
     }
     return aligned(rows, 0);
 }
 
 std::string methods_table() {
-    std::vector<Row> rows{{"METHOD", "ORDER", "EVALUATIONS", "STABLE w dt", "PROPERTIES", "PARAMETERS", "NAME"}};
+    std::vector<Row> rows{{"METHOD", "NAME", "ORDER", "EVALUATIONS", "STABLE ω dt", "PROPERTIES"}};
     for (const Method& method : methods()) {
         const MethodInfo& info = method.info;
-        const double evaluations = evaluations_per_step(info, ParameterValues(info.parameters));
-        rows.push_back({std::string(info.id), std::to_string(info.order), fmt::format("{:g}", evaluations),
-                        limit_text(info), properties(info), info.parameters.empty() ? "-" : settings(info.parameters),
-                        std::string(info.name)});
+        std::string evaluations = fmt::format("{:g}", evaluations_per_step(info, ParameterValues(info.parameters)));
+        if (!info.parameters.empty()) evaluations += fmt::format(" ({})", settings(info.parameters));
+        rows.push_back({std::string(info.id), std::string(info.name), std::to_string(info.order), evaluations,
+                        limit_text(info), properties(info)});
     }
     return aligned(rows, 0);
 }

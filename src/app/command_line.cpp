@@ -62,6 +62,11 @@ void refuse_empty_values(const CLI::App& app) {
     }
 }
 
+std::string without_double_gaps(std::string text) {
+    for (auto gap = text.find("\n\n\n"); gap != std::string::npos; gap = text.find("\n\n\n")) text.erase(gap, 1);
+    return text;
+}
+
 /// One line on standard error; where even that is closed there is nobody to tell.
 void complain(const std::string& program, const char* message) {
     std::fputs(fmt::format("{}: {}\n", program, message).c_str(), stderr);
@@ -96,7 +101,7 @@ std::optional<std::string> parse(CLI::App& app, std::vector<std::string> argumen
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
-        return app.help();
+        return without_double_gaps(app.help());
     } catch (const CLI::CallForVersion& version) {
         return std::string(version.what()) + "\n";
     } catch (const CLI::ArgumentMismatch& error) {

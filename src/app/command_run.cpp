@@ -126,7 +126,9 @@ private:
     }
 
     void show(const RunSummary& summary) const {
-        const std::string text = summary_text(summary);
+        std::string text = summary_text(summary);
+        if (const std::string files = output_.files(); !files.empty())
+            text += fmt::format("  {:<14}{}\n", "written", files);
         if (output_.standard_output_taken()) {
             std::fputs(text.c_str(), stderr);
         } else {

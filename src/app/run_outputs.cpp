@@ -41,6 +41,14 @@ void OutputOptions::check() const {
 
 bool OutputOptions::standard_output_taken() const { return out == "-" || series == "-" || summary == "-"; }
 
+std::string OutputOptions::files() const {
+    std::string text;
+    for (const std::string& file : {out, series, summary}) {
+        if (!file.empty() && file != "-") text += (text.empty() ? "" : ", ") + file;
+    }
+    return text;
+}
+
 RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& description) {
     const Model& scene = model(description.model);
     if (!options.out.empty()) {

@@ -30,6 +30,8 @@ struct OutputOptions {
     void check() const;
     /// True if standard output belongs to rows, series or JSON.
     bool standard_output_taken() const;
+    /// "chain.csv, energy.csv": the files that were asked for, as a person is told what was written.
+    std::string files() const;
 };
 
 /// The files of one run: opened before anything is computed, written while it goes on, and put in place at its end.

@@ -10,6 +10,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace steplab {
@@ -140,7 +141,8 @@ TrajectoryFormat trajectory_format(std::string_view name) {
 }
 
 TrajectoryFormat trajectory_format_of(const std::string& file) {
-    if (written_directly(file)) return TrajectoryFormat::csv;
+    std::error_code ignored;  // a folder is refused as such when it is opened
+    if (written_directly(file) || std::filesystem::is_directory(file, ignored)) return TrajectoryFormat::csv;
     std::string ending = std::filesystem::path(file).extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
     if (!ending.empty()) ending.erase(0, 1);
