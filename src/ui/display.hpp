@@ -25,7 +25,8 @@ struct PixelRect {
 
 /// What only a running window knows; nothing of it is in a still picture.
 struct Measured {
-    std::optional<double> frame_seconds;  ///< time to draw the last picture of the scene
+    std::optional<double> frame_seconds = {};  ///< time it took to draw the last picture of the scene
+    double since_last_frame = 1.0 / 60;        ///< seconds since the interface was drawn last
 };
 
 /// Something the program does rather than the interface.

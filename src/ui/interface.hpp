@@ -1,13 +1,12 @@
 #pragma once
 
-#include "render/camera.hpp"
-#include "render/style.hpp"
 #include "sim/worker.hpp"
+#include "ui/context.hpp"
 #include "ui/display.hpp"
-#include "ui/history.hpp"
+#include "ui/input.hpp"
 
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +15,6 @@ struct ImFontAtlas;
 struct ImGuiContext;
 
 namespace steplab::ui {
-
-/// What of the drawing the interface reads and changes.
-struct Stage {
-    render::Camera& camera;
-    render::Style& style;
-};
 
 /// The whole panel set of one window or still picture. It owns an ImGui context and no OpenGL object: whoever draws
 /// takes draw_data() and fonts(). All positions are pixels from the top left of the display.
@@ -40,11 +33,15 @@ public:
 
     /// The display's size or scale changed; true if the fonts were built anew, so that their texture must be too.
     bool resize(const Display& display);
-    /// Takes a moment of the run into the plots.
+    /// A new moment of the run: to be called once for each, before it is drawn.
     void record(const RunView& view);
+    /// The OpenGL name of the texture that holds the newest picture of the scene, bottom row first: it is part of the
+    /// draw data from now on. 0: the scene is drawn by other means.
+    void show_scene(std::uint32_t texture);
 
-    /// One frame: reads the input that was set on the ImGui context, sends what the person asked for to `commands`,
-    /// moves the camera and sets the style. `measured` is left out of still pictures.
+    /// Keyboard and mouse: what is pushed here is fed to the next frames.
+    Input& input();
+    /// One frame: sends what the person asked for to `commands`, moves the camera and sets the style.
     void draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured = {});
     /// The frame of a picture that nobody touches: the same view gives the same draw data, whenever it is drawn.
     void draw_still(const RunView& view, Stage stage);
@@ -58,16 +55,19 @@ public:
 
     /// What was asked for since the last call that is the program's to do.
     std::vector<Request> take_requests();
-    /// True while something on the screen still changes by itself (a closing menu, a hover), so one more frame is
-    /// wanted.
-    bool wants_another_frame() const;
+    /// How long the picture stays as it is if nothing happens, in seconds: 0 where another frame is wanted at once.
+    double seconds_until_change() const;
     /// Shows `text` for a while over the scene: a picture was saved, a command was copied.
     void notify(std::string text);
+    /// Shows a message that stays until it is closed: what could not be done, and why.
+    void complain(std::string text);
     /// Where each widget of the last frame was drawn, by name; for tests.
     const WidgetMap& widgets() const;
 
 private:
     struct Body;
+    void draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured, bool still);
+
     std::unique_ptr<Body> body_;
 };
 

@@ -1,0 +1,97 @@
+#include "ui/actions.hpp"
+
+#include "render/framing.hpp"
+#include "sim/catalogue.hpp"
+#include "ui/input.hpp"
+#include "ui/rate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace steplab::ui {
+namespace {
+
+render::PictureSize scene_size(const Context& context) {
+    const PixelRect rect = pixels(context.layout.scene);
+    return {rect.width, rect.height};
+}
+
+void frame_all(const Context& context) {
+    render::Camera& camera = context.stage.camera;
+    camera = render::framed(context.view.frame, camera.yaw, camera.pitch, scene_size(context));
+}
+
+/// The scene `offset` places further in the list of models, which goes round.
+void change_scene(const Context& context, std::ptrdiff_t offset) {
+    const auto all = models();
+    const auto count = static_cast<std::ptrdiff_t>(all.size());
+    const auto here = std::find_if(all.begin(), all.end(),
+                                   [&](const Model& entry) { return entry.info.id == context.description().model; });
+    const std::ptrdiff_t next = (here - all.begin() + offset + count) % count;
+    context.ask(with_model(context.description(), all[static_cast<std::size_t>(next)].info.id));
+}
+
+void toggle_panel(const Context& context) { context.session.panel = context.layout.panel.empty(); }
+
+}  // namespace
+
+void reset_view(const Context& context) {
+    context.stage.camera = render::default_camera(context.view.frame, scene_size(context));
+}
+
+void perform(const Context& context, Action action) {
+    Commands& run = context.commands;
+    Wanted& wanted = context.session.wanted;
+    switch (action) {
+        case Action::pause:
+            return wanted.play(!wanted.playing(), run);
+        case Action::step_forward:
+            return run.step_forward();
+        case Action::step_back:
+            return run.step_back();
+        case Action::restart:
+            return run.restart();
+        case Action::reset_view:
+            return reset_view(context);
+        case Action::frame_all:
+            return frame_all(context);
+        case Action::faster:
+            return wanted.set_rate(faster(wanted.rate()), run);
+        case Action::slower:
+            return wanted.set_rate(slower(wanted.rate()), run);
+        case Action::scene_before:
+            return change_scene(context, -1);
+        case Action::scene_after:
+            return change_scene(context, 1);
+        case Action::panel:
+            return toggle_panel(context);
+        case Action::help:
+            context.session.help_open = !context.session.help_open;
+            return;
+        case Action::picture:
+            return context.request({.kind = Request::Kind::save_picture});
+        case Action::full_screen:
+            return context.request({.kind = Request::Kind::full_screen});
+        case Action::quit:
+            return context.request({.kind = Request::Kind::quit});
+    }
+}
+
+void perform_pressed_keys(const Context& context) {
+    if (ImGui::GetIO().WantTextInput) return;
+    if (context.session.help_open && Input::pressed(Key::escape, false)) context.session.help_open = false;
+    for (const KeyBinding& binding : key_bindings()) {
+        const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;
+        if (ImGui::GetIO().KeyCtrl == binding.control && Input::pressed(binding.key, repeats)) {
+            perform(context, binding.action);
+        }
+    }
+}
+
+std::string help_of(Action action) {
+    const KeyBinding& binding = binding_of(action);
+    return fmt::format("{} ({})", binding.what, binding.label);
+}
+
+}  // namespace steplab::ui

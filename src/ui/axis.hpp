@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace steplab::ui {
+
+/// One direction of a plot: maps values to pixels, linearly or by their logarithm.
+struct Axis {
+    double low = 0;
+    double high = 1;
+    bool logarithmic = false;
+    float from = 0;  ///< pixel of `low`
+    float to = 1;    ///< pixel of `high`
+
+    float pixel(double value) const;
+    double value(float pixel) const;
+};
+
+struct Tick {
+    double value = 0;
+    std::string label;
+};
+
+/// Values at steps of 1, 2 or 5 times a power of ten that lie in low .. high, which they part into at most `most`
+/// intervals.
+std::vector<Tick> linear_ticks(double low, double high, int most);
+/// Whole powers of ten in low .. high, every second, third ... one where they would be more than
+/// `most` intervals.
+std::vector<Tick> logarithmic_ticks(double low, double high, int most);
+std::vector<Tick> ticks(const Axis& axis, int most);
+
+/// A range that shows low .. high with ends at round numbers; where low = high, a range about it.
+struct Range {
+    double low = 0;
+    double high = 1;
+};
+Range round_range(double low, double high);
+/// Whole powers of ten around low .. high, at least one decade; both > 0.
+Range round_logarithmic_range(double low, double high);
+
+/// A point of a plotted line, in pixels.
+struct PlotPoint {
+    float x = 0;
+    float y = 0;
+};
+
+/// The line through (x, y) in as many points as its pixels can show: of each column of pixels the first, lowest,
+/// highest and last value, so that no peak is lost. `x` grows; what is not finite, or not positive on a logarithmic
+/// axis, is left out.
+std::vector<PlotPoint> decimated(std::span<const double> x, std::span<const double> y, const Axis& across,
+                                 const Axis& up);
+
+/// Index of the value in `x` (which grows) nearest to `value`; 0 for an empty one.
+std::size_t nearest(std::span<const double> x, double value);
+
+}  // namespace steplab::ui

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "render/camera.hpp"
+#include "render/style.hpp"
+#include "sim/worker.hpp"
+#include "ui/display.hpp"
+#include "ui/history.hpp"
+#include "ui/layout.hpp"
+#include "ui/theme.hpp"
+#include "ui/wanted.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace steplab::ui {
+
+/// What of the drawing the interface reads and changes.
+struct Stage {
+    render::Camera& camera;
+    render::Style& style;
+};
+
+/// A number being typed instead of dragged: which one, and the text so far.
+struct Entry {
+    std::string widget;
+    std::array<char, 64> text{};
+    bool just_opened = false;
+};
+
+/// A short message over the scene.
+struct Notice {
+    std::string text;
+    double until = 0;  ///< seconds of the interface's clock
+};
+
+/// What the interface remembers from frame to frame.
+struct Session {
+    Wanted wanted;
+    History history;
+    std::optional<Entry> entry;
+    std::optional<Notice> notice;
+    std::optional<bool> panel;  ///< asked for or against by the person; none: as the window has room
+    bool help_open = false;
+    bool drag_from_scene = false;                     ///< the left or right button went down over the scene
+    bool dragged = false;                             ///< since then the pointer moved: it is no click
+    std::optional<std::size_t> dismissed_divergence;  ///< step of the divergence whose card was closed
+    std::vector<Request> requests;
+};
+
+/// What every panel is given for one frame.
+struct Context {
+    const Theme& theme;
+    const Layout& layout;
+    const Display& display;
+    const RunView& view;
+    const Measured& measured;
+    Commands& commands;
+    Stage stage;
+    Session& session;
+    WidgetMap& widgets;
+
+    float px(float units) const { return theme.px(units); }
+    /// The description the panels show and change.
+    const RunDescription& description() const { return session.wanted.description(); }
+    void ask(const RunDescription& description) const { session.wanted.ask(description, commands); }
+    void request(Request request) const { session.requests.push_back(std::move(request)); }
+    /// Stores where the widget that was drawn last is.
+    void mark(std::string_view widget) const;
+    void mark(std::string_view widget, const WidgetRect& place) const;
+};
+
+}  // namespace steplab::ui

@@ -1,0 +1,120 @@
+#include "ui/input.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace steplab::ui {
+namespace {
+
+struct KeyName {
+    Key key;
+    ImGuiKey imgui;
+};
+
+// The keys that ImGui itself acts on. ImGui 1.86 knows no others by name; from 1.87 on every key has one.
+constexpr KeyName editing_keys[] = {
+    {Key::space, ImGuiKey_Space},
+    {Key::left, ImGuiKey_LeftArrow},
+    {Key::right, ImGuiKey_RightArrow},
+    {Key::up, ImGuiKey_UpArrow},
+    {Key::down, ImGuiKey_DownArrow},
+    {Key::backspace, ImGuiKey_Backspace},
+    {Key::del, ImGuiKey_Delete},
+    {Key::home, ImGuiKey_Home},
+    {Key::end, ImGuiKey_End},
+    {Key::tab, ImGuiKey_Tab},
+    {Key::enter, ImGuiKey_Enter},
+    {Key::escape, ImGuiKey_Escape},
+    {Key::a, ImGuiKey_A},
+    {Key::c, ImGuiKey_C},
+    {Key::v, ImGuiKey_V},
+    {Key::x, ImGuiKey_X},
+    {Key::z, ImGuiKey_Z},
+#if IMGUI_VERSION_NUM >= 18700
+    {Key::f, ImGuiKey_F},
+    {Key::p, ImGuiKey_P},
+    {Key::q, ImGuiKey_Q},
+    {Key::equal, ImGuiKey_Equal},
+    {Key::minus, ImGuiKey_Minus},
+    {Key::bracket_left, ImGuiKey_LeftBracket},
+    {Key::bracket_right, ImGuiKey_RightBracket},
+    {Key::f1, ImGuiKey_F1},
+    {Key::f11, ImGuiKey_F11},
+#endif
+};
+
+#if IMGUI_VERSION_NUM >= 18700
+
+ImGuiKey imgui_key(Key key) {
+    const auto* found = std::find_if(std::begin(editing_keys), std::end(editing_keys),
+                                     [&](const KeyName& name) { return name.key == key; });
+    return found == std::end(editing_keys) ? ImGuiKey_None : found->imgui;
+}
+
+void set_key(ImGuiIO& io, Key key, bool down) { io.AddKeyEvent(imgui_key(key), down); }
+bool key_pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(imgui_key(key), repeat); }
+void set_pointer(ImGuiIO& io, ImVec2 place) { io.AddMousePosEvent(place.x, place.y); }
+void set_button(ImGuiIO& io, int button, bool down) { io.AddMouseButtonEvent(button, down); }
+void add_wheel(ImGuiIO& io, float lines) { io.AddMouseWheelEvent(0, lines); }
+void set_modifiers(ImGuiIO& io, const ModifiersChanged& now) {
+    io.AddKeyEvent(ImGuiMod_Ctrl, now.control);
+    io.AddKeyEvent(ImGuiMod_Shift, now.shift);
+    io.AddKeyEvent(ImGuiMod_Alt, now.alt);
+}
+void release_all(ImGuiIO& io) { io.AddFocusEvent(false); }
+
+#else
+
+void set_key(ImGuiIO& io, Key key, bool down) { io.KeysDown[static_cast<int>(key)] = down; }
+bool key_pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(static_cast<int>(key), repeat); }
+void set_pointer(ImGuiIO& io, ImVec2 place) { io.MousePos = place; }
+void set_button(ImGuiIO& io, int button, bool down) { io.MouseDown[button] = down; }
+void add_wheel(ImGuiIO& io, float lines) { io.MouseWheel += lines; }
+void set_modifiers(ImGuiIO& io, const ModifiersChanged& now) {
+    io.KeyCtrl = now.control;
+    io.KeyShift = now.shift;
+    io.KeyAlt = now.alt;
+}
+void release_all(ImGuiIO& io) {
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
+    set_modifiers(io, {});
+}
+
+#endif
+
+/// Sets one event on ImGui; says whether it was a press or a release.
+struct Feed {
+    ImGuiIO& io;
+
+    bool operator()(const PointerMoved& e) const { return set_pointer(io, {e.x, e.y}), false; }
+    bool operator()(const ButtonChanged& e) const { return set_button(io, e.button, e.down), true; }
+    bool operator()(const WheelTurned& e) const { return add_wheel(io, e.lines), false; }
+    bool operator()(const KeyChanged& e) const { return set_key(io, e.key, e.down), true; }
+    bool operator()(const ModifiersChanged& e) const { return set_modifiers(io, e), false; }
+    bool operator()(const TextTyped& e) const { return io.AddInputCharacter(e.character), false; }
+    bool operator()(const FocusLost&) const { return release_all(io), true; }
+};
+
+}  // namespace
+
+void Input::describe_keys(ImGuiIO& io) {
+#if IMGUI_VERSION_NUM >= 18700
+    (void)io;
+#else
+    for (const KeyName& name : editing_keys) io.KeyMap[name.imgui] = static_cast<int>(name.key);
+#endif
+}
+
+bool Input::feed(ImGuiIO& io) {
+    bool frame_is_full = false;
+    while (!events_.empty() && !frame_is_full) {
+        frame_is_full = std::visit(Feed{io}, events_.front());
+        events_.pop_front();
+    }
+    return !events_.empty();
+}
+
+bool Input::pressed(Key key, bool repeat) { return key_pressed(key, repeat); }
+
+}  // namespace steplab::ui

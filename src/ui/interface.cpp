@@ -1,0 +1,175 @@
+#include "ui/interface.hpp"
+
+#include "ui/actions.hpp"
+#include "ui/panels.hpp"
+#include "ui/scene_pointer.hpp"
+#include "ui/view_keeper.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace steplab::ui {
+namespace {
+
+struct ContextDeleter {
+    void operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
+};
+
+/// A still picture has nobody to ask for anything.
+class Nobody final : public Commands {
+public:
+    void play(bool) override {}
+    void step_forward() override {}
+    void step_back() override {}
+    void restart() override {}
+    void change(const RunDescription&) override {}
+    void set_rate(Rate) override {}
+    void track(std::optional<std::size_t>) override {}
+    void pull(std::size_t, Vec3) override {}
+};
+
+/// A context whose state lives in this process alone.
+ImGuiContext* make_context() {
+    ImGuiContext* context = ImGui::CreateContext();
+    ImGui::SetCurrentContext(context);
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    io.ConfigInputTextCursorBlink = false;
+    Input::describe_keys(io);
+    return context;
+}
+
+void draw_panels(const Context& context) {
+    draw_side_panel(context);
+    draw_plots_panel(context);
+    draw_top_bar(context);
+    draw_read_out(context);
+    draw_divergence_card(context);
+    draw_notices(context);
+    draw_help(context);
+}
+
+/// The newest picture of the scene, stretched to the place it has now until one of the right size is there.
+void draw_scene_picture(const Area& scene, std::uint32_t texture) {
+    if (texture == 0) return;
+    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
+    ImGui::GetBackgroundDrawList()->AddImage(id, {scene.x, scene.y}, {scene.right(), scene.bottom()}, {0, 1}, {1, 0});
+}
+
+void set_style(render::Style& style, const RunView& view, const Display& display) {
+    const ParameterValues& scene = view.description.scene;
+    style.mass = scene.contains("m") ? scene["m"] : 1;
+    style.selected = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
+    style.pixel_scale = static_cast<double>(display.scale);
+}
+
+}  // namespace
+
+struct Interface::Body {
+    explicit Body(const Display& size) : context(make_context()), display(size) { theme.apply(display.scale); }
+
+    std::unique_ptr<ImGuiContext, ContextDeleter> context;
+    Display display;
+    Theme theme;
+    Input input;
+    Session session;
+    ViewKeeper view_keeper;
+    Layout layout;
+    WidgetMap widgets;
+    std::uint32_t scene_texture = 0;
+    bool new_view = true;
+    bool input_left = false;
+};
+
+Interface::Interface(const Display& display) : body_(std::make_unique<Body>(display)) {}
+
+Interface::~Interface() = default;
+
+bool Interface::resize(const Display& display) {
+    ImGui::SetCurrentContext(body_->context.get());
+    const bool new_fonts = display.scale != body_->display.scale;
+    body_->display = display;
+    if (new_fonts) body_->theme.apply(display.scale);
+    return new_fonts;
+}
+
+void Interface::record(const RunView& view) {
+    body_->session.history.record(view);
+    body_->new_view = true;
+}
+
+void Interface::show_scene(std::uint32_t texture) { body_->scene_texture = texture; }
+
+Input& Interface::input() { return body_->input; }
+
+void Interface::draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured) {
+    draw_frame(view, commands, stage, measured, false);
+}
+
+void Interface::draw_still(const RunView& view, Stage stage) {
+    Nobody nobody;
+    // ImGui knows the size of a window that fits its content only after it was drawn once.
+    for (int pass = 0; pass < 3; ++pass) draw_frame(view, nobody, stage, {}, true);
+}
+
+void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured, bool still) {
+    Body& body = *body_;
+    ImGui::SetCurrentContext(body.context.get());
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(body.display.width), static_cast<float>(body.display.height)};
+    io.DeltaTime = static_cast<float>(measured.since_last_frame);
+    body.input_left = body.input.feed(io);
+    ImGui::NewFrame();
+    body.widgets.clear();
+    body.session.wanted.follow(view, body.new_view);
+    body.new_view = false;
+    body.layout = arrange(body.display, body.session.panel);
+    const Context context{body.theme, body.layout, body.display, view,        measured,
+                          commands,   stage,       body.session, body.widgets};
+    if (!still) {
+        body.view_keeper.keep(context);
+        perform_pressed_keys(context);
+        move_camera(context);
+    }
+    set_style(stage.style, view, body.display);
+    draw_scene_picture(body.layout.scene, body.scene_texture);
+    draw_panels(context);
+    ImGui::Render();
+}
+
+PixelRect Interface::scene() const { return pixels(body_->layout.scene); }
+
+ImDrawData& Interface::draw_data() const {
+    ImGui::SetCurrentContext(body_->context.get());
+    return *ImGui::GetDrawData();
+}
+
+ImFontAtlas& Interface::fonts() const {
+    ImGui::SetCurrentContext(body_->context.get());
+    return *ImGui::GetIO().Fonts;
+}
+
+ImGuiContext& Interface::context() const { return *body_->context; }
+
+std::vector<Request> Interface::take_requests() { return std::exchange(body_->session.requests, {}); }
+
+double Interface::seconds_until_change() const {
+    ImGui::SetCurrentContext(body_->context.get());
+    if (body_->input_left) return 0;
+    const auto& notice = body_->session.notice;
+    return notice ? std::max(0.0, notice->until - ImGui::GetTime()) : std::numeric_limits<double>::infinity();
+}
+
+void Interface::notify(std::string text) {
+    ImGui::SetCurrentContext(body_->context.get());
+    body_->session.notice = Notice{std::move(text), ImGui::GetTime() + 4};
+}
+
+void Interface::complain(std::string text) { body_->session.wanted.refuse(std::move(text)); }
+
+const WidgetMap& Interface::widgets() const { return body_->widgets; }
+
+}  // namespace steplab::ui

@@ -1,0 +1,61 @@
+#include "ui/keys.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace steplab::ui {
+namespace {
+
+constexpr std::array<KeyBinding, 15> keys = {{
+    {Action::pause, Key::space, false, "Space", "play or pause"},
+    {Action::step_forward, Key::right, false, "Right", "one step on"},
+    {Action::step_back, Key::left, false, "Left", "one step back"},
+    {Action::restart, Key::backspace, false, "Backspace", "restart"},
+    {Action::reset_view, Key::home, false, "Home", "reset the view"},
+    {Action::frame_all, Key::f, false, "F", "show all particles"},
+    {Action::faster, Key::equal, false, "=", "faster"},
+    {Action::slower, Key::minus, false, "-", "slower"},
+    {Action::scene_before, Key::bracket_left, false, "[", "scene before"},
+    {Action::scene_after, Key::bracket_right, false, "]", "scene after"},
+    {Action::panel, Key::tab, false, "Tab", "hide or show the panel"},
+    {Action::help, Key::f1, false, "F1", "help"},
+    {Action::picture, Key::p, true, "Ctrl+P", "save a picture"},
+    {Action::full_screen, Key::f11, false, "F11", "full screen"},
+    {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
+}};
+
+constexpr std::array<MouseBinding, 7> gestures = {{
+    {"left drag", "orbit"},
+    {"right drag, Shift + left drag", "pan"},
+    {"wheel", "zoom to the pointer"},
+    {"click", "pick a particle"},
+    {"double click on a slider", "its default"},
+    {"Ctrl + click on a slider, click on its value", "type an exact value"},
+    {"right click on a plot", "save it"},
+}};
+
+template <class Rows>
+void append_rows(std::string& table, const Rows& rows) {
+    for (const auto& row : rows) {
+        table.append("| ").append(row.label).append(" | ").append(row.what).append(" |\n");
+    }
+}
+
+}  // namespace
+
+std::span<const KeyBinding> key_bindings() { return keys; }
+
+std::span<const MouseBinding> mouse_bindings() { return gestures; }
+
+const KeyBinding& binding_of(Action action) {
+    return *std::find_if(keys.begin(), keys.end(), [&](const KeyBinding& binding) { return binding.action == action; });
+}
+
+std::string key_table() {
+    std::string table = "| key | what it does |\n|---|---|\n";
+    append_rows(table, keys);
+    append_rows(table, gestures);
+    return table;
+}
+
+}  // namespace steplab::ui

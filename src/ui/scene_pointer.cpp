@@ -1,0 +1,59 @@
+#include "ui/scene_pointer.hpp"
+
+#include "render/picking.hpp"
+
+#include <cmath>
+
+namespace steplab::ui {
+namespace {
+
+bool went_down(int button) { return ImGui::GetIO().MouseClicked[button]; }
+
+/// The pointer in pixels of the scene's picture.
+render::PixelPoint pointer_in(const Area& scene) {
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    return {static_cast<double>(pointer.x - scene.x), static_cast<double>(pointer.y - scene.y)};
+}
+
+void drag(const Context& context, const render::Projection& projection) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const double dx = static_cast<double>(io.MouseDelta.x);
+    const double dy = static_cast<double>(io.MouseDelta.y);
+    if (dx == 0 && dy == 0) return;
+    const bool pan = io.MouseDown[1] || io.KeyShift;
+    // A hand that clicks trembles: the first pixels of a drag do nothing.
+    const float tremble = context.px(4);
+    if (io.MouseDragMaxDistanceSqr[pan && io.MouseDown[1] ? 1 : 0] < tremble * tremble) return;
+    context.session.dragged = true;
+    context.stage.camera = pan ? render::panned(projection, dx, dy) : render::orbited(projection, dx, dy);
+}
+
+void pick(const Context& context, const render::Projection& projection) {
+    const auto particle = render::particle_at(context.view.frame, projection, pointer_in(context.layout.scene),
+                                              static_cast<double>(context.px(6)));
+    if (particle) context.commands.track(particle);
+}
+
+}  // namespace
+
+void move_camera(const Context& context) {
+    const ImGuiIO& io = ImGui::GetIO();
+    Session& session = context.session;
+    const Area& scene = context.layout.scene;
+    const PixelRect rect = pixels(scene);
+    const render::Projection projection(context.stage.camera, {rect.width, rect.height});
+    const bool over = !io.WantCaptureMouse && scene.contains(io.MousePos.x, io.MousePos.y);
+    if (over && (went_down(0) || went_down(1))) {
+        session.drag_from_scene = true;
+        session.dragged = false;
+    }
+    if (session.drag_from_scene && (io.MouseDown[0] || io.MouseDown[1])) drag(context, projection);
+    if (session.drag_from_scene && io.MouseReleased[0] && !session.dragged) pick(context, projection);
+    if (!io.MouseDown[0] && !io.MouseDown[1]) session.drag_from_scene = false;
+    if (over && io.MouseWheel != 0) {
+        const double factor = std::pow(1.15, static_cast<double>(io.MouseWheel));
+        context.stage.camera = render::zoomed(projection, factor, pointer_in(scene));
+    }
+}
+
+}  // namespace steplab::ui

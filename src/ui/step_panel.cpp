@@ -1,0 +1,94 @@
+#include "ui/format.hpp"
+#include "ui/panels.hpp"
+#include "ui/slider.hpp"
+#include "ui/widgets.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace steplab::ui {
+namespace {
+
+constexpr double default_dt = 0.1;
+
+/// What the linear theory says of dt: the line below the slider.
+struct Verdict {
+    std::string text;
+    ImU32 ink = colour::text_dim;
+    bool passed = false;  ///< dt is beyond the limit
+};
+
+Verdict verdict(const std::optional<StabilityLimit>& known, double dt) {
+    if (!known) return {"stability limit not known"};
+    if (known->limit == 0) return {"unstable at any dt: the energy grows", colour::bad, true};
+    if (std::isinf(known->limit)) return {"stable at any dt", colour::good};
+    const double part = dt / known->limit;
+    const std::string limit =
+        fmt::format("the limit {} s (ω_max {})", number(known->limit, 3), number(known->omega_max, 3));
+    if (part > 1) return {fmt::format("unstable: {} of {}", number(part, 3), limit), colour::bad, true};
+    return {fmt::format("stable: {} of {}", number(part, 2), limit), colour::good};
+}
+
+/// The parameter dt as it is typed: the same rules and messages as the command line has.
+const ParameterInfo& dt_info() {
+    static const ParameterInfo info{.name = "dt",
+                                    .unit = "s",
+                                    .minimum_included = false,
+                                    .default_value = default_dt,
+                                    .what = "time step",
+                                    .slider_low = 1e-4,
+                                    .slider_high = 10,
+                                    .slider_logarithmic = true};
+    return info;
+}
+
+void draw_verdict(const Context& context, const Verdict& verdict) {
+    const WithFont font(context.theme.fonts().small);
+    const float radius = context.px(3.5f);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float y = corner.y + 0.5f * ImGui::GetTextLineHeight();
+    if (verdict.ink != colour::text_dim) {
+        ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + radius + 1, y}, radius, verdict.ink);
+        ImGui::SetCursorScreenPos({corner.x + context.px(14), corner.y});
+    }
+    explanation(context, verdict.text, verdict.ink);
+}
+
+}  // namespace
+
+void draw_step_panel(const Context& context) {
+    const RunDescription description = context.description();
+    const auto ask = [&](double dt) {
+        RunDescription changed = description;
+        changed.dt = dt;
+        context.ask(changed);
+    };
+    // The run's own limit is that of what is being computed; while a change is on its way, the one asked for counts.
+    const bool current = description == context.view.description;
+    const auto limit = current ? context.view.limit : stability_limit(description);
+    const Verdict result = verdict(limit, description.dt);
+    const bool marked = limit && limit->limit > 0 && std::isfinite(limit->limit);
+    const std::string help =
+        fmt::format("time step\n{} · default {} s\na change applies at once", range_text(dt_info()), default_dt);
+    heading(context, "STEP");
+    slider_row(context, {
+                            .widget = "dt",
+                            .label = "dt",
+                            .tooltip = help,
+                            .value_text = with_unit(number(description.dt), "s"),
+                            .entry_text = format_value(dt_info(), description.dt),
+                            .value = description.dt,
+                            .default_value = default_dt,
+                            .range = {dt_info().slider_low, dt_info().slider_high, true, false},
+                            .look = {.fill = result.passed ? colour::bad
+                                             : limit       ? colour::good
+                                                           : colour::accent,
+                                     .mark = marked ? std::optional(limit->limit) : std::nullopt},
+                            .set = ask,
+                            .set_text = [&](std::string_view typed) { ask(parse_value(dt_info(), typed)); },
+                        });
+    draw_verdict(context, result);
+}
+
+}  // namespace steplab::ui

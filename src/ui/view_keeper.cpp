@@ -1,0 +1,41 @@
+#include "ui/view_keeper.hpp"
+
+#include "ui/actions.hpp"
+
+#include <algorithm>
+
+namespace steplab::ui {
+
+std::size_t first_followed(const Shape& shape) {
+    const auto& roles = shape.roles;
+    for (const Role role : {Role::kicked, Role::bullet}) {
+        const auto found = std::find(roles.begin(), roles.end(), role);
+        if (found != roles.end()) return static_cast<std::size_t>(found - roles.begin());
+    }
+    return roles.empty() ? 0 : roles.size() - 1;
+}
+
+void ViewKeeper::keep(const Context& context) {
+    const RunView& view = context.view;
+    if (!view.frame.shape) return;
+    const PixelRect place = pixels(context.layout.scene);
+    const bool first = !shape_;
+    const bool other_model = model_ != view.description.model;
+    const bool other_shape = shape_ != view.frame.shape;
+    const std::size_t particles = view.frame.shape->roles.size();
+    if (first ? !view.tracked : other_model || (other_shape && shape_->roles.size() != particles)) {
+        context.commands.track(first_followed(*view.frame.shape));
+    }
+    // A program that was started with a view has set the camera; an untouched one is put where the scene opens.
+    const bool untouched = context.stage.camera == home_.value_or(render::Camera{});
+    const bool moved_about = other_shape || place != place_;
+    if ((first && untouched) || (!first && (other_model || (moved_about && untouched)))) {
+        reset_view(context);
+        home_ = context.stage.camera;
+    }
+    model_ = view.description.model;
+    shape_ = view.frame.shape;
+    place_ = place;
+}
+
+}  // namespace steplab::ui

@@ -1,0 +1,42 @@
+#include "ui/wanted.hpp"
+
+#include "core/error.hpp"
+
+namespace steplab::ui {
+
+void Wanted::follow(const RunView& view, bool is_new) {
+    playing_.follow(view.playing, is_new);
+    rate_.follow(view.rate, is_new);
+    running_ = view.description;
+    if (asked_ == running_) asked_.reset();
+    if (view.error == seen_error_) return;
+    seen_error_ = view.error;
+    if (view.error.empty()) return;
+    message_ = view.error;
+    asked_.reset();
+}
+
+void Wanted::ask(const RunDescription& description, Commands& commands) {
+    if (description == this->description()) return;
+    try {
+        check(description);
+    } catch (const UsageError& error) {
+        message_ = error.what();
+        return;
+    }
+    message_.clear();
+    asked_ = description;
+    commands.change(description);
+}
+
+void Wanted::play(bool on, Commands& commands) {
+    playing_.ask(on);
+    commands.play(on);
+}
+
+void Wanted::set_rate(Rate rate, Commands& commands) {
+    rate_.ask(rate);
+    commands.set_rate(rate);
+}
+
+}  // namespace steplab::ui

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "ui/context.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace steplab::ui {
+
+/// The columns of a row of the side panel, in pixels from the left edge of its window.
+struct RowPlaces {
+    float control = 0;  ///< where slider, combo or switch begins
+    float value = 0;    ///< where the value begins
+    float right = 0;    ///< where the row ends
+};
+RowPlaces row_places(const Context& context);
+
+/// Shows `text` beside the pointer while it rests on the last item; nothing if it is empty.
+void tooltip(const Context& context, std::string_view text);
+
+/// Draws text that ends at `right` (pixels of the screen), its middle at `y`.
+void text_right(float right, float y, std::string_view text, ImU32 ink);
+/// Draws text that begins at `left`, its middle at `y`.
+void text_left(float left, float y, std::string_view text, ImU32 ink);
+
+/// "SCENE", with the distance to what stands above.
+void heading(const Context& context, std::string_view text);
+/// A paragraph in the small font that breaks at the panel's edge.
+void explanation(const Context& context, std::string_view text, ImU32 ink = colour::text_dim);
+/// The label of a row, centred on its height.
+void row_label(const Context& context, std::string_view label, std::string_view tooltip);
+/// "kinetic          0.213 J"
+void reading_row(const Context& context, std::string_view label, std::string_view value, std::string_view tooltip = {});
+
+/// A box with a tick and its label; true when clicked, `on` then has the new state.
+bool check_row(const Context& context, std::string_view widget, std::string_view label, bool& on);
+
+/// One of several choices as a switch that shows all of them; true when another was chosen.
+bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
+               std::size_t& chosen, float width);
+
+/// An item of a menu of choices: its name and, dim and to the right, what tells it from the others.
+struct ComboItem {
+    std::string_view id;  ///< also the name of its widget: "method/rk4"
+    std::string_view name;
+    std::string remark = {};
+    std::string tooltip = {};
+};
+/// A box that shows the chosen item and opens a list of all; true when another was chosen.
+bool combo(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t& chosen,
+           float width);
+
+/// A button with a text; `accent` for the one that is meant to be pressed.
+bool text_button(const Context& context, std::string_view widget, std::string_view text, bool accent = false,
+                 float width = 0);
+
+}  // namespace steplab::ui
