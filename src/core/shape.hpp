@@ -29,8 +29,7 @@ struct Shape {
     std::vector<Role> roles;      ///< one per particle
     std::vector<Spring> springs;  ///< empty where particles act on each other without springs
     double spacing = 1;           ///< typical distance of neighbours, > 0; sizes of drawn things follow it
-    double extent_hint =
-        0;  ///< how far from rest the scene is expected to move, 0 if unknown; the first camera shows it
+    std::vector<Vec3> expected;   ///< places it is expected to reach; the first camera and the axes take them in
 };
 
 }  // namespace steplab

@@ -46,7 +46,8 @@ Scene scene(const ParameterValues& values) {
 Shape shape(const ParameterValues& values) {
     Shape shape = line_shape(values.count("n"), values["L"], values["fixed"] != 0);
     shape.roles.back() = Role::kicked;
-    shape.extent_hint = std::abs(values["v0"]) * std::sqrt(values["m"] / values["k"]);
+    const Vec3 amplitude{values["v0"] * std::sqrt(values["m"] / values["k"]), 0, 0};
+    shape.expected = {shape.rest.back() + amplitude, shape.rest.back() - amplitude};
     return shape;
 }
 

@@ -34,7 +34,8 @@ Shape shape(const ParameterValues& values) {
     for (std::size_t i = 0; i < n; ++i) shape.rest.push_back({static_cast<double>(i), 0, 0});
     shape.roles.assign(n, Role::moving);
     shape.spacing = 1;
-    shape.extent_hint = static_cast<double>(std::min<std::size_t>(n, 10)) * 0.5;
+    // There is no end to the fall; this shows some seconds of it.
+    shape.expected = {{static_cast<double>(n - 1), -0.5 * static_cast<double>(n), 0}};
     return shape;
 }
 

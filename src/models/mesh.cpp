@@ -84,7 +84,9 @@ Shape shape(const ParameterValues& values) {
     shape.roles[kicked_particle(values)] = Role::kicked;
     add_springs(shape, values);
     shape.spacing = values["L"] > 0 ? values["L"] : 1;
-    shape.extent_hint = std::abs(values["v0"]) * std::sqrt(values["m"] / values["k"]);
+    const Vec3 kicked = shape.rest[kicked_particle(values)];
+    const Vec3 amplitude{0, values["v0"] * std::sqrt(values["m"] / values["k"]), 0};
+    shape.expected = {kicked + amplitude, kicked - amplitude};
     return shape;
 }
 

@@ -46,7 +46,7 @@ Shape shape(const ParameterValues& values) {
     shape.roles = {Role::fixed, Role::kicked};
     shape.springs = {{0, 1, 0}};
     shape.spacing = amplitude > 0 ? amplitude : 1;
-    shape.extent_hint = amplitude;
+    shape.expected = {{amplitude, 0, 0}, {-amplitude, 0, 0}};
     return shape;
 }
 
