@@ -2,17 +2,16 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/lanes.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
 #include "models/spring.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace steplab {
 
-/// LineForces at work. Every spring is computed once; the acceleration of particle i is
+/// LineForces at work. Every spring is computed once, a register of them at a time; the acceleration of particle i is
 /// (pull of the spring to i + 1) - (pull of the spring from i - 1), in this order, then gravity.
 template <class T>
 class Line {
@@ -24,22 +23,27 @@ public:
           length_(static_cast<T>(forces.rest_length)),
           gravity_(static_cast<T>(forces.gravity)) {}
 
-    void accelerations(const Field<T>& u, Field<T>& a) {
-        pulls_.fill(T(0));
-        for (std::size_t begin = 0; begin < forces_.count; begin += block) {
-            const std::size_t end = std::min(begin + block, forces_.count);
-            if (begin > 0) carry_last_pull();
-            compute_pulls(u, begin, std::min(end, forces_.count - 1));
-            if (end == forces_.count) clear_pull_after_end(end - begin);
-            combine(a, begin, end);
+    void accelerations(const Field<T>& u, Field<T>& a) const {
+        const std::size_t springs = forces_.count - 1;
+        Vec here = load(u, 0), before = Vec{N(T(0)), N(T(0)), N(T(0))};
+        for (std::size_t p = 0; p < forces_.count; p += width) {
+            const Vec next = p + width < forces_.count ? load(u, p + width) : here;
+            Vec pull = pulls(here, next);
+            if (p + width > springs) pull = first_lanes(springs - p, pull);
+            store_difference(a, p, pull, before);
+            here = next;
+            before = pull;
         }
         if (gravity_ != T(0)) add_gravity(a);
     }
 
     PotentialEnergy potential(const Field<T>& u) const {
         CompensatedSum springs, heights;
-        for (std::size_t i = 0; i + 1 < forces_.count; ++i)
-            springs.add(static_cast<double>(spring_energy(rest(), length_, difference(u, i))));
+        const Vector<T> rest{length_, T(0), T(0)};
+        for (std::size_t i = 0; i + 1 < forces_.count; ++i) {
+            const Vector<T> e{u.x()[i + 1] - u.x()[i], u.y()[i + 1] - u.y()[i], u.z()[i + 1] - u.z()[i]};
+            springs.add(static_cast<double>(spring_energy(rest, length_, e)));
+        }
         if (gravity_ != T(0)) {
             for (std::size_t i = 0; i < forces_.count; ++i) heights.add(static_cast<double>(u.y()[i]));
         }
@@ -49,50 +53,41 @@ public:
     }
 
 private:
-    /// Springs computed at a time: their pulls stay in the first-level cache.
-    static constexpr std::size_t block = 256;
-    /// Index in a row of pulls of a block's first spring; the one before it is the last spring of the block before.
-    static constexpr std::size_t first = 16;
-    static constexpr std::size_t row = first + block + first;
+    using N = Lanes<T>;
+    using Vec = Vector<N>;
+    static constexpr std::size_t width = N::count;
 
-    Vector<T> rest() const { return {length_, T(0), T(0)}; }
-
-    static Vector<T> difference(const Field<T>& u, std::size_t i) {
-        return {u.x()[i + 1] - u.x()[i], u.y()[i + 1] - u.y()[i], u.z()[i + 1] - u.z()[i]};
+    static Vec load(const Field<T>& u, std::size_t p) {
+        return {N::load(u.x() + p), N::load(u.y() + p), N::load(u.z() + p)};
     }
 
-    void compute_pulls(const Field<T>& u, std::size_t begin, std::size_t end) {
-        const T *const x = u.x() + begin, *const y = u.y() + begin, *const z = u.z() + begin;
-        T* const pulls = pulls_.data() + first;
-        elementwise(end - begin, [=, rest = rest(), length = length_, stiffness = stiffness_](std::size_t s) {
-            const Vector<T> e{x[s + 1] - x[s], y[s + 1] - y[s], z[s + 1] - z[s]};
-            const Vector<T> pull = spring_pull(rest, length, e);
-            pulls[s] = stiffness * pull.x;
-            pulls[s + row] = stiffness * pull.y;
-            pulls[s + 2 * row] = stiffness * pull.z;
-        });
+    /// Of the springs that begin at the particles of one register; `next` holds the particles after them.
+    Vec pulls(const Vec& here, const Vec& next) const {
+        const Vec e{N::shifted_down(here.x, next.x) - here.x, N::shifted_down(here.y, next.y) - here.y,
+                    N::shifted_down(here.z, next.z) - here.z};
+        const Vec pull = spring_pull(Vec{N(length_), N(T(0)), N(T(0))}, N(length_), e);
+        return {N(stiffness_) * pull.x, N(stiffness_) * pull.y, N(stiffness_) * pull.z};
     }
 
-    void combine(Field<T>& a, std::size_t begin, std::size_t end) const {
-        combine_component(a.x(), 0, begin, end);
-        combine_component(a.y(), 1, begin, end);
-        combine_component(a.z(), 2, begin, end);
+    /// Keeps the lanes of springs that exist: the last particle has none behind it.
+    static Vec first_lanes(std::size_t count, const Vec& pull) {
+        const auto kept = N::first(count);
+        return {where(kept, pull.x, N(T(0))), where(kept, pull.y, N(T(0))), where(kept, pull.z, N(T(0)))};
     }
 
-    void combine_component(T* a, std::size_t component, std::size_t begin, std::size_t end) const {
-        const std::size_t from = std::max(begin, first_moving_);
-        const T* const pulls = pulls_.data() + component * row + first + (from - begin);
-        T* const out = a + from;
-        elementwise(end - from, [=](std::size_t s) { out[s] = pulls[s] - pulls[s - 1]; });
+    void store_difference(Field<T>& a, std::size_t p, const Vec& pull, const Vec& before) const {
+        Vec sum{pull.x - N::shifted_up(before.x, pull.x), pull.y - N::shifted_up(before.y, pull.y),
+                pull.z - N::shifted_up(before.z, pull.z)};
+        if (p < first_moving_) sum = after_first(sum);
+        sum.x.store(a.x() + p);
+        sum.y.store(a.y() + p);
+        sum.z.store(a.z() + p);
     }
 
-    void carry_last_pull() {
-        for (std::size_t c = 0; c < 3; ++c) pulls_[c * row + first - 1] = pulls_[c * row + first + block - 1];
-    }
-
-    /// The last particle has no spring behind it.
-    void clear_pull_after_end(std::size_t particles) {
-        for (std::size_t c = 0; c < 3; ++c) pulls_[c * row + first + particles - 1] = T(0);
+    /// No acceleration for the fixed first particle.
+    static Vec after_first(const Vec& sum) {
+        const auto fixed = N::first(1);
+        return {where(fixed, N(T(0)), sum.x), where(fixed, N(T(0)), sum.y), where(fixed, N(T(0)), sum.z)};
     }
 
     void add_gravity(Field<T>& a) const {
@@ -105,7 +100,6 @@ private:
     T stiffness_;  ///< k / m
     T length_;
     T gravity_;
-    alignas(64) std::array<T, 3 * row> pulls_{};  ///< pulls of a block's springs: x, y, z
 };
 
 }  // namespace steplab
