@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace steplab {
+
+/// Where a program runs.
+struct Surroundings {
+    std::string program = "steplab";            ///< in build/<preset>/bin, or a path
+    std::string folder = ".";                   ///< working folder
+    std::vector<std::string> environment = {};  ///< "NAME=value", added to the test's own
+    std::string standard_output = {};           ///< a file to open for it; empty: the test reads it
+    bool standard_output_closed = false;
+    std::optional<unsigned long> largest_file = {};  ///< bytes a file may have, as on a full disk
+};
+
+/// What came of a program.
+struct Outcome {
+    int code = -1;   ///< exit code; -1 if a signal ended it
+    int signal = 0;  ///< the signal that ended it, 0 if none did
+    std::string out;
+    std::string err;
+    long kilobytes = 0;  ///< most memory it held
+};
+
+/// A program under way. Its standard output is a pipe to this object.
+class RunningProgram {
+public:
+    explicit RunningProgram(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
+    ~RunningProgram();
+    RunningProgram(const RunningProgram&) = delete;
+    RunningProgram& operator=(const RunningProgram&) = delete;
+
+    /// Waits for more of the output; empty at its end.
+    std::string read_some();
+    /// The reader of the output goes away.
+    void close_output();
+    void send(int signal) const;
+    /// Reads what is left and waits for the end.
+    Outcome wait();
+
+private:
+    pid_t process_ = -1;
+    int output_ = -1;
+    int errors_ = -1;
+    std::string read_;
+};
+
+/// Runs a program to its end.
+Outcome run_program(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
+
+}  // namespace steplab
