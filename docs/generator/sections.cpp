@@ -18,6 +18,12 @@ std::string lines_to_end_mark(std::istream& lines, const std::string& name) {
     throw std::runtime_error("the section '" + name + "' has no line " + end_mark);
 }
 
+/// A line of a shell without the comment at its end.
+std::string without_comment(const std::string& line) {
+    const std::string command = line.substr(0, line.find(" #"));
+    return command.substr(0, command.find_last_not_of(' ') + 1);
+}
+
 }  // namespace
 
 std::string with_sections_made(const std::string& page, const SectionMaker& make) {
@@ -45,7 +51,7 @@ std::vector<std::string> examples(const std::string& page) {
             continue;
         }
         if (!inside) continue;
-        command += line;
+        command += without_comment(line);
         if (command.ends_with('\\')) {
             command.back() = ' ';
             continue;

@@ -1,5 +1,6 @@
 #include "tables.hpp"
 
+#include "scratch_folder.hpp"
 #include "shell.hpp"
 #include "sim/catalogue.hpp"
 #ifdef STEPLAB_GRAPHICS
@@ -61,7 +62,8 @@ std::string method_in_full(const MethodInfo& info) {
                         info.reversible ? "yes" : "no");
     if (!info.conserves.empty()) text += fmt::format("- keeps: {}\n", info.conserves);
     text += fmt::format("- source: {}\n", info.source);
-    return text + (info.parameters.empty() ? "\n" : "\n" + parameter_table(info.parameters) + "\n");
+    if (!info.parameters.empty()) text += fmt::format("\n{}", parameter_table(info.parameters));
+    return text + "\n";
 }
 
 std::string keys([[maybe_unused]] const std::string& present) {
@@ -111,9 +113,16 @@ std::string methods_in_full() {
 }
 
 std::string command_and_output(const std::string& command, const std::string& folder) {
-    const Outcome outcome = run(command, std::filesystem::temp_directory_path(), folder);
+    const ScratchFolder scratch;
+    const Outcome outcome = run(fmt::format("{{ {}; }} 2>/dev/null", command), scratch.path(), folder);
     if (outcome.code != 0) throw std::runtime_error("the documentation's command failed: " + command);
     return fmt::format("```console\n$ {}\n{}```\n", command, outcome.output);
+}
+
+std::string help_of(const std::string& command, const std::string& folder) {
+    const std::string text =
+        command_and_output(fmt::format("steplab {}{}--help", command, command.empty() ? "" : " "), folder);
+    return text.substr(0, text.find("\nModels (--model)")) + "```\n";
 }
 
 std::string section(const std::string& name, const std::string& present, const std::string& folder) {
@@ -122,6 +131,8 @@ std::string section(const std::string& name, const std::string& present, const s
     if (name == "models in full") return models_in_full();
     if (name == "methods in full") return methods_in_full();
     if (name == "keys") return keys(present);
+    if (name == "help") return help_of("", folder);
+    if (name.starts_with("help ")) return help_of(name.substr(5), folder);
     if (name.starts_with("$ ")) return command_and_output(name.substr(2), folder);
     throw std::runtime_error("the documentation has a section that nobody makes: " + name);
 }

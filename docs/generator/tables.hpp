@@ -17,7 +17,11 @@ std::string methods_in_full();
 /// Throws std::runtime_error if the command fails.
 std::string command_and_output(const std::string& command, const std::string& folder);
 
-/// The section of that name: "models", "methods", "models in full", "methods in full", "keys", or "$ command".
+/// What `steplab COMMAND --help` prints, without the models and methods at its foot.
+std::string help_of(const std::string& command, const std::string& folder);
+
+/// The section of that name: "models", "methods", "models in full", "methods in full", "keys", "help", "help COMMAND",
+/// or "$ any shell command".
 /// What only a build with the window can make stays as it is in others. Throws std::runtime_error if the name is
 /// unknown.
 std::string section(const std::string& name, const std::string& present, const std::string& folder);

@@ -85,7 +85,8 @@ TEST(Docs, links_are_found) {
 
 TEST(Docs, examples_are_found_in_shell_blocks_only) {
     EXPECT_THAT(
-        docs::examples("```sh\nsteplab list\nls\nsteplab run \\\n--steps 3\n```\n```\nsteplab no\n```\nsteplab no\n"),
+        docs::examples(
+            "```sh\nsteplab list  # all\nls\nsteplab run \\\n--steps 3\n```\n```\nsteplab no\n```\nsteplab no\n"),
         ElementsAre("steplab list", "steplab run  --steps 3"));
 }
 

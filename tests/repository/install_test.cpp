@@ -1,4 +1,4 @@
-#include "repository/scratch_folder.hpp"
+#include "scratch_folder.hpp"
 #include "shell.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ protected:
     docs::Outcome run(const std::string& command) const { return docs::run(command, folder_.path(), file("bin")); }
 
 private:
-    ScratchFolder folder_;
+    docs::ScratchFolder folder_;
 };
 
 TEST_F(Installed, program_lists_models_from_anywhere) {

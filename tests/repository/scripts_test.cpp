@@ -1,4 +1,4 @@
-#include "repository/scratch_folder.hpp"
+#include "scratch_folder.hpp"
 #include "shell.hpp"
 
 #include <gmock/gmock.h>
@@ -43,7 +43,7 @@ protected:
     }
 
 private:
-    ScratchFolder folder_;
+    docs::ScratchFolder folder_;
 };
 
 TEST_F(Scripts, list_of_packages_is_read_by_section) {

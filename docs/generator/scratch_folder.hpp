@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace steplab::repository {
+namespace steplab::docs {
 
 /// A new empty folder that goes with this object.
 class ScratchFolder {
@@ -28,4 +28,4 @@ private:
     std::filesystem::path path_;
 };
 
-}  // namespace steplab::repository
+}  // namespace steplab::docs
