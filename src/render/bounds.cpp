@@ -9,17 +9,12 @@ namespace steplab::render {
 namespace {
 
 // Cells of the ground grid along the longer side of the scene, about.
-constexpr double wanted_cells = 10;
+constexpr double wanted_cells = 14;
 
 Vec3 smaller(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 larger(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-Bounds on_grid(const Bounds& bounds, double step) {
-    const auto down = [step](double value) { return std::floor(value / step) * step; };
-    const auto up = [step](double value) { return std::ceil(value / step) * step; };
-    return {{down(bounds.low.x), down(bounds.low.y), down(bounds.low.z)},
-            {up(bounds.high.x), up(bounds.high.y), up(bounds.high.z)}};
-}
+double largest(Vec3 v) { return std::max({v.x, v.y, v.z}); }
 
 }  // namespace
 
@@ -47,13 +42,25 @@ Bounds widened(const Bounds& bounds, double margin) {
     return {bounds.low - by, bounds.high + by};
 }
 
+Bounds expected_bounds(const Shape& shape) {
+    const Bounds rest = bounds_of(shape.rest);
+    return shape.expected.empty() ? rest : joined(rest, bounds_of(shape.expected));
+}
+
 AxesBox axes_box(const Frame& frame) {
-    const Shape& shape = *frame.shape;
-    const double room = std::max(shape.extent_hint, 0.5 * shape.spacing);
-    const Bounds seen = joined(widened(bounds_of(shape.rest), room), bounds_of(frame.positions));
-    const Vec3 size = seen.size();
-    const double step = round_number_from(std::max({size.x, size.y, size.z}) / wanted_cells);
-    return {on_grid(seen, step), step};
+    const Bounds usual = widened(expected_bounds(*frame.shape), 0.75 * frame.shape->spacing);
+    const Bounds now = bounds_of(frame.positions);
+    const Bounds whole = joined(usual, now);
+    const double step = round_number_from(largest(whole.size()) / wanted_cells);
+    const auto low = [step](double usual_low, double seen) {
+        return usual_low - std::ceil(std::max(usual_low - seen, 0.0) / step) * step;
+    };
+    const auto high = [step](double usual_high, double seen) {
+        return usual_high + std::ceil(std::max(seen - usual_high, 0.0) / step) * step;
+    };
+    return {{{low(usual.low.x, now.low.x), low(usual.low.y, now.low.y), low(usual.low.z, now.low.z)},
+             {high(usual.high.x, now.high.x), high(usual.high.y, now.high.y), high(usual.high.z, now.high.z)}},
+            step};
 }
 
 }  // namespace steplab::render

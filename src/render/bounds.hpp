@@ -25,8 +25,11 @@ Bounds joined(const Bounds& a, const Bounds& b);
 /// Larger by `margin` on every side.
 Bounds widened(const Bounds& bounds, double margin);
 
-/// The box whose edges carry the axes: it holds the scene at rest, where it is expected to move, and the frame, and
-/// grows by whole steps of the ground grid, so that it stands still while the scene moves a little.
+/// The box of a scene at rest and of the places it is expected to reach.
+Bounds expected_bounds(const Shape& shape);
+
+/// The box whose edges carry the axes: a little more than expected_bounds(). Where the frame has left it, it is larger
+/// by whole steps, so that it mostly stands still while the scene moves.
 struct AxesBox {
     Bounds bounds;
     double step = 1;  ///< of the ground grid: 1, 2 or 5 times a power of ten

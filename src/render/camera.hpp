@@ -17,7 +17,7 @@ struct Camera {
 };
 
 /// Height of the picture as an angle in degrees.
-inline constexpr double field_of_view = 32;
+inline constexpr double field_of_view = 28;
 
 /// Size of a picture in pixels.
 struct PictureSize {

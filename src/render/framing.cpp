@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "render/bounds.hpp"
-#include "render/picking.hpp"
+#include "render/drawn_sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +15,8 @@ namespace steplab::render {
 namespace {
 
 // Part of the half picture that the scene may fill; the rest is for legend, axes' numbers and air.
-constexpr double filled_width = 0.86;
-constexpr double filled_height = 0.80;
+constexpr double filled_width = 0.90;
+constexpr double filled_height = 0.86;
 
 struct Direction {
     double yaw = 0;
@@ -24,14 +24,11 @@ struct Direction {
 };
 
 Direction opening_direction(const Shape& shape) {
-    const Vec3 size = bounds_of(shape.rest).size();
-    std::array<double, 3> sides{size.x, size.y, size.z};
-    std::sort(sides.begin(), sides.end());
-    const bool line = sides[1] <= 0.2 * sides[2];
+    const Vec3 size = expected_bounds(shape).size();
     const bool with_bullet = std::find(shape.roles.begin(), shape.roles.end(), Role::bullet) != shape.roles.end();
-    if (with_bullet) return {34, 16};
-    if (line) return {-14, 12};
-    return {30, 32};
+    if (with_bullet) return {20, 14};
+    const bool upright = size.z <= 0.2 * std::max(size.x, size.y);
+    return upright ? Direction{-14, 12} : Direction{30, 32};
 }
 
 /// How far the scene reaches across the picture, seen from one direction: the largest of across + t ahead and of
@@ -71,7 +68,8 @@ bool read_numbers(std::string_view text, std::array<double, 6>& numbers) {
 
 Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
     const Shape& shape = *frame.shape;
-    const Vec3 centre = bounds_of(shape.rest).centre();
+    const DrawnSizes sizes(shape);
+    const Vec3 centre = expected_bounds(shape).centre();
     const Projection projection({centre, 1, yaw, pitch}, size);
     Reach wide{filled_width * projection.half_width()};
     Reach high{filled_height * projection.half_height()};
@@ -82,10 +80,12 @@ Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
         high.include(dot(from, projection.up()), ahead, radius);
     };
     for (std::size_t i = 0; i < shape.rest.size(); ++i) {
-        const double radius = drawn_radius(shape, shape.roles[i]);
-        include(shape.rest[i], std::max(radius, shape.extent_hint));
+        const double radius = sizes.radius(shape.roles[i]);
+        include(shape.rest[i], radius);
         include(frame.positions[i], radius);
     }
+    // The axes around what is expected belong to the picture too.
+    for (const Vec3& corner : widened(expected_bounds(shape), 0.75 * shape.spacing).corners()) include(corner, 0);
     const double closest = 4 * shape.spacing;  // a lone particle does not fill the picture
     return {centre + wide.centre() * projection.right() + high.centre() * projection.up(),
             std::max({wide.distance(), high.distance(), closest}), yaw, pitch};

@@ -5,21 +5,16 @@
 
 namespace steplab::render {
 
-double drawn_radius(const Shape& shape, Role role) {
-    constexpr double moving = 0.16;
-    constexpr double by_role[] = {1, 1, 1.25, 1.5};
-    return moving * by_role[static_cast<std::size_t>(role)] * shape.spacing;
-}
-
 std::optional<std::size_t> particle_at(const Frame& frame, const Projection& projection, PixelPoint pixel,
                                        double reach) {
     std::optional<std::size_t> nearest;
     double nearest_depth = 0;
+    const DrawnSizes sizes(*frame.shape);
     for (std::size_t i = 0; i < frame.positions.size(); ++i) {
         const double depth = projection.depth(frame.positions[i]);
         const auto centre = projection.pixel(frame.positions[i]);
         if (!centre || (nearest && depth >= nearest_depth)) continue;
-        const double radius = drawn_radius(*frame.shape, frame.shape->roles[i]) * projection.pixels_per_unit(depth);
+        const double radius = sizes.radius(frame.shape->roles[i]) * projection.pixels_per_unit(depth);
         if (std::hypot(centre->x - pixel.x, centre->y - pixel.y) > std::max(radius, reach)) continue;
         nearest = i;
         nearest_depth = depth;

@@ -2,14 +2,12 @@
 
 #include "core/frame.hpp"
 #include "render/camera.hpp"
+#include "render/drawn_sizes.hpp"
 
 #include <cstddef>
 #include <optional>
 
 namespace steplab::render {
-
-/// Radius at which a particle is drawn, from its scene's spacing and its role.
-double drawn_radius(const Shape& shape, Role role);
 
 /// The particle under a pixel, the nearest to the eye of those whose drawn disc has it; discs count as at least
 /// `reach` pixels in radius, so that far ones can be hit too. None if there is nothing.

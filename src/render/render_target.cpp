@@ -53,22 +53,34 @@ void blit(const Framebuffer& from, PictureSize from_size, const Framebuffer& to,
                       filter);
 }
 
+/// Of the framebuffer that is bound.
+std::vector<glm::vec2> places_of_samples(int count) {
+    std::vector<glm::vec2> places(static_cast<std::size_t>(count), glm::vec2(0));
+    if (count == 1) return places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), &places[i].x);
+        places[i] -= glm::vec2(0.5F);
+    }
+    return places;
+}
+
 PictureSize times(PictureSize size, int factor) { return {size.width * factor, size.height * factor}; }
 
 }  // namespace
 
-RenderTarget::RenderTarget(PictureSize size, int supersampling)
-    : size_(size), supersampling_(supersampling), samples_(std::min(wanted_samples, integer(GL_MAX_SAMPLES))) {
+RenderTarget::RenderTarget(PictureSize size, int supersampling) : size_(size), supersampling_(supersampling) {
+    const int samples = std::clamp(integer(GL_MAX_SAMPLES), 1, wanted_samples);
     const PictureSize drawn = times(size, supersampling);
     require_size(drawn);
     while (glGetError() != GL_NO_ERROR) {
     }
-    make_storage(colour_, GL_RGBA8, samples_, drawn);
-    make_storage(depth_, GL_DEPTH_COMPONENT24, samples_, drawn);
+    make_storage(colour_, GL_RGBA8, samples, drawn);
+    make_storage(depth_, GL_DEPTH_COMPONENT24, samples, drawn);
     glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
     require_complete(drawn);
+    sample_places_ = places_of_samples(samples);
     if (supersampling > 1) {
         intermediate_.emplace();
         make_colour_texture(intermediate_->texture, intermediate_->framebuffer, drawn);

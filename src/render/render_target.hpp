@@ -3,8 +3,11 @@
 #include "render/camera.hpp"
 #include "render/gl_objects.hpp"
 
+#include <glm/vec2.hpp>
+
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace steplab::render {
@@ -18,8 +21,8 @@ public:
 
     PictureSize size() const { return size_; }
     int supersampling() const { return supersampling_; }
-    /// Samples of a pixel of the multisampled framebuffer; 1 where there is no multisampling.
-    int samples() const { return samples_; }
+    /// Where the samples of a pixel of the multisampled framebuffer lie, from its centre, in pixels.
+    std::span<const glm::vec2> sample_places() const { return sample_places_; }
 
     /// Makes the multisampled framebuffer the one drawn into, its viewport the whole of it.
     void bind() const;
@@ -39,7 +42,7 @@ private:
 
     PictureSize size_;
     int supersampling_;
-    int samples_;
+    std::vector<glm::vec2> sample_places_;
     Renderbuffer colour_, depth_;
     Framebuffer multisampled_;
     std::optional<Intermediate> intermediate_;

@@ -1,0 +1,15 @@
+// One soft light that goes with the eye, from the upper left, and a sky above a darker ground.
+
+const vec3 light_direction = normalize(vec3(-0.42, 0.70, 0.58));
+
+// Colour of a surface; `normal` and `to_eye` have length 1, in the eye's space.
+vec3 lit(vec3 colour, vec3 normal, vec3 to_eye) {
+    vec3 up = u_rotation[1];
+    float sky = 0.5 + 0.5 * dot(normal, up);
+    float wrapped = max((dot(normal, light_direction) + 0.35) / 1.35, 0.0);
+    float facing = max(dot(normal, to_eye), 0.0);
+    float shade = mix(0.26, 0.48, sky) + 0.72 * wrapped * wrapped;
+    float edge = mix(0.72, 1.0, smoothstep(0.0, 0.55, facing));
+    float glint = pow(max(dot(normal, normalize(light_direction + to_eye)), 0.0), 48.0);
+    return colour * shade * edge + vec3(0.26 * glint);
+}

@@ -1,0 +1,9 @@
+// What every shader of the scene knows of the eye. Lengths are those of the scene, positions relative to the focus.
+
+uniform mat3 u_rotation;  // to the eye's space: x to the right, y up, z towards the eye
+uniform vec3 u_eye;
+uniform mat4 u_clip;      // from the eye's space to clip space
+uniform float u_pixels;   // pixels that a length of 1 at depth 1 covers
+uniform vec3 u_backdrop;  // mean colour behind the scene
+
+vec3 seen(vec3 position) { return u_rotation * (position - u_eye); }

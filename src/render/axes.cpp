@@ -1,0 +1,128 @@
+#include "render/axes.hpp"
+
+#include "render/ticks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace steplab::render {
+namespace {
+
+// In pixels.
+constexpr double tick_length = 5;
+constexpr double number_distance = 15;
+constexpr double title_distance = 46;
+constexpr double least_spacing[] = {54, 32, 54};  // of ticks along x, y, z
+constexpr double vanished_length = 50;
+constexpr double full_length = 120;
+
+/// One axis: an edge of the box and the way out of the box, where ticks and numbers are.
+struct Edge {
+    int axis;  // 0 x, 1 y, 2 z
+    Vec3 start;
+    Vec3 end;
+    Vec3 outward;
+};
+
+double component(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+Vec3 with_component(Vec3 v, int axis, double value) {
+    (axis == 0 ? v.x : axis == 1 ? v.y : v.z) = value;
+    return v;
+}
+
+/// The upright edge that is farthest to the left in the picture.
+Edge upright_edge(const Bounds& box, const Projection& projection) {
+    double leftmost = std::numeric_limits<double>::infinity();
+    Edge edge{1, box.low, box.low, -1.0 * projection.right()};
+    for (const double x : {box.low.x, box.high.x}) {
+        for (const double z : {box.low.z, box.high.z}) {
+            const auto pixel = projection.pixel({x, box.low.y, z});
+            if (!pixel || pixel->x >= leftmost) continue;
+            leftmost = pixel->x;
+            edge.start = {x, box.low.y, z};
+            edge.end = {x, box.high.y, z};
+        }
+    }
+    return edge;
+}
+
+std::array<Edge, 3> facing_edges(const Bounds& box, const Projection& projection) {
+    const bool from_right = projection.eye().x >= box.centre().x;
+    const bool from_front = projection.eye().z >= box.centre().z;
+    const double x = from_right ? box.high.x : box.low.x;
+    const double z = from_front ? box.high.z : box.low.z;
+    const double y = box.low.y;
+    return {{{0, {box.low.x, y, z}, {box.high.x, y, z}, {0, 0, from_front ? 1.0 : -1.0}},
+             upright_edge(box, projection),
+             {2, {x, y, box.low.z}, {x, y, box.high.z}, {from_right ? 1.0 : -1.0, 0, 0}}}};
+}
+
+/// The point moved outward by a distance on the picture.
+std::optional<PixelPoint> beside(const Edge& edge, Vec3 point, const Projection& projection, double distance) {
+    const double depth = projection.depth(point);
+    const auto on_edge = projection.pixel(point);
+    if (!on_edge) return std::nullopt;
+    const auto off = projection.pixel(point + (1 / projection.pixels_per_unit(depth)) * edge.outward);
+    if (!off) return std::nullopt;
+    const double dx = off->x - on_edge->x;
+    const double dy = off->y - on_edge->y;
+    const double norm = std::max(std::hypot(dx, dy), 0.2);
+    return PixelPoint{on_edge->x + distance * dx / norm, on_edge->y + distance * dy / norm};
+}
+
+/// The step of the grid, or a round multiple of it that leaves room for the numbers.
+double tick_step(double step, double pixels_per_step, double least) {
+    while (pixels_per_step < least) {
+        const double wider = round_number_from(1.5 * step);
+        pixels_per_step *= wider / step;
+        step = wider;
+    }
+    return step;
+}
+
+void add_ticks(Axes& axes, const Edge& edge, double step, double strength, const Projection& projection,
+               double pixel_scale) {
+    for (const double value : ticks(component(edge.start, edge.axis), component(edge.end, edge.axis), step)) {
+        const Vec3 point = with_component(edge.start, edge.axis, value);
+        const auto number = beside(edge, point, projection, number_distance * pixel_scale);
+        if (!number) continue;
+        const double unit = 1 / projection.pixels_per_unit(projection.depth(point));
+        axes.lines.push_back({point, point + tick_length * pixel_scale * unit * edge.outward, strength});
+        axes.labels.push_back({tick_text(value, step), *number, strength});
+    }
+}
+
+void add_axis(Axes& axes, const Edge& edge, double grid_step, const Projection& projection, double pixel_scale) {
+    constexpr const char* titles[] = {"x [m]", "y [m]", "z [m]"};
+    const auto start = projection.pixel(edge.start);
+    const auto end = projection.pixel(edge.end);
+    if (!start || !end) return;
+    const double pixels = std::hypot(end->x - start->x, end->y - start->y);
+    const double strength =
+        std::clamp((pixels / pixel_scale - vanished_length) / (full_length - vanished_length), 0.0, 1.0);
+    if (strength <= 0) return;
+    const double reach = length(edge.end - edge.start);
+    const double step = tick_step(grid_step, pixels * grid_step / reach, least_spacing[edge.axis] * pixel_scale);
+    // One number alone tells nothing.
+    if (ticks(component(edge.start, edge.axis), component(edge.end, edge.axis), step).size() < 2) return;
+    axes.lines.push_back({edge.start, edge.end, strength});
+    add_ticks(axes, edge, step, strength, projection, pixel_scale);
+    const auto title = beside(edge, 0.5 * (edge.start + edge.end), projection, title_distance * pixel_scale);
+    if (title) axes.labels.push_back({titles[edge.axis], *title, strength});
+}
+
+}  // namespace
+
+Axes axes_of(const AxesBox& box, const Projection& projection, double pixel_scale) {
+    Axes axes;
+    for (const Edge& edge : facing_edges(box.bounds, projection)) {
+        add_axis(axes, edge, box.step, projection, pixel_scale);
+    }
+    return axes;
+}
+
+}  // namespace steplab::render

@@ -1,0 +1,63 @@
+#include "render/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab::render {
+namespace {
+
+constexpr float grid_strength = 0.34F;
+constexpr float axis_strength = 0.55F;
+
+}  // namespace
+
+Ground::Ground() : backdrop_("backdrop"), ground_("ground"), rod_("rod") {}
+
+double Ground::reach(const AxesBox& box) {
+    const Vec3 size = box.bounds.size();
+    return 1.5 * std::max({size.x, size.z, 0.6 * size.y, 4 * box.step});
+}
+
+void Ground::draw_backdrop(const Palette& palette, const Tile& tile, const RenderTarget& target) const {
+    const double height = tile.whole.height;
+    backdrop_.use();
+    backdrop_.set("u_rows", glm::vec2(1 - (tile.top + target.size().height) / height, 1 - tile.top / height));
+    backdrop_.set("u_bottom", as_vec3(palette.bottom));
+    backdrop_.set("u_top", as_vec3(palette.top));
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Ground::draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, const RenderTarget& target,
+                       double pixel_scale) const {
+    const Vec3 middle = box.bounds.centre();
+    const Vec3 centre{middle.x, box.bounds.low.y, middle.z};
+    view.apply(ground_);
+    ground_.set("u_centre", view.relative(centre));
+    ground_.set("u_reach", static_cast<float>(reach(box)));
+    // The nearest of the stronger lines, so that the shader's numbers stay small far from the origin.
+    const auto to_line = [&](double place) { return std::remainder(-place, 5 * box.step); };
+    ground_.set("u_origin", glm::vec2(glm::dvec2(to_line(centre.x), to_line(centre.z))));
+    ground_.set("u_step", static_cast<float>(box.step));
+    ground_.set("u_width", static_cast<float>(pixel_scale * target.supersampling()));
+    ground_.set("u_colour", as_vec3(palette.grid));
+    ground_.set("u_strength", grid_strength);
+    glBindVertexArray(no_vertices_.id());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void Ground::draw_axes(const Axes& axes, const ViewUniforms& view, const Palette& palette, double pixel_scale) {
+    std::vector<Rod> rods;
+    for (const AxisLine& line : axes.lines) {
+        const auto alpha = static_cast<std::uint8_t>(std::lround(255 * line.strength * axis_strength));
+        rods.push_back({view.relative(line.start), view.relative(line.end), vertex_colour(palette.grid, alpha)});
+    }
+    lines_.upload(std::span<const Rod>(rods));
+    view.apply(rod_);
+    rod_.set("u_radius", 0.0F);
+    rod_.set("u_least_width", 1.2F * static_cast<float>(pixel_scale));
+    rod_.set("u_lit", 0.0F);
+    lines_.draw();
+}
+
+}  // namespace steplab::render

@@ -1,0 +1,82 @@
+#include "render/overlay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace steplab::render {
+namespace {
+
+struct Arm {
+    Vec3 direction;
+    const char* name;
+    Rgb colour;
+};
+
+/// Ticks of the scale: the ends and what lies evenly between.
+std::vector<double> legend_values(const ColourScale& scale) {
+    if (scale.minimum < 0) return {scale.minimum, scale.minimum / 2, 0, scale.maximum / 2, scale.maximum};
+    return {0, scale.maximum / 2, scale.maximum};
+}
+
+}  // namespace
+
+void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, const Palette& palette) {
+    for (const AxisLabel& label : axes.labels) {
+        const PixelPoint size = sketch.text_size(label.text);
+        const PixelPoint low{label.centre.x - size.x / 2, label.centre.y - size.y / 2};
+        const double in_the_way = taken.taken(low, {low.x + size.x, low.y + size.y});
+        sketch.text_centred(label.centre, label.text, palette.text, 0.85 * label.strength * (1 - in_the_way));
+    }
+}
+
+void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& palette, double pixel_scale) {
+    const double reach = 30 * pixel_scale;
+    const PixelPoint centre{56 * pixel_scale, projection.size().height - 52 * pixel_scale};
+    std::array<Arm, 3> arms{
+        {{{1, 0, 0}, "x", palette.axes[0]}, {{0, 1, 0}, "y", palette.axes[1]}, {{0, 0, 1}, "z", palette.axes[2]}}};
+    // The arm that points away is drawn first.
+    std::sort(arms.begin(), arms.end(), [&](const Arm& a, const Arm& b) {
+        return dot(a.direction, projection.forward()) > dot(b.direction, projection.forward());
+    });
+    for (const Arm& arm : arms) {
+        const double x = dot(arm.direction, projection.right());
+        const double y = -dot(arm.direction, projection.up());
+        const double letter = reach + 11 * pixel_scale;
+        sketch.line(centre, {centre.x + reach * x, centre.y + reach * y}, arm.colour, 1.8 * pixel_scale);
+        // An arm that points at the eye has its letter beside it.
+        const double near_eye = 1 - std::min(std::hypot(x, y) / 0.4, 1.0);
+        sketch.text_centred(
+            {centre.x + letter * x + 10 * pixel_scale * near_eye, centre.y + letter * y + 8 * pixel_scale * near_eye},
+            arm.name, arm.colour);
+    }
+}
+
+void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,
+                   double pixel_scale) {
+    const double width = 11 * pixel_scale;
+    const double height = std::min(160 * pixel_scale, 0.4 * size.height);
+    const double right = size.width - 28 * pixel_scale;
+    const double top = 58 * pixel_scale;
+    const std::string heading(title(scale.colouring));
+    sketch.text({right - sketch.text_size(heading).x, top - 28 * pixel_scale}, heading, palette.text);
+    constexpr int bands = 32;
+    const auto value = [&](double part) { return scale.maximum + part * (scale.minimum - scale.maximum); };
+    for (int band = 0; band < bands; ++band) {
+        const double from = static_cast<double>(band) / bands;
+        const double to = static_cast<double>(band + 1) / bands;
+        sketch.shaded_box({right - width, top + height * from}, {right, top + height * to},
+                          scale.colour(value(from), palette), scale.colour(value(to), palette));
+    }
+    for (const double number : legend_values(scale)) {
+        const double y = top + height * (scale.maximum - number) / (scale.maximum - scale.minimum);
+        const std::string text = fmt::format("{:.3g}", number);
+        const PixelPoint extent = sketch.text_size(text);
+        sketch.text({right - width - 8 * pixel_scale - extent.x, y - extent.y / 2}, text, palette.text);
+    }
+}
+
+}  // namespace steplab::render

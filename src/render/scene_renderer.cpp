@@ -1,0 +1,103 @@
+#include "render/scene_renderer.hpp"
+
+#include "render/drawn_sizes.hpp"
+#include "render/ground.hpp"
+#include "render/overlay.hpp"
+#include "render/particles.hpp"
+#include "render/springs.hpp"
+
+namespace steplab::render {
+namespace {
+
+/// Pictures too small for numbers and legends have none.
+bool has_room(PictureSize size, double pixel_scale) {
+    return size.width >= 160 * pixel_scale && size.height >= 120 * pixel_scale;
+}
+
+/// Everything that is drawn, for the near and far planes.
+Bounds drawn_bounds(const Frame& frame, const AxesBox& box, bool grid) {
+    const double radius = DrawnSizes(*frame.shape).radius(Role::bullet);
+    const Bounds bodies = joined(widened(bounds_of(frame.positions), radius), box.bounds);
+    if (!grid) return bodies;
+    const double reach = Ground::reach(box);
+    const Vec3 middle = box.bounds.centre();
+    const Bounds ground{{middle.x - reach, box.bounds.low.y, middle.z - reach},
+                        {middle.x + reach, box.bounds.low.y, middle.z + reach}};
+    return joined(bodies, ground);
+}
+
+}  // namespace
+
+struct SceneRenderer::Body {
+    Ground ground;
+    Springs springs;
+    Particles particles;
+    Sketch sketch;
+
+    void draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
+                    const Tile& tile, const RenderTarget& target);
+    void draw_flat(const Style& style, const Projection& projection, const std::optional<ColourScale>& scale,
+                   const Axes& axes, const Occupancy& taken, const Tile& tile, PictureSize part);
+};
+
+void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
+                                     const Tile& tile, const RenderTarget& target) {
+    const Palette& colours = palette(style.background);
+    target.bind();
+    glEnable(GL_MULTISAMPLE);
+    glDisable(GL_BLEND);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_SCISSOR_TEST);
+    glDepthMask(GL_TRUE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    ground.draw_backdrop(colours, tile, target);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    if (style.springs) springs.draw(view, style.pixel_scale);
+    particles.draw(view, target);
+    if (style.grid) ground.draw_axes(axes, view, colours, style.pixel_scale);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    if (style.grid) ground.draw_grid(box, view, colours, target, style.pixel_scale);
+    particles.draw_rings(view, target, style.pixel_scale);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    target.resolve();
+}
+
+void SceneRenderer::Body::draw_flat(const Style& style, const Projection& projection,
+                                    const std::optional<ColourScale>& scale, const Axes& axes, const Occupancy& taken,
+                                    const Tile& tile, PictureSize part) {
+    const Palette& colours = palette(style.background);
+    if (!has_room(tile.whole, style.pixel_scale)) return;
+    sketch.begin(tile.whole, style.pixel_scale);
+    if (style.grid) sketch_labels(sketch, axes, taken, colours);
+    if (style.grid) sketch_cross(sketch, projection, colours, style.pixel_scale);
+    if (style.legend && scale) sketch_legend(sketch, *scale, tile.whole, colours, style.pixel_scale);
+    sketch.finish(tile, part);
+}
+
+SceneRenderer::SceneRenderer() : body_(std::make_unique<Body>()) {}
+SceneRenderer::~SceneRenderer() = default;
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
+
+void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& camera, const RenderTarget& target,
+                         const std::optional<Tile>& part) {
+    const Tile tile = part.value_or(Tile{target.size()});
+    const Projection projection(camera, tile.whole);
+    const auto scale = colour_scale(frame, style);
+    const AxesBox box = axes_box(frame);
+    const Axes axes = style.grid ? axes_of(box, projection, style.pixel_scale) : Axes{};
+    Occupancy taken(tile.whole);
+    body_->particles.prepare(frame, style, particle_colours(frame, style, scale), projection, taken);
+    if (style.springs) body_->springs.prepare(frame, spring_colours(frame, style, scale), projection);
+    const ViewUniforms view(projection, drawn_bounds(frame, box, style.grid), tile, target, palette(style.background));
+    body_->draw_space(style, box, axes, view, tile, target);
+    body_->draw_flat(style, projection, scale, axes, taken, tile, target.size());
+}
+
+}  // namespace steplab::render

@@ -1,0 +1,74 @@
+#include "render/view_uniforms.hpp"
+
+#include <algorithm>
+
+namespace steplab::render {
+namespace {
+
+// Nearer than this part of the farthest depth a 24-bit depth buffer could not tell surfaces apart.
+constexpr double least_near = 1e-4;
+
+struct DepthRange {
+    double nearest;
+    double farthest;
+};
+
+DepthRange depth_range(const Projection& projection, const Bounds& scene) {
+    double nearest = projection.depth(scene.low);
+    double farthest = nearest;
+    for (const Vec3& corner : scene.corners()) {
+        nearest = std::min(nearest, projection.depth(corner));
+        farthest = std::max(farthest, projection.depth(corner));
+    }
+    farthest = std::max(farthest, projection.camera().distance);
+    return {std::clamp(nearest, least_near * farthest, 0.5 * projection.camera().distance), 1.01 * farthest};
+}
+
+/// From space as the eye has it (looking along -z) to the part of the picture that the tile holds.
+glm::mat4 clip_matrix(const Projection& projection, DepthRange range, const Tile& tile, PictureSize part) {
+    const double left = 2.0 * tile.left / tile.whole.width - 1;
+    const double right = 2.0 * (tile.left + part.width) / tile.whole.width - 1;
+    const double top = 1 - 2.0 * tile.top / tile.whole.height;
+    const double bottom = 1 - 2.0 * (tile.top + part.height) / tile.whole.height;
+    const double sx = 2 / (right - left);
+    const double sy = 2 / (top - bottom);
+    glm::dmat4 clip(0);
+    clip[0][0] = sx / projection.half_width();
+    clip[1][1] = sy / projection.half_height();
+    clip[2][0] = sx * (left + right) / 2;  // multiplied by z, which is -w
+    clip[2][1] = sy * (top + bottom) / 2;
+    clip[2][2] = -(range.farthest + range.nearest) / (range.farthest - range.nearest);
+    clip[2][3] = -1;
+    clip[3][2] = -2 * range.farthest * range.nearest / (range.farthest - range.nearest);
+    return glm::mat4(clip);
+}
+
+glm::vec3 in_float(Vec3 v) { return glm::vec3(glm::dvec3(v.x, v.y, v.z)); }
+
+}  // namespace
+
+glm::vec3 as_vec3(Rgb colour) { return glm::vec3(colour.red, colour.green, colour.blue) / 255.0f; }
+
+ViewUniforms::ViewUniforms(const Projection& projection, const Bounds& scene, const Tile& tile,
+                           const RenderTarget& target, const Palette& palette)
+    : projection_(projection),
+      clip_(clip_matrix(projection, depth_range(projection, scene), tile, target.size())),
+      backdrop_(0.5f * (as_vec3(palette.top) + as_vec3(palette.bottom))),
+      samples_(target.sample_places().begin(), target.sample_places().end()) {}
+
+glm::vec3 ViewUniforms::relative(Vec3 point) const { return in_float(point - projection_.camera().focus); }
+
+void ViewUniforms::apply(const ShaderProgram& program) const {
+    const Projection& p = projection_;
+    program.use();
+    program.set("u_rotation",
+                glm::transpose(glm::mat3(in_float(p.right()), in_float(p.up()), in_float(-1.0 * p.forward()))));
+    program.set("u_eye", relative(p.eye()));
+    program.set("u_clip", clip_);
+    program.set("u_pixels", static_cast<float>(p.pixels_per_unit(1)));
+    program.set("u_samples", std::span<const glm::vec2>(samples_));
+    program.set("u_sample_count", static_cast<int>(samples_.size()));
+    program.set("u_backdrop", backdrop_);
+}
+
+}  // namespace steplab::render
