@@ -60,10 +60,19 @@ check_apt() {
 your system, then run:  cmake --preset release && cmake --build --preset release"
 }
 
-check_right_to_install() {
-    if as_root true 2>/dev/null; then return; fi
-    fail "packages are missing, and installing them needs root, or a sudo that asks for no password.
-Run this script as root, or have these installed first:  apt-get install --no-install-recommends $*"
+# missing_required SECTION...: of these, those that nothing works without.
+missing_required() {
+    local wanted
+    wanted=$(entries "$@" | sed -n 's/^?//p')
+    missing_packages "$@" | grep -vxF "${wanted// /}" || true
+}
+
+# stop_unless_optional MESSAGE SECTION...: fails if something is missing that nothing works without.
+stop_unless_optional() {
+    local message=$1 required
+    shift
+    mapfile -t required < <(missing_required "$@")
+    if ((${#required[@]})); then fail "$message ${required[*]}"; fi
 }
 
 # ensure_packages SECTION...: installs what is missing; where everything is there, apt is not called at all.
@@ -72,13 +81,17 @@ ensure_packages() {
     local packages
     mapfile -t packages < <(missing_packages "$@")
     if ((${#packages[@]} == 0)); then return; fi
-    check_right_to_install "${packages[@]}"
+    if ! as_root true 2>/dev/null; then
+        stop_unless_optional "packages are missing, and installing them needs root, or a sudo that asks for no password.
+Run this script as root, or have these installed first:  apt-get install --no-install-recommends" "$@"
+        return
+    fi
     say "refreshing apt's lists: packages are missing (${packages[*]})"
     as_root apt-get update -q >&2 || say "the lists could not be refreshed; going on with the old ones"
     mapfile -t packages < <(missing_packages "$@")
     say "installing with apt: ${packages[*]}"
     as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${packages[@]}" >&2 ||
-        fail "apt could not install: ${packages[*]}"
+        stop_unless_optional "apt could not install:" "$@"
 }
 
 # build PRESET [-Doption=value ...] [arguments of cmake --build]

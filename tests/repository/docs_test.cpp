@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <regex>
 #include <stdexcept>
 
 namespace steplab::repository {
@@ -74,6 +75,17 @@ TEST(Docs, links_lead_to_files) {
         for (const std::string& target : docs::linked_files(file.text)) {
             EXPECT_TRUE(std::filesystem::exists(root / file.path.parent_path() / target))
                 << file.path << ": " << target;
+        }
+    }
+}
+
+TEST(Docs, pages_that_the_code_points_to_exist) {
+    static const std::regex reference(R"(docs/[a-z-]+\.md)");
+    for (const TextFile& file : text_files(STEPLAB_SOURCE_DIR)) {
+        for (auto match = std::sregex_iterator(file.text.begin(), file.text.end(), reference);
+             match != std::sregex_iterator(); ++match) {
+            EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(STEPLAB_SOURCE_DIR) / match->str()))
+                << file.path << ": " << match->str();
         }
     }
 }

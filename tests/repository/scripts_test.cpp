@@ -92,6 +92,15 @@ TEST_F(Scripts, no_right_to_install_ends_with_the_command_to_run) {
     EXPECT_FALSE(was_called("apt-get"));
 }
 
+TEST_F(Scripts, missing_package_that_is_only_wanted_stops_nobody) {
+    put_recorder("apt-cache", 0, "ccache | 4.7.5 | offered");
+    std::ofstream(programs() / "dpkg-query") << "#!/bin/bash\n[[ $* == *ccache ]] || echo installed\n";
+    fs::permissions(programs() / "dpkg-query", fs::perms::owner_all);
+    const auto outcome = with_functions("as_root() { return 1; }; missing_packages core; ensure_packages core");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("ccache"));
+}
+
 TEST_F(Scripts, system_without_apt_is_told_what_to_do) {
     const auto outcome = with_functions("PATH=/nowhere; basename() { echo test.sh; }; ensure_packages core");
     EXPECT_EQ(outcome.code, 1);
