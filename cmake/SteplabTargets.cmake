@@ -8,8 +8,9 @@ if(STEPLAB_NATIVE)
   target_compile_options(steplab_arithmetic INTERFACE -march=native)
 endif()
 
+# `-Wno-psabi`: how vector registers are handed over depends on the instruction set; all our code is compiled for one.
 add_library(steplab_warnings INTERFACE)
-target_compile_options(steplab_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+target_compile_options(steplab_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-psabi
                                                   $<$<BOOL:${STEPLAB_WERROR}>:-Werror>)
 
 add_library(steplab_instruments INTERFACE)
