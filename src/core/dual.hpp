@@ -28,6 +28,7 @@ struct Dual {
     Dual& operator+=(Dual b) { return *this = *this + b; }
     Dual& operator-=(Dual b) { return *this = *this - b; }
 
+    friend constexpr bool operator==(Dual a, Dual b) { return a.value == b.value; }
     friend constexpr bool operator<(Dual a, Dual b) { return a.value < b.value; }
     friend constexpr bool operator>(Dual a, Dual b) { return a.value > b.value; }
 };
@@ -36,6 +37,11 @@ template <class T>
 Dual<T> square_root(Dual<T> x) {
     const T root = square_root(x.value);
     return {root, where(root > T(0), x.derivative / (T(2) * where(root > T(0), root, T(1))), T(0))};
+}
+
+template <class T>
+T value_of(Dual<T> number) {
+    return number.value;
 }
 
 template <class T>

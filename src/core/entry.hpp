@@ -17,16 +17,16 @@ enum class OnChange { applies_live, restarts };
 struct ParameterInfo {
     enum class Kind { real, integer, choice };
 
-    std::string_view name;
+    std::string_view name = {};
     Kind kind = Kind::real;
-    std::string_view unit;  ///< "" if it is a pure number
+    std::string_view unit = {};  ///< "" if it is a pure number
     double minimum = 0;
     bool minimum_included = true;  ///< false: the value must be greater than `minimum`
     double maximum = infinity;
     double default_value = 0;  ///< for a choice: the index of the default
     OnChange on_change = OnChange::applies_live;
-    std::string_view what;  ///< a phrase: "rest length of a spring"
-    double slider_low = 0;  ///< the range a slider offers; exact entry goes beyond it
+    std::string_view what = {};  ///< a phrase: "rest length of a spring"
+    double slider_low = 0;       ///< the range a slider offers; exact entry goes beyond it
     double slider_high = 1;
     bool slider_logarithmic = false;
     std::span<const std::string_view> choices = {};
@@ -71,9 +71,9 @@ private:
 
 /// A method as it describes itself. Menus, help, docs and the tests over all methods come from this.
 struct MethodInfo {
-    std::string_view id;
-    std::string_view name;
-    std::string_view what;  ///< one sentence for a person who chooses
+    std::string_view id = {};
+    std::string_view name = {};
+    std::string_view what = {};  ///< one sentence for a person who chooses
     int order = 1;
     int order_with_drag = 1;
     int evaluations = 1;        ///< a step; a substep if it has the parameter `substeps`
@@ -83,9 +83,9 @@ struct MethodInfo {
     bool symplectic = false;
     bool reversible = false;
     bool adaptive = false;
-    bool curiosity = false;      ///< kept to show a mistake; not for work, its velocities least of all
-    std::string_view conserves;  ///< what it keeps, in words
-    std::string_view source;
+    bool curiosity = false;           ///< kept to show a mistake; not for work, its velocities least of all
+    std::string_view conserves = {};  ///< what it keeps, in words
+    std::string_view source = {};
     std::span<const ParameterInfo> parameters = {};
 };
 
@@ -96,9 +96,9 @@ double linear_limit(const MethodInfo& info, const ParameterValues& values);
 
 /// A model as it describes itself.
 struct ModelInfo {
-    std::string_view id;
-    std::string_view name;
-    std::string_view what;  ///< one or two sentences
+    std::string_view id = {};
+    std::string_view name = {};
+    std::string_view what = {};  ///< one or two sentences
     std::span<const ParameterInfo> parameters = {};
 };
 

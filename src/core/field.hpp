@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/number.hpp"
 #include "core/vec3.hpp"
 
 #include <algorithm>
@@ -45,7 +46,8 @@ public:
     std::span<const T> flat() const { return values_; }
 
     Vec3 at(std::size_t i) const {
-        return {static_cast<double>(x()[i]), static_cast<double>(y()[i]), static_cast<double>(z()[i])};
+        return {static_cast<double>(value_of(x()[i])), static_cast<double>(value_of(y()[i])),
+                static_cast<double>(value_of(z()[i]))};
     }
     void set(std::size_t i, Vec3 value) {
         x()[i] = static_cast<T>(value.x);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace steplab {
@@ -25,23 +26,55 @@ struct RegisterOf<double> {
 
 }  // namespace detail
 
+/// One number for itself where there are no registers of them (long double, dual numbers), so that an engine written
+/// with lanes serves every number type.
+template <class T>
+class SingleLane {
+public:
+    static constexpr std::size_t count = 1;
+
+    SingleLane() = default;
+    explicit(false) SingleLane(T number) : number_(number) {}
+
+    static SingleLane load(const T* from) { return *from; }
+    void store(T* to) const { *to = number_; }
+    T operator[](std::size_t) const { return number_; }
+    static bool first(std::size_t number) { return number > 0; }
+    static SingleLane shifted_down(SingleLane, SingleLane next) { return next; }
+    static SingleLane shifted_up(SingleLane previous, SingleLane) { return previous; }
+
+    friend SingleLane operator+(SingleLane a, SingleLane b) { return a.number_ + b.number_; }
+    friend SingleLane operator-(SingleLane a, SingleLane b) { return a.number_ - b.number_; }
+    friend SingleLane operator*(SingleLane a, SingleLane b) { return a.number_ * b.number_; }
+    friend SingleLane operator/(SingleLane a, SingleLane b) { return a.number_ / b.number_; }
+    friend bool operator<(SingleLane a, SingleLane b) { return a.number_ < b.number_; }
+    friend bool operator>(SingleLane a, SingleLane b) { return a.number_ > b.number_; }
+    friend SingleLane where(bool condition, SingleLane then, SingleLane otherwise) {
+        return condition ? then : otherwise;
+    }
+    friend SingleLane square_root(SingleLane x) { return square_root(x.number_); }
+
+private:
+    T number_;
+};
+
 /// So many numbers side by side as fill one widest vector register (64 bytes; the compiler splits it where registers
 /// are narrower): a number type for formulas, each lane computed exactly as a number by itself would be.
 template <class T>
-class Lanes {
+class RegisterLanes {
 public:
     static constexpr std::size_t count = 64 / sizeof(T);
     using Register = typename detail::RegisterOf<T>::type;
     /// All bits set in the lanes where a condition holds.
     using Mask = decltype(Register{} < Register{});
 
-    Lanes() = default;
-    explicit(false) Lanes(T number) : register_(number - Register{}) {}
-    explicit Lanes(Register lanes) : register_(lanes) {}
+    RegisterLanes() = default;
+    explicit(false) RegisterLanes(T number) : register_(number - Register{}) {}
+    explicit RegisterLanes(Register lanes) : register_(lanes) {}
 
     /// From and to memory that starts on a cache line.
-    static Lanes load(const T* aligned) {
-        return Lanes(*static_cast<const Register*>(__builtin_assume_aligned(aligned, 64)));
+    static RegisterLanes load(const T* aligned) {
+        return RegisterLanes(*static_cast<const Register*>(__builtin_assume_aligned(aligned, 64)));
     }
     void store(T* aligned) const { *static_cast<Register*>(__builtin_assume_aligned(aligned, 64)) = register_; }
 
@@ -49,44 +82,61 @@ public:
     Register lanes() const { return register_; }
 
     /// Set in the first `number` lanes.
-    static Mask first(std::size_t number) { return places(Indices{}) < Lanes(static_cast<T>(number)); }
+    static Mask first(std::size_t number) { return places(Indices{}) < RegisterLanes(static_cast<T>(number)); }
 
     /// The lanes after the first, then the first lane of `next`.
-    static Lanes shifted_down(Lanes first, Lanes next) { return shuffled<1>(first, next, Indices{}); }
+    static RegisterLanes shifted_down(RegisterLanes first, RegisterLanes next) {
+        return shuffled<1>(first, next, Indices{});
+    }
     /// The last lane of `previous`, then all lanes but the last.
-    static Lanes shifted_up(Lanes previous, Lanes last) { return shuffled<count - 1>(previous, last, Indices{}); }
-
-    friend Lanes operator+(Lanes a, Lanes b) { return Lanes(a.register_ + b.register_); }
-    friend Lanes operator-(Lanes a, Lanes b) { return Lanes(a.register_ - b.register_); }
-    friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.register_ * b.register_); }
-    friend Lanes operator/(Lanes a, Lanes b) { return Lanes(a.register_ / b.register_); }
-    friend Mask operator<(Lanes a, Lanes b) { return a.register_ < b.register_; }
-    friend Mask operator>(Lanes a, Lanes b) { return a.register_ > b.register_; }
-
-    friend Lanes where(Mask condition, Lanes then, Lanes otherwise) {
-        return Lanes(condition ? then.register_ : otherwise.register_);
+    static RegisterLanes shifted_up(RegisterLanes previous, RegisterLanes last) {
+        return shuffled<count - 1>(previous, last, Indices{});
     }
 
-    friend Lanes square_root(Lanes x) {
+    friend RegisterLanes operator+(RegisterLanes a, RegisterLanes b) {
+        return RegisterLanes(a.register_ + b.register_);
+    }
+    friend RegisterLanes operator-(RegisterLanes a, RegisterLanes b) {
+        return RegisterLanes(a.register_ - b.register_);
+    }
+    friend RegisterLanes operator*(RegisterLanes a, RegisterLanes b) {
+        return RegisterLanes(a.register_ * b.register_);
+    }
+    friend RegisterLanes operator/(RegisterLanes a, RegisterLanes b) {
+        return RegisterLanes(a.register_ / b.register_);
+    }
+    friend Mask operator<(RegisterLanes a, RegisterLanes b) { return a.register_ < b.register_; }
+    friend Mask operator>(RegisterLanes a, RegisterLanes b) { return a.register_ > b.register_; }
+
+    friend RegisterLanes where(Mask condition, RegisterLanes then, RegisterLanes otherwise) {
+        return RegisterLanes(condition ? then.register_ : otherwise.register_);
+    }
+
+    friend RegisterLanes square_root(RegisterLanes x) {
         Register root;
         for (std::size_t lane = 0; lane < count; ++lane) root[lane] = std::sqrt(x.register_[lane]);
-        return Lanes(root);
+        return RegisterLanes(root);
     }
 
 private:
     using Indices = std::make_index_sequence<count>;
 
     template <std::size_t... I>
-    static Lanes places(std::index_sequence<I...>) {
-        return Lanes(Register{static_cast<T>(I)...});
+    static RegisterLanes places(std::index_sequence<I...>) {
+        return RegisterLanes(Register{static_cast<T>(I)...});
     }
 
     template <std::size_t Shift, std::size_t... I>
-    static Lanes shuffled(Lanes a, Lanes b, std::index_sequence<I...>) {
-        return Lanes(__builtin_shufflevector(a.register_, b.register_, static_cast<int>(I + Shift)...));
+    static RegisterLanes shuffled(RegisterLanes a, RegisterLanes b, std::index_sequence<I...>) {
+        return RegisterLanes(__builtin_shufflevector(a.register_, b.register_, static_cast<int>(I + Shift)...));
     }
 
     Register register_;
 };
+
+/// The lanes of a number type.
+template <class T>
+using Lanes =
+    std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>, RegisterLanes<T>, SingleLane<T>>;
 
 }  // namespace steplab

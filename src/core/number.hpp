@@ -9,12 +9,18 @@
 
 namespace steplab {
 
-// What the formulas of forces ask of a number type beside + - * /: square_root, exponential, where. Number types with
-// parts of their own (dual numbers, lanes, power series) overload these beside their class.
+// What the formulas of forces ask of a number type beside + - * /: square_root, exponential, where, value_of. Types
+// with parts of their own (dual numbers, lanes, power series) overload these beside their class.
 
 template <std::floating_point T>
 T square_root(T x) {
     return std::sqrt(x);
+}
+
+/// The number without derivatives or other parts.
+template <std::floating_point T>
+T value_of(T number) {
+    return number;
 }
 
 /// `then` where the condition holds, else `otherwise`; both are computed.

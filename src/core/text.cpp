@@ -39,7 +39,7 @@ std::optional<std::string_view> nearest(std::string_view word, std::span<const s
         return edit_distance(word, a) < edit_distance(word, b);
     });
     if (closest == known.end() || closest->size() < 3) return std::nullopt;
-    if (edit_distance(word, *closest) > std::max<std::size_t>(1, closest->size() / 3)) return std::nullopt;
+    if (edit_distance(word, *closest) > (closest->size() < 4 ? 1U : 2U)) return std::nullopt;
     return *closest;
 }
 

@@ -1,0 +1,137 @@
+#include "core/number.hpp"
+
+#include "core/dual.hpp"
+#include "core/flush_subnormals.hpp"
+#include "core/lanes.hpp"
+#include "core/sum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+
+namespace steplab {
+namespace {
+
+/// Largest error of exponential() over its range in units of the last place of the result, against long double.
+template <class T>
+double worst_error_in_ulp(T low, T high) {
+    double worst = 0;
+    for (int i = 0; i <= 100000; ++i) {
+        const T x = low + (high - low) * static_cast<T>(i) / T(100000);
+        const long double right = std::exp(static_cast<long double>(x));
+        const T result = exponential(x);
+        const T ulp = std::nextafter(result, std::numeric_limits<T>::infinity()) - result;
+        worst = std::max(worst, static_cast<double>(std::abs(static_cast<long double>(result) - right) /
+                                                    static_cast<long double>(ulp)));
+    }
+    return worst;
+}
+
+// The reduction and the polynomial round a few times: less than 1.5 ulp in all is what number.hpp promises.
+TEST(Exponential, is_right_within_one_and_a_half_ulp) {
+    EXPECT_LT(worst_error_in_ulp<double>(-700, 700), 1.5);
+    EXPECT_LT(worst_error_in_ulp<float>(-86, 88), 1.5);
+    EXPECT_LT(worst_error_in_ulp<double>(-1, 1), 1.5);
+    EXPECT_LT(worst_error_in_ulp<float>(-1, 1), 1.5);
+}
+
+TEST(Exponential, ends_in_zero_infinity_and_not_a_number) {
+    EXPECT_EQ(exponential(0.0), 1.0);
+    EXPECT_EQ(exponential(0.0f), 1.0f);
+    EXPECT_EQ(exponential(-1000.0), 0.0);
+    EXPECT_EQ(exponential(-1000.0f), 0.0f);
+    EXPECT_EQ(exponential(1000.0), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(exponential(1000.0f), std::numeric_limits<float>::infinity());
+    EXPECT_TRUE(std::isnan(exponential(std::numeric_limits<double>::quiet_NaN())));
+    EXPECT_EQ(exponential(-std::numeric_limits<double>::infinity()), 0.0);
+}
+
+// Bits computed once: they must come out of every compiler, level of optimisation and processor.
+TEST(Exponential, gives_the_same_bits_everywhere) {
+    EXPECT_EQ(__builtin_bit_cast(std::uint64_t, exponential(0.7)), 0x40001c2a61268987u);
+}
+
+TEST(Dual, carries_exact_derivatives) {
+    const double x = 0.7;
+    const Dual<double> d(x, 1.0);
+    const auto f = exponential(d * d) / square_root(d + Dual<double>(1.0)) - d;
+    const double e = std::exp(x * x), root = std::sqrt(x + 1);
+    EXPECT_NEAR(f.value, e / root - x, 1e-15);  // a handful of roundings of numbers near 1
+    EXPECT_NEAR(f.derivative, 2 * x * e / root - e / (2 * root * root * root) - 1,
+                4e-15);  // likewise, of numbers near 2
+}
+
+TEST(Dual, the_root_of_zero_has_a_finite_derivative) {
+    const auto root = square_root(Dual<double>(0.0, 1.0));
+    EXPECT_EQ(root.value, 0);
+    EXPECT_EQ(root.derivative, 0);
+}
+
+template <class T>
+class LanesTest : public testing::Test {};
+using LaneNumbers = testing::Types<float, double>;
+TYPED_TEST_SUITE(LanesTest, LaneNumbers);
+
+TYPED_TEST(LanesTest, compute_each_lane_as_a_number_by_itself) {
+    using T = TypeParam;
+    using N = Lanes<T>;
+    alignas(64) T a[N::count], b[N::count];
+    std::mt19937 random(1);
+    std::uniform_real_distribution<T> numbers(T(0.5), T(9));
+    for (std::size_t i = 0; i < N::count; ++i) a[i] = numbers(random), b[i] = numbers(random);
+    const N x = N::load(a), y = N::load(b);
+    const N result = where(x < y, square_root(x) / y + x * y, x - y);
+    for (std::size_t i = 0; i < N::count; ++i) {
+        EXPECT_EQ(result[i], a[i] < b[i] ? std::sqrt(a[i]) / b[i] + a[i] * b[i] : a[i] - b[i]);
+    }
+}
+
+TYPED_TEST(LanesTest, shift_through_neighbouring_registers) {
+    using T = TypeParam;
+    using N = Lanes<T>;
+    alignas(64) T numbers[2 * N::count];
+    for (std::size_t i = 0; i < 2 * N::count; ++i) numbers[i] = static_cast<T>(i);
+    const N first = N::load(numbers), second = N::load(numbers + N::count);
+    for (std::size_t i = 0; i < N::count; ++i) {
+        EXPECT_EQ(N::shifted_down(first, second)[i], static_cast<T>(i + 1));
+        EXPECT_EQ(N::shifted_up(first, second)[i], static_cast<T>(N::count + i - 1));
+        EXPECT_EQ(where(N::first(3), first, second)[i], static_cast<T>(i < 3 ? i : N::count + i));
+    }
+}
+
+// A plain sum loses every one of the small terms, each far below half an ulp of 1.
+TEST(CompensatedSum, keeps_what_rounding_drops) {
+    CompensatedSum sum;
+    double plain = 1;
+    sum.add(1);
+    for (int i = 0; i < 1000; ++i) {
+        sum.add(1e-17);
+        plain += 1e-17;
+    }
+    sum.add(-1);
+    EXPECT_NEAR(sum.value(), 1e-14, 1e-16);  // one rounding of a number near 1
+    EXPECT_EQ(plain, 1);
+}
+
+TEST(CompensatedSum, is_not_finite_if_a_term_is_not) {
+    CompensatedSum sum;
+    sum.add(std::numeric_limits<double>::infinity());
+    sum.add(1);
+    EXPECT_FALSE(std::isfinite(sum.value()));
+}
+
+TEST(FlushSubnormals, makes_subnormals_zero_while_it_lives) {
+    volatile double small = std::numeric_limits<double>::min();
+    EXPECT_GT(small / 4, 0);
+    {
+        const FlushSubnormals flush;
+        EXPECT_EQ(small / 4, 0);
+    }
+    EXPECT_GT(small / 4, 0);
+}
+
+}  // namespace
+}  // namespace steplab

@@ -1,0 +1,86 @@
+#include "models/neighbours.hpp"
+
+#include "models/layouts.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace steplab {
+namespace {
+
+Field<double> cloud(std::size_t count, double size, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-size, size);
+    Field<double> field(count);
+    for (std::size_t i = 0; i < count; ++i) field.set(i, {place(random), place(random), place(random)});
+    return field;
+}
+
+TEST(Neighbours, are_all_within_reach_in_order) {
+    const Field<double> field = cloud(300, 3, 5);
+    Neighbours neighbours(1);
+    neighbours.follow(field);
+    for (std::size_t i = 0; i < 300; ++i) {
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t j = 0; j < 300; ++j) {
+            if (j != i && length(field.at(i) - field.at(j)) <= 1.15) expected.push_back(j);
+        }
+        const auto found = neighbours.of(i);
+        EXPECT_THAT(std::vector<std::uint32_t>(found.begin(), found.end()), testing::ElementsAreArray(expected)) << i;
+    }
+}
+
+TEST(Neighbours, survive_particles_that_are_nowhere) {
+    Field<double> field = cloud(10, 1, 1);
+    field.set(3, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
+    field.set(4, {1e300, -1e300, 0});
+    Neighbours neighbours(1);
+    neighbours.follow(field);
+    EXPECT_TRUE(neighbours.of(3).empty());
+    EXPECT_TRUE(neighbours.of(4).empty());
+}
+
+TEST(NearPairs, do_not_depend_on_when_the_list_was_made) {
+    const NearPairForces forces{{.count = 60, .mass = 1, .depth = 1, .k = 0.5, .r0 = 0.5}, 1};
+    Field<double> field = cloud(60, 1.5, 2);
+    NearPairs<double> followed(forces);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> moved(-0.02, 0.02);
+    for (int step = 0; step < 30; ++step) {
+        for (double* axis : {field.x(), field.y(), field.z()}) {
+            for (std::size_t i = 0; i < 60; ++i) axis[i] += moved(random);
+        }
+        Field<double> a(60), fresh(60);
+        followed.accelerations(field, a);
+        NearPairs<double>(forces).accelerations(field, fresh);
+        for (std::size_t k = 0; k < a.flat().size(); ++k) ASSERT_EQ(a.flat()[k], fresh.flat()[k]) << step;
+    }
+}
+
+TEST(NearPairs, with_a_cut_off_beyond_everything_are_all_pairs) {
+    const PairForces pairs{.count = 40, .mass = 2, .depth = 1, .k = 0.5, .r0 = 0.5};
+    const Field<double> field = cloud(40, 1, 4);
+    Field<double> near(40), all(40);
+    NearPairs<double>(NearPairForces{pairs, 100}).accelerations(field, near);
+    Pairs<double>(pairs).accelerations(field, all);
+    for (std::size_t k = 0; k < near.flat().size(); ++k) EXPECT_EQ(near.flat()[k], all.flat()[k]);
+}
+
+TEST(NearPairs, have_no_jump_of_energy_at_the_cut_off) {
+    const NearPairForces forces{{.count = 2, .mass = 1, .depth = 1, .k = 0.5, .r0 = 0.5}, 1};
+    const auto energy = [&](double distance) {
+        Field<double> field(2);
+        field.set(1, {distance, 0, 0});
+        return NearPairs<double>(forces).potential(field).value;
+    };
+    EXPECT_NEAR(energy(1 - 1e-9), 0, 1e-9);  // slope below 1
+    EXPECT_EQ(energy(1 + 1e-9), 0);
+    EXPECT_LT(energy(0.5), -0.01);
+}
+
+}  // namespace
+}  // namespace steplab

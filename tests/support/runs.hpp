@@ -1,0 +1,81 @@
+#pragma once
+
+#include "sim/catalogue.hpp"
+#include "sim/simulation.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace steplab::test {
+
+inline constexpr Precision precisions[] = {Precision::float_, Precision::double_};
+
+using Settings = std::initializer_list<std::pair<std::string_view, double>>;
+
+/// A description with these parameters of the model.
+inline RunDescription run_of(std::string_view model, std::string_view method, Precision precision, double dt,
+                             Settings settings = {}) {
+    RunDescription description = describe(model, method);
+    description.precision = precision;
+    description.dt = dt;
+    for (const auto& [name, value] : settings) description.scene.set(name, value);
+    return description;
+}
+
+inline Frame frame_after(const RunDescription& description, std::uint64_t steps) {
+    Simulation simulation(description);
+    simulation.advance(steps);
+    return simulation.frame();
+}
+
+/// Largest distance of a particle between two frames.
+inline double distance(const Frame& a, const Frame& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.positions.size(); ++i)
+        largest = std::max(largest, length(a.positions[i] - b.positions[i]));
+    return largest;
+}
+
+/// One method in one precision; tests over the catalogue take it as their parameter.
+struct MethodCase {
+    const MethodInfo* info;
+    Precision precision;
+
+    std::string id() const { return std::string(info->id); }
+    friend std::ostream& operator<<(std::ostream& out, const MethodCase& c) {
+        return out << c.info->id << " in " << steplab::id(c.precision);
+    }
+};
+
+/// Every method but the curiosities, in both precisions.
+inline std::vector<MethodCase> working_methods() {
+    std::vector<MethodCase> cases;
+    for (const Method& method : methods()) {
+        for (const Precision precision : precisions) {
+            if (!method.info.curiosity) cases.push_back({&method.info, precision});
+        }
+    }
+    return cases;
+}
+
+/// Every method in both precisions.
+inline std::vector<MethodCase> all_methods() {
+    std::vector<MethodCase> cases;
+    for (const Method& method : methods()) {
+        for (const Precision precision : precisions) cases.push_back({&method.info, precision});
+    }
+    return cases;
+}
+
+/// "rk4_double": how ctest names a case.
+inline std::string case_name(const MethodCase& c) {
+    std::string name = c.id() + "_" + std::string(id(c.precision));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+}  // namespace steplab::test
