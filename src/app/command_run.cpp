@@ -1,6 +1,7 @@
 #include "app/command_run.hpp"
 
 #include "app/command_line.hpp"
+#include "app/pacer.hpp"
 #include "app/progress.hpp"
 #include "app/run_outputs.hpp"
 #include "app/scene_options.hpp"
@@ -23,26 +24,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
-/// Steps in pieces of some milliseconds, so that neither a signal nor the progress bar waits for a long stretch.
-class Pacer {
-public:
-    void advance(Simulation& simulation, std::uint64_t target, Progress& progress) {
-        while (simulation.step() < target && !simulation.divergence()) {
-            const std::uint64_t steps = std::min(piece_, target - simulation.step());
-            const auto begin = Clock::now();
-            simulation.advance(steps);
-            const double seconds = seconds_since(begin);
-            if (steps == piece_ && seconds < 0.01) piece_ *= 2;
-            if (seconds > 0.04) piece_ = std::max<std::uint64_t>(1, piece_ / 2);
-            check_interruption();
-            progress.at(simulation.step());
-        }
-    }
-
-private:
-    std::uint64_t piece_ = 1;
-};
 
 class RunCommand final : public Command {
 public:

@@ -4,6 +4,7 @@
 #include "app/command_line.hpp"
 #include "app/command_list.hpp"
 #include "app/command_run.hpp"
+#include "app/command_snapshot.hpp"
 #include "app/command_view.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -30,8 +31,8 @@ std::string program_help(const Commands& all) {
     text += "\nWithout a command, the scene opens in a window: steplab --model rope --dt 0.02\n";
     text += "The options of a command: steplab COMMAND --help\n";
     text += "The version: steplab --version\n\n";
-    text += "Exit codes: 0 done, 2 wrong use, 3 a file cannot be read or written, 4 the run diverged, 5 no OpenGL,\n";
-    text += "128 + n ended by signal n\n\n";
+    text += "Exit codes: 0 done, 2 wrong use, 3 a file cannot be read or written, 4 the run diverged,\n";
+    text += "5 no OpenGL, 128 + n ended by signal n\n\n";
     return text + catalogue_help() + '\n';
 }
 
@@ -61,6 +62,7 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     Commands all;
     all.push_back(list_command());
     all.push_back(run_command());
+    all.push_back(snapshot_command());
     all.push_back(view_command(arguments));
     return all;
 }

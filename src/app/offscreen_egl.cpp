@@ -1,9 +1,10 @@
 #include "app/offscreen_context.hpp"
 #include "core/error.hpp"
 
+#include <fmt/format.h>
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
-#include <fmt/format.h>
 
 namespace steplab {
 namespace {
@@ -28,13 +29,9 @@ EGLContext create_context(EGLDisplay display) {
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display, wanted, &config, 1, &count) || count == 0) fail("has no configuration for OpenGL");
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 3,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
+    const EGLint attributes[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT) fail("offers no OpenGL 3.3 core context");
     return context;

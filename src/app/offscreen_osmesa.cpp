@@ -37,7 +37,9 @@ OffscreenContext::~OffscreenContext() { OSMesaDestroyContext(static_cast<OSMesaC
 
 // GLEW as Debian builds it asks GLX for OpenGL's functions; there is no GLX here.
 extern "C" {
-void (*glXGetProcAddressARB(const GLubyte* name))() { return OSMesaGetProcAddress(reinterpret_cast<const char*>(name)); }
+void (*glXGetProcAddressARB(const GLubyte* name))() {
+    return OSMesaGetProcAddress(reinterpret_cast<const char*>(name));
+}
 const char* glXGetClientString(void*, int) { return nullptr; }
 int glXQueryVersion(void*, int*, int*) { return 0; }
 }

@@ -99,11 +99,12 @@ void OutputFile::open_directly(const std::string& path) {
 }
 
 void OutputFile::open_beside() {
+    std::error_code ignored;
+    if (fs::is_symlink(target_, ignored)) fail("write", ELOOP);
     const auto old = status_of(target_);
     if (old && S_ISDIR(old->st_mode)) fail("write", EISDIR);
     if (old && access(target_.c_str(), W_OK) != 0) fail("write", errno);
     const fs::path folder = target_.parent_path();
-    std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) {
         throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", name_, folder.string()));
     }
@@ -133,14 +134,13 @@ void OutputFile::flush() {
 
 void OutputFile::send(std::string_view bytes) {
     while (!bytes.empty()) {
+        if (temporary_.empty()) check_interruption();  // what reads there may sleep for ever
         const ssize_t sent = ::write(descriptor_, bytes.data(), bytes.size());
         if (sent >= 0) {
             bytes.remove_prefix(static_cast<std::size_t>(sent));
-        } else if (errno == EINTR) {
-            check_interruption();
         } else if (errno == EPIPE) {
             throw ReaderGone();
-        } else {
+        } else if (errno != EINTR) {
             fail("write", errno);
         }
     }

@@ -27,6 +27,7 @@ std::string path_of(const std::string& program) {
     if (!surroundings.standard_output.empty())
         out = open(surroundings.standard_output.c_str(), O_WRONLY | O_CREAT, 0600);
     if (out < 0 || dup2(out, STDOUT_FILENO) < 0 || dup2(err, STDERR_FILENO) < 0) _exit(failed_before_start);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);  // as from a terminal
     if (surroundings.standard_output_closed) close(STDOUT_FILENO);
     if (chdir(surroundings.folder.c_str()) != 0) _exit(failed_before_start);
     for (const std::string& setting : surroundings.environment) putenv(const_cast<char*>(setting.c_str()));

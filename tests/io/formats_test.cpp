@@ -1,0 +1,169 @@
+#include "core/error.hpp"
+#include "io/ordered_writer.hpp"
+#include "io/series.hpp"
+#include "io/summary.hpp"
+#include "io/temporary_folder.hpp"
+#include "io/trajectory.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+#include <locale>
+
+namespace steplab {
+namespace {
+
+using testing::HasSubstr;
+
+/// Two particles; the numbers are such that float and double print differently.
+Frame sample_frame(Precision precision) {
+    const double tenth = rounded_to(precision, 0.1);
+    Frame frame;
+    frame.step = 3;
+    frame.time = 0.30000000000000004;
+    frame.precision = precision;
+    frame.positions = {{tenth, -0.0, 1e300 * (precision == Precision::double_ ? 1 : 0)}, {1, 2, 3}};
+    frame.velocities = {{1e-7, 0, 12345679}, {0, 0, 0}};
+    for (Vec3& v : frame.velocities) v.x = rounded_to(precision, v.x), v.z = rounded_to(precision, v.z);
+    Shape shape;
+    shape.roles = {Role::fixed, Role::kicked};
+    frame.shape = std::make_shared<const Shape>(shape);
+    return frame;
+}
+
+std::string written(const Frame& frame, TrajectoryFormat format, std::vector<std::size_t> particles = {}) {
+    const TemporaryFolder folder;
+    OutputFile file(folder.file("a"));
+    {
+        TrajectoryWriter writer(file, format, std::move(particles));
+        writer.add(frame);
+        writer.flush();
+    }
+    file.commit();
+    return text_of(folder.file("a"));
+}
+
+TEST(Trajectory, csv_holds_the_shortest_text_of_each_number) {
+    EXPECT_EQ(written(sample_frame(Precision::double_), TrajectoryFormat::csv),
+              "step,time,particle,x,y,z,vx,vy,vz\n"
+              "3,0.30000000000000004,0,0.1,-0,1e+300,1e-07,0,12345679\n"
+              "3,0.30000000000000004,1,1,2,3,0,0,0\n");
+    EXPECT_EQ(written(sample_frame(Precision::float_), TrajectoryFormat::csv, {0}),
+              "step,time,particle,x,y,z,vx,vy,vz\n"
+              "3,0.30000000000000004,0,0.1,-0,0,1e-07,0,12345679\n");
+}
+
+TEST(Trajectory, xyz_is_what_ovito_reads) {
+    EXPECT_EQ(written(sample_frame(Precision::double_), TrajectoryFormat::xyz, {1}),
+              "1\n"
+              "Properties=species:S:1:pos:R:3:velo:R:3 Time=0.30000000000000004 Step=3 pbc=\"F F F\"\n"
+              "kicked 1 2 3 0 0 0\n");
+}
+
+TEST(Trajectory, format_follows_the_ending) {
+    EXPECT_EQ(trajectory_format_of("a.csv"), TrajectoryFormat::csv);
+    EXPECT_EQ(trajectory_format_of("b/a.XYZ"), TrajectoryFormat::xyz);
+    EXPECT_EQ(trajectory_format_of("-"), TrajectoryFormat::csv);
+    EXPECT_EQ(trajectory_format_of("/dev/null"), TrajectoryFormat::csv);
+    for (const char* file : {"a", "a.", "a.txt", ".csv", "csv"})
+        EXPECT_THROW(trajectory_format_of(file), UsageError) << file;
+    EXPECT_EQ(trajectory_format("xyz"), TrajectoryFormat::xyz);
+    EXPECT_THROW(trajectory_format("XYZ "), UsageError);
+}
+
+TEST(OrderedWriter, keeps_the_order_of_blocks_whatever_time_they_take) {
+    const TemporaryFolder folder;
+    OutputFile file(folder.file("a"));
+    std::string expected;
+    {
+        OrderedWriter writer(file);
+        for (int i = 0; i < 500; ++i) {
+            const std::string text = std::to_string(i) + ' ';
+            expected += text;
+            writer.submit([text, i] {
+                volatile double work = 0;  // the earlier of each seven take longer
+                for (int j = 0; j < 3000 * (7 - i % 7); ++j) work = work + j;
+                return text;
+            });
+        }
+        writer.drain();
+    }
+    file.commit();
+    EXPECT_EQ(text_of(folder.file("a")), expected);
+}
+
+TEST(OrderedWriter, passes_on_what_the_file_throws) {
+    OutputFile file("/dev/full");
+    OrderedWriter writer(file);
+    const auto write_all = [&] {
+        for (int i = 0; i < 100; ++i) writer.submit([] { return std::string(1000000, 'x'); });
+        writer.drain();
+    };
+    EXPECT_THROW(write_all(), FileError);
+}
+
+TEST(Series, line_has_a_field_for_each_name) {
+    const TemporaryFolder folder;
+    OutputFile file(folder.file("a"));
+    SeriesWriter series(file, true);
+    Diagnostics d;
+    d.kinetic = 1;
+    d.potential = 2;
+    d.energy = 3;
+    d.energy_error = -1e-9;
+    d.momentum = {4, 5, 6};
+    d.angular_momentum = {7, 8, 9};
+    d.max_displacement = 10;
+    d.max_speed = 11;
+    d.error = 0.1;
+    series.add(2, 0.2, d);
+    d.error.reset();
+    series.add(3, 0.3, d);
+    file.commit();
+    EXPECT_EQ(text_of(folder.file("a")),
+              "step,time,kinetic,potential,energy,energy_error,px,py,pz,lx,ly,lz,max_displacement,max_speed,error\n"
+              "2,0.2,1,2,3,-1e-09,4,5,6,7,8,9,10,11,0.1\n"
+              "3,0.3,1,2,3,-1e-09,4,5,6,7,8,9,10,11,\n");
+}
+
+TEST(Summary, numbers_that_are_not_finite_are_null) {
+    RunSummary summary;
+    summary.energy_start = std::numeric_limits<double>::infinity();
+    summary.energy_end = std::numeric_limits<double>::quiet_NaN();
+    summary.diverged_step = 5;
+    const auto json = nlohmann::json::parse(summary_json(summary));
+    EXPECT_TRUE(json.at("energy_start").is_null());
+    EXPECT_TRUE(json.at("energy_end").is_null());
+    EXPECT_EQ(json.at("energy_error"), 0);
+    EXPECT_EQ(json.at("status"), "diverged");
+    EXPECT_EQ(json.at("diverged_step"), 5);
+    EXPECT_THAT(summary_text(summary), HasSubstr("diverged"));
+}
+
+/// A language that writes 1.234,5
+struct CommaNumbers : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(Formats, do_not_depend_on_the_locale) {
+    RunSummary summary;
+    summary.dt = 0.1;
+    summary.steps = 1234567;
+    const Frame frame = sample_frame(Precision::double_);
+    const auto texts = [&] {
+        return written(frame, TrajectoryFormat::csv) + written(frame, TrajectoryFormat::xyz) + summary_json(summary) +
+               summary_text(summary);
+    };
+    const std::string plain = texts();
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaNumbers));
+    const std::string elsewhere = texts();
+    std::locale::global(before);
+    EXPECT_EQ(elsewhere, plain);
+    EXPECT_THAT(plain, HasSubstr("1234567"));
+}
+
+}  // namespace
+}  // namespace steplab
