@@ -84,13 +84,13 @@ public:
           view_(of_this_module(request.view)),
           style_(request.style),
           renderer_(renderer) {
+        renderer_.upload_fonts(interface_.fonts());
         for (const RunView& moment : request.past) interface_.record(of_this_module(moment));
         interface_.record(view_);
         // The first frame finds out where the scene is; the second is drawn with the camera for it.
         draw();
         camera_ = render::camera_of(request.camera, view_.frame, scene_size());
         draw();
-        renderer_.upload_fonts(interface_.fonts());
     }
 
     render::PictureSize scene_size() const { return {interface_.scene().width, interface_.scene().height}; }
