@@ -1,6 +1,7 @@
 #include "app/command_view.hpp"
 
 #include "app/scene_options.hpp"
+#include "app/view_options.hpp"
 #include "core/error.hpp"
 
 #include <fmt/format.h>
@@ -29,10 +30,14 @@ public:
     explicit ViewCommand(std::vector<std::string> arguments) : arguments_(std::move(arguments)) {}
     std::string_view name() const override { return "view"; }
     std::string_view what() const override { return "Open the scene in a window"; }
-    void declare(CLI::App& app) override { scene_.declare(app); }
+    void declare(CLI::App& app) override {
+        scene_.declare(app);
+        window_.declare(app);
+    }
 
     int run() override {
         scene_.description();  // wrong use is told before a window opens
+        window_.request();
         const std::filesystem::path program = beside_this_program(window_program);
         arguments_.insert(arguments_.begin(), std::string(window_program));
         std::vector<char*> argv;
@@ -49,6 +54,7 @@ public:
 
 private:
     SceneOptions scene_;
+    ViewOptions window_;
     std::vector<std::string> arguments_;
 };
 

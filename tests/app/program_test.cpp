@@ -53,9 +53,7 @@ TEST(Program, becomes_the_window_beside_it) {
     const ProgramAlone alone;
     alone.add_window_program();
     const Surroundings surroundings{.program = alone.path};
-    EXPECT_EQ(run_program({}, surroundings).out,
-              "steplab-view\n"
-              "");
+    EXPECT_THAT(run_program({}, surroundings).out, testing::EndsWith("/steplab-view\n"));
     const Outcome bare = run_program({"--model", "rope", "--set", "n=5"}, surroundings);
     EXPECT_EQ(bare.code, 7);
     EXPECT_THAT(bare.out, testing::EndsWith("--model\nrope\n--set\nn=5\n"));
