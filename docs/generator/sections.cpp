@@ -9,11 +9,9 @@ namespace {
 
 constexpr const char* end_mark = "<!-- made end -->";
 
-std::string lines_to_end_mark(std::istream& lines, const std::string& name) {
-    std::string text;
+void skip_to_end_mark(std::istream& lines, const std::string& name) {
     for (std::string line; std::getline(lines, line);) {
-        if (line == end_mark) return text;
-        text += line + '\n';
+        if (line == end_mark) return;
     }
     throw std::runtime_error("the section '" + name + "' has no line " + end_mark);
 }
@@ -35,7 +33,8 @@ std::string with_sections_made(const std::string& page, const SectionMaker& make
         made += line + '\n';
         if (!std::regex_match(line, match, begin_mark)) continue;
         const std::string name = match[1];
-        made += make(name, lines_to_end_mark(lines, name)) + end_mark + '\n';
+        skip_to_end_mark(lines, name);
+        made += make(name) + end_mark + '\n';
     }
     return made;
 }

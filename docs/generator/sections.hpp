@@ -6,7 +6,7 @@
 
 namespace steplab::docs {
 
-using SectionMaker = std::function<std::string(const std::string& name, const std::string& present)>;
+using SectionMaker = std::function<std::string(const std::string& name)>;
 
 /// A page of the documentation has sections that are made, not written. They stand between two marks of one line each:
 ///
@@ -14,7 +14,7 @@ using SectionMaker = std::function<std::string(const std::string& name, const st
 ///     ...
 ///     <!-- made end -->
 ///
-/// `make` gives the lines of the section, from its name and from what stands there now. The text comes back with every
+/// `make` gives the lines of the section of that name. The text comes back with every
 /// section as it should be. Throws std::runtime_error if a section has no end.
 std::string with_sections_made(const std::string& page, const SectionMaker& make);
 

@@ -3,9 +3,7 @@
 #include "scratch_folder.hpp"
 #include "shell.hpp"
 #include "sim/catalogue.hpp"
-#ifdef STEPLAB_GRAPHICS
 #include "ui/keys.hpp"
-#endif
 
 #include <fmt/format.h>
 
@@ -66,14 +64,6 @@ std::string method_in_full(const MethodInfo& info) {
     return text + "\n";
 }
 
-std::string keys([[maybe_unused]] const std::string& present) {
-#ifdef STEPLAB_GRAPHICS
-    return ui::key_table();
-#else
-    return present;
-#endif
-}
-
 }  // namespace
 
 std::string models_table() {
@@ -125,12 +115,12 @@ std::string help_of(const std::string& command, const std::string& folder) {
     return text.substr(0, text.find("\nModels (--model)")) + "```\n";
 }
 
-std::string section(const std::string& name, const std::string& present, const std::string& folder) {
+std::string section(const std::string& name, const std::string& folder) {
     if (name == "models") return models_table();
     if (name == "methods") return methods_table();
     if (name == "models in full") return models_in_full();
     if (name == "methods in full") return methods_in_full();
-    if (name == "keys") return keys(present);
+    if (name == "keys") return ui::key_table();
     if (name == "help") return help_of("", folder);
     if (name.starts_with("help ")) return help_of(name.substr(5), folder);
     if (name.starts_with("$ ")) return command_and_output(name.substr(2), folder);

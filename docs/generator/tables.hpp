@@ -22,8 +22,8 @@ std::string help_of(const std::string& command, const std::string& folder);
 
 /// The section of that name: "models", "methods", "models in full", "methods in full", "keys", "help", "help COMMAND",
 /// or "$ any shell command".
-/// What only a build with the window can make stays as it is in others. Throws std::runtime_error if the name is
+/// Throws std::runtime_error if the name is unknown.
 /// unknown.
-std::string section(const std::string& name, const std::string& present, const std::string& folder);
+std::string section(const std::string& name, const std::string& folder);
 
 }  // namespace steplab::docs

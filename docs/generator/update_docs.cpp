@@ -15,9 +15,7 @@ namespace {
 void update(const std::string& path, const std::string& folder) {
     std::ostringstream page;
     page << std::ifstream(path).rdbuf();
-    const auto make = [&](const std::string& name, const std::string& present) {
-        return steplab::docs::section(name, present, folder);
-    };
+    const auto make = [&](const std::string& name) { return steplab::docs::section(name, folder); };
     const std::string made = steplab::docs::with_sections_made(page.str(), make);
     if (made == page.str()) return;
     std::ofstream(path) << made;
