@@ -24,21 +24,10 @@ struct Opened {
     std::string trouble;  ///< why there is none
 };
 
-fs::path file_of(std::string_view kind, const std::vector<fs::path>& folders) {
+Opened open(std::string_view kind, const fs::path& folder) {
     std::error_code none;
-    const std::string name = std::string(kind) + ".so";
-    const auto has_it = [&](const fs::path& folder) { return fs::is_regular_file(folder / name, none); };
-    const auto found = std::find_if(folders.begin(), folders.end(), has_it);
-    return found == folders.end() ? fs::path() : *found / name;
-}
-
-Opened open(std::string_view kind, const std::vector<fs::path>& folders) {
-    const fs::path file = file_of(kind, folders);
-    if (file.empty()) {
-        std::vector<std::string> names;
-        for (const fs::path& folder : folders) names.push_back(folder.string());
-        return {nullptr, fmt::format("there is no module {}.so in {}", kind, fmt::join(names, " or "))};
-    }
+    const fs::path file = folder / (std::string(kind) + ".so");
+    if (!fs::is_regular_file(file, none)) return {nullptr, fmt::format("there is no {}", file.string())};
     // It stays loaded to the end of the program: OpenGL drivers do not like to be unloaded.
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) return {nullptr, dlerror()};
@@ -63,21 +52,18 @@ std::vector<std::string_view> wanted_kinds(std::string_view kind) {
 
 }  // namespace
 
-std::vector<fs::path> module_folders() {
+fs::path module_folder() {
     std::error_code none;
     const fs::path programs = fs::read_symlink("/proc/self/exe", none).parent_path();
-    std::vector<fs::path> folders{(programs / "../lib/steplab").lexically_normal()};
-    const fs::path installed = (programs / STEPLAB_MODULES_FROM_BIN).lexically_normal();
-    if (installed != folders.front()) folders.push_back(installed);
-    return folders;
+    return (programs / "../lib/steplab").lexically_normal();
 }
 
-Offscreen::Offscreen(std::string_view kind) : Offscreen(kind, module_folders()) {}
+Offscreen::Offscreen(std::string_view kind) : Offscreen(kind, module_folder()) {}
 
-Offscreen::Offscreen(std::string_view kind, const std::vector<fs::path>& folders) {
+Offscreen::Offscreen(std::string_view kind, const fs::path& folder) {
     std::vector<std::string> troubles;
     for (const std::string_view each : wanted_kinds(kind)) {
-        Opened opened = open(each, folders);
+        Opened opened = open(each, folder);
         if (opened.module) {
             kind_ = each;
             module_ = std::move(opened.module);

@@ -23,7 +23,7 @@ public:
     /// `kind` is one of offscreen_kinds, or `auto`: the first that works. Throws UsageError for any other word;
     /// GraphicsError if none works, naming what was tried, what went wrong and how to get it.
     explicit Offscreen(std::string_view kind);
-    Offscreen(std::string_view kind, const std::vector<std::filesystem::path>& folders);
+    Offscreen(std::string_view kind, const std::filesystem::path& folder);
 
     /// Throws what the request deserves: UsageError (view), GraphicsError.
     Picture draw(const PictureRequest& request);
@@ -35,7 +35,7 @@ private:
     std::unique_ptr<OffscreenModule> module_;
 };
 
-/// Where the modules are looked for: beside the program as it was built and as it is installed.
-std::vector<std::filesystem::path> module_folders();
+/// Where the modules are, seen from the program, in the build tree as when installed: ../lib/steplab.
+std::filesystem::path module_folder();
 
 }  // namespace steplab

@@ -11,7 +11,7 @@ public:
     explicit DrawnSizes(const Shape& shape);
     /// Of a particle: of the ball, or of the ball around the body that it is drawn as.
     double radius(Role role) const;
-    double spring_radius() const { return 0.08 * ball_; }
+    double spring_radius() const { return 0.1 * ball_; }
 
 private:
     double ball_;

@@ -84,8 +84,8 @@ Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
         include(shape.rest[i], radius);
         include(frame.positions[i], radius);
     }
-    // The axes around what is expected belong to the picture too.
-    for (const Vec3& corner : widened(expected_bounds(shape), 0.75 * shape.spacing).corners()) include(corner, 0);
+    // The axes belong to the picture too.
+    for (const Vec3& corner : axes_box(frame).bounds.corners()) include(corner, 0);
     const double closest = 4 * shape.spacing;  // a lone particle does not fill the picture
     return {centre + wide.centre() * projection.right() + high.centre() * projection.up(),
             std::max({wide.distance(), high.distance(), closest}), yaw, pitch};

@@ -76,9 +76,10 @@ void append(ShaderSource& source, const std::string& name, const std::vector<fs:
 
 std::vector<fs::path> shader_folders() {
     if (const char* chosen = std::getenv("STEPLAB_SHADERS")) return {chosen};
+    // Installed, a program is in bin/ and a module in lib/steplab/.
     const fs::path folder = own_file().parent_path();
-    return {(folder / STEPLAB_SHADERS_FROM_BIN).lexically_normal(),
-            (folder / STEPLAB_SHADERS_FROM_LIB).lexically_normal(), STEPLAB_SHADERS_IN_SOURCE};
+    return {(folder / "../share/steplab/shaders").lexically_normal(),
+            (folder / "../../share/steplab/shaders").lexically_normal(), STEPLAB_SHADERS_IN_SOURCE};
 }
 
 ShaderSource read_shader(const std::string& name, const std::vector<fs::path>& folders) {
