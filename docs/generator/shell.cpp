@@ -18,9 +18,9 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 Outcome run(const std::string& command, const std::filesystem::path& folder, const std::filesystem::path& programs) {
-    const std::string line = "cd " + quoted(folder.string()) +
-                             " && exec env -u DISPLAY -u WAYLAND_DISPLAY PATH=" + quoted(programs.string()) +
-                             ":\"$PATH\" bash -c " + quoted(command) + " </dev/null";
+    const std::string line = "cd " + quoted(folder.string()) + " && exec env -u DISPLAY -u WAYLAND_DISPLAY PATH=" +
+                             quoted(std::filesystem::absolute(programs).string()) + ":\"$PATH\" bash -c " +
+                             quoted(command) + " </dev/null";
     FILE* pipe = popen(line.c_str(), "r");
     if (!pipe) throw std::runtime_error("no shell to run: " + command);
     Outcome outcome;

@@ -39,6 +39,7 @@ std::string parameter_table(std::span<const ParameterInfo> parameters) {
 
 std::string order_text(const MethodInfo& info) {
     if (info.order == info.order_with_drag) return fmt::format("{}", info.order);
+    if (info.order_with_drag == 0) return fmt::format("{} (none with drag)", info.order);
     return fmt::format("{} ({} with drag)", info.order, info.order_with_drag);
 }
 
