@@ -82,7 +82,7 @@ std::vector<Tick> logarithmic_ticks(double low, double high, int most) {
     if (!(high > low) || !(low > 0) || most < 1) return found;
     const int first = static_cast<int>(std::ceil(std::log10(low) - 1e-9));
     const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
-    const int every = std::max(1, (last - first + most) / most);
+    const int every = std::max(1, (last - first + most - 1) / most);
     for (int exponent = first; exponent <= last; exponent += every) {
         const bool plain = exponent >= -2 && exponent <= 3;
         const double value = std::pow(10.0, exponent);

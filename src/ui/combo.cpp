@@ -60,18 +60,19 @@ bool combo(const Context& context, std::string_view widget, std::span<const Comb
     ImGui::SetNextItemWidth(width);
     ImGui::SetNextWindowSizeConstraints({std::max(width, list_width(context, items)), 0},
                                         {context.px(420), 0.8f * static_cast<float>(context.display.height)});
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, context.px(1)});
     const bool open = ImGui::BeginCombo("##combo", "", ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
     context.mark(widget, {box.from.x, box.from.y, box.to.x, box.to.y});
     draw_box(context, list, box, items[chosen].name);
+    if (!open) return false;
     bool changed = false;
-    for (std::size_t i = 0; open && i < items.size(); ++i) {
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, context.px(1)});
+    for (std::size_t i = 0; i < items.size(); ++i) {
         if (!draw_item(context, widget, items[i], i == chosen) || i == chosen) continue;
         chosen = i;
         changed = true;
     }
-    if (open) ImGui::EndCombo();
     ImGui::PopStyleVar();
+    ImGui::EndCombo();
     return changed;
 }
 

@@ -45,6 +45,7 @@ struct Session {
     std::optional<Notice> notice;
     std::optional<bool> panel;  ///< asked for or against by the person; none: as the window has room
     bool help_open = false;
+    std::optional<std::size_t> pulled;                ///< the particle that hangs on the pointer
     bool drag_from_scene = false;                     ///< the left or right button went down over the scene
     bool dragged = false;                             ///< since then the pointer moved: it is no click
     std::optional<std::size_t> dismissed_divergence;  ///< step of the divergence whose card was closed

@@ -32,11 +32,18 @@ struct Pen {
     }
 };
 
-ImU32 fill_colour(bool accent, bool enabled) {
+ImU32 fill_colour(ButtonLook look, bool enabled) {
     const bool hovered = ImGui::IsItemHovered() && enabled;
-    if (accent) return hovered ? colour::accent_hover : colour::accent;
+    if (look == ButtonLook::accent) return hovered ? colour::accent_hover : colour::accent;
     if (ImGui::IsItemActive() && enabled) return colour::control_active;
-    return hovered ? colour::control_hover : colour::control;
+    if (hovered) return colour::control_hover;
+    return look == ButtonLook::quiet ? 0 : colour::control;
+}
+
+ImU32 ink_colour(ButtonLook look, bool enabled) {
+    if (!enabled) return colour::text_faint;
+    if (look == ButtonLook::accent) return colour::on_accent;
+    return look == ButtonLook::quiet && !ImGui::IsItemHovered() ? colour::text_faint : colour::text;
 }
 
 }  // namespace
@@ -65,7 +72,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 ink
     }
 }
 
-bool icon_button(const Context& context, std::string_view widget, Icon icon, std::string_view help, bool accent,
+bool icon_button(const Context& context, std::string_view widget, Icon icon, std::string_view help, ButtonLook look,
                  bool enabled) {
     const WithId id(widget);
     const float side = ImGui::GetFrameHeight();
@@ -75,8 +82,9 @@ bool icon_button(const Context& context, std::string_view widget, Icon icon, std
     const ImVec2 from = ImGui::GetItemRectMin();
     const ImVec2 to = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(from, to, fill_colour(accent, enabled), ImGui::GetStyle().FrameRounding);
-    const ImU32 ink = !enabled ? colour::text_faint : accent ? colour::on_accent : colour::text;
+    list.AddRectFilled(from, to, fill_colour(enabled ? look : ButtonLook::plain, enabled),
+                       ImGui::GetStyle().FrameRounding);
+    const ImU32 ink = ink_colour(look, enabled);
     draw_icon(list, icon, {0.5f * (from.x + to.x), 0.5f * (from.y + to.y)}, context.px(13), ink);
     return clicked;
 }

@@ -132,7 +132,7 @@ void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage,
     if (!still) {
         body.view_keeper.keep(context);
         perform_pressed_keys(context);
-        move_camera(context);
+        use_pointer(context);
     }
     set_style(stage.style, view, body.display);
     draw_scene_picture(body.layout.scene, body.scene_texture);

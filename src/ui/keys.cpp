@@ -24,11 +24,12 @@ constexpr std::array<KeyBinding, 15> keys = {{
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
 }};
 
-constexpr std::array<MouseBinding, 7> gestures = {{
+constexpr std::array<MouseBinding, 8> gestures = {{
     {"left drag", "orbit"},
     {"right drag, Shift + left drag", "pan"},
     {"wheel", "zoom to the pointer"},
     {"click", "pick a particle"},
+    {"Ctrl + left drag", "pull a particle"},
     {"double click on a slider", "its default"},
     {"Ctrl + click on a slider, click on its value", "type an exact value"},
     {"right click on a plot", "save it"},

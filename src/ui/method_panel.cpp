@@ -23,15 +23,15 @@ std::vector<ComboItem> method_items(std::string_view shown, std::size_t& chosen)
 
 bool has_drag(const ParameterValues& scene) { return scene.contains("c") && scene["c"] > 0; }
 
-/// "order 4 · 4 evaluations a step · symplectic, time-reversible · Omelyan et al. 2002"
+/// "order 4 · 4 evaluations a step · symplectic · keeps momentum · Omelyan et al. 2002"; of the sources the first.
 std::string description_line(const MethodInfo& info, const RunDescription& description) {
     const int order = has_drag(description.scene) ? info.order_with_drag : info.order;
     const double evaluations = evaluations_per_step(info, description.method_parameters);
     std::string line = fmt::format("order {} · {} a step", order, counted(evaluations, "evaluation", "evaluations"));
-    for (const std::string_view part : {info.conserves, info.source}) {
-        if (!part.empty()) line.append(" · ").append(part);
-    }
-    return line;
+    if (info.symplectic) line.append(" · symplectic");
+    if (info.reversible) line.append(" · time-reversible");
+    if (!info.conserves.empty()) line.append(" · keeps ").append(info.conserves);
+    return line.append(" · ").append(info.source.substr(0, info.source.find(';')));
 }
 
 }  // namespace
@@ -44,7 +44,9 @@ void draw_method_panel(const Context& context) {
     if (combo(context, "method", items, chosen, ImGui::GetContentRegionAvail().x)) {
         context.ask(with_method(description, items[chosen].id));
     }
-    explanation(context, description_line(method(description.method).info, description));
+    const MethodInfo& info = method(description.method).info;
+    explanation(context, description_line(info, description));
+    tooltip(context, fmt::format("{}\n{}", info.what, info.source));
     parameter_rows(context, "method", description.method_parameters, [&](const ParameterValues& values) {
         RunDescription changed = description;
         changed.method_parameters = values;

@@ -57,7 +57,7 @@ void choice_parameter(const Context& context, const std::string& widget, const P
     row_label(context, info.name, parameter_help(info));
     ImGui::SameLine(places.control);
     auto chosen = static_cast<std::size_t>(values[info.name]);
-    if (segmented(context, widget, info.choices, chosen, places.right - places.control)) {
+    if (segmented(context, widget, info.choices, chosen, places.right - places.control, row_height(context))) {
         set_value(values, info, static_cast<double>(chosen), set);
     }
 }

@@ -3,6 +3,7 @@
 #include "render/picking.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace steplab::ui {
 namespace {
@@ -28,25 +29,53 @@ void drag(const Context& context, const render::Projection& projection) {
     context.stage.camera = pan ? render::panned(projection, dx, dy) : render::orbited(projection, dx, dy);
 }
 
+std::optional<std::size_t> particle_under_pointer(const Context& context, const render::Projection& projection) {
+    return render::particle_at(context.view.frame, projection, pointer_in(context.layout.scene),
+                               static_cast<double>(context.px(6)));
+}
+
+/// The point under the pointer in the plane through `place` that faces the eye.
+Vec3 under_pointer_beside(Vec3 place, const Context& context, const render::Projection& projection) {
+    const render::Ray ray = projection.ray(pointer_in(context.layout.scene));
+    const Vec3 forward = projection.forward();
+    return ray.origin + (dot(place - ray.origin, forward) / dot(ray.direction, forward)) * ray.direction;
+}
+
+void pull(const Context& context, const render::Projection& projection) {
+    const ImGuiIO& io = ImGui::GetIO();
+    auto& pulled = context.session.pulled;
+    if (!io.MouseDown[0] || *pulled >= context.view.frame.positions.size()) {
+        pulled.reset();
+    } else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
+        const Vec3 place = context.view.frame.positions[*pulled];
+        context.commands.pull(*pulled, under_pointer_beside(place, context, projection));
+    }
+}
+
+/// A button went down over the scene: what comes is a pull, a drag or a click.
+void begin(const Context& context, const render::Projection& projection) {
+    Session& session = context.session;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (went_down(0) && io.KeyCtrl) session.pulled = particle_under_pointer(context, projection);
+    session.drag_from_scene = !(went_down(0) && io.KeyCtrl);
+    session.dragged = false;
+}
+
 void pick(const Context& context, const render::Projection& projection) {
-    const auto particle = render::particle_at(context.view.frame, projection, pointer_in(context.layout.scene),
-                                              static_cast<double>(context.px(6)));
-    if (particle) context.commands.track(particle);
+    if (const auto particle = particle_under_pointer(context, projection)) context.commands.track(particle);
 }
 
 }  // namespace
 
-void move_camera(const Context& context) {
+void use_pointer(const Context& context) {
     const ImGuiIO& io = ImGui::GetIO();
     Session& session = context.session;
     const Area& scene = context.layout.scene;
     const PixelRect rect = pixels(scene);
     const render::Projection projection(context.stage.camera, {rect.width, rect.height});
     const bool over = !io.WantCaptureMouse && scene.contains(io.MousePos.x, io.MousePos.y);
-    if (over && (went_down(0) || went_down(1))) {
-        session.drag_from_scene = true;
-        session.dragged = false;
-    }
+    if (over && (went_down(0) || went_down(1))) begin(context, projection);
+    if (session.pulled) pull(context, projection);
     if (session.drag_from_scene && (io.MouseDown[0] || io.MouseDown[1])) drag(context, projection);
     if (session.drag_from_scene && io.MouseReleased[0] && !session.dragged) pick(context, projection);
     if (!io.MouseDown[0] && !io.MouseDown[1]) session.drag_from_scene = false;

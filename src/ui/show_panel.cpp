@@ -23,7 +23,7 @@ std::vector<ComboItem> colouring_items() {
 
 void draw_colouring(const Context& context, render::Style& style) {
     const RowPlaces places = row_places(context);
-    row_label(context, "colour by", "what the colours tell");
+    row_label(context, "colour by", "what the colours tell", ImGui::GetFrameHeight());
     ImGui::SameLine(places.control);
     const auto items = colouring_items();
     auto chosen = static_cast<std::size_t>(style.colouring);
@@ -37,7 +37,8 @@ void draw_background(const Context& context, render::Style& style) {
     row_label(context, "background", {});
     ImGui::SameLine(places.control);
     auto chosen = static_cast<std::size_t>(style.background);
-    if (segmented(context, "background", render::background_ids, chosen, places.right - places.control)) {
+    if (segmented(context, "background", render::background_ids, chosen, places.right - places.control,
+                  row_height(context))) {
         style.background = static_cast<render::Background>(chosen);
     }
 }

@@ -6,15 +6,14 @@ namespace steplab::ui {
 namespace {
 
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                          ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 /// "1.9e6 steps/s · 7.6e6 evaluations/s · frame 4.1 ms"; what is not known is left out.
 std::string footer_text(const RunView& view, const Measured& measured) {
     std::string text;
     const auto add = [&](const std::string& part) { text.append(text.empty() ? "" : " · ").append(part); };
-    if (view.steps_per_second) add(number(*view.steps_per_second, 2) + " steps/s");
-    if (view.evaluations_per_second) add(number(*view.evaluations_per_second, 2) + " evaluations/s");
+    if (view.steps_per_second.value_or(0) > 0) add(number(*view.steps_per_second, 2) + " steps/s");
+    if (view.evaluations_per_second.value_or(0) > 0) add(number(*view.evaluations_per_second, 2) + " evaluations/s");
     if (measured.frame_seconds) add("frame " + number(1e3 * *measured.frame_seconds, 2) + " ms");
     return text;
 }

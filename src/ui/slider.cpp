@@ -48,11 +48,12 @@ void draw_entry(const Context& context, const SliderRow& row, float width) {
     Entry& entry = *context.session.entry;
     if (entry.just_opened) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(width);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {context.px(6), context.px(2)});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {context.px(6), 0.5f * (row_height(context) - ImGui::GetFontSize())});
     const bool entered = ImGui::InputText("##entry", entry.text.data(), entry.text.size(),
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleVar();
-    context.mark(std::string(row.widget) + ".entry");
+    if (ImGui::IsItemActive()) context.mark(std::string(row.widget) + ".entry");
     const bool left = ImGui::IsItemDeactivated();
     entry.just_opened = false;
     if (!entered && !left) return;
@@ -68,7 +69,7 @@ void draw_entry(const Context& context, const SliderRow& row, float width) {
 
 /// The value at the right end of the row; a click on it opens the entry.
 void draw_value(const Context& context, const SliderRow& row, float width) {
-    const float height = ImGui::GetFrameHeight();
+    const float height = row_height(context);
     if (ImGui::InvisibleButton("value", {width, height})) open_entry(context, row);
     context.mark(std::string(row.widget) + ".value");
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
@@ -92,8 +93,8 @@ double SliderRange::value(double part) const {
 }
 
 std::optional<double> slider(const Context& context, std::string_view widget, double value, const SliderRange& range,
-                             const SliderLook& look, float width) {
-    ImGui::InvisibleButton("slider", {width, ImGui::GetFrameHeight()});
+                             const SliderLook& look, float width, float height) {
+    ImGui::InvisibleButton("slider", {width, height});
     context.mark(widget);
     const bool mark_shown = look.mark && *look.mark >= range.low && *look.mark <= range.high;
     draw_slider(context, range.part(value), look, mark_shown ? std::optional(range.part(*look.mark)) : std::nullopt);
@@ -115,7 +116,8 @@ void slider_row(const Context& context, const SliderRow& row) {
         draw_entry(context, row, places.right - places.control);
         return;
     }
-    const auto dragged = slider(context, row.widget, row.value, row.range, row.look, places.value - places.control);
+    const auto dragged =
+        slider(context, row.widget, row.value, row.range, row.look, places.value - places.control, row_height(context));
     tooltip(context, row.tooltip);
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && ImGui::GetIO().MouseDoubleClicked[0]) {

@@ -44,8 +44,8 @@ struct SliderRow {
 };
 void slider_row(const Context& context, const SliderRow& row);
 
-/// A slider alone, `width` pixels wide; the new value if the person moves it.
+/// A slider alone, of this size in pixels; the new value if the person moves it.
 std::optional<double> slider(const Context& context, std::string_view widget, double value, const SliderRange& range,
-                             const SliderLook& look, float width);
+                             const SliderLook& look, float width, float height);
 
 }  // namespace steplab::ui

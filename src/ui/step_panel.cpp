@@ -25,9 +25,9 @@ Verdict verdict(const std::optional<StabilityLimit>& known, double dt) {
     if (std::isinf(known->limit)) return {"stable at any dt", colour::good};
     const double part = dt / known->limit;
     const std::string limit =
-        fmt::format("the limit {} s (ω_max {})", number(known->limit, 3), number(known->omega_max, 3));
-    if (part > 1) return {fmt::format("unstable: {} of {}", number(part, 3), limit), colour::bad, true};
-    return {fmt::format("stable: {} of {}", number(part, 2), limit), colour::good};
+        fmt::format("the limit {} s (ω_max {})", reading(known->limit), reading(known->omega_max));
+    if (part > 1) return {fmt::format("unstable: {} of {}", reading(part), limit), colour::bad, true};
+    return {fmt::format("stable: {} of {}", reading(part), limit), colour::good};
 }
 
 /// The parameter dt as it is typed: the same rules and messages as the command line has.

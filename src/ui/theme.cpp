@@ -49,7 +49,7 @@ void Theme::apply(float scale) {
     set_colours(style.Colors);
     style.WindowPadding = {14, 12};
     style.FramePadding = {10, 6};
-    style.ItemSpacing = {8, 6};
+    style.ItemSpacing = {8, 5};
     style.ItemInnerSpacing = {6, 4};
     style.WindowRounding = 0;
     style.ChildRounding = 5;

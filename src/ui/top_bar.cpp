@@ -14,19 +14,20 @@ namespace {
 constexpr std::array<std::string_view, 2> precisions = {id(Precision::float_), id(Precision::double_)};
 constexpr float precision_width = 116;
 
-void draw_action(const Context& context, std::string_view widget, Icon icon, Action action, bool accent = false,
-                 bool enabled = true) {
-    if (icon_button(context, widget, icon, help_of(action), accent, enabled)) perform(context, action);
+void draw_action(const Context& context, std::string_view widget, Icon icon, Action action,
+                 ButtonLook look = ButtonLook::plain, bool enabled = true) {
+    if (icon_button(context, widget, icon, help_of(action), look, enabled)) perform(context, action);
     ImGui::SameLine(0, context.px(5));
 }
 
 void draw_transport(const Context& context) {
     const bool over = context.view.divergence.has_value();
     draw_action(context, "restart", Icon::restart, Action::restart);
-    draw_action(context, "step back", Icon::step_back, Action::step_back, false, context.view.can_step_back);
-    draw_action(context, "play", context.session.wanted.playing() ? Icon::pause : Icon::play, Action::pause, true,
-                !over);
-    draw_action(context, "step", Icon::step_forward, Action::step_forward, false, !over);
+    draw_action(context, "step back", Icon::step_back, Action::step_back, ButtonLook::plain,
+                context.view.can_step_back);
+    draw_action(context, "play", context.session.wanted.playing() ? Icon::pause : Icon::play, Action::pause,
+                ButtonLook::accent, !over);
+    draw_action(context, "step", Icon::step_forward, Action::step_forward, ButtonLook::plain, !over);
 }
 
 void draw_speed(const Context& context) {
@@ -41,7 +42,7 @@ void draw_speed(const Context& context) {
     const SliderRange range{slowest, fastest, true, false};
     const double shown = rate.as_fast_as_possible ? fastest : rate.seconds_per_second;
     const SliderLook look{.fill = rate.as_fast_as_possible ? colour::track : colour::accent};
-    const auto moved = slider(context, "speed", shown, range, look, context.px(104));
+    const auto moved = slider(context, "speed", shown, range, look, context.px(104), ImGui::GetFrameHeight());
     tooltip(context, "simulated seconds a second; faster (=), slower (-)");
     if (ImGui::IsItemHovered() && ImGui::GetIO().MouseDoubleClicked[0]) {
         wanted.set_rate({}, context.commands);
@@ -60,7 +61,7 @@ void draw_speed(const Context& context) {
 void draw_precision(const Context& context) {
     RunDescription description = context.description();
     auto chosen = static_cast<std::size_t>(description.precision);
-    if (segmented(context, "precision", precisions, chosen, context.px(precision_width))) {
+    if (segmented(context, "precision", precisions, chosen, context.px(precision_width), ImGui::GetFrameHeight())) {
         description.precision = static_cast<Precision>(chosen);
         context.ask(description);
     }
@@ -109,7 +110,9 @@ void draw_top_bar(const Context& context) {
     draw_transport(context);
     if (context.layout.bar_has_speed) draw_speed(context);
     draw_right_group(context);
+    ImGui::PushClipRect({bar.x, bar.y}, {bar.right(), bar.bottom()}, false);
     ImGui::GetWindowDrawList()->AddLine({0, bar.height - 1}, {bar.width, bar.height - 1}, colour::line);
+    ImGui::PopClipRect();
     ImGui::End();
 }
 

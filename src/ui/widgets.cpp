@@ -31,13 +31,17 @@ RowPlaces row_places(const Context& context) {
     return {left + context.px(76), right - context.px(72), right};
 }
 
+float row_height(const Context& context) { return context.px(20); }
+
 void tooltip(const Context& context, std::string_view text) {
     if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(10), context.px(8)});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(context.px(300));
-    const WithFont font(context.theme.fonts().small);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    {
+        const WithFont font(context.theme.fonts().small);
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    }
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
@@ -53,7 +57,7 @@ void text_left(float left, float y, std::string_view text, ImU32 ink) {
 }
 
 void heading(const Context& context, std::string_view text) {
-    ImGui::Dummy({0, context.px(5)});
+    ImGui::Dummy({0, context.px(4)});
     const WithFont font(context.theme.fonts().heading);
     ImGui::PushStyleColor(ImGuiCol_Text, colour::text_dim);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
@@ -69,9 +73,9 @@ void explanation(const Context& context, std::string_view text, ImU32 ink) {
     ImGui::PopStyleColor();
 }
 
-void row_label(const Context& context, std::string_view label, std::string_view what) {
+void row_label(const Context& context, std::string_view label, std::string_view what, float height) {
     const float width = row_places(context).control - ImGui::GetStyle().WindowPadding.x - context.px(6);
-    ImGui::Dummy({width, ImGui::GetFrameHeight()});
+    ImGui::Dummy({width, height > 0 ? height : row_height(context)});
     tooltip(context, what);
     const ImVec2 from = ImGui::GetItemRectMin();
     text_left(from.x, 0.5f * (from.y + ImGui::GetItemRectMax().y), label, colour::text);
@@ -108,9 +112,8 @@ bool check_row(const Context& context, std::string_view widget, std::string_view
 }
 
 bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
-               std::size_t& chosen, float width) {
+               std::size_t& chosen, float width, float height) {
     const WithId id(widget);
-    const float height = ImGui::GetFrameHeight();
     const float part = width / static_cast<float>(choices.size());
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();

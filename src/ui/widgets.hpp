@@ -15,6 +15,8 @@ struct RowPlaces {
     float right = 0;    ///< where the row ends
 };
 RowPlaces row_places(const Context& context);
+/// The height of a row with a slider or a switch in it.
+float row_height(const Context& context);
 
 /// Shows `text` beside the pointer while it rests on the last item; nothing if it is empty.
 void tooltip(const Context& context, std::string_view text);
@@ -28,8 +30,8 @@ void text_left(float left, float y, std::string_view text, ImU32 ink);
 void heading(const Context& context, std::string_view text);
 /// A paragraph in the small font that breaks at the panel's edge.
 void explanation(const Context& context, std::string_view text, ImU32 ink = colour::text_dim);
-/// The label of a row, centred on its height.
-void row_label(const Context& context, std::string_view label, std::string_view tooltip);
+/// The label of a row, centred on its height: that of a slider if none is given.
+void row_label(const Context& context, std::string_view label, std::string_view tooltip, float height = 0);
 /// "kinetic          0.213 J"
 void reading_row(const Context& context, std::string_view label, std::string_view value, std::string_view tooltip = {});
 
@@ -38,7 +40,7 @@ bool check_row(const Context& context, std::string_view widget, std::string_view
 
 /// One of several choices as a switch that shows all of them; true when another was chosen.
 bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
-               std::size_t& chosen, float width);
+               std::size_t& chosen, float width, float height);
 
 /// An item of a menu of choices: its name and, dim and to the right, what tells it from the others.
 struct ComboItem {

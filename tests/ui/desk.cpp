@@ -1,0 +1,100 @@
+#include "desk.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplab::ui {
+
+Desk::Desk(const RunDescription& description, const Display& display)
+    : view(view_of(Simulation(description))), interface(display) {
+    interface.record(view);
+    move_to(-100, -100);
+    frame();
+    frame();
+    recorder = {};
+}
+
+void Desk::frame() { interface.draw(view, recorder, {camera, style}); }
+
+WidgetRect Desk::widget(std::string_view name) {
+    const auto found = interface.widgets().find(name);
+    if (found != interface.widgets().end()) return found->second;
+    std::string known;
+    for (const auto& [widget, place] : interface.widgets()) known.append(widget).append(", ");
+    ADD_FAILURE() << "no widget '" << name << "' among " << known;
+    return {};
+}
+
+void Desk::move_to(float x, float y) {
+    interface.input().push(PointerMoved{x, y});
+    frame();
+}
+
+void Desk::point_at(std::string_view name, float part) {
+    const WidgetRect place = widget(name);
+    move_to(place.left + part * (place.right - place.left), 0.5f * (place.top + place.bottom));
+}
+
+void Desk::press(int button) {
+    interface.input().push(ButtonChanged{button, true});
+    frame();
+}
+
+void Desk::release(int button) {
+    interface.input().push(ButtonChanged{button, false});
+    frame();
+}
+
+void Desk::click(std::string_view name, float part) {
+    point_at(name, part);
+    press();
+    release();
+    // What a click opens is drawn one frame later, and takes the keyboard in the frame after that.
+    for (int i = 0; i < 3; ++i) frame();
+}
+
+void Desk::double_click(std::string_view name) {
+    point_at(name);
+    for (int i = 0; i < 2; ++i) {
+        press();
+        release();
+    }
+}
+
+void Desk::click_with_control(std::string_view name) {
+    interface.input().push(ModifiersChanged{.control = true});
+    click(name);
+    interface.input().push(ModifiersChanged{});
+    frame();
+    frame();
+}
+
+void Desk::drag(std::string_view name, float from, float to) {
+    point_at(name, from);
+    press();
+    point_at(name, to);
+    release();
+}
+
+void Desk::key(Key key, bool control) {
+    interface.input().push(ModifiersChanged{.control = control});
+    interface.input().push(KeyChanged{key, true});
+    frame();
+    interface.input().push(KeyChanged{key, false});
+    interface.input().push(ModifiersChanged{});
+    frame();
+    frame();
+}
+
+void Desk::type(std::string_view text) {
+    for (const char c : text) interface.input().push(TextTyped{static_cast<unsigned char>(c)});
+    frame();
+}
+
+void Desk::wheel(float lines) {
+    interface.input().push(WheelTurned{lines});
+    frame();
+}
+
+std::vector<std::string> Desk::calls() { return std::exchange(recorder.calls, {}); }
+
+}  // namespace steplab::ui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "recorder.hpp"
+#include "ui/interface.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace steplab::ui {
+
+/// An interface without a window, and a hand that uses it: ImGui runs with its font atlas and draws into nothing.
+class Desk {
+public:
+    explicit Desk(const RunDescription& description = describe(), const Display& display = {1280, 1200, 1});
+
+    /// One frame with the input that is set.
+    void frame();
+    /// Where a widget is; fails the test, naming those there are, if it is not drawn.
+    WidgetRect widget(std::string_view name);
+    bool has(std::string_view name) const { return interface.widgets().contains(name); }
+
+    void move_to(float x, float y);
+    /// Moves onto a widget, `part` of its width from the left.
+    void point_at(std::string_view name, float part = 0.5f);
+    void press(int button = 0);
+    void release(int button = 0);
+    /// Presses and releases over a widget, with a frame between.
+    void click(std::string_view name, float part = 0.5f);
+    void double_click(std::string_view name);
+    void click_with_control(std::string_view name);
+    /// From one part of a widget to another with the left button down.
+    void drag(std::string_view name, float from, float to);
+    void key(Key key, bool control = false);
+    void type(std::string_view text);
+    void wheel(float lines);
+
+    /// The commands that came since the last call of this.
+    std::vector<std::string> calls();
+    /// The description asked for last.
+    const RunDescription& wanted() const { return recorder.changes.back(); }
+
+    RunView view;
+    Recorder recorder;
+    render::Camera camera;
+    render::Style style;
+    Interface interface;
+};
+
+}  // namespace steplab::ui

@@ -1,0 +1,161 @@
+#include "desk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace steplab::ui {
+namespace {
+
+/// Everything that is drawn, as bytes.
+std::string bytes_of(const ImDrawData& data) {
+    std::string bytes;
+    const auto append = [&](const void* from, std::size_t size) { bytes.append(static_cast<const char*>(from), size); };
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        append(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+        append(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
+    }
+    return bytes;
+}
+
+TEST(input, a_click_within_one_frame_is_not_lost) {
+    Desk desk;
+    desk.point_at("play");
+    desk.interface.input().push(ButtonChanged{0, true});
+    desk.interface.input().push(ButtonChanged{0, false});
+    desk.frame();
+    EXPECT_EQ(desk.interface.seconds_until_change(), 0) << "the release waits for another frame";
+    desk.frame();
+    EXPECT_EQ(desk.calls(), std::vector<std::string>{"play"});
+}
+
+TEST(input, leaving_the_window_releases_everything) {
+    Desk desk;
+    desk.point_at("dt");
+    desk.press();
+    desk.interface.input().push(FocusLost{});
+    desk.frame();
+    desk.recorder.changes.clear();
+    desk.point_at("dt", 0.9f);
+    EXPECT_TRUE(desk.recorder.changes.empty());
+}
+
+TEST(interface, a_paused_window_that_nobody_touches_changes_nothing) {
+    Desk desk;
+    for (int i = 0; i < 5; ++i) desk.frame();
+    EXPECT_TRUE(std::isinf(desk.interface.seconds_until_change()));
+    const std::string before = bytes_of(desk.interface.draw_data());
+    desk.frame();
+    EXPECT_EQ(bytes_of(desk.interface.draw_data()), before);
+    desk.point_at("play");
+    EXPECT_NE(bytes_of(desk.interface.draw_data()), before) << "the pointer is shown";
+}
+
+TEST(interface, still_pictures_of_one_view_are_the_same) {
+    const RunView view = view_of(Simulation(describe("rope")), 4);
+    const auto still = [&] {
+        render::Camera camera;
+        render::Style style;
+        Interface interface({1280, 720, 1});
+        interface.record(view);
+        interface.draw_still(view, {camera, style});
+        EXPECT_EQ(camera, render::Camera{}) << "a still picture's camera is whoever draws it's";
+        return bytes_of(interface.draw_data());
+    };
+    EXPECT_EQ(still(), still());
+}
+
+TEST(interface, still_picture_shows_no_measured_value) {
+    RunView view = view_of(Simulation(describe("rope")));
+    render::Camera camera;
+    render::Style style;
+    const auto drawn = [&] {
+        Interface interface({1280, 720, 1});
+        interface.draw_still(view, {camera, style});
+        return bytes_of(interface.draw_data());
+    };
+    const std::string without = drawn();
+    EXPECT_FALSE(view.steps_per_second);
+    view.steps_per_second = 1e6;
+    EXPECT_NE(drawn(), without);
+}
+
+TEST(interface, a_notice_goes_by_itself) {
+    Desk desk;
+    desk.interface.notify("saved");
+    desk.frame();
+    EXPECT_GT(desk.interface.seconds_until_change(), 0);
+    EXPECT_LT(desk.interface.seconds_until_change(), 10);
+    for (int i = 0; i < 60 * 10; ++i) desk.frame();
+    EXPECT_TRUE(std::isinf(desk.interface.seconds_until_change()));
+}
+
+TEST(interface, two_interfaces_do_not_disturb_each_other) {
+    Desk one(describe("mesh"));
+    Desk two(describe("rope"));
+    one.click("play");
+    two.click("step");
+    EXPECT_EQ(one.calls(), std::vector<std::string>{"play"});
+    EXPECT_EQ(two.calls(), std::vector<std::string>{"step forward"});
+}
+
+TEST(interface, fonts_are_built_anew_for_another_scale_only) {
+    Desk desk;
+    EXPECT_FALSE(desk.interface.resize({800, 600, 1}));
+    desk.frame();
+    EXPECT_TRUE(desk.interface.resize({1600, 1200, 2}));
+    desk.frame();
+    desk.frame();
+    EXPECT_TRUE(desk.has("play"));
+}
+
+TEST(interface, the_scenes_picture_is_part_of_what_is_drawn) {
+    Desk desk;
+    const auto uses = [&](std::intptr_t texture) {
+        const ImDrawData& data = desk.interface.draw_data();
+        for (int i = 0; i < data.CmdListsCount; ++i) {
+            for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) {
+                if (reinterpret_cast<std::intptr_t>(command.GetTexID()) == texture) return true;
+            }
+        }
+        return false;
+    };
+    EXPECT_FALSE(uses(77));
+    desk.interface.show_scene(77);
+    desk.frame();
+    EXPECT_TRUE(uses(77));
+}
+
+TEST(fonts, letters_that_the_interface_needs_are_there) {
+    ImFontAtlas atlas;
+    const Fonts fonts = load_fonts(atlas, 1, render::find_font_files());
+    ASSERT_NE(fonts.source, "built in") << "fonts-inter or fonts-dejavu-core is on the list of packages";
+    for (const ImWchar letter : std::u16string_view(u"·ω²³½∞Δ–üöő×")) {
+        for (const ImFont* font : {fonts.body, fonts.strong, fonts.small, fonts.heading}) {
+            EXPECT_NE(font->FindGlyphNoFallback(letter), nullptr) << std::hex << letter;
+        }
+    }
+}
+
+TEST(fonts, digits_are_all_of_one_width) {
+    ImFontAtlas atlas;
+    const Fonts fonts = load_fonts(atlas, 1.5f, render::find_font_files());
+    for (const ImFont* font : {fonts.body, fonts.small}) {
+        for (ImWchar digit = '1'; digit <= '9'; ++digit) {
+            EXPECT_FLOAT_EQ(font->FindGlyph(digit)->AdvanceX, font->FindGlyph('0')->AdvanceX);
+        }
+    }
+}
+
+TEST(fonts, without_any_font_file_the_built_in_one_is_used) {
+    ImFontAtlas atlas;
+    const Fonts fonts = load_fonts(atlas, 1, {});
+    EXPECT_EQ(fonts.source, "built in");
+    EXPECT_NE(fonts.body->FindGlyphNoFallback('a'), nullptr);
+}
+
+}  // namespace
+}  // namespace steplab::ui

@@ -1,0 +1,165 @@
+#include "ui/keys.hpp"
+
+#include "desk.hpp"
+#include "sim/catalogue.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace steplab::ui {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(keys, every_action_has_one_key_of_its_own) {
+    std::set<std::pair<Key, bool>> used;
+    for (int i = 0; i <= static_cast<int>(Action::quit); ++i) {
+        const KeyBinding& binding = binding_of(static_cast<Action>(i));
+        EXPECT_EQ(binding.action, static_cast<Action>(i));
+        EXPECT_TRUE(used.insert({binding.key, binding.control}).second) << binding.label;
+    }
+    EXPECT_EQ(used.size(), key_bindings().size());
+}
+
+TEST(keys, table_names_them_all) {
+    const std::string table = key_table();
+    for (const KeyBinding& binding : key_bindings()) {
+        EXPECT_NE(table.find("| " + std::string(binding.label) + " | "), std::string::npos) << binding.label;
+    }
+}
+
+TEST(keys, run_is_driven_from_the_keyboard) {
+    Desk desk;
+    desk.key(Key::space);
+    EXPECT_THAT(desk.calls(), ElementsAre("play"));
+    desk.key(Key::right);
+    desk.key(Key::left);
+    desk.key(Key::backspace);
+    EXPECT_THAT(desk.calls(), ElementsAre("step forward", "step back", "restart"));
+    desk.key(Key::equal);
+    EXPECT_EQ(desk.recorder.rates.back().seconds_per_second, 2);
+    desk.view.rate = desk.recorder.rates.back();
+    desk.key(Key::minus);
+    EXPECT_EQ(desk.recorder.rates.back().seconds_per_second, 1);
+}
+
+TEST(keys, brackets_go_round_the_scenes) {
+    const auto all = models();
+    Desk desk(describe(all.front().info.id));
+    desk.key(Key::bracket_left);
+    EXPECT_EQ(desk.wanted().model, all.back().info.id);
+    desk.key(Key::bracket_right);
+    desk.key(Key::bracket_right);
+    EXPECT_EQ(desk.wanted().model, all[1].info.id);
+}
+
+TEST(keys, tab_hides_the_panel_and_brings_it_back) {
+    Desk desk;
+    const PixelRect with_panel = desk.interface.scene();
+    desk.key(Key::tab);
+    EXPECT_FALSE(desk.has("model"));
+    EXPECT_GT(desk.interface.scene().width, with_panel.width);
+    desk.key(Key::tab);
+    EXPECT_TRUE(desk.has("model"));
+    EXPECT_EQ(desk.interface.scene(), with_panel);
+}
+
+TEST(keys, tab_brings_the_panel_into_a_window_too_narrow_for_it) {
+    Desk desk(describe(), {400, 300, 1});
+    EXPECT_FALSE(desk.has("model"));
+    desk.key(Key::tab);
+    EXPECT_TRUE(desk.has("model"));
+    desk.key(Key::tab);
+    EXPECT_FALSE(desk.has("model"));
+}
+
+TEST(keys, help_opens_and_closes) {
+    Desk desk;
+    EXPECT_FALSE(desk.has("help"));
+    desk.key(Key::f1);
+    EXPECT_TRUE(desk.has("help"));
+    desk.key(Key::escape);
+    EXPECT_FALSE(desk.has("help"));
+    desk.key(Key::f1);
+    desk.click("help.close");
+    EXPECT_FALSE(desk.has("help"));
+}
+
+TEST(keys, picture_full_screen_and_quit_are_requests) {
+    Desk desk;
+    desk.key(Key::p, true);
+    desk.key(Key::f11);
+    desk.key(Key::q, true);
+    const auto requests = desk.interface.take_requests();
+    ASSERT_EQ(requests.size(), 3u);
+    EXPECT_EQ(requests[0].kind, Request::Kind::save_picture);
+    EXPECT_EQ(requests[1].kind, Request::Kind::full_screen);
+    EXPECT_EQ(requests[2].kind, Request::Kind::quit);
+    EXPECT_TRUE(desk.interface.take_requests().empty());
+}
+
+TEST(keys, letters_without_control_are_not_those_with_it) {
+    Desk desk;
+    desk.key(Key::p);
+    desk.key(Key::q);
+    desk.key(Key::space, true);
+    EXPECT_TRUE(desk.interface.take_requests().empty());
+    EXPECT_THAT(desk.calls(), IsEmpty());
+}
+
+TEST(keys, an_entry_keeps_the_keyboard_to_itself) {
+    Desk desk;
+    desk.click("dt.value");
+    ASSERT_TRUE(desk.has("dt.entry"));
+    desk.key(Key::left);
+    desk.key(Key::backspace);
+    desk.key(Key::space);
+    EXPECT_THAT(desk.calls(), IsEmpty());
+    desk.key(Key::escape);
+    desk.frame();
+    desk.key(Key::right);
+    EXPECT_THAT(desk.calls(), ElementsAre("step forward"));
+}
+
+TEST(keys, home_resets_the_view_and_f_shows_all) {
+    Desk desk;
+    const render::Camera home = desk.camera;
+    desk.camera.distance *= 7;
+    desk.camera.yaw += 50;
+    const double yaw = desk.camera.yaw;
+    desk.key(Key::f);
+    EXPECT_LT(desk.camera.distance, 3 * home.distance);
+    EXPECT_EQ(desk.camera.yaw, yaw);
+    desk.key(Key::home);
+    EXPECT_EQ(desk.camera, home);
+}
+
+TEST(keys, every_key_has_a_button_or_menu_entry) {
+    // Widgets in the bar, in the menu, and gestures of the panel that do what a key does.
+    const std::map<Action, std::string> places = {{Action::pause, "play"},
+                                                  {Action::step_forward, "step"},
+                                                  {Action::step_back, "step back"},
+                                                  {Action::restart, "restart"},
+                                                  {Action::reset_view, "menu/reset view"},
+                                                  {Action::frame_all, "menu/frame all"},
+                                                  {Action::faster, "menu/faster"},
+                                                  {Action::slower, "menu/slower"},
+                                                  {Action::scene_before, "menu/scene before"},
+                                                  {Action::scene_after, "menu/scene after"},
+                                                  {Action::panel, "menu/panel"},
+                                                  {Action::help, "menu/help"},
+                                                  {Action::picture, "menu/picture"},
+                                                  {Action::full_screen, "menu/full screen"},
+                                                  {Action::quit, "menu/quit"}};
+    Desk desk;
+    desk.click("menu");
+    for (const KeyBinding& binding : key_bindings()) {
+        EXPECT_TRUE(desk.has(places.at(binding.action))) << binding.label;
+    }
+}
+
+}  // namespace
+}  // namespace steplab::ui

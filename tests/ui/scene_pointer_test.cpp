@@ -1,0 +1,166 @@
+#include "desk.hpp"
+#include "ui/view_keeper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace steplab::ui {
+namespace {
+
+struct Point {
+    float x, y;
+};
+
+Point middle(const PixelRect& rect) {
+    return {static_cast<float>(rect.x) + 0.5f * static_cast<float>(rect.width),
+            static_cast<float>(rect.y) + 0.5f * static_cast<float>(rect.height)};
+}
+
+/// Where a particle is on the display.
+Point on_display(const Desk& desk, std::size_t particle) {
+    const PixelRect rect = desk.interface.scene();
+    const render::Projection projection(desk.camera, {rect.width, rect.height});
+    const auto pixel = projection.pixel(desk.view.frame.positions[particle]).value();
+    return {static_cast<float>(rect.x + pixel.x), static_cast<float>(rect.y + pixel.y)};
+}
+
+void drag_scene(Desk& desk, int button, float dx, float dy) {
+    const Point centre = middle(desk.interface.scene());
+    desk.move_to(centre.x, centre.y);
+    desk.press(button);
+    desk.move_to(centre.x + 0.5f * dx, centre.y + 0.5f * dy);
+    desk.move_to(centre.x + dx, centre.y + dy);
+    desk.release(button);
+}
+
+TEST(scene_pointer, left_drag_orbits) {
+    Desk desk;
+    const render::Camera before = desk.camera;
+    drag_scene(desk, 0, 100, 40);
+    EXPECT_NE(desk.camera.yaw, before.yaw);
+    EXPECT_NE(desk.camera.pitch, before.pitch);
+    EXPECT_EQ(desk.camera.focus, before.focus);
+    EXPECT_TRUE(desk.calls().empty()) << "a drag picks nothing";
+}
+
+TEST(scene_pointer, right_drag_and_shift_drag_pan) {
+    Desk right;
+    drag_scene(right, 1, 100, 40);
+    Desk shift;
+    shift.interface.input().push(ModifiersChanged{.shift = true});
+    drag_scene(shift, 0, 100, 40);
+    for (const Desk* desk : {&right, &shift}) {
+        EXPECT_NE(desk->camera.focus, Desk().camera.focus);
+        EXPECT_EQ(desk->camera.yaw, Desk().camera.yaw);
+    }
+    EXPECT_EQ(right.camera, shift.camera);
+}
+
+TEST(scene_pointer, wheel_zooms) {
+    Desk desk;
+    const Point centre = middle(desk.interface.scene());
+    const double before = desk.camera.distance;
+    desk.move_to(centre.x + 50, centre.y);
+    desk.wheel(3);
+    EXPECT_LT(desk.camera.distance, before);
+    desk.wheel(-6);
+    EXPECT_GT(desk.camera.distance, before);
+}
+
+TEST(scene_pointer, wheel_over_the_panel_is_not_the_scenes) {
+    Desk desk;
+    const render::Camera before = desk.camera;
+    desk.point_at("dt");
+    desk.wheel(3);
+    EXPECT_EQ(desk.camera, before);
+}
+
+TEST(scene_pointer, a_drag_that_begins_on_a_slider_leaves_the_camera_alone) {
+    Desk desk;
+    const render::Camera before = desk.camera;
+    desk.point_at("dt");
+    desk.press();
+    const Point centre = middle(desk.interface.scene());
+    desk.move_to(centre.x, centre.y);
+    desk.move_to(centre.x + 60, centre.y);
+    desk.release();
+    EXPECT_EQ(desk.camera, before);
+}
+
+TEST(scene_pointer, click_picks_the_particle_under_it) {
+    Desk desk(describe("chain"));
+    for (const std::size_t particle : {2u, 7u}) {
+        const Point place = on_display(desk, particle);
+        desk.move_to(place.x, place.y);
+        desk.press();
+        desk.release();
+        EXPECT_EQ(desk.recorder.tracked, particle);
+    }
+}
+
+TEST(scene_pointer, click_beside_every_particle_picks_none) {
+    Desk desk(describe("chain"));
+    const PixelRect rect = desk.interface.scene();
+    desk.move_to(static_cast<float>(rect.x + 5), static_cast<float>(rect.y + rect.height - 5));
+    desk.press();
+    desk.release();
+    EXPECT_TRUE(desk.calls().empty());
+}
+
+TEST(scene_pointer, control_drag_pulls_the_particle_under_it) {
+    Desk desk(describe("chain"));
+    const render::Camera before = desk.camera;
+    const Point place = on_display(desk, 5);
+    desk.interface.input().push(ModifiersChanged{.control = true});
+    desk.move_to(place.x, place.y);
+    desk.press();
+    desk.move_to(place.x, place.y - 40);
+    ASSERT_TRUE(desk.recorder.pulled);
+    EXPECT_EQ(desk.recorder.pulled->particle, 5u);
+    const Vec3 start = desk.view.frame.positions[5];
+    EXPECT_GT(desk.recorder.pulled->position.y, start.y);
+    const render::Projection projection(desk.camera, {100, 100});
+    // It moves in the plane that faces the eye; the pointer's place is a float, 7 digits of the distance.
+    EXPECT_NEAR(projection.depth(desk.recorder.pulled->position), projection.depth(start), 1e-4);
+    desk.release();
+    desk.calls();
+    desk.move_to(place.x, place.y - 80);
+    EXPECT_TRUE(desk.calls().empty());
+    EXPECT_EQ(desk.camera, before);
+}
+
+TEST(scene_pointer, another_scene_is_shown_whole_and_one_of_its_particles_followed) {
+    Desk desk(describe("mesh"));
+    const render::Camera before = desk.camera;
+    desk.view = view_of(Simulation(describe("rope")));
+    desk.view.run = 1;
+    desk.interface.record(desk.view);
+    desk.frame();
+    EXPECT_NE(desk.camera, before);
+    EXPECT_EQ(desk.recorder.tracked, first_followed(*desk.view.frame.shape));
+}
+
+TEST(scene_pointer, a_camera_that_was_moved_stays_when_the_scene_changes_its_size) {
+    Desk desk(describe("chain"));
+    drag_scene(desk, 0, 80, 0);
+    const render::Camera moved = desk.camera;
+    RunDescription longer = describe("chain");
+    longer.scene.set("n", 20);
+    desk.view = view_of(Simulation(longer));
+    desk.view.run = 1;
+    desk.frame();
+    EXPECT_EQ(desk.camera, moved);
+}
+
+TEST(scene_pointer, the_kicked_particle_is_followed_first) {
+    const RunView mesh = view_of(Simulation(describe("mesh")));
+    EXPECT_EQ(mesh.frame.shape->roles[first_followed(*mesh.frame.shape)], Role::kicked);
+    const RunView morse = view_of(Simulation(describe("morse")));
+    EXPECT_EQ(morse.frame.shape->roles[first_followed(*morse.frame.shape)], Role::bullet);
+    const RunView rope = view_of(Simulation(describe("rope")));
+    EXPECT_EQ(first_followed(*rope.frame.shape), rope.frame.shape->roles.size() - 1);
+}
+
+}  // namespace
+}  // namespace steplab::ui
