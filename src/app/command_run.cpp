@@ -72,7 +72,7 @@ private:
     RunSummary compute(Simulation& simulation, std::uint64_t every, RunOutputs& outputs) {
         const bool rows_on_terminal = output_.standard_output_taken() && isatty(STDOUT_FILENO) != 0;
         Progress progress(steps_, isatty(STDERR_FILENO) != 0 && !rows_on_terminal);
-        Pacer pacer;
+        Pacer pacer(steps_);
         const auto begin = Clock::now();
         RunSummary summary;
         Diagnostics now = simulation.diagnostics();
@@ -119,7 +119,7 @@ private:
 
     static void tell_interruption(std::uint64_t step, const std::vector<std::string>& kept) {
         std::string text = fmt::format("steplab run: interrupted after step {}", step);
-        for (const std::string& name : kept) text += fmt::format("; what was written is kept as '{}'", name);
+        if (!kept.empty()) text += fmt::format("; what was written is kept as '{}'", fmt::join(kept, "' and '"));
         std::fputs((text + '\n').c_str(), stderr);
     }
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <numeric>
+#include <cstddef>
 
 namespace steplab {
 
@@ -28,7 +28,7 @@ std::size_t parse_index(std::string_view text, std::string_view list, std::size_
 }  // namespace
 
 std::vector<std::size_t> parse_particles(std::string_view text, std::size_t count) {
-    std::vector<std::size_t> particles;
+    std::vector<bool> chosen(count);
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string_view item = text.substr(begin, end - begin);
@@ -37,13 +37,13 @@ std::vector<std::size_t> parse_particles(std::string_view text, std::size_t coun
         const std::size_t last =
             dash == std::string_view::npos ? first : parse_index(item.substr(dash + 1), text, count);
         if (last < first) throw UsageError(fmt::format("--particles {}: the range {} runs backwards", text, item));
-        const std::size_t had = particles.size();
-        particles.resize(had + last - first + 1);
-        std::iota(particles.begin() + static_cast<std::ptrdiff_t>(had), particles.end(), first);
+        std::fill_n(chosen.begin() + static_cast<std::ptrdiff_t>(first), last - first + 1, true);
         begin = end + 1;
     }
-    std::sort(particles.begin(), particles.end());
-    particles.erase(std::unique(particles.begin(), particles.end()), particles.end());
+    std::vector<std::size_t> particles;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (chosen[i]) particles.push_back(i);
+    }
     return particles;
 }
 

@@ -38,7 +38,7 @@ void expect_parameters(const std::string& help, std::span<const ParameterInfo> p
 
 TEST(Help, holds_every_parameter_with_default_unit_and_range) {
     for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"--help"}, {"-h"}, {"run", "--help"}, {"view", "--help"}}) {
+         {std::vector<std::string>{"--help"}, {"-h"}, {"run", "--help"}, {"view", "--help"}, {"snapshot", "--help"}}) {
         const Outcome outcome = run_program(words);
         EXPECT_EQ(outcome.code, 0);
         EXPECT_EQ(outcome.err, "");
@@ -64,7 +64,8 @@ TEST(Help, names_defaults_and_commands) {
     EXPECT_TRUE(has_line(help, {"--precision", "float|double", "default " + std::string(id(defaults.precision))}));
     EXPECT_TRUE(has_line(help, {"--dt", "default 0.1"}));
     EXPECT_TRUE(has_line(help, {"--steps", "default 1000"}));
-    for (const char* command : {"list", "run", "view"}) EXPECT_TRUE(has_line(run_program({"--help"}).out, {command}));
+    for (const char* command : {"list", "run", "snapshot", "view"})
+        EXPECT_TRUE(has_line(run_program({"--help"}).out, {command}));
 }
 
 TEST(Help, fits_a_terminal) {

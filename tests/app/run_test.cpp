@@ -72,7 +72,7 @@ TEST_P(Runs, rows_read_back_exactly) {
         EXPECT_EQ(csv.head, csv_head);
         Simulation simulation(run);
         std::size_t row = 0;
-        for (const std::uint64_t step : {0, 2, 4, 5}) {
+        for (const std::uint64_t step : {0U, 2U, 4U, 5U}) {
             simulation.advance(step - simulation.step());
             const Frame frame = simulation.frame();
             ASSERT_LE(row + frame.positions.size(), csv.rows.size());
@@ -90,7 +90,7 @@ TEST_P(Runs, extended_xyz_reads_back_exactly) {
         const std::vector<std::string> lines = split(outcome.out, '\n');
         Simulation simulation(run);
         std::size_t line = 0;
-        for (const std::uint64_t step : {0, 3}) {
+        for (const std::uint64_t step : {0U, 3U}) {
             simulation.advance(step - simulation.step());
             const Frame frame = simulation.frame();
             EXPECT_EQ(number<std::size_t>(lines.at(line++)), frame.positions.size());
