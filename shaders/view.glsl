@@ -1,4 +1,5 @@
-// What every shader of the scene knows of the eye. Lengths are those of the scene, positions relative to the focus.
+// What every shader of the scene knows of the eye. Positions are relative to the focus of the
+// camera, lengths in units of its distance.
 
 uniform mat3 u_rotation;  // to the eye's space: x to the right, y up, z towards the eye
 uniform vec3 u_eye;

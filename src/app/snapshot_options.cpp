@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <span>
 
 namespace steplab {
@@ -19,6 +20,8 @@ namespace {
 
 constexpr int longest_side = 8192;
 constexpr render::PictureSize least_with_panel{400, 300};
+constexpr ParameterInfo scale_info{
+    .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "size of text and lines"};
 
 /// The place of `word` among the known ones.
 std::size_t index_of(std::string_view option, std::string_view word, std::span<const std::string_view> known) {
@@ -56,6 +59,14 @@ std::size_t parse_particle(std::string_view text, const RunDescription& descript
     return static_cast<std::size_t>(parse_value(info, text));
 }
 
+/// Text and lines as large, in proportion, as in a picture of the usual size.
+double usual_scale(render::PictureSize size) {
+    const render::PictureSize usual;
+    const double smaller =
+        std::min(static_cast<double>(size.width) / usual.width, static_cast<double>(size.height) / usual.height);
+    return std::max(1.0, std::floor(4 * smaller) / 4);
+}
+
 void check_file(const std::string& name) {
     if (name.empty()) throw UsageError("--out FILE.png is missing: where the picture is to go");
     if (!written_directly(name) && !name.ends_with(".png")) {
@@ -63,10 +74,11 @@ void check_file(const std::string& name) {
     }
 }
 
-void check_room_for_panel(render::PictureSize size) {
-    if (size.width >= least_with_panel.width && size.height >= least_with_panel.height) return;
-    throw UsageError(fmt::format("--ui on needs a picture of at least {}x{} pixels", least_with_panel.width,
-                                 least_with_panel.height));
+void check_room_for_panel(render::PictureSize size, double scale) {
+    const auto width = static_cast<int>(std::ceil(scale * least_with_panel.width));
+    const auto height = static_cast<int>(std::ceil(scale * least_with_panel.height));
+    if (size.width >= width && size.height >= height) return;
+    throw UsageError(fmt::format("--ui on needs a picture of at least {}x{} pixels", width, height));
 }
 
 }  // namespace
@@ -83,6 +95,7 @@ void SnapshotOptions::declare(CLI::App& app) {
     add("--background", background_, "dark|light", fmt::format("Behind the scene (default {})", background_));
     add("--particle", particle_, "I", "Mark this particle");
     add("--ui", panel_, "on|off", fmt::format("With the window's panels (default {})", panel_));
+    add("--scale", scale_, "X", "Size of text, lines and panels (default: 1, more in pictures beyond 1280x720)");
     add("--gl", gl_, "auto|osmesa|egl", fmt::format("Way to OpenGL (default {}: the first that works)", gl_));
 }
 
@@ -93,8 +106,9 @@ PictureRequest SnapshotOptions::request(const RunDescription& description) const
     request.size = parse_size(size_);
     request.camera = view_;
     request.panel = index_of("value of --ui", panel_, switches) == 1;
-    if (request.panel) check_room_for_panel(request.size);
     render::Style& style = request.style;
+    style.pixel_scale = scale_.empty() ? usual_scale(request.size) : parse_value(scale_info, scale_);
+    if (request.panel) check_room_for_panel(request.size, style.pixel_scale);
     style.colouring = static_cast<render::Colouring>(index_of("colouring", colour_, render::colouring_ids));
     style.background = static_cast<render::Background>(index_of("background", background_, render::background_ids));
     if (description.scene.contains("m")) style.mass = description.scene["m"];

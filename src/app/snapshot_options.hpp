@@ -30,6 +30,7 @@ private:
     std::string colour_ = "role";
     std::string background_ = "dark";
     std::string particle_;
+    std::string scale_;
 };
 
 }  // namespace steplab

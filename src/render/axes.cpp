@@ -86,13 +86,15 @@ double tick_step(double step, double pixels_per_step, double least) {
 
 void add_ticks(Axes& axes, const Edge& edge, double step, double strength, const Projection& projection,
                double pixel_scale) {
-    for (const double value : ticks(component(edge.start, edge.axis), component(edge.end, edge.axis), step)) {
+    const double low = component(edge.start, edge.axis);
+    const double high = component(edge.end, edge.axis);
+    for (const double value : ticks(low, high, step)) {
         const Vec3 point = with_component(edge.start, edge.axis, value);
         const auto number = beside(edge, point, projection, number_distance * pixel_scale);
         if (!number) continue;
         const double unit = 1 / projection.pixels_per_unit(projection.depth(point));
         axes.lines.push_back({point, point + tick_length * pixel_scale * unit * edge.outward, strength});
-        axes.labels.push_back({tick_text(value, step), *number, strength});
+        axes.labels.push_back({tick_text(value, step, std::max(std::abs(low), std::abs(high))), *number, strength});
     }
 }
 

@@ -29,9 +29,18 @@ std::array<Vec3, 8> Bounds::corners() const {
              {high.x, high.y, high.z}}};
 }
 
+bool drawable(Vec3 point) {
+    constexpr double farthest = 1e100;  // squares and cubes of it are still numbers
+    return std::abs(point.x) < farthest && std::abs(point.y) < farthest && std::abs(point.z) < farthest;
+}
+
 Bounds bounds_of(std::span<const Vec3> points) {
-    Bounds bounds{points.front(), points.front()};
-    for (const Vec3& point : points) bounds = {smaller(bounds.low, point), larger(bounds.high, point)};
+    const auto first = std::find_if(points.begin(), points.end(), drawable);
+    if (first == points.end()) return {};
+    Bounds bounds{*first, *first};
+    for (const Vec3& point : points) {
+        if (drawable(point)) bounds = {smaller(bounds.low, point), larger(bounds.high, point)};
+    }
     return bounds;
 }
 

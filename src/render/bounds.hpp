@@ -19,7 +19,10 @@ struct Bounds {
     friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
-/// The smallest box that holds all points; at least one.
+/// False for places that cannot be told in the arithmetic of the drawing: not finite, or beyond all measure.
+bool drawable(Vec3 point);
+
+/// The smallest box that holds all points that can be drawn; the origin alone if there are none.
 Bounds bounds_of(std::span<const Vec3> points);
 Bounds joined(const Bounds& a, const Bounds& b);
 /// Larger by `margin` on every side.

@@ -74,6 +74,7 @@ Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
     Reach wide{filled_width * projection.half_width()};
     Reach high{filled_height * projection.half_height()};
     const auto include = [&](Vec3 point, double radius) {
+        if (!drawable(point)) return;
         const Vec3 from = point - centre;
         const double ahead = -dot(from, projection.forward());
         wide.include(dot(from, projection.right()), ahead, radius);

@@ -30,15 +30,16 @@ void Ground::draw_backdrop(const Palette& palette, const Tile& tile, const Rende
 
 void Ground::draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, const RenderTarget& target,
                        double pixel_scale) const {
+    const Projection& projection = view.projection();
     const Vec3 middle = box.bounds.centre();
     const Vec3 centre{middle.x, box.bounds.low.y, middle.z};
     view.apply(ground_);
-    ground_.set("u_centre", view.relative(centre));
-    ground_.set("u_reach", static_cast<float>(reach(box)));
+    ground_.set("u_centre", vertex(projection, centre));
+    ground_.set("u_reach", vertex_length(projection, reach(box)));
     // The nearest of the stronger lines, so that the shader's numbers stay small far from the origin.
-    const auto to_line = [&](double place) { return std::remainder(-place, 5 * box.step); };
-    ground_.set("u_origin", glm::vec2(glm::dvec2(to_line(centre.x), to_line(centre.z))));
-    ground_.set("u_step", static_cast<float>(box.step));
+    const auto to_line = [&](double place) { return vertex_length(projection, std::remainder(-place, 5 * box.step)); };
+    ground_.set("u_origin", glm::vec2(to_line(centre.x), to_line(centre.z)));
+    ground_.set("u_step", vertex_length(projection, box.step));
     ground_.set("u_width", static_cast<float>(pixel_scale * target.supersampling()));
     ground_.set("u_colour", as_vec3(palette.grid));
     ground_.set("u_strength", grid_strength);
@@ -50,7 +51,8 @@ void Ground::draw_axes(const Axes& axes, const ViewUniforms& view, const Palette
     std::vector<Rod> rods;
     for (const AxisLine& line : axes.lines) {
         const auto alpha = static_cast<std::uint8_t>(std::lround(255 * line.strength * axis_strength));
-        rods.push_back({view.relative(line.start), view.relative(line.end), vertex_colour(palette.grid, alpha)});
+        rods.push_back({vertex(view.projection(), line.start), vertex(view.projection(), line.end),
+                        vertex_colour(palette.grid, alpha)});
     }
     lines_.upload(std::span<const Rod>(rods));
     view.apply(rod_);

@@ -9,7 +9,7 @@ namespace steplab::render {
 
 /// A particle, or what is drawn around one, as a vertex: 16 bytes.
 struct Dot {
-    glm::vec3 centre;  ///< relative to the camera's focus
+    glm::vec3 centre;  ///< see vertex()
     VertexColour colour;
 };
 

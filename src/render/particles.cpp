@@ -20,11 +20,6 @@ ShaderProgram impostor(const char* fragment_file) {
     return ShaderProgram("impostor.vert", fragment_file, shader_folders());
 }
 
-glm::vec3 relative(Vec3 point, Vec3 focus) {
-    const Vec3 from = point - focus;
-    return {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(from.z)};
-}
-
 bool outside(PixelPoint centre, double radius, PictureSize size) {
     return centre.x < -radius || centre.y < -radius || centre.x > size.width + radius ||
            centre.y > size.height + radius;
@@ -44,7 +39,7 @@ void Particles::prepare(const Frame& frame, const Style& style, std::span<const 
     const DrawnSizes sizes(*frame.shape);
     sort(frame, colours, projection, sizes, taken);
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
-        kinds_[kind].radius = static_cast<float>(sizes.radius(static_cast<Role>(kind)));
+        kinds_[kind].radius = vertex_length(projection, sizes.radius(static_cast<Role>(kind)));
         kinds_[kind].bodies.upload(std::span<const Dot>(bodies_[kind]));
         kinds_[kind].points.upload(std::span<const Dot>(points_[kind]));
     }
@@ -56,10 +51,9 @@ void Particles::sort(const Frame& frame, std::span<const Rgb> colours, const Pro
     for (auto* lists : {&bodies_, &points_}) {
         for (auto& list : *lists) list.clear();
     }
-    const Vec3 focus = projection.camera().focus;
     for (std::size_t i = 0; i < frame.positions.size(); ++i) {
         const Role role = frame.shape->roles[i];
-        const auto centre = projection.pixel(frame.positions[i]);
+        const auto centre = drawable(frame.positions[i]) ? projection.pixel(frame.positions[i]) : std::nullopt;
         if (!centre) continue;
         const double scale = projection.pixels_per_unit(projection.depth(frame.positions[i]));
         const double radius = scale * sizes.radius(role);
@@ -67,23 +61,23 @@ void Particles::sort(const Frame& frame, std::span<const Rgb> colours, const Pro
         if (outside(*centre, 2 * radius + 1, projection.size())) continue;
         taken.mark(*centre, radius);
         auto& lists = radius > point_radius ? bodies_ : points_;
-        lists[index(role)].push_back({relative(frame.positions[i], focus), vertex_colour(colours[i])});
+        lists[index(role)].push_back({vertex(projection, frame.positions[i]), vertex_colour(colours[i])});
     }
 }
 
 void Particles::prepare_rings(const Frame& frame, const Style& style, const Projection& projection) {
     const Palette& colours = palette(style.background);
-    const Vec3 focus = projection.camera().focus;
     std::vector<Dot> kicked;
     for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-        if (frame.shape->roles[i] != Role::kicked) continue;
-        kicked.push_back({relative(frame.positions[i], focus), vertex_colour(colours.roles[index(Role::kicked)], 210)});
+        if (frame.shape->roles[i] != Role::kicked || !drawable(frame.positions[i])) continue;
+        kicked.push_back(
+            {vertex(projection, frame.positions[i]), vertex_colour(colours.roles[index(Role::kicked)], 210)});
     }
     kicked_ring_.upload(std::span<const Dot>(kicked));
     std::vector<Dot> selected;
-    if (style.selected && *style.selected < frame.positions.size()) {
+    if (style.selected && *style.selected < frame.positions.size() && drawable(frame.positions[*style.selected])) {
         const std::size_t i = *style.selected;
-        selected.push_back({relative(frame.positions[i], focus), vertex_colour(colours.selection, 235)});
+        selected.push_back({vertex(projection, frame.positions[i]), vertex_colour(colours.selection, 235)});
         selected_radius_ = kinds_[index(frame.shape->roles[i])].radius;
     }
     selected_ring_.upload(std::span<const Dot>(selected));
@@ -106,15 +100,16 @@ void Particles::draw(const ViewUniforms& view, const RenderTarget& target) const
     }
 }
 
-void Particles::draw_rings(const ViewUniforms& view, const RenderTarget&, double pixel_scale) const {
+void Particles::draw_rings(const ViewUniforms& view, double pixel_scale) const {
     const auto scale = static_cast<float>(pixel_scale);
+    // What is marked is found again even behind others.
+    glDisable(GL_DEPTH_TEST);
     view.apply(ring_);
     ring_.set("u_width", ring_width * scale);
     ring_.set("u_radius", ring_radius * kinds_[index(Role::kicked)].radius);
     ring_.set("u_least_radius", least_ring_radius * scale);
     kicked_ring_.draw_quads();
-    // The selected particle is found again even behind others, and its ring stands clear of the kicked one's.
-    glDisable(GL_DEPTH_TEST);
+    // The ring of the selected particle stands clear of the kicked one's.
     ring_.set("u_radius", 1.3F * ring_radius * selected_radius_);
     ring_.set("u_least_radius", 1.3F * least_ring_radius * scale);
     selected_ring_.draw_quads();

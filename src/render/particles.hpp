@@ -23,7 +23,7 @@ public:
     /// Draws the bodies.
     void draw(const ViewUniforms& view, const RenderTarget& target) const;
     /// Draws the rings; they are blended, so after everything solid.
-    void draw_rings(const ViewUniforms& view, const RenderTarget& target, double pixel_scale) const;
+    void draw_rings(const ViewUniforms& view, double pixel_scale) const;
 
 private:
     /// One kind of particle: all of a role.

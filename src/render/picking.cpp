@@ -1,5 +1,7 @@
 #include "render/picking.hpp"
 
+#include "render/bounds.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,7 @@ std::optional<std::size_t> particle_at(const Frame& frame, const Projection& pro
     double nearest_depth = 0;
     const DrawnSizes sizes(*frame.shape);
     for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+        if (!drawable(frame.positions[i])) continue;
         const double depth = projection.depth(frame.positions[i]);
         const auto centre = projection.pixel(frame.positions[i]);
         if (!centre || (nearest && depth >= nearest_depth)) continue;

@@ -61,7 +61,7 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     if (style.grid) ground.draw_grid(box, view, colours, target, style.pixel_scale);
-    particles.draw_rings(view, target, style.pixel_scale);
+    particles.draw_rings(view, style.pixel_scale);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);

@@ -1,5 +1,6 @@
 #include "render/springs.hpp"
 
+#include "render/bounds.hpp"
 #include "render/drawn_sizes.hpp"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ bool outside(PixelPoint a, PixelPoint b, PictureSize size) {
 }
 
 bool worth_drawing(Vec3 start, Vec3 end, const Projection& projection) {
+    if (!drawable(start) || !drawable(end)) return false;
     const double depth = std::max(projection.depth(start), projection.depth(end));
     if (depth <= 0 || length(end - start) * projection.pixels_per_unit(depth) < least_length) return false;
     const auto a = projection.pixel(start);
@@ -30,17 +32,13 @@ Springs::Springs() : program_("rod") {}
 
 void Springs::prepare(const Frame& frame, std::span<const Rgb> colours, const Projection& projection) {
     rods_.clear();
-    radius_ = static_cast<float>(DrawnSizes(*frame.shape).spring_radius());
-    const auto relative = [&](Vec3 point) {
-        const Vec3 from = point - projection.camera().focus;
-        return glm::vec3(glm::dvec3(from.x, from.y, from.z));
-    };
+    radius_ = vertex_length(projection, DrawnSizes(*frame.shape).spring_radius());
     for (std::size_t i = 0; i < frame.shape->springs.size(); ++i) {
         const Spring& spring = frame.shape->springs[i];
         const Vec3 start = frame.positions[spring.first];
         const Vec3 end = frame.positions[spring.second];
         if (!worth_drawing(start, end, projection)) continue;
-        rods_.push_back({relative(start), relative(end), vertex_colour(colours[i])});
+        rods_.push_back({vertex(projection, start), vertex(projection, end), vertex_colour(colours[i])});
     }
     list_.upload(std::span<const Rod>(rods_));
 }

@@ -11,7 +11,8 @@ double round_number_from(double value);
 /// Multiples of `step` from `low` to `high`, both included where they are multiples.
 std::vector<double> ticks(double low, double high, double step);
 
-/// A tick's number with just the decimals that its step needs: 0.5, 12, 1e+06.
-std::string tick_text(double value, double step);
+/// A tick's number with just the decimals that its step needs: 0.5, 12; on an axis with a `largest` number of six or
+/// more figures, or with more than four decimals, 1.2e6.
+std::string tick_text(double value, double step, double largest);
 
 }  // namespace steplab::render

@@ -8,6 +8,7 @@ namespace {
 // Nearer than this part of the farthest depth a 24-bit depth buffer could not tell surfaces apart.
 constexpr double least_near = 1e-4;
 
+/// In units of the camera's distance.
 struct DepthRange {
     double nearest;
     double farthest;
@@ -21,7 +22,8 @@ DepthRange depth_range(const Projection& projection, const Bounds& scene) {
         farthest = std::max(farthest, projection.depth(corner));
     }
     farthest = std::max(farthest, projection.camera().distance);
-    return {std::clamp(nearest, least_near * farthest, 0.5 * projection.camera().distance), 1.01 * farthest};
+    const double distance = projection.camera().distance;
+    return {std::clamp(nearest, least_near * farthest, 0.5 * distance) / distance, 1.01 * farthest / distance};
 }
 
 /// From space as the eye has it (looking along -z) to the part of the picture that the tile holds.
@@ -56,14 +58,21 @@ ViewUniforms::ViewUniforms(const Projection& projection, const Bounds& scene, co
       backdrop_(0.5f * (as_vec3(palette.top) + as_vec3(palette.bottom))),
       samples_(target.sample_places().begin(), target.sample_places().end()) {}
 
-glm::vec3 ViewUniforms::relative(Vec3 point) const { return in_float(point - projection_.camera().focus); }
+glm::vec3 vertex(const Projection& projection, Vec3 point) {
+    const Camera& camera = projection.camera();
+    return in_float((1 / camera.distance) * (point - camera.focus));
+}
+
+float vertex_length(const Projection& projection, double length) {
+    return static_cast<float>(length / projection.camera().distance);
+}
 
 void ViewUniforms::apply(const ShaderProgram& program) const {
     const Projection& p = projection_;
     program.use();
     program.set("u_rotation",
                 glm::transpose(glm::mat3(in_float(p.right()), in_float(p.up()), in_float(-1.0 * p.forward()))));
-    program.set("u_eye", relative(p.eye()));
+    program.set("u_eye", vertex(p, p.eye()));
     program.set("u_clip", clip_);
     program.set("u_pixels", static_cast<float>(p.pixels_per_unit(1)));
     program.set("u_samples", std::span<const glm::vec2>(samples_));

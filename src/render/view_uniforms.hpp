@@ -11,7 +11,13 @@
 
 namespace steplab::render {
 
-/// What every shader of the scene is told about the eye and the picture. Floats are relative to the camera's focus.
+/// A point as the shaders get it: relative to the camera's focus and in units of its distance, so that float is enough
+/// wherever and however large or small the scene is.
+glm::vec3 vertex(const Projection& projection, Vec3 point);
+/// A length in the same units.
+float vertex_length(const Projection& projection, double length);
+
+/// What every shader of the scene is told about the eye and the picture.
 class ViewUniforms {
 public:
     /// `scene` holds everything that is drawn; the near and far planes follow it.
@@ -19,9 +25,7 @@ public:
                  const Palette& palette);
 
     const Projection& projection() const { return projection_; }
-    /// A point relative to the focus, in float.
-    glm::vec3 relative(Vec3 point) const;
-    /// Sets u_rotation, u_eye, u_projection, u_pixels, u_samples, u_sample_count, u_backdrop of the current program.
+    /// Makes the program the current one and sets what shaders/view.glsl and the samples of a pixel need.
     void apply(const ShaderProgram& program) const;
 
 private:
