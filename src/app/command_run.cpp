@@ -1,5 +1,6 @@
 #include "app/command_run.hpp"
 
+#include "app/catalogue_text.hpp"
 #include "app/command_line.hpp"
 #include "app/pacer.hpp"
 #include "app/progress.hpp"
@@ -25,6 +26,11 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
+constexpr const char* examples =
+    "Examples:\n"
+    "  steplab run --model chain --set n=20 --until 100 --every 10 --out chain.csv\n"
+    "  steplab run --model rope --method rk4 --dt 0.02 --series energy.csv --summary -\n\n";
+
 class RunCommand final : public Command {
 public:
     std::string_view name() const override { return "run"; }
@@ -35,6 +41,7 @@ public:
         time_.declare(app);
         text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
         output_.declare(app);
+        app.footer([] { return std::string(examples) + catalogue_help(); });
     }
 
     int run() override {
