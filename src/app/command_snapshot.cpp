@@ -63,7 +63,7 @@ private:
     /// Takes the steps; the panel's plots get moments on the way.
     void compute(Simulation& simulation, std::uint64_t steps, PictureRequest& request) const {
         Progress progress(steps, isatty(STDERR_FILENO) != 0);
-        Pacer pacer;
+        Pacer pacer(steps);
         const std::optional<std::size_t> particle = followed_particle(simulation, request);
         const std::uint64_t bound = std::max<std::uint64_t>(16, most_particle_moments / simulation.particles());
         const std::uint64_t moments = request.panel ? std::min({steps, most_moments, bound}) : 1;

@@ -11,8 +11,6 @@ constexpr std::string_view id(Precision precision) { return precision == Precisi
 
 /// The number a run of this precision holds for `value`: unchanged in double, the nearest float in float.
 /// A value too large for float becomes infinite.
-constexpr double rounded_to(Precision precision, double value) {
-    return precision == Precision::float_ ? static_cast<double>(static_cast<float>(value)) : value;
-}
+double rounded_to(Precision precision, double value);
 
 }  // namespace steplab

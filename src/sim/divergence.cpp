@@ -27,7 +27,8 @@ double round_down_nicely(double value) {
 
 std::string reason(const Divergence& divergence, const RunDescription& held) {
     const std::string dt = fmt::format("dt = {:.4g}", held.dt);
-    if (method(held.method).info.curiosity) return fmt::format("{} repeats a mistake that makes it fail at any dt", held.method);
+    if (method(held.method).info.curiosity)
+        return fmt::format("{} repeats a mistake that makes it fail at any dt", held.method);
     if (!divergence.limit) return fmt::format("{} is too large for {} on this scene", dt, held.method);
     if (*divergence.limit == 0)
         return fmt::format("{} gains energy at any dt, the faster the larger dt is ({})", held.method, dt);

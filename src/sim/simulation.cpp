@@ -16,9 +16,9 @@ namespace steplab {
 
 namespace {
 
-/// Steps between two looks whether the run is still good, counted from the start of the segment. Energy is as costly as
-/// an evaluation, so this keeps the looking below half a percent of the cheapest method.
-constexpr std::uint64_t check_interval = 256;
+/// Steps between two checks of the energy, which is as costly as some evaluations. Large scenes are checked more often,
+/// because stepping again from the last check must not take long.
+std::uint64_t interval_for(std::size_t particles) { return particles <= 16384 ? 256 : 32; }
 
 /// True if only what may change under way differs between the two.
 bool continues(const RunDescription& from, const RunDescription& to) {
@@ -108,12 +108,14 @@ struct Simulation::Body : Course {
         return segment_time + static_cast<double>(at - segment_step) * segment.held.dt;
     }
 
-    /// Reads the stepper's state; false if it is no longer a state of this scene.
+    /// Reads the stepper's state; false if it holds a number that is not finite.
     bool look() {
         segment.stepper->synchronised(state);
         energy = segment.meter.energy(state);
-        return segment.stepper->finite() && energy_is_possible(judged_energy(), baseline, segment.meter.floor());
+        return segment.stepper->finite();
     }
+
+    bool energy_is_good() const { return energy_is_possible(judged_energy(), baseline, segment.meter.floor()); }
 
     /// The velocities a curiosity shows may be wrong while its positions are right: they are left out.
     Energy judged_energy() const {
@@ -125,59 +127,53 @@ struct Simulation::Body : Course {
         kept_step = step;
     }
 
-    std::uint64_t steps_to_check() const { return check_interval - (step - segment_step) % check_interval; }
+    std::uint64_t interval() const { return interval_for(segment.scene.reference.count()); }
+    std::uint64_t steps_to_check() const { return interval() - (step - segment_step) % interval(); }
 
-    std::uint64_t advance(std::uint64_t steps);
-    void go_back_to_last_good(std::uint64_t bad_step);
+    void advance(std::uint64_t steps);
+    void conclude();
+    void go_back_to_last_good();
     void diverged();
     void go_on(const RunDescription& description, bool energy_changed);
 };
 
-std::uint64_t Simulation::Body::advance(std::uint64_t steps) {
+void Simulation::Body::advance(std::uint64_t steps) {
     const FlushSubnormals flush;
-    const std::uint64_t begin = step;
-    while (!divergence && step - begin < steps) {
-        const std::uint64_t taken = std::min(steps - (step - begin), steps_to_check());
+    while (!divergence && steps > 0) {
+        const std::uint64_t taken = std::min(steps, steps_to_check());
         segment.stepper->advance(taken);
-        if (!look()) {
-            go_back_to_last_good(step + taken);
-            diverged();
-            break;
-        }
         step += taken;
-        if (steps_to_check() == check_interval) keep();
+        steps -= taken;
+        const bool on_grid = steps_to_check() == interval();
+        if (!look() || (on_grid && !energy_is_good())) return go_back_to_last_good();
+        if (on_grid) keep();
     }
-    return step - begin;
 }
 
-/// Steps again from the kept state, halving the interval between the last good and the first bad step.
-void Simulation::Body::go_back_to_last_good(std::uint64_t bad_step) {
-    Stepper& stepper = *segment.stepper;
-    stepper.restore(kept);
-    stepper.advance(step - kept_step);
-    std::any good = stepper.save();
-    while (bad_step - step > 1) {
-        const std::uint64_t middle = step + (bad_step - step) / 2;
-        stepper.advance(middle - step);
-        if (look()) {
-            step = middle;
-            good = stepper.save();
-        } else {
-            bad_step = middle;
-            stepper.restore(good);
-        }
-    }
-    stepper.advance(1);
-    look();
-    const std::size_t particle = wildest_particle(state);
-    stepper.restore(good);
-    look();
+void Simulation::Body::conclude() {
+    const FlushSubnormals flush;
+    if (!divergence && !energy_is_good()) go_back_to_last_good();
+}
+
+/// Steps again from the kept state to find the first bad step, and once more to stand at the step before it.
+void Simulation::Body::go_back_to_last_good() {
+    segment.stepper->restore(kept);
+    step = kept_step;
+    do {
+        segment.stepper->advance(1);
+        ++step;
+    } while (look() && energy_is_good());
     divergence.emplace();
-    divergence->step = step;
-    divergence->particle = particle;
+    divergence->particle = wildest_particle(state);
+    --step;
+    segment.stepper->restore(kept);
+    segment.stepper->advance(step - kept_step);
+    look();
+    diverged();
 }
 
 void Simulation::Body::diverged() {
+    divergence->step = step;
     divergence->time = time_at(step);
     explain(*divergence, segment.held);
     keep();
@@ -222,7 +218,9 @@ std::uint64_t Simulation::evaluations() const {
     return body_->evaluations_before + body_->segment.stepper->evaluations();
 }
 
-std::uint64_t Simulation::advance(std::uint64_t steps) { return body_->advance(steps); }
+void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
+void Simulation::conclude() { body_->conclude(); }
+std::uint64_t Simulation::check_interval() const { return body_->interval(); }
 
 Frame Simulation::frame() const {
     Frame out;

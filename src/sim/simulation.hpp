@@ -45,9 +45,14 @@ public:
     /// Of the whole run, over all segments.
     std::uint64_t evaluations() const;
 
-    /// Takes up to `steps` steps. Fewer if the run diverges: it then stands at the last good step and goes no further.
-    /// Returns the steps taken.
-    std::uint64_t advance(std::uint64_t steps);
+    /// Takes up to `steps` steps. If the run diverges, it goes back to the last good step, which may lie before where
+    /// this call began, and no further. Numbers that are not finite are found at once, an impossible energy on a fixed
+    /// grid of steps (check_interval), so that it makes no difference in how many calls the steps are taken.
+    void advance(std::uint64_t steps);
+    /// Judges the energy of the present step too, as at the end of a run.
+    void conclude();
+    /// Steps from one check of the energy to the next, counted from the start of the segment.
+    std::uint64_t check_interval() const;
     const std::optional<Divergence>& divergence() const;
 
     /// The moment as seen from outside; looking never changes the run. The second form reuses the vectors of `out`.

@@ -3,6 +3,7 @@
 #include "sim/history.hpp"
 #include "sim/pace.hpp"
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -116,10 +117,11 @@ void Worker::Body::take_steps() {
     const auto begin = Clock::now();
     const std::uint64_t due = pace.steps_due(begin, rate, simulation.dt(), slice);
     if (due == 0) return;
-    const std::uint64_t evaluations = simulation.evaluations();
-    const std::uint64_t taken = simulation.advance(due);
-    pace.took(taken, simulation.evaluations() - evaluations, static_cast<double>(taken) * simulation.dt(), begin,
-              Clock::now(), rate);
+    const std::uint64_t evaluations = simulation.evaluations(), before = simulation.step();
+    simulation.advance(due);
+    const std::uint64_t taken = std::max(simulation.step(), before) - before;
+    pace.took(taken, std::max(simulation.evaluations(), evaluations) - evaluations,
+              static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), rate);
     history.offer(simulation);
     if (simulation.divergence()) playing = false;
 }

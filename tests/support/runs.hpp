@@ -3,6 +3,8 @@
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <initializer_list>
 #include <ostream>
@@ -72,8 +74,8 @@ inline std::vector<MethodCase> all_methods() {
 }
 
 /// "rk4_double": how ctest names a case.
-inline std::string case_name(const MethodCase& c) {
-    std::string name = c.id() + "_" + std::string(id(c.precision));
+inline std::string case_name(const testing::TestParamInfo<MethodCase>& test) {
+    std::string name = test.param.id() + "_" + std::string(id(test.param.precision));
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 }

@@ -1,0 +1,107 @@
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace steplab::test {
+namespace {
+
+double rounding_of(Precision precision) { return precision == Precision::float_ ? 6e-8 : 1.2e-16; }
+
+class Invariants : public testing::TestWithParam<MethodCase> {};
+
+// Every method here keeps linear invariants up to rounding: so many additions of that relative size, of momenta of
+// order 1 in 28 particles whose speeds reach 5.
+TEST_P(Invariants, momentum_of_closed_systems_is_kept) {
+    const auto& [info, precision] = GetParam();
+    for (const char* model : {"chain", "morse"}) {
+        RunDescription description = run_of(model, info->id, precision, 0.01);
+        if (description.scene.contains("fixed")) description.scene.set("fixed", 0);
+        Simulation simulation(description);
+        const Vec3 before = simulation.diagnostics().momentum;
+        simulation.advance(1000);
+        EXPECT_LT(length(simulation.diagnostics().momentum - before), rounding_of(precision) * 28 * 5 * 1000) << model;
+    }
+}
+
+TEST_P(Invariants, angular_momentum_is_kept_by_symplectic_methods) {
+    const auto& [info, precision] = GetParam();
+    if (!info->symplectic) return;
+    // spacing 0.3: nothing comes close to where the force jumps
+    Simulation simulation(run_of("morse", info->id, precision, 0.005, {{"spacing", 0.3}}));
+    const Vec3 before = simulation.diagnostics().angular_momentum;
+    simulation.advance(400);
+    EXPECT_LT(length(simulation.diagnostics().angular_momentum - before), rounding_of(precision) * 28 * 100 * 400);
+}
+
+// Bounded for symplectic methods over 10^5 steps, drifting for the others: the energy error of the second half of a
+// long run is no larger than that of the first, up to a tenth.
+TEST_P(Invariants, energy_stays_bounded_exactly_where_it_is_said_to) {
+    const auto& [info, precision] = GetParam();
+    Simulation simulation(run_of("oscillator", info->id, precision, 0.3));
+    double first = 0, second = 0;
+    for (int i = 0; i < 10000; ++i) {
+        simulation.advance(1);
+        if (simulation.divergence()) break;
+        double& half = i < 5000 ? first : second;
+        half = std::max(half, std::abs(simulation.diagnostics().energy_error));
+    }
+    EXPECT_EQ(!simulation.divergence() && second < 1.1 * first, info->symplectic);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Invariants, testing::ValuesIn(working_methods()), case_name);
+
+/// How far from its start a scene is after n steps, a reversal of all velocities and n steps.
+double distance_after_return(std::string_view method, Precision precision) {
+    const RunDescription description = run_of("morse", method, precision, 0.02, {{"spacing", 0.3}});
+    Scene scene = model("morse").scene(description.scene);
+    State<double> state = scene.start;
+    const auto run = [&](std::uint64_t steps) {
+        const auto stepper =
+            steplab::method(method).make({scene, state, description.method_parameters, precision, description.dt});
+        stepper->advance(steps);
+        stepper->synchronised(state);
+    };
+    run(100);
+    for (double& v : state.velocity.flat()) v = -v;
+    run(100);
+    double largest = 0;
+    for (std::size_t i = 0; i < scene.start.displacement.count(); ++i) {
+        largest = std::max(largest, length(state.displacement.at(i) - scene.start.displacement.at(i)));
+    }
+    return largest;
+}
+
+// A reversible method retraces its path up to rounding; a cluster of 28 magnifies 200 roundings by some hundred times.
+TEST(Reversal, brings_reversible_methods_back_and_no_others) {
+    for (const MethodCase& c : working_methods()) {
+        const double tolerance = rounding_of(c.precision) * 10 * 200 * 100;
+        const bool came_back = distance_after_return(c.id(), c.precision) < tolerance;
+        // rk4's error here is below float's rounding: only double can tell
+        const bool can_tell = c.precision == Precision::double_ || c.info->reversible;
+        EXPECT_EQ(came_back, can_tell ? c.info->reversible : came_back) << c;
+    }
+}
+
+// omega dt just below the declared limit stays bounded for long; just above, it blows up. The methods unstable at any
+// dt (limit 0) blow up at omega dt = 0.9.
+TEST(LinearLimit, is_where_the_oscillator_blows_up) {
+    for (const MethodCase& c : working_methods()) {
+        const double limit = linear_limit(*c.info, ParameterValues(c.info->parameters));
+        const auto diverges = [&](double dt) {
+            Simulation simulation(run_of("oscillator", c.id(), c.precision, dt));
+            simulation.advance(5000);
+            return simulation.divergence().has_value();
+        };
+        if (limit == 0) {
+            EXPECT_TRUE(diverges(0.9)) << c;
+        } else {
+            EXPECT_FALSE(diverges(0.99 * limit)) << c;
+            EXPECT_TRUE(diverges(1.01 * limit)) << c;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace steplab::test
