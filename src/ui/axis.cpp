@@ -95,13 +95,15 @@ std::vector<Tick> ticks(const Axis& axis, int most) {
     return axis.logarithmic ? logarithmic_ticks(axis.low, axis.high, most) : linear_ticks(axis.low, axis.high, most);
 }
 
-Range round_range(double low, double high) {
+Range round_range(double low, double high, int most) {
     if (!(high > low)) {
         const double half = low == 0 ? 1 : 0.5 * std::abs(low);
         return {low - half, low + half};
     }
-    const double step = round_step((high - low) / 5);
-    return {std::floor(low / step) * step, std::ceil(high / step) * step};
+    for (double step = round_step((high - low) / most);; step = round_step(1.5 * step)) {
+        const Range range{std::floor(low / step + 1e-9) * step, std::ceil(high / step - 1e-9) * step};
+        if (range.high - range.low <= (most + 1e-9) * step) return range;
+    }
 }
 
 Range round_logarithmic_range(double low, double high) {

@@ -32,12 +32,13 @@ std::vector<Tick> linear_ticks(double low, double high, int most);
 std::vector<Tick> logarithmic_ticks(double low, double high, int most);
 std::vector<Tick> ticks(const Axis& axis, int most);
 
-/// A range that shows low .. high with ends at round numbers; where low = high, a range about it.
 struct Range {
     double low = 0;
     double high = 1;
 };
-Range round_range(double low, double high);
+/// A range about low .. high whose ends are ticks, parted by them into at most `most` intervals; where low = high, a
+/// range about it.
+Range round_range(double low, double high, int most);
 /// Whole powers of ten around low .. high, at least one decade; both > 0.
 Range round_logarithmic_range(double low, double high);
 

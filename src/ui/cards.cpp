@@ -30,7 +30,8 @@ Card::~Card() {
 bool close_cross(const Context& context, std::string_view widget) {
     const float side = context.px(18);
     const ImVec2 cursor = ImGui::GetCursorPos();
-    ImGui::SetCursorPos({ImGui::GetWindowWidth() - side - context.px(8), context.px(8)});
+    ImGui::SetCursorPos(
+        {ImGui::GetWindowContentRegionMax().x - side + context.px(6), ImGui::GetScrollY() + context.px(8)});
     const WithId id(widget);
     const bool clicked = ImGui::InvisibleButton("close", {side, side});
     context.mark(widget);

@@ -50,6 +50,7 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale, const render::FontFiles& files
     fonts.body = add_font(atlas, files.regular, size(15));
     fonts.strong = add_font(atlas, files.strong, size(15));
     fonts.small = add_font(atlas, files.regular, size(14));
+    fonts.tiny = add_font(atlas, files.regular, size(12.5f));
     fonts.heading = add_font(atlas, files.strong, size(13.5f));
     fonts.source = files.regular.empty() ? "built in" : files.regular;
     atlas.Build();

@@ -53,6 +53,9 @@ std::string with_unit(std::string text, std::string_view unit) {
 std::string scientific(double value) {
     if (value == 0) return "0";
     if (!std::isfinite(value)) return number(value);
+    if (std::abs(value) >= 0.01 && std::abs(value) < 1000) {
+        return std::abs(value) < 10 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+    }
     return short_exponent(fmt::format("{:.1e}", value));
 }
 

@@ -14,7 +14,7 @@ std::string number(double value, int digits = 4);
 std::string reading(double value);
 /// A text with a unit behind it, if there is one: "0.213 J".
 std::string with_unit(std::string text, std::string_view unit);
-/// An error or a rate: always with an exponent, "2.1e-7"; "0" for zero.
+/// An error or a rate in two significant digits: "2.1e-7", "0.31", "0".
 std::string scientific(double value);
 /// "(0, 0.11, 0)"; parts that are rounding noise of the largest are 0.
 std::string vector(Vec3 value);

@@ -10,7 +10,7 @@ constexpr std::size_t most_whole = 8192;
 constexpr std::size_t most_recent = 600;
 
 Sample sample_of(const RunView& view) {
-    Sample sample{view.frame.time, std::abs(view.diagnostics.energy_error), std::nullopt, std::nullopt};
+    Sample sample{view.frame.time, std::abs(view.diagnostics.energy_error), view.diagnostics.max_displacement, {}, {}};
     if (view.tracked) {
         sample.displacement = view.tracked->displacement;
         sample.exact_displacement = view.tracked->exact_displacement;
@@ -33,11 +33,16 @@ std::span<const Sample> History::recent() const {
     return std::span(recent_).last(count);
 }
 
+double History::largest_displacement() const {
+    double largest = 0;
+    for (const Sample& sample : whole_) largest = std::max(largest, sample.max_displacement);
+    return largest;
+}
+
 void History::record(const RunView& view) {
     if (run_ != view.run) begin(view);
     follow(view.tracked);
     forget_from(view.frame.time);
-    largest_displacement_ = std::max(largest_displacement_, view.diagnostics.max_displacement);
     append(sample_of(view));
 }
 

@@ -13,6 +13,7 @@ namespace steplab::ui {
 struct Sample {
     double time = 0;
     double energy_error = 0;                 ///< |E - E0|
+    double max_displacement = 0;             ///< of any particle
     std::optional<Vec3> displacement;        ///< of the followed particle from rest
     std::optional<Vec3> exact_displacement;  ///< the same in the exact solution
 };
@@ -33,7 +34,7 @@ public:
     /// The axis along which it moves most: 0 x, 1 y, 2 z.
     int direction() const { return direction_; }
     /// Of any particle, in the whole run.
-    double largest_displacement() const { return largest_displacement_; }
+    double largest_displacement() const;
 
 private:
     void begin(const RunView& view);
@@ -45,7 +46,6 @@ private:
     std::optional<std::size_t> particle_;
     Vec3 reach_;
     int direction_ = 1;
-    double largest_displacement_ = 0;
     std::vector<Sample> whole_;
     std::size_t stride_ = 1;
     std::size_t skipped_ = 0;

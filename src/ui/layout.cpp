@@ -8,7 +8,7 @@ namespace {
 
 // Lengths in units of the layout.
 constexpr float bar_height = 40;
-constexpr float panel_width = 282;
+constexpr float panel_width = 300;
 constexpr float narrowest_with_panel = 620;
 constexpr float lowest_with_plots = 460;
 constexpr float narrowest_plot = 240;
@@ -37,8 +37,8 @@ Layout arrange(const Display& display, std::optional<bool> panel) {
         layout.plot_count = std::min(room, 2);
         layout.scene.height -= plots;
     }
-    layout.bar_has_title = width >= px(980);
-    layout.bar_has_speed = width >= px(710);
+    layout.bar_has_title = width >= px(1000);
+    layout.bar_has_speed = width >= px(730);
     layout.bar_has_precision = width >= px(380);
     layout.bar_has_picture = width >= px(470);
     return layout;

@@ -50,7 +50,9 @@ void draw_menu_items(const Context& context) {
 
 void draw_menu(const Context& context) {
     if (icon_button(context, "menu", Icon::menu, "menu")) ImGui::OpenPopup("menu");
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(8), context.px(9)});
+    const Area& bar = context.layout.bar;
+    ImGui::SetNextWindowPos({bar.right() - context.px(8), bar.bottom() + context.px(4)}, ImGuiCond_Always, {1, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(24), context.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(12)});
     if (ImGui::BeginPopup("menu", ImGuiWindowFlags_NoMove)) {
         draw_menu_items(context);

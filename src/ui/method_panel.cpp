@@ -2,6 +2,7 @@
 #include "ui/format.hpp"
 #include "ui/panels.hpp"
 #include "ui/parameter_rows.hpp"
+#include "ui/remedy.hpp"
 #include "ui/widgets.hpp"
 
 #include <fmt/format.h>
@@ -21,11 +22,9 @@ std::vector<ComboItem> method_items(std::string_view shown, std::size_t& chosen)
     return items;
 }
 
-bool has_drag(const ParameterValues& scene) { return scene.contains("c") && scene["c"] > 0; }
-
 /// "order 4 · 4 evaluations a step · symplectic · keeps momentum · Omelyan et al. 2002"; of the sources the first.
 std::string description_line(const MethodInfo& info, const RunDescription& description) {
-    const int order = has_drag(description.scene) ? info.order_with_drag : info.order;
+    const int order = has_drag(description) ? info.order_with_drag : info.order;
     const double evaluations = evaluations_per_step(info, description.method_parameters);
     std::string line = fmt::format("order {} · {} a step", order, counted(evaluations, "evaluation", "evaluations"));
     if (info.symplectic) line.append(" · symplectic");

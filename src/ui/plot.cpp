@@ -42,12 +42,15 @@ void draw_line(ImDrawList& list, const std::vector<PlotPoint>& points, ImU32 ink
     }
 }
 
+int intervals_up(const Context& context, const Area& frame) {
+    return std::max(2, static_cast<int>(std::lround(frame.height / context.px(32))));
+}
+
 void draw_grid(const Context& context, const PlotAxes& axes, const Area& frame) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(context.theme.fonts().small);
     const float half = 0.5f * ImGui::GetTextLineHeight();
-    const int most_up = std::max(2, static_cast<int>(frame.height / context.px(34)));
-    for (const Tick& tick : ticks(axes.up, most_up)) {
+    for (const Tick& tick : ticks(axes.up, intervals_up(context, frame))) {
         const float y = std::round(axes.up.pixel(tick.value));
         list.AddLine({frame.x, y}, {frame.right(), y}, colour::line);
         text_right(frame.x - context.px(7), y, tick.label, colour::text_dim);
@@ -166,7 +169,7 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area) {
     context.mark(plot.widget);
     if (save || ImGui::IsItemClicked(1)) ImGui::OpenPopup("save");
     if (has_values(plot)) {
-        const PlotAxes axes = plot_axes(plot, frame);
+        const PlotAxes axes = plot_axes(plot, frame, intervals_up(context, frame));
         draw_grid(context, axes, frame);
         draw_axis_name(context, plot, area, frame);
         draw_curves(context, plot, axes, frame);

@@ -40,7 +40,8 @@ struct PlotAxes {
     Axis across;
     Axis up;
 };
-PlotAxes plot_axes(const Plot& plot, const Area& frame);
+/// `most` is the number of intervals that the ticks part the height into.
+PlotAxes plot_axes(const Plot& plot, const Area& frame, int most = 5);
 /// True if there is a value to draw.
 bool has_values(const Plot& plot);
 

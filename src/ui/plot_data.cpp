@@ -48,13 +48,14 @@ bool has_values(const Plot& plot) {
     return extent.low <= extent.high;
 }
 
-PlotAxes plot_axes(const Plot& plot, const Area& frame) {
+PlotAxes plot_axes(const Plot& plot, const Area& frame, int most) {
     const Extent x = extent_across(plot);
     const Extent y = extent_up(plot);
     PlotAxes axes;
     axes.across = {x.low, x.high > x.low ? x.high : x.low + 1, false, frame.x, frame.right()};
     if (y.low <= y.high) {
-        const Range range = plot.logarithmic ? round_logarithmic_range(y.low, y.high) : round_range(y.low, y.high);
+        const Range range =
+            plot.logarithmic ? round_logarithmic_range(y.low, y.high) : round_range(y.low, y.high, most);
         axes.up = {range.low, range.high, plot.logarithmic, frame.bottom(), frame.y};
     }
     return axes;

@@ -1,5 +1,6 @@
 #include "ui/panels.hpp"
 #include "ui/plot.hpp"
+#include "ui/remedy.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +9,12 @@
 namespace steplab::ui {
 namespace {
 
-Plot energy_plot(const History& history) {
-    Plot plot{.widget = "energy error", .title = "Energy error", .unit = "J", .logarithmic = true};
-    plot.empty = "no energy error so far";
-    Curve curve{.name = "energy error"};
+/// |E - E0| on a logarithmic axis; drag takes energy without any error, so there it is called a change.
+Plot energy_plot(const History& history, bool drag) {
+    Plot plot{.widget = "energy error", .title = drag ? "Energy change" : "Energy error", .unit = "J"};
+    plot.logarithmic = true;
+    plot.empty = "none so far";
+    Curve curve{.name = drag ? "change" : "error"};
     for (const Sample& sample : history.whole()) {
         curve.x.push_back(sample.time);
         curve.y.push_back(sample.energy_error);
@@ -63,7 +66,7 @@ void draw_plots_panel(const Context& context) {
     const auto count = static_cast<float>(context.layout.plot_count);
     const float width = std::round((area.width - gap * (count + 1)) / count);
     Area place{area.x + gap, area.y + gap, width, area.height - 2 * gap};
-    draw_plot(context, energy_plot(context.session.history), place);
+    draw_plot(context, energy_plot(context.session.history, has_drag(context.view.description)), place);
     place.x += width + gap;
     if (context.layout.plot_count > 1) draw_plot(context, displacement_plot(context.session.history), place);
     ImGui::End();

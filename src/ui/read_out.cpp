@@ -1,5 +1,6 @@
 #include "ui/format.hpp"
 #include "ui/panels.hpp"
+#include "ui/remedy.hpp"
 
 #include <fmt/format.h>
 

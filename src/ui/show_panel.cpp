@@ -51,6 +51,7 @@ void draw_show_panel(const Context& context) {
     draw_colouring(context, style);
     draw_background(context, style);
     check_row(context, "springs", "springs", style.springs);
+    ImGui::SameLine(row_places(context).control);
     check_row(context, "grid", "grid and axes", style.grid);
 }
 

@@ -2,18 +2,23 @@
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/format.h>
+
 namespace steplab::ui {
 namespace {
 
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+/// "420", "1.9e6".
+std::string frequency(double value) { return value < 1000 ? fmt::format("{:.0f}", value) : scientific(value); }
+
 /// "1.9e6 steps/s · 7.6e6 evaluations/s · frame 4.1 ms"; what is not known is left out.
 std::string footer_text(const RunView& view, const Measured& measured) {
     std::string text;
     const auto add = [&](const std::string& part) { text.append(text.empty() ? "" : " · ").append(part); };
-    if (view.steps_per_second.value_or(0) > 0) add(number(*view.steps_per_second, 2) + " steps/s");
-    if (view.evaluations_per_second.value_or(0) > 0) add(number(*view.evaluations_per_second, 2) + " evaluations/s");
+    if (view.steps_per_second.value_or(0) > 0) add(frequency(*view.steps_per_second) + " steps/s");
+    if (view.evaluations_per_second.value_or(0) > 0) add(frequency(*view.evaluations_per_second) + " evaluations/s");
     if (measured.frame_seconds) add("frame " + number(1e3 * *measured.frame_seconds, 2) + " ms");
     return text;
 }
@@ -48,7 +53,7 @@ void draw_side_panel(const Context& context) {
 
 void draw_footer(const Context& context) {
     const Area& area = context.layout.panel;
-    const WithFont font(context.theme.fonts().small);
+    const WithFont font(context.theme.fonts().tiny);
     text_left(area.x + context.px(14), area.bottom() - context.px(15), footer_text(context.view, context.measured),
               colour::text_faint);
 }

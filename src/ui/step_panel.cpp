@@ -24,10 +24,11 @@ Verdict verdict(const std::optional<StabilityLimit>& known, double dt) {
     if (known->limit == 0) return {"unstable at any dt: the energy grows", colour::bad, true};
     if (std::isinf(known->limit)) return {"stable at any dt", colour::good};
     const double part = dt / known->limit;
-    const std::string limit =
-        fmt::format("the limit {} s (ω_max {})", reading(known->limit), reading(known->omega_max));
-    if (part > 1) return {fmt::format("unstable: {} of {}", reading(part), limit), colour::bad, true};
-    return {fmt::format("stable: {} of {}", reading(part), limit), colour::good};
+    const std::string share = part < 0.01 ? "< 0.01" : fmt::format("{:.2f}", part);
+    const std::string of_limit = fmt::format("{} of the limit {} s (ω_max {})", part < 10 ? share : scientific(part),
+                                             reading(known->limit), reading(known->omega_max));
+    if (part > 1) return {"unstable: " + of_limit, colour::bad, true};
+    return {"stable: " + of_limit, colour::good};
 }
 
 /// The parameter dt as it is typed: the same rules and messages as the command line has.

@@ -39,6 +39,7 @@ struct Fonts {
     ImFont* body = nullptr;
     ImFont* strong = nullptr;   ///< titles, chosen values
     ImFont* small = nullptr;    ///< explanations, axes
+    ImFont* tiny = nullptr;     ///< along the foot of the panel
     ImFont* heading = nullptr;  ///< of a section
     std::string source;         ///< the file they come from; "built in" if none was found
 };

@@ -50,12 +50,15 @@ void draw_speed(const Context& context) {
         wanted.set_rate({false, *moved}, context.commands);
     }
     ImGui::SameLine(0, context.px(8));
-    const std::string text = rate.as_fast_as_possible ? "max" : rate_text(rate);
-    if (text_button(context, "fastest", text, rate.as_fast_as_possible, context.px(76))) {
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({context.px(62), ImGui::GetFrameHeight()});
+    text_left(place.x, place.y + 0.5f * ImGui::GetFrameHeight(),
+              rate.as_fast_as_possible ? "no limit" : rate_text(rate), colour::text);
+    ImGui::SameLine(0, context.px(6));
+    if (text_button(context, "fastest", "max", rate.as_fast_as_possible)) {
         wanted.set_rate({!rate.as_fast_as_possible, rate.seconds_per_second}, context.commands);
     }
-    tooltip(context, rate.as_fast_as_possible ? "as fast as possible; click for the speed of the slider"
-                                              : "click to run as fast as possible");
+    tooltip(context, "as fast as possible");
 }
 
 void draw_precision(const Context& context) {
@@ -105,7 +108,7 @@ void draw_top_bar(const Context& context) {
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (context.layout.bar_has_title) draw_title(context);
-    const float left = context.layout.bar_has_title ? context.px(292) : context.px(12);
+    const float left = context.layout.bar_has_title ? context.px(312) : context.px(12);
     ImGui::SetCursorPos({left, std::round(0.5f * (bar.height - ImGui::GetFrameHeight()))});
     draw_transport(context);
     if (context.layout.bar_has_speed) draw_speed(context);

@@ -58,17 +58,33 @@ TEST(axis, empty_ranges_have_no_ticks) {
 }
 
 TEST(axis, ranges_end_at_round_numbers_and_hold_the_values) {
-    const Range range = round_range(-0.93, 2.1);
-    EXPECT_LE(range.low, -0.93);
-    EXPECT_GE(range.high, 2.1);
+    const Range range = round_range(-0.93, 2.1, 5);
     EXPECT_DOUBLE_EQ(range.low, -1);
     EXPECT_DOUBLE_EQ(range.high, 3);
-    EXPECT_LT(round_range(5, 5).low, 5);
-    EXPECT_GT(round_range(0, 0).high, 0);
+    EXPECT_LT(round_range(5, 5, 5).low, 5);
+    EXPECT_GT(round_range(0, 0, 5).high, 0);
     const Range decades = round_logarithmic_range(3e-8, 4e-8);
     EXPECT_DOUBLE_EQ(decades.low, 1e-8);
     EXPECT_DOUBLE_EQ(decades.high, 1e-7);
     EXPECT_GT(round_logarithmic_range(1e-3, 1e-3).high, 1e-3);
+}
+
+TEST(axis, ends_of_a_range_are_ticks) {
+    std::mt19937_64 random(2);
+    std::uniform_real_distribution<double> exponent(-8, 8), place(-3, 3);
+    for (int i = 0; i < 2000; ++i) {
+        const double width = std::pow(10.0, exponent(random));
+        const double low = place(random) * width;
+        const Range range = round_range(low, low + width, 4);
+        // Rounding of the ends themselves, relative to the numbers they are made from.
+        const double slack = 1e-8 * (width + std::abs(low));
+        ASSERT_LE(range.low, low + slack);
+        ASSERT_GE(range.high, low + width - slack);
+        const auto found = linear_ticks(range.low, range.high, 4);
+        ASSERT_GE(found.size(), 2u);
+        ASSERT_NEAR(found.front().value, range.low, slack);
+        ASSERT_NEAR(found.back().value, range.high, slack);
+    }
 }
 
 TEST(axis, pixels_and_values_are_inverse) {

@@ -30,9 +30,11 @@ TEST(format, readings_keep_their_width) {
     EXPECT_EQ(reading(1e-7), "1.00e-7");
 }
 
-TEST(format, errors_have_an_exponent) {
+TEST(format, errors_have_two_digits) {
     EXPECT_EQ(scientific(2.14e-7), "2.1e-7");
-    EXPECT_EQ(scientific(-0.31), "-3.1e-1");
+    EXPECT_EQ(scientific(-0.314), "-0.31");
+    EXPECT_EQ(scientific(4.44), "4.4");
+    EXPECT_EQ(scientific(123456), "1.2e5");
     EXPECT_EQ(scientific(0), "0");
 }
 

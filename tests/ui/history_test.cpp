@@ -41,6 +41,15 @@ TEST(history, a_step_back_drops_what_came_after) {
     EXPECT_DOUBLE_EQ(history.whole().back().time, 0.4);
 }
 
+TEST(history, what_was_taken_back_counts_no_longer_as_reached) {
+    History history;
+    history.record(moment(1, {1, 0, 0}));
+    history.record(moment(2, {1e100, 0, 0}));
+    EXPECT_EQ(history.largest_displacement(), 1e100);
+    history.record(moment(1, {1, 0, 0}));
+    EXPECT_EQ(history.largest_displacement(), 1);
+}
+
 TEST(history, a_new_run_begins_anew) {
     History history;
     history.record(moment(7, {5, 0, 0}, 0));
