@@ -16,6 +16,12 @@ struct Arm {
     Rgb colour;
 };
 
+constexpr double cross_reach = 30;  // pixels at scale 1
+
+PixelPoint cross_centre(PictureSize size, double pixel_scale) {
+    return {56 * pixel_scale, size.height - 52 * pixel_scale};
+}
+
 /// Ticks of the scale: the ends and what lies evenly between.
 std::vector<double> legend_values(const ColourScale& scale) {
     if (scale.minimum < 0) return {scale.minimum, scale.minimum / 2, 0, scale.maximum / 2, scale.maximum};
@@ -33,9 +39,13 @@ void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, con
     }
 }
 
+void mark_cross(Occupancy& taken, PictureSize size, double pixel_scale) {
+    taken.mark(cross_centre(size, pixel_scale), (cross_reach + 14) * pixel_scale);
+}
+
 void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& palette, double pixel_scale) {
-    const double reach = 30 * pixel_scale;
-    const PixelPoint centre{56 * pixel_scale, projection.size().height - 52 * pixel_scale};
+    const double reach = cross_reach * pixel_scale;
+    const PixelPoint centre = cross_centre(projection.size(), pixel_scale);
     std::array<Arm, 3> arms{
         {{{1, 0, 0}, "x", palette.axes[0]}, {{0, 1, 0}, "y", palette.axes[1]}, {{0, 0, 1}, "z", palette.axes[2]}}};
     // The arm that points away is drawn first.

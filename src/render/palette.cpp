@@ -13,17 +13,21 @@ constexpr Palette dark{.top = rgb(0x161b22),
                        .roles = {rgb(0x4c9bf5), rgb(0x828c99), rgb(0xf5b83d), rgb(0xf0645a)},
                        .axes = {rgb(0xe8736c), rgb(0x5fbf77), rgb(0x5c9ce6)},
                        .compressed = rgb(0x3d8bff),
-                       .stretched = rgb(0xff9a3d)};
+                       .stretched = rgb(0xff9a3d),
+                       .sky = 0.48,
+                       .earth = 0.26};
 constexpr Palette light{.top = rgb(0xffffff),
                         .bottom = rgb(0xe9edf2),
                         .grid = rgb(0x5a6675),
                         .text = rgb(0x475261),
-                        .spring = rgb(0x8a94a1),
+                        .spring = rgb(0x98a2af),
                         .selection = rgb(0x10151c),
                         .roles = {rgb(0x2f7fe0), rgb(0x8c96a3), rgb(0xe8a413), rgb(0xe0483e)},
                         .axes = {rgb(0xc9453d), rgb(0x2e8f4a), rgb(0x2f6fc4)},
                         .compressed = rgb(0x1464dc),
-                        .stretched = rgb(0xe06a00)};
+                        .stretched = rgb(0xe06a00),
+                        .sky = 0.62,
+                        .earth = 0.42};
 
 }  // namespace
 

@@ -30,6 +30,7 @@ struct Palette {
     std::array<Rgb, 4> roles;   ///< by Role
     std::array<Rgb, 3> axes;    ///< x, y, z of the small cross
     Rgb compressed, stretched;  ///< ends of the scale of strain; its middle is `spring`
+    double sky, earth;          ///< light from above and below that reaches every surface, 0 .. 1
 };
 
 const Palette& palette(Background background);

@@ -93,6 +93,7 @@ void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& c
     const AxesBox box = axes_box(frame);
     const Axes axes = style.grid ? axes_of(box, projection, style.pixel_scale) : Axes{};
     Occupancy taken(tile.whole);
+    mark_cross(taken, tile.whole, style.pixel_scale);
     body_->particles.prepare(frame, style, particle_colours(frame, style, scale), projection, taken);
     if (style.springs) body_->springs.prepare(frame, spring_colours(frame, style, scale), projection);
     const ViewUniforms view(projection, drawn_bounds(frame, box, style.grid), tile, target, palette(style.background));

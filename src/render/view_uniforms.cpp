@@ -56,6 +56,8 @@ ViewUniforms::ViewUniforms(const Projection& projection, const Bounds& scene, co
     : projection_(projection),
       clip_(clip_matrix(projection, depth_range(projection, scene), tile, target.size())),
       backdrop_(0.5f * (as_vec3(palette.top) + as_vec3(palette.bottom))),
+      sky_(static_cast<float>(palette.sky)),
+      earth_(static_cast<float>(palette.earth)),
       samples_(target.sample_places().begin(), target.sample_places().end()) {}
 
 glm::vec3 vertex(const Projection& projection, Vec3 point) {
@@ -78,6 +80,8 @@ void ViewUniforms::apply(const ShaderProgram& program) const {
     program.set("u_samples", std::span<const glm::vec2>(samples_));
     program.set("u_sample_count", static_cast<int>(samples_.size()));
     program.set("u_backdrop", backdrop_);
+    program.set("u_sky", sky_);
+    program.set("u_earth", earth_);
 }
 
 }  // namespace steplab::render

@@ -32,6 +32,7 @@ private:
     Projection projection_;
     glm::mat4 clip_;
     glm::vec3 backdrop_;
+    float sky_, earth_;
     std::vector<glm::vec2> samples_;
 };
 
