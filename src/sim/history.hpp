@@ -25,6 +25,8 @@ public:
     void go_back(Simulation& simulation, std::uint64_t step);
 
     void clear();
+    /// Memory that the kept states take.
+    std::size_t bytes() const { return used_; }
 
 private:
     void thin_out();

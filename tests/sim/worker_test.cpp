@@ -1,0 +1,156 @@
+#include "sim/worker.hpp"
+
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <utility>
+
+namespace steplab::test {
+namespace {
+
+/// Told by the worker when there is a new view: tests wait for what they expect to see, not for time to pass.
+std::mutex mutex;
+std::condition_variable news;
+bool something_new = false;
+
+void wake() {
+    {
+        const std::lock_guard lock(mutex);
+        something_new = true;
+    }
+    news.notify_one();
+}
+
+class WorkerTest : public testing::Test {
+protected:
+    explicit WorkerTest(const RunDescription& description = run_of("chain", "rk4", Precision::double_, 0.1))
+        : worker(description) {
+        worker.on_view(wake);
+        worker.take(view);
+    }
+
+    /// Takes views until one fulfils the condition; the bound is for a broken worker only.
+    template <class Condition>
+    bool see(Condition condition) {
+        while (true) {
+            while (worker.take(view)) {
+                if (condition(view)) return true;
+            }
+            std::unique_lock lock(mutex);
+            if (!news.wait_for(lock, std::chrono::seconds(60), [] { return std::exchange(something_new, false); }))
+                return false;
+        }
+    }
+
+    Worker worker;
+    RunView view;
+};
+
+TEST_F(WorkerTest, shows_the_start_at_once) {
+    EXPECT_EQ(view.frame.step, 0u);
+    EXPECT_EQ(view.frame.positions.size(), 10u);
+    EXPECT_FALSE(view.playing);
+    EXPECT_FALSE(view.can_step_back);
+    EXPECT_TRUE(view.has_exact);
+    ASSERT_TRUE(view.limit);
+    EXPECT_NEAR(view.limit->limit, 1.43377, 5e-6);
+    EXPECT_FALSE(worker.take(view)) << "each view is taken once";
+}
+
+TEST_F(WorkerTest, steps_on_and_back) {
+    worker.step_forward();
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2; }));
+    EXPECT_TRUE(view.can_step_back);
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 2).positions);
+    worker.step_back();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 1).positions);
+    worker.step_back();
+    worker.step_back();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0; }));
+    EXPECT_FALSE(view.can_step_back);
+}
+
+TEST_F(WorkerTest, plays_until_it_is_paused) {
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.playing && v.frame.step > 1000; }));
+    worker.play(false);
+    ASSERT_TRUE(see([](const RunView& v) { return !v.playing; }));
+    EXPECT_GT(*view.steps_per_second, 0);
+    EXPECT_GT(*view.evaluations_per_second, *view.steps_per_second);
+    const Frame paused = view.frame;
+    EXPECT_EQ(paused.positions, frame_after(view.description, paused.step).positions)
+        << "the same bits as without a window";
+}
+
+TEST_F(WorkerTest, goes_on_with_another_method_and_restarts_with_another_model) {
+    worker.step_forward();
+    worker.change(with_method(view.description, "verlet"));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "verlet" && v.frame.step == 1; }));
+    const std::uint64_t run = view.run;
+    worker.change(with_model(view.description, "rope"));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.model == "rope"; }));
+    EXPECT_EQ(view.frame.step, 0u);
+    EXPECT_GT(view.run, run);
+}
+
+TEST_F(WorkerTest, refuses_with_a_message_and_goes_on) {
+    RunDescription wrong = view.description;
+    wrong.dt = -1;
+    worker.change(wrong);
+    ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
+    EXPECT_THAT(view.error, testing::HasSubstr("dt must be"));
+    EXPECT_EQ(view.description.dt, 0.1);
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+    EXPECT_EQ(view.error, "");
+}
+
+TEST_F(WorkerTest, stops_where_the_run_diverges) {
+    RunDescription large = view.description;
+    large.dt = 2;
+    worker.change(large);
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.divergence.has_value(); }));
+    EXPECT_FALSE(view.playing);
+    EXPECT_EQ(view.divergence->step, view.frame.step);
+    for (const Vec3& p : view.frame.positions) EXPECT_TRUE(std::isfinite(p.x));
+    worker.restart();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0; }));
+    EXPECT_FALSE(view.divergence);
+}
+
+TEST_F(WorkerTest, tracks_a_particle_with_its_exact_solution) {
+    worker.track(9);
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1 && v.tracked; }));
+    EXPECT_EQ(view.tracked->particle, 9u);
+    ASSERT_TRUE(view.tracked->exact_displacement);
+    EXPECT_NEAR(view.tracked->displacement.x, view.tracked->exact_displacement->x, 1e-6);  // rk4's error of one step
+    worker.track(1000);
+    ASSERT_TRUE(see([](const RunView& v) { return !v.tracked; })) << "no such particle";
+}
+
+TEST_F(WorkerTest, pulls_a_particle) {
+    worker.pull(5, {10, 1, 0});
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.positions[5] == Vec3{10, 1, 0}; }));
+    EXPECT_FALSE(view.has_exact);
+}
+
+TEST_F(WorkerTest, stops_while_playing) {
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.playing; }));
+}
+
+}  // namespace
+}  // namespace steplab::test
