@@ -6,6 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
 
+readonly diverged=4 # the exit code of a run that blew up; its last good moment is drawn
 images=$root/docs/images
 
 # picture NAME [arguments of steplab snapshot]
@@ -13,15 +14,18 @@ picture() {
     local name=$1
     shift
     say "docs/images/$name.png: steplab snapshot $*"
-    "$root/build/release/bin/steplab" snapshot "$@" --out "$images/$name.png"
+    "$root/build/release/bin/steplab" snapshot "$@" --out "$images/$name.png" || (($? == diverged))
 }
 
 build release --target programs
 mkdir -p "$images"
-picture window --model mesh --set dim=17 --steps 123 --ui on --size 1280x800
-picture free --model free --steps 40 --size 800x500
+picture window --model mesh --set dim=17 --set v0=7 --steps 158 --colour displacement --ui on --size 1280x800 \
+    --view 25,22,54,16,0,-16
+picture free --model free --steps 40 --colour speed --size 800x500
 picture oscillator --model oscillator --steps 10 --size 800x500
-picture chain --model chain --steps 120 --size 800x500
-picture mesh --model mesh --set dim=24 --steps 150 --size 800x500
-picture rope --model rope --steps 12 --size 800x500
-picture morse --model morse --set v0=2 --dt 0.02 --steps 450 --size 800x500
+picture chain --model chain --set n=16 --set v0=1.9 --steps 100 --colour speed --size 800x500
+picture mesh --model mesh --set dim=30 --set v0=8 --steps 130 --colour displacement --size 800x500 --view 30,25,98,29,0,-27
+picture rope --model rope --steps 9 --colour strain --size 800x500
+picture morse --model morse --set edge=4 --set v0=2 --dt 0.01 --steps 480 --colour speed --size 800x500 \
+    --view 30,20,8,0.7,0.9,0.7
+picture diverged --model mesh --set dim=13 --method verlet --dt 0.74 --steps 1000 --ui on --size 1280x800
