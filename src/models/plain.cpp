@@ -8,7 +8,7 @@ namespace steplab {
 
 template <class T>
 Plain<T>::Plain(const Forces& forces) {
-    std::visit([this](const auto& layout) { add(layout); }, forces);
+    std::visit([this](const auto& layout) { this->add(layout); }, forces);
 }
 
 template <class T>

@@ -56,9 +56,9 @@ std::size_t wildest_particle(const State<double>& state) {
     return wildest;
 }
 
-void explain(Divergence& divergence, const RunDescription& held) {
+void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit) {
     divergence.dt = held.dt;
-    if (const auto limit = stability_limit(held); limit && std::isfinite(limit->limit)) divergence.limit = limit->limit;
+    if (limit && std::isfinite(limit->limit)) divergence.limit = limit->limit;
     divergence.message = fmt::format(
         "The run diverged: step {} (t = {:.6g}) was the last good one, then particle {} was thrown off; {}.",
         divergence.step, divergence.time, divergence.particle, reason(divergence, held));

@@ -14,6 +14,6 @@ bool energy_is_possible(const Energy& now, const Energy& start, double floor);
 std::size_t wildest_particle(const State<double>& state);
 
 /// Fills in dt, limit, message and remedy.
-void explain(Divergence& divergence, const RunDescription& held);
+void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit);
 
 }  // namespace steplab

@@ -3,10 +3,12 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/linear_limit.hpp"
 #include "sim/memory.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -103,11 +105,15 @@ std::string command_line(const RunDescription& description) {
 }
 
 std::optional<StabilityLimit> stability_limit(const RunDescription& description) {
-    const auto omega = model(description.model).omega_max(description.scene);
+    const Model& scene = model(description.model);
+    const auto omega = scene.omega_max(description.scene);
     if (!omega) return std::nullopt;
-    const double phase = linear_limit(method(description.method).info, description.method_parameters);
-    if (*omega == 0) return StabilityLimit{infinity, 0};
-    return StabilityLimit{phase / *omega, *omega};
+    const bool damped = description.scene.contains("c") && description.scene["c"] > 0;
+    const double gamma = damped ? description.scene["c"] / description.scene["m"] : 0;
+    const auto limit = [&](double frequency) {
+        return linear_limit(method(description.method), description.method_parameters, frequency, gamma);
+    };
+    return StabilityLimit{std::min(limit(*omega), limit(0)), *omega};
 }
 
 std::uint64_t steps_until(double duration, double dt) {

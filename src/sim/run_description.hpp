@@ -40,8 +40,9 @@ void check(const RunDescription& description);
 /// the command line gives the same description back.
 std::string command_line(const RunDescription& description);
 
-/// The largest stable dt of the method on this scene as its linear theory gives it, with the reason in numbers.
-/// limit: infinity = stable at any dt; 0 = unstable at any dt. Nothing if the scene's omega_max is not known.
+/// The largest stable dt of the method on this scene as linear theory gives it, drag included: that of the fastest mode
+/// and of motion without any spring. limit: infinity = stable at any dt; 0 = unstable at any dt. Nothing if the scene's
+/// omega_max is not known. With drag it takes some milliseconds.
 struct StabilityLimit {
     double limit = 0;
     double omega_max = 0;

@@ -20,7 +20,7 @@ void look(const Simulation& simulation, std::optional<std::size_t> particle, Run
     view.tracked.reset();
     if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
     view.divergence = simulation.divergence();
-    view.limit = stability_limit(simulation.description());
+    view.limit = simulation.limit();
     view.has_exact = simulation.has_exact();
     view.segment_start = simulation.segment_start();
     view.baseline_step = simulation.baseline_step();

@@ -34,4 +34,10 @@ void Segment::start(const State<double>& state) {
     stepper = method(held.method).make({scene, state, held.method_parameters, held.precision, held.dt});
 }
 
+const std::optional<StabilityLimit>& Segment::limit() const {
+    if (!limit_known_) limit_ = stability_limit(held);
+    limit_known_ = true;
+    return limit_;
+}
+
 }  // namespace steplab

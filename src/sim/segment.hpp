@@ -5,6 +5,7 @@
 #include "sim/run_description.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace steplab {
 
@@ -21,8 +22,14 @@ struct Segment {
     /// Begins at a synchronised state.
     Segment(const RunDescription& description, const State<double>& state);
 
+    /// stability_limit() of the held description; computed when first asked for.
+    const std::optional<StabilityLimit>& limit() const;
+
 private:
     void start(const State<double>& state);
+
+    mutable bool limit_known_ = false;
+    mutable std::optional<StabilityLimit> limit_;
 };
 
 }  // namespace steplab

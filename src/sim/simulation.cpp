@@ -175,7 +175,7 @@ void Simulation::Body::go_back_to_last_good() {
 void Simulation::Body::diverged() {
     divergence->step = step;
     divergence->time = time_at(step);
-    explain(*divergence, segment.held);
+    explain(*divergence, segment.held, segment.limit());
     keep();
 }
 
@@ -212,6 +212,7 @@ std::uint64_t Simulation::segment() const { return body_->segment_number; }
 double Simulation::segment_start() const { return body_->segment_time; }
 std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
 bool Simulation::has_exact() const { return body_->exact != nullptr; }
+const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
 const std::optional<Divergence>& Simulation::divergence() const { return body_->divergence; }
 
 std::uint64_t Simulation::evaluations() const {

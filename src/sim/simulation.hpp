@@ -54,6 +54,8 @@ public:
     /// Steps from one check of the energy to the next, counted from the start of the segment.
     std::uint64_t check_interval() const;
     const std::optional<Divergence>& divergence() const;
+    /// stability_limit() of the present description, computed once.
+    const std::optional<StabilityLimit>& limit() const;
 
     /// The moment as seen from outside; looking never changes the run. The second form reuses the vectors of `out`.
     Frame frame() const;

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -140,6 +141,37 @@ TEST(StabilityLimit, is_the_methods_limit_over_the_scenes_frequency) {
     EXPECT_EQ(stability_limit(describe("oscillator", "midpoint"))->limit, 0);
     EXPECT_EQ(stability_limit(describe("free", "midpoint"))->limit, infinity);
     EXPECT_FALSE(stability_limit(describe("morse", "rk4")).has_value());
+}
+
+// Semi-implicit Euler with drag in the explicit force: 2 (sqrt(1 + zeta^2) - zeta) / omega, zeta = gamma / (2 omega).
+TEST(StabilityLimit, of_euler_falls_with_drag_as_its_formula_says) {
+    for (const double c : {0.1, 1.0, 5.0}) {
+        const double zeta = c / 2;
+        const auto limit = stability_limit(run_of("oscillator", "euler", Precision::double_, 0.1, {{"c", c}}));
+        EXPECT_NEAR(limit->limit, 2 * (std::sqrt(1 + zeta * zeta) - zeta), 1e-9) << c;  // the bisection's last interval
+    }
+}
+
+TEST(StabilityLimit, of_strong_drag_is_that_of_decay_alone) {
+    // rk4 on v' = -gamma v is stable up to gamma dt = 2.785293563 (Hairer, Wanner II, IV.2)
+    const auto limit = stability_limit(run_of("oscillator", "rk4", Precision::double_, 0.1, {{"c", 1e4}, {"k", 1e-4}}));
+    EXPECT_NEAR(limit->limit * 1e4, 2.785293563, 1e-6);
+}
+
+// Just below it a damped oscillator comes to rest, just above it blows up: the limit is the run's own.
+TEST(StabilityLimit, with_drag_is_where_runs_blow_up) {
+    for (const MethodCase& c : working_methods()) {
+        const Settings settings{{"c", 0.5}};
+        const double limit = stability_limit(run_of("oscillator", c.id(), Precision::double_, 0.1, settings))->limit;
+        ASSERT_GT(limit, 0) << c;
+        if (limit == infinity) continue;
+        Simulation below(run_of("oscillator", c.id(), c.precision, 0.99 * limit, settings));
+        Simulation above(run_of("oscillator", c.id(), c.precision, 1.01 * limit, settings));
+        below.advance(20000);
+        above.advance(20000);
+        EXPECT_LT(below.diagnostics().energy, 0.01) << c;
+        EXPECT_TRUE(above.divergence()) << c;
+    }
 }
 
 TEST(Catalogue, entries_are_complete) {
