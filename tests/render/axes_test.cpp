@@ -1,0 +1,60 @@
+#include "render/axes.hpp"
+
+#include "render/occupancy.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace steplab::render {
+namespace {
+
+const AxesBox box{{{0, -1, -18}, {18, 3, 0}}, 2};
+const PictureSize size{1280, 720};
+
+bool has_label(const Axes& axes, const std::string& text) {
+    return std::any_of(axes.labels.begin(), axes.labels.end(), [&](const AxisLabel& l) { return l.text == text; });
+}
+
+Axes seen_from(double yaw, double pitch) { return axes_of(box, Projection({{9, 1, -9}, 60, yaw, pitch}, size), 1); }
+
+TEST(Axes, have_titles_with_units_and_numbers) {
+    const Axes axes = seen_from(30, 30);
+    for (const char* text : {"x [m]", "y [m]", "z [m]", "0", "10"}) EXPECT_TRUE(has_label(axes, text)) << text;
+}
+
+TEST(Axes, the_one_seen_from_its_end_is_left_out) {
+    EXPECT_FALSE(has_label(seen_from(0, 0), "z [m]"));
+    EXPECT_FALSE(has_label(seen_from(90, 0), "x [m]"));
+    EXPECT_FALSE(has_label(seen_from(30, 90), "y [m]"));
+}
+
+TEST(Axes, lie_on_the_side_that_faces_the_eye) {
+    const auto z_of_x_axis = [](const Axes& axes) { return axes.lines.front().start.z; };
+    EXPECT_EQ(z_of_x_axis(seen_from(20, 30)), box.bounds.high.z);
+    EXPECT_EQ(z_of_x_axis(seen_from(160, 30)), box.bounds.low.z);
+}
+
+TEST(Axes, numbers_keep_their_distance) {
+    // Seen from four times as far, there is room for fewer numbers.
+    const auto far = axes_of(box, Projection({{9, 1, -9}, 240, 30, 30}, size), 1);
+    EXPECT_LT(far.labels.size(), seen_from(30, 30).labels.size());
+}
+
+TEST(Axes, behind_the_eye_there_are_none) {
+    EXPECT_TRUE(axes_of(box, Projection({{9, 1, 500}, 60, 0, 0}, size), 1).labels.empty());
+}
+
+TEST(Occupancy, tells_how_much_of_a_rectangle_is_taken) {
+    Occupancy taken({320, 160});
+    EXPECT_EQ(taken.taken({0, 0}, {319, 159}), 0);
+    taken.mark({100, 80}, 10);
+    EXPECT_EQ(taken.taken({95, 75}, {105, 85}), 1);
+    EXPECT_EQ(taken.taken({200, 75}, {220, 85}), 0);
+    const double part = taken.taken({100, 75}, {180, 85});
+    EXPECT_GT(part, 0);
+    EXPECT_LT(part, 1);
+}
+
+}  // namespace
+}  // namespace steplab::render

@@ -1,0 +1,80 @@
+#include "render/bounds.hpp"
+
+#include "render/ticks.hpp"
+#include "scenes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+namespace steplab::render {
+namespace {
+
+using testing::DoubleEq;
+using testing::ElementsAre;
+
+TEST(Ticks, round_numbers_are_1_2_5) {
+    EXPECT_DOUBLE_EQ(round_number_from(0.7), 1);
+    EXPECT_DOUBLE_EQ(round_number_from(1.01), 2);
+    EXPECT_DOUBLE_EQ(round_number_from(4), 5);
+    EXPECT_DOUBLE_EQ(round_number_from(60), 100);
+    EXPECT_DOUBLE_EQ(round_number_from(0.003), 0.005);
+}
+
+TEST(Ticks, ends_belong_to_them) {
+    EXPECT_THAT(ticks(-1, 2, 1), ElementsAre(-1, 0, 1, 2));
+    // Ten times 0.1 is not 1 in double; the tick is there nevertheless.
+    EXPECT_EQ(ticks(0, 0.1 + 0.2, 0.1).size(), 4u);
+}
+
+TEST(Ticks, are_none_where_numbers_lie_farther_apart_than_the_step) {
+    EXPECT_TRUE(ticks(1e20, 1e20 + 1e5, 1).empty());
+    EXPECT_TRUE(ticks(0, 1, 1e-9).empty());
+}
+
+TEST(Ticks, are_written_with_the_decimals_of_their_step) {
+    EXPECT_EQ(tick_text(0.30000000000000004, 0.1, 1), "0.3");
+    EXPECT_EQ(tick_text(-2, 0.5, 3), "-2.0");
+    EXPECT_EQ(tick_text(20, 5, 30), "20");
+    EXPECT_EQ(tick_text(1e-20, 0.5, 1), "0");
+    EXPECT_EQ(tick_text(1'200'000, 200'000, 2e6), "1.2e6");
+    EXPECT_EQ(tick_text(-3e-7, 1e-7, 1e-6), "-3e-7");
+}
+
+TEST(AxesBox, holds_rest_and_expected_places) {
+    Frame frame = test::particles_at({{0, 0, 0}, {10, 0, 0}});
+    auto shape = std::make_shared<Shape>(*frame.shape);
+    shape->expected = {{5, -4, 0}};
+    frame.shape = shape;
+    const AxesBox box = axes_box(frame);
+    EXPECT_LE(box.bounds.low.y, -4);
+    EXPECT_GE(box.bounds.high.x, 10);
+}
+
+TEST(AxesBox, stands_still_while_the_scene_moves_in_it) {
+    Frame frame = test::particles_at({{0, 0, 0}, {10, 0, 0}});
+    const AxesBox before = axes_box(frame);
+    frame.positions[1].y = 0.5;
+    EXPECT_EQ(axes_box(frame).bounds, before.bounds);
+}
+
+TEST(AxesBox, grows_by_whole_steps) {
+    Frame frame = test::particles_at({{0, 0, 0}, {10, 0, 0}});
+    const AxesBox before = axes_box(frame);
+    frame.positions[1].x = 12.3;
+    const AxesBox after = axes_box(frame);
+    EXPECT_GE(after.bounds.high.x, 12.3);
+    const double steps = (after.bounds.high.x - before.bounds.high.x) / after.step;
+    EXPECT_NEAR(steps, std::round(steps), 1e-12);
+}
+
+TEST(Bounds, pass_over_what_cannot_be_drawn) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Vec3> points{{nan, 0, 0}, {1, 1, 1}, {2, 0, 1}, {0, 1e300, 0}};
+    EXPECT_EQ(bounds_of(points), (Bounds{{1, 0, 1}, {2, 1, 1}}));
+    EXPECT_EQ(bounds_of(std::span(points).first(1)), Bounds{});
+}
+
+}  // namespace
+}  // namespace steplab::render

@@ -1,0 +1,103 @@
+#include "render/colouring.hpp"
+
+#include "scenes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplab::render {
+namespace {
+
+/// Relative luminance after ITU-R BT.709, of colours as they are shown.
+double lightness(Rgb c) { return 0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue; }
+
+Style coloured_by(Colouring colouring) {
+    Style style;
+    style.colouring = colouring;
+    return style;
+}
+
+TEST(Viridis, goes_from_dark_blue_to_yellow) {
+    EXPECT_EQ(viridis(0), rgb(0x440154));
+    EXPECT_EQ(viridis(1), rgb(0xfde725));
+    EXPECT_EQ(viridis(-3), viridis(0));
+    EXPECT_EQ(viridis(7), viridis(1));
+}
+
+TEST(Viridis, grows_in_lightness_all_the_way) {
+    for (int i = 0; i < 100; ++i) EXPECT_LT(lightness(viridis(i / 100.0)), lightness(viridis((i + 1) / 100.0)));
+}
+
+TEST(ColourScale, ends_a_little_above_the_largest_value) {
+    Frame frame = test::particles_at({{0, 0, 0}, {1, 0, 0}});
+    frame.velocities[1] = {0, 2.2, 0};
+    const auto scale = colour_scale(frame, coloured_by(Colouring::speed));
+    ASSERT_TRUE(scale);
+    EXPECT_DOUBLE_EQ(scale->minimum, 0);
+    EXPECT_DOUBLE_EQ(scale->maximum, 2.5);
+}
+
+TEST(ColourScale, can_be_given) {
+    Style style = coloured_by(Colouring::speed);
+    style.scale_maximum = 7;
+    EXPECT_EQ(colour_scale(test::particles_at({{0, 0, 0}}), style)->maximum, 7);
+}
+
+TEST(ColourScale, there_is_none_of_roles) {
+    EXPECT_FALSE(colour_scale(test::particles_at({{0, 0, 0}}), coloured_by(Colouring::role)));
+}
+
+TEST(ColourScale, of_strain_tells_pressed_from_pulled) {
+    Frame frame = test::string_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+    frame.positions[1] = {1.2, 0, 0};  // first spring stretched, second pressed
+    const Style style = coloured_by(Colouring::strain);
+    const auto scale = colour_scale(frame, style);
+    EXPECT_DOUBLE_EQ(scale->minimum, -scale->maximum);
+    const auto colours = spring_colours(frame, style, scale);
+    EXPECT_GT(colours[0].red, colours[0].blue);
+    EXPECT_GT(colours[1].blue, colours[1].red);
+}
+
+TEST(ParticleColours, fixed_ones_stay_grey_whatever_is_shown) {
+    Frame frame = test::particles_at({{0, 0, 0}, {1, 0, 0}}, {Role::fixed, Role::moving});
+    frame.velocities[1] = {1, 0, 0};
+    for (const Colouring colouring :
+         {Colouring::role, Colouring::speed, Colouring::kinetic_energy, Colouring::displacement, Colouring::strain}) {
+        const Style style = coloured_by(colouring);
+        const Rgb colour = particle_colours(frame, style, colour_scale(frame, style))[0];
+        EXPECT_EQ(colour, palette(Background::dark).roles[static_cast<std::size_t>(Role::fixed)]);
+    }
+}
+
+TEST(ParticleColours, follow_the_value) {
+    Frame frame = test::particles_at({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+    frame.velocities[1] = {0, 1, 0};
+    frame.positions[2] = {2, 1, 0};
+    Style style = coloured_by(Colouring::speed);
+    auto colours = particle_colours(frame, style, colour_scale(frame, style));
+    EXPECT_EQ(colours[0], viridis(0));
+    EXPECT_EQ(colours[1], viridis(1));
+    style = coloured_by(Colouring::displacement);
+    colours = particle_colours(frame, style, colour_scale(frame, style));
+    EXPECT_EQ(colours[1], viridis(0));
+    EXPECT_EQ(colours[2], viridis(1));
+}
+
+TEST(ParticleColours, kinetic_energy_takes_the_mass) {
+    Frame frame = test::particles_at({{0, 0, 0}});
+    frame.velocities[0] = {2, 0, 0};
+    Style style = coloured_by(Colouring::kinetic_energy);
+    style.mass = 3;
+    EXPECT_DOUBLE_EQ(colour_scale(frame, style)->maximum, 6);
+}
+
+TEST(Palettes, roles_are_told_apart) {
+    for (const Background background : {Background::dark, Background::light}) {
+        const auto& roles = palette(background).roles;
+        for (std::size_t a = 0; a < roles.size(); ++a) {
+            for (std::size_t b = 0; b < a; ++b) EXPECT_NE(roles[a], roles[b]);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace steplab::render

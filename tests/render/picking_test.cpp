@@ -1,0 +1,43 @@
+#include "render/picking.hpp"
+
+#include "scenes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace steplab::render {
+namespace {
+
+const PictureSize size{800, 600};
+const Projection projection({{0, 0, 0}, 10, 0, 0}, size);
+
+TEST(Picking, finds_the_particle_under_the_pixel) {
+    const Frame frame = test::particles_at({{-1, 0, 0}, {1, 0, 0}});
+    EXPECT_EQ(particle_at(frame, projection, *projection.pixel({1, 0.1, 0})), 1u);
+    EXPECT_EQ(particle_at(frame, projection, *projection.pixel({-1, 0, 0})), 0u);
+}
+
+TEST(Picking, takes_the_nearest_to_the_eye) {
+    const Frame frame = test::particles_at({{0, 0, 0}, {0, 0, 2}, {0, 0, -2}});
+    EXPECT_EQ(particle_at(frame, projection, {400, 300}), 1u);
+}
+
+TEST(Picking, finds_nothing_where_nothing_is) {
+    const Frame frame = test::particles_at({{-1, 0, 0}, {1, 0, 0}});
+    EXPECT_FALSE(particle_at(frame, projection, {400, 300}));
+}
+
+TEST(Picking, a_far_particle_is_hit_within_reach) {
+    const Frame frame = test::particles_at({{0, 0, -1000}});
+    EXPECT_EQ(particle_at(frame, projection, {405, 300}, 6), 0u);
+    EXPECT_FALSE(particle_at(frame, projection, {405, 300}, 4));
+}
+
+TEST(Picking, passes_over_what_is_behind_the_eye_or_not_finite) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(particle_at(test::particles_at({{0, 0, 20}, {nan, nan, nan}}), projection, {400, 300}));
+}
+
+}  // namespace
+}  // namespace steplab::render

@@ -1,0 +1,154 @@
+#include "app/program.hpp"
+#include "io/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+namespace steplab {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// `steplab snapshot` from outside, in an empty working folder.
+class Snapshot : public testing::Test {
+protected:
+    Outcome snapshot(std::vector<std::string> arguments, std::vector<std::string> environment = {}) const {
+        arguments.insert(arguments.begin(), "snapshot");
+        return run_program(arguments, {.folder = folder_.path(), .environment = std::move(environment)});
+    }
+    std::string bytes(const std::string& name) const { return text_of(folder_.file(name)); }
+    bool nothing_written() const { return folder_.empty(); }
+    std::string file(const std::string& name) const { return folder_.file(name); }
+
+private:
+    TemporaryFolder folder_;
+};
+
+unsigned big_endian(const std::string& bytes, std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+    return value;
+}
+
+TEST_F(Snapshot, writes_a_png_of_the_size_asked_for) {
+    const Outcome outcome = snapshot({"--out", "a.png", "--size", "200x100"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::string png = bytes("a.png");
+    EXPECT_THAT(png, StartsWith("\x89PNG"));
+    EXPECT_EQ(big_endian(png, 16), 200u);
+    EXPECT_EQ(big_endian(png, 20), 100u);
+    EXPECT_THAT(outcome.out, HasSubstr("a.png"));
+}
+
+TEST_F(Snapshot, is_1280_by_720_if_nothing_is_said) {
+    ASSERT_EQ(snapshot({"--out", "a.png"}).code, 0);
+    EXPECT_EQ(big_endian(bytes("a.png"), 16), 1280u);
+    EXPECT_EQ(big_endian(bytes("a.png"), 20), 720u);
+}
+
+TEST_F(Snapshot, same_run_gives_the_same_bytes_with_the_panel_too) {
+    for (const char* panel : {"off", "on"}) {
+        const std::vector<std::string> common{"--steps", "20", "--ui", panel, "--size", "640x480", "--out"};
+        for (const char* name : {"a.png", "b.png"}) {
+            std::vector<std::string> arguments = common;
+            arguments.push_back(name);
+            ASSERT_EQ(snapshot(arguments).code, 0);
+        }
+        EXPECT_EQ(bytes("a.png"), bytes("b.png"));
+    }
+}
+
+TEST_F(Snapshot, another_moment_view_or_colouring_gives_another_picture) {
+    ASSERT_EQ(snapshot({"--size", "320x180", "--out", "a.png"}).code, 0);
+    const std::vector<std::vector<std::string>> others{
+        {"--steps", "20"},   {"--view", "top"},   {"--colour", "speed"},      {"--background", "light"},
+        {"--particle", "3"}, {"--model", "rope"}, {"--view", "1,2,30,4,5,6"}, {"--scale", "2"}};
+    for (std::vector<std::string> other : others) {
+        other.insert(other.end(), {"--size", "320x180", "--out", "b.png"});
+        ASSERT_EQ(snapshot(other).code, 0) << other[0];
+        EXPECT_NE(bytes("a.png"), bytes("b.png")) << other[0];
+    }
+}
+
+TEST_F(Snapshot, goes_to_standard_output_if_asked) {
+    const Outcome outcome = snapshot({"--size", "64x64", "--out", "-"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.out, StartsWith("\x89PNG"));
+    EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(Snapshot, wrong_values_are_wrong_usage_and_write_nothing) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"--size", "0x100"}, "8192"},    {{"--size", "8193x100"}, "8192"},
+        {{"--size", "100"}, "1280x720"},  {{"--size", "1e3x100"}, "1280x720"},
+        {{"--size", "-5x5"}, "1280x720"}, {{"--ui", "maybe"}, "on"},
+        {{"--gl", "glx"}, "osmesa"},      {{"--view", "left"}, "front"},
+        {{"--colour", "red"}, "speed"},   {{"--background", "pink"}, "light"},
+        {{"--particle", "100"}, "99"},    {{"--particle", "-1"}, "--particle"},
+        {{"--scale", "0"}, "0.5"},        {{"--steps", "-1"}, "--steps"},
+        {{"--model", "mash"}, "mesh"},    {{"--ui", "on", "--size", "399x300"}, "400x300"}};
+    for (auto [arguments, right] : cases) {
+        const std::string wrong = arguments[0] + " " + arguments[1];
+        arguments.insert(arguments.end(), {"--out", "a.png"});
+        const Outcome outcome = snapshot(arguments);
+        EXPECT_EQ(outcome.code, 2) << wrong;
+        EXPECT_THAT(outcome.err, HasSubstr(right)) << wrong;
+        EXPECT_TRUE(nothing_written()) << wrong;
+    }
+}
+
+TEST_F(Snapshot, needs_a_file_that_ends_in_png) {
+    EXPECT_EQ(snapshot({}).code, 2);
+    const Outcome outcome = snapshot({"--out", "a.jpg"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(".png"));
+    EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(Snapshot, missing_folder_is_a_file_error) {
+    const Outcome outcome = snapshot({"--out", "nowhere/a.png"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("nowhere"));
+}
+
+TEST_F(Snapshot, diverged_run_is_drawn_at_its_last_good_step) {
+    const Outcome outcome =
+        snapshot({"--model", "chain", "--method", "euler", "--dt", "2", "--steps", "2000", "--out", "a.png"});
+    EXPECT_EQ(outcome.code, 4);
+    EXPECT_THAT(bytes("a.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(Snapshot, missing_shaders_are_no_opengl_and_named) {
+    const Outcome outcome = snapshot({"--out", "a.png"}, {"STEPLAB_SHADERS=" + file("none")});
+    EXPECT_EQ(outcome.code, 5);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr(file("none")), HasSubstr(".vert")));
+    EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(Snapshot, missing_modules_are_no_opengl_and_named) {
+    // The program alone, as if its modules had not been installed.
+    const TemporaryFolder other;
+    std::filesystem::create_directory(other.file("bin"));
+    std::filesystem::copy_file(std::filesystem::path(STEPLAB_BINARY_DIR) / "bin/steplab", other.file("bin/steplab"));
+    const Outcome outcome =
+        run_program({"snapshot", "--out", "a.png"}, {.program = other.file("bin/steplab"), .folder = other.path()});
+    EXPECT_EQ(outcome.code, 5);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("osmesa"), HasSubstr("egl"), HasSubstr("libosmesa6")));
+    EXPECT_FALSE(std::filesystem::exists(other.file("a.png")));
+}
+
+TEST_F(Snapshot, draws_without_a_display) {
+    EXPECT_EQ(snapshot({"--size", "64x64", "--out", "a.png"}, {"DISPLAY=", "WAYLAND_DISPLAY="}).code, 0);
+}
+
+TEST_F(Snapshot, largest_size_is_drawn) {
+    const Outcome outcome = snapshot({"--model", "chain", "--size", "8192x256", "--out", "a.png"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(big_endian(bytes("a.png"), 16), 8192u);
+}
+
+}  // namespace
+}  // namespace steplab
