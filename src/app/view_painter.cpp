@@ -1,5 +1,6 @@
 #include "app/view_painter.hpp"
 
+#include "app/view_priority.hpp"
 #include "render/scene_renderer.hpp"
 
 #include <chrono>
@@ -12,21 +13,18 @@ using Clock = std::chrono::steady_clock;
 /// What belongs to the painter's context: the renderer and what is drawn into.
 class Painting {
 public:
-    std::uint32_t draw(const PaintJob& job, std::size_t which) {
-        auto& target = targets_[which];
-        if (!target || target->size() != job.size) target.emplace(job.size);
-        renderer_.draw(job.view->frame, job.style, job.camera, *target);
-        // The window's context may use the texture only once it is complete.
-        glFinish();
-        return target->texture();
+    std::vector<std::uint8_t> draw(const PaintJob& job) {
+        if (!target_ || target_->size() != job.size) target_.emplace(job.size);
+        renderer_.draw(job.view->frame, job.style, job.camera, *target_);
+        return target_->read();
     }
 
 private:
     render::SceneRenderer renderer_;
-    std::array<std::optional<render::RenderTarget>, 3> targets_;
+    std::optional<render::RenderTarget> target_;
 };
 
-ScenePainter::ScenePainter(const Window& window, void (*wake)()) : context_(window), wake_(wake) {
+ScenePainter::ScenePainter(void (*wake)()) : wake_(wake) {
     thread_ = std::thread([this] { work(); });
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return started_ || failure_; });
@@ -54,16 +52,17 @@ void ScenePainter::ask(const PaintJob& job) {
     changed_.notify_all();
 }
 
-std::optional<Painted> ScenePainter::take() {
+bool ScenePainter::take(Painted& picture) {
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
-    if (!fresh_) return std::nullopt;
+    if (!fresh_) return false;
+    std::swap(picture, ready_);
     fresh_ = false;
-    std::swap(shown_, ready_);
-    return pictures_[shown_];
+    return true;
 }
 
 void ScenePainter::work() {
+    give_way();
     context_.make_current();
     try {
         Painting painting;
@@ -86,8 +85,9 @@ void ScenePainter::work() {
 void ScenePainter::draw_jobs(Painting& painting) {
     while (const auto job = next_job()) {
         const auto begin = Clock::now();
-        pictures_[drawn_].texture = painting.draw(*job, drawn_);
-        finish(std::chrono::duration<double>(Clock::now() - begin).count());
+        Painted picture{painting.draw(*job), job->size, 0};
+        picture.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        finish(picture);
     }
 }
 
@@ -99,11 +99,10 @@ std::optional<PaintJob> ScenePainter::next_job() {
     return std::exchange(asked_, std::nullopt);
 }
 
-void ScenePainter::finish(double seconds) {
+void ScenePainter::finish(Painted& picture) {
     {
         const std::lock_guard lock(mutex_);
-        pictures_[drawn_].seconds = seconds;
-        std::swap(drawn_, ready_);
+        std::swap(ready_, picture);
         fresh_ = true;
     }
     wake_();

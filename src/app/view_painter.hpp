@@ -5,7 +5,6 @@
 #include "render/style.hpp"
 #include "sim/run_view.hpp"
 
-#include <array>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
@@ -13,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace steplab {
 
@@ -29,30 +29,31 @@ struct PaintJob {
 
 /// A picture that is done.
 struct Painted {
-    std::uint32_t texture = 0;  ///< valid until the next one is taken
-    double seconds = 0;         ///< it took
+    std::vector<std::uint8_t> bytes;  ///< rows from the top, 4 bytes a pixel
+    render::PictureSize size;
+    double seconds = 0;  ///< it took
 };
 
-/// Draws the scene on a thread of its own, so that a heavy picture never holds up the panels. Only the newest job
-/// counts; three pictures go round: one is shown, one is done, one is being drawn.
+/// Draws the scene on a thread and in an OpenGL context of its own, so that a heavy picture never holds up the panels.
+/// Only the newest job counts.
 class ScenePainter {
 public:
     /// `wake` is called from the painter's thread when a picture is done. Throws what the renderer throws.
-    ScenePainter(const Window& window, void (*wake)());
+    explicit ScenePainter(void (*wake)());
     ~ScenePainter();
 
     /// Asks for a picture, unless the last one asked for is the same.
     void ask(const PaintJob& job);
-    /// The newest picture, if there is one that was not taken yet. Throws what drawing it threw.
-    std::optional<Painted> take();
+    /// Swaps the newest picture into `picture` if there is one that was not taken yet. Throws what drawing it threw.
+    bool take(Painted& picture);
 
 private:
     void work();
     void draw_jobs(Painting& painting);
     std::optional<PaintJob> next_job();
-    void finish(double seconds);
+    void finish(Painted& picture);
 
-    SharedContext context_;
+    DrawingContext context_;
     void (*wake_)();
     std::mutex mutex_;
     std::condition_variable changed_;
@@ -62,8 +63,7 @@ private:
     bool fresh_ = false;
     bool started_ = false;
     std::exception_ptr failure_;
-    std::array<Painted, 3> pictures_;
-    std::size_t shown_ = 0, ready_ = 1, drawn_ = 2;
+    Painted ready_;
     std::thread thread_;
 };
 

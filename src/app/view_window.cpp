@@ -37,6 +37,8 @@ void hint_core_profile() {
 }  // namespace
 
 WindowSystem::WindowSystem() {
+    // Mesa's EGL tells everybody, on standard error, which of several ways to a driver did not work.
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (glfwInit() == GLFW_TRUE) return;
     throw GraphicsError(fmt::format("there is no display to open a window on ({}, {}; {})", setting("DISPLAY"),
                                     setting("WAYLAND_DISPLAY"), last_error()));
@@ -169,17 +171,21 @@ void Window::toggle_full_screen() {
 
 void Window::copy(const std::string& text) { glfwSetClipboardString(handle(), text.c_str()); }
 
-SharedContext::SharedContext(const Window& window) {
-    hint_core_profile();
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    window_ = glfwCreateWindow(16, 16, "steplab drawing", nullptr, window.handle());
-    if (!window_) throw GraphicsError(fmt::format("no second OpenGL context can be had ({})", last_error()));
+DrawingContext::DrawingContext() : window_(nullptr) {
+    for (const int way : {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API}) {
+        hint_core_profile();
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        glfwWindowHint(GLFW_CONTEXT_CREATION_API, way);
+        window_ = glfwCreateWindow(16, 16, "steplab drawing", nullptr, nullptr);
+        if (window_) return;
+    }
+    throw GraphicsError(fmt::format("no second OpenGL context can be had ({})", last_error()));
 }
 
-SharedContext::~SharedContext() { glfwDestroyWindow(window_); }
+DrawingContext::~DrawingContext() { glfwDestroyWindow(window_); }
 
-void SharedContext::make_current() { glfwMakeContextCurrent(window_); }
+void DrawingContext::make_current() { glfwMakeContextCurrent(window_); }
 
-void SharedContext::release() { glfwMakeContextCurrent(nullptr); }
+void DrawingContext::release() { glfwMakeContextCurrent(nullptr); }
 
 }  // namespace steplab

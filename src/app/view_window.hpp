@@ -46,7 +46,6 @@ public:
     void show_picture();
     void toggle_full_screen();
     void copy(const std::string& text);
-    /// Cursor of the mouse: 0 arrow, 1 text.
     GLFWwindow* handle() const { return window_.get(); }
 
 private:
@@ -65,14 +64,17 @@ private:
     Place windowed_;  ///< where to come back to from full screen
 };
 
-/// A context without a window that shares its textures with one: for drawing on another thread.
-class SharedContext {
+/// An OpenGL 3.3 context without a window, for drawing on another thread. It shares nothing with the window's: where
+/// OpenGL is computed by the processor, drawings of one driver's screen wait for each other, whatever their contexts;
+/// so this one comes by another way (EGL) where there is one.
+class DrawingContext {
 public:
-    explicit SharedContext(const Window& window);
-    ~SharedContext();
-    SharedContext(const SharedContext&) = delete;
-    SharedContext& operator=(const SharedContext&) = delete;
+    DrawingContext();
+    ~DrawingContext();
+    DrawingContext(const DrawingContext&) = delete;
+    DrawingContext& operator=(const DrawingContext&) = delete;
 
+    /// On the thread that draws.
     void make_current();
     void release();
 

@@ -1,12 +1,14 @@
 #include "app/viewer.hpp"
 
 #include "app/view_picture.hpp"
+#include "app/view_priority.hpp"
 #include "core/error.hpp"
 #include "render/framing.hpp"
 #include "render/gl.hpp"
 #include "ui/plot_files.hpp"
 
 #include <algorithm>
+#include <future>
 
 namespace steplab {
 namespace {
@@ -18,7 +20,15 @@ constexpr int frames_after_input = 3;
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-ui::Display first_display(const Window& window) { return window.display(); }
+/// The run's thread has the priority of the thread that makes it.
+std::unique_ptr<Worker> start_worker(const RunDescription& description) {
+    return std::async(std::launch::async,
+                      [&] {
+                          give_way();
+                          return std::make_unique<Worker>(description);
+                      })
+        .get();
+}
 
 }  // namespace
 
@@ -28,22 +38,37 @@ std::shared_ptr<RunView> ViewPool::free_view() {
     return found != views_.end() ? *found : views_.emplace_back(std::make_shared<RunView>());
 }
 
+void SceneTexture::upload(const Painted& picture) {
+    glBindTexture(GL_TEXTURE_2D, texture_.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const auto [width, height] = picture.size;
+    if (size_ == picture.size) {
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
+        return;
+    }
+    size_ = picture.size;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    }
+}
+
 Viewer::OpenGl::OpenGl() { render::load_opengl(); }
 
 Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
     : window_(request.width, request.height, request.scale),
-      interface_(first_display(window_)),
-      painter_(window_, &Window::wake),
+      interface_(window_.display()),
+      painter_(&Window::wake),
       trace_(request.trace),
-      worker_(description) {
+      worker_(start_worker(description)) {
     panels_.upload_fonts(interface_.fonts());
     window_.listen(interface_.input());
-    worker_.on_view(&Window::wake);
+    worker_->on_view(&Window::wake);
     if (request.full_screen) window_.toggle_full_screen();
     take_news();
     const ui::PixelRect scene = pixels(ui::arrange(window_.display()).scene);
     if (!request.view.empty()) camera_ = render::camera_of(request.view, view_->frame, {scene.width, scene.height});
-    if (request.playing) worker_.play(true);
+    if (request.playing) worker_->play(true);
 }
 
 void Viewer::run() {
@@ -60,14 +85,15 @@ void Viewer::run() {
 /// Newer views of the run and pictures of the scene; each wants a frame.
 void Viewer::take_news() {
     auto newer = pool_.free_view();
-    if (worker_.take(*newer)) {
+    if (worker_->take(*newer)) {
         view_ = std::move(newer);
         interface_.record(*view_);
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
-    if (const auto painted = painter_.take()) {
-        interface_.show_scene(painted->texture);
-        measured_.frame_seconds = painted->seconds;
+    if (painter_.take(painted_)) {
+        scene_.upload(painted_);
+        interface_.show_scene(scene_.name());
+        measured_.frame_seconds = painted_.seconds;
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
 }
@@ -91,7 +117,7 @@ void Viewer::draw_frame() {
     const ui::Display display = window_.display();
     if (display.width <= 0 || display.height <= 0) return;  // minimised
     if (interface_.resize(display)) panels_.upload_fonts(interface_.fonts());
-    interface_.draw(*view_, worker_, {camera_, style_}, measured_);
+    interface_.draw(*view_, *worker_, {camera_, style_}, measured_);
     const ui::PixelRect scene = interface_.scene();
     painter_.ask({view_, style_, camera_, {scene.width, scene.height}});
     draw_panels(display);

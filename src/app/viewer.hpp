@@ -4,11 +4,13 @@
 #include "app/view_painter.hpp"
 #include "app/view_trace.hpp"
 #include "app/view_window.hpp"
+#include "render/gl_objects.hpp"
 #include "render/imgui_renderer.hpp"
 #include "sim/worker.hpp"
 #include "ui/interface.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -22,6 +24,17 @@ public:
 
 private:
     std::vector<std::shared_ptr<RunView>> views_;
+};
+
+/// The newest picture of the scene as a texture of the window's context.
+class SceneTexture {
+public:
+    void upload(const Painted& picture);
+    std::uint32_t name() const { return texture_.id(); }
+
+private:
+    render::Texture texture_;
+    render::PictureSize size_{0, 0};
 };
 
 /// The window's program: the worker computes, the painter draws the scene, and this thread draws the panels over the
@@ -55,10 +68,12 @@ private:
     OpenGl opengl_;
     ui::Interface interface_;
     render::ImguiRenderer panels_;
+    SceneTexture scene_;
+    Painted painted_;
     ScenePainter painter_;
     Trace trace_;
     ViewPool pool_;
-    Worker worker_;
+    std::unique_ptr<Worker> worker_;
     std::shared_ptr<RunView> view_;
     render::Camera camera_;
     render::Style style_;

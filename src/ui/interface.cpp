@@ -56,7 +56,7 @@ void draw_panels(const Context& context) {
 void draw_scene_picture(const Area& scene, std::uint32_t texture) {
     if (texture == 0) return;
     const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
-    ImGui::GetBackgroundDrawList()->AddImage(id, {scene.x, scene.y}, {scene.right(), scene.bottom()}, {0, 1}, {1, 0});
+    ImGui::GetBackgroundDrawList()->AddImage(id, {scene.x, scene.y}, {scene.right(), scene.bottom()});
 }
 
 void set_style(render::Style& style, const RunView& view, const Display& display) {

@@ -35,7 +35,7 @@ public:
     bool resize(const Display& display);
     /// A new moment of the run: to be called once for each, before it is drawn.
     void record(const RunView& view);
-    /// The OpenGL name of the texture that holds the newest picture of the scene, bottom row first: it is part of the
+    /// The OpenGL name of the texture that holds the newest picture of the scene, top row first: it is part of the
     /// draw data from now on. 0: the scene is drawn by other means.
     void show_scene(std::uint32_t texture);
 
