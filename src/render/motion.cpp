@@ -1,0 +1,21 @@
+#include "render/motion.hpp"
+
+namespace steplab::render {
+
+void between(const Frame& from, const Frame& to, double fraction, Frame& out) {
+    const double s = fraction, r = 1 - fraction, duration = to.time - from.time;
+    const double to_position = s * s * (3 - 2 * s), from_position = r * r * (3 - 2 * r);
+    const double from_velocity = duration * s * r * r, to_velocity = -duration * s * s * r;
+    out.step = to.step;
+    out.time = from.time + fraction * duration;
+    out.precision = to.precision;
+    out.shape = to.shape;
+    out.velocities = to.velocities;
+    out.positions.resize(to.positions.size());
+    for (std::size_t i = 0; i < to.positions.size(); ++i) {
+        out.positions[i] = from_position * from.positions[i] + to_position * to.positions[i] +
+                           (from_velocity * from.velocities[i] + to_velocity * to.velocities[i]);
+    }
+}
+
+}  // namespace steplab::render

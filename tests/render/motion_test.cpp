@@ -1,0 +1,43 @@
+#include "render/motion.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplab::render {
+namespace {
+
+Frame frame_at(double time, Vec3 position, Vec3 velocity) {
+    Frame frame;
+    frame.time = time;
+    frame.positions = {position};
+    frame.velocities = {velocity};
+    return frame;
+}
+
+// y = 1 + 2 t - 4 t^2 + t^3 and its derivative: a cubic is its own Hermite curve.
+Frame on_a_cubic(double t) {
+    return frame_at(t, {t, 1 + 2 * t - 4 * t * t + t * t * t, 0}, {1, 2 - 8 * t + 3 * t * t, 0});
+}
+
+TEST(Motion, begins_and_ends_at_the_frames) {
+    const Frame a = on_a_cubic(1), b = on_a_cubic(1.5);
+    Frame shown;
+    between(a, b, 0, shown);
+    EXPECT_EQ(shown.positions, a.positions);
+    between(a, b, 1, shown);
+    EXPECT_EQ(shown.positions, b.positions);
+}
+
+TEST(Motion, follows_a_cubic_exactly) {
+    const Frame a = on_a_cubic(1), b = on_a_cubic(3);
+    for (const double fraction : {0.1, 0.25, 0.5, 0.9}) {
+        Frame shown;
+        between(a, b, fraction, shown);
+        const Frame right = on_a_cubic(1 + 2 * fraction);
+        EXPECT_NEAR(shown.positions[0].x, right.positions[0].x, 1e-14);  // some roundings of numbers below 10
+        EXPECT_NEAR(shown.positions[0].y, right.positions[0].y, 1e-14);
+        EXPECT_NEAR(shown.time, right.time, 1e-15);
+    }
+}
+
+}  // namespace
+}  // namespace steplab::render
