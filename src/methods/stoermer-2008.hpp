@@ -64,10 +64,10 @@ struct Stoermer2008 {
             out.velocity = v_;
         }
 
-        template <class F>
-        void each_part(F f) {
-            f(x_);
-            f(v_);
+        template <class Self, class F>
+        static void each_part(Self& self, F f) {
+            f(self.x_);
+            f(self.v_);
         }
 
     private:

@@ -62,11 +62,11 @@ struct Stoermer {
             out.velocity = points_.w;
         }
 
-        template <class F>
-        void each_part(F f) {
-            f(points_.x);
-            f(points_.w);
-            f(points_.a);
+        template <class Self, class F>
+        static void each_part(Self& self, F f) {
+            f(self.points_.x);
+            f(self.points_.w);
+            f(self.points_.a);
         }
 
     private:

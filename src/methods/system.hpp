@@ -37,7 +37,7 @@ private:
 //   void start(System&, State<T>)             begins a segment at a synchronised state
 //   void step(System&)                        one step of dt
 //   void synchronised(const System&, State<T>& out) const   x and v of one time, without changing anything
-//   void each_part(f)                         calls f(Field<T>&) for every field of the internal state
+//   static void each_part(self, f)             calls f(field) for every field of self's internal state
 // Everything else it holds is scratch: the internal state alone decides how the run goes on.
 
 }  // namespace steplab

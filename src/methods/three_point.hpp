@@ -35,11 +35,11 @@ struct ThreePoint {
 private:
     template <class Mean>
     void advance(T h, Mean mean) {
-        T *const position = x.flat().data(), *const velocity_ = w.flat().data();
+        T *const position = x.flat().data(), *const mean_velocity = w.flat().data();
         const T* const acceleration = a.flat().data();
         elementwise(x.flat().size(), [=](std::size_t k) {
-            velocity_[k] = mean(velocity_[k], acceleration[k]);
-            position[k] += h * velocity_[k];
+            mean_velocity[k] = mean(mean_velocity[k], acceleration[k]);
+            position[k] += h * mean_velocity[k];
         });
     }
 };

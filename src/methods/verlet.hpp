@@ -56,11 +56,11 @@ struct Verlet {
             });
         }
 
-        template <class F>
-        void each_part(F f) {
-            f(points_.x);
-            f(points_.w);
-            f(points_.a);
+        template <class Self, class F>
+        static void each_part(Self& self, F f) {
+            f(self.points_.x);
+            f(self.points_.w);
+            f(self.points_.a);
         }
 
     private:

@@ -39,7 +39,7 @@ public:
 
     bool finite() const override {
         bool all = true;
-        parts([&](const Field<T>& part) { all = all && all_finite(part); });
+        Integrator::each_part(integrator_, [&](const Field<T>& part) { all = all && all_finite(part); });
         return all;
     }
 
@@ -54,20 +54,20 @@ public:
 
     std::any save() const override {
         Saved saved{{}, system_.evaluations()};
-        parts([&](const Field<T>& part) { saved.parts.push_back(part); });
+        Integrator::each_part(integrator_, [&](const Field<T>& part) { saved.parts.push_back(part); });
         return saved;
     }
 
     void restore(const std::any& state) override {
         const Saved& saved = std::any_cast<const Saved&>(state);
         auto part = saved.parts.begin();
-        integrator_.each_part([&](Field<T>& mine) { mine = *part++; });
+        Integrator::each_part(integrator_, [&](Field<T>& mine) { mine = *part++; });
         system_.evaluations(saved.evaluations);
     }
 
     std::size_t bytes() const override {
         std::size_t sum = 0;
-        parts([&](const Field<T>& part) { sum += part.flat().size_bytes(); });
+        Integrator::each_part(integrator_, [&](const Field<T>& part) { sum += part.flat().size_bytes(); });
         return sum;
     }
 
@@ -76,12 +76,6 @@ private:
         std::vector<Field<T>> parts;
         std::uint64_t evaluations;
     };
-
-    /// The parts of the internal state to look at; the visitor does not change them.
-    template <class F>
-    void parts(F f) const {
-        const_cast<Integrator&>(integrator_).each_part([&](const Field<T>& part) { f(part); });
-    }
 
     /// A number minus itself is zero if it is finite, else not a number, which every sum passes on.
     static bool all_finite(const Field<T>& field) {
