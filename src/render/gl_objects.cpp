@@ -1,11 +1,10 @@
 #include "render/gl_objects.hpp"
 
 namespace steplab::render {
-namespace {
 
-const void* byte_offset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
-
-}  // namespace
+const void* byte_offset(std::size_t offset) {
+    return reinterpret_cast<const void*>(offset);  // NOLINT(performance-no-int-to-ptr): OpenGL wants it so
+}
 
 GLuint BufferKind::create() {
     GLuint id = 0;

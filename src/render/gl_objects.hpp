@@ -62,6 +62,8 @@ void upload(const Buffer& buffer, GLenum target, std::span<const T> data) {
     glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), GL_STREAM_DRAW);
 }
 
+/// A place in a bound buffer in the form OpenGL takes it.
+const void* byte_offset(std::size_t offset);
 /// One float attribute of the buffer bound to GL_ARRAY_BUFFER, `components` numbers at `offset` bytes of each item.
 void float_attribute(GLuint location, int components, std::size_t stride, std::size_t offset);
 /// One attribute of four bytes, read as numbers from 0 to 1.

@@ -11,7 +11,10 @@ namespace steplab::render {
 namespace {
 
 GLuint texture_name(ImTextureID id) { return static_cast<GLuint>(reinterpret_cast<std::intptr_t>(id)); }
-ImTextureID texture_id(GLuint name) { return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name)); }
+ImTextureID texture_id(GLuint name) {
+    const auto number = static_cast<std::intptr_t>(name);
+    return reinterpret_cast<ImTextureID>(number);  // NOLINT(performance-no-int-to-ptr): ImGui wants it so
+}
 
 template <class T>
 std::span<const T> items(const ImVector<T>& vector) {
@@ -95,7 +98,7 @@ void ImguiRenderer::draw_command(const ImDrawCmd& command, const ImDrawData& dat
     glScissor(left, height - bottom, right - left, bottom - top);
     glBindTexture(GL_TEXTURE_2D, texture_name(command.GetTexID()));
     constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
-    const auto* first = reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx));
+    const void* first = byte_offset(command.IdxOffset * sizeof(ImDrawIdx));
     glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type, first,
                              static_cast<GLint>(command.VtxOffset));
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <fstream>
@@ -41,8 +42,8 @@ fs::path find(const std::string& name, const std::vector<fs::path>& folders) {
     for (const auto& folder : folders) {
         if (fs::is_regular_file(folder / name, none)) return folder / name;
     }
-    std::vector<std::string> looked_in;
-    for (const auto& folder : folders) looked_in.push_back(folder.string());
+    std::vector<std::string> looked_in(folders.size());
+    std::transform(folders.begin(), folders.end(), looked_in.begin(), [](const fs::path& f) { return f.string(); });
     throw GraphicsError(
         fmt::format("the shader {} was not found; looked in {}. Reinstall steplab, or set "
                     "STEPLAB_SHADERS to the folder that holds the shaders",

@@ -11,7 +11,6 @@
 namespace steplab::render {
 namespace {
 
-using testing::DoubleEq;
 using testing::ElementsAre;
 
 TEST(Ticks, round_numbers_are_1_2_5) {

@@ -11,7 +11,7 @@ using test::Image;
 
 /// An ImGui context of its own for each test.
 class ImguiDrawing : public test::Studio {
-protected:
+public:
     ImguiDrawing() : context_(ImGui::CreateContext()) {
         ImGui::GetIO().IniFilename = nullptr;
         ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
@@ -19,6 +19,7 @@ protected:
     }
     ~ImguiDrawing() override { ImGui::DestroyContext(context_); }
 
+protected:
     /// One frame of 100 x 50 units with what `paint` adds to the list of the background.
     template <class Paint>
     Image frame(const Paint& paint, float scale = 1) const {
