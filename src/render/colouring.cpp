@@ -89,12 +89,14 @@ std::string_view title(Colouring colouring) {
 std::vector<Rgb> particle_colours(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale) {
     const Palette& colours = palette(style.background);
     const bool by_value = scale && scale->colouring != Colouring::strain;
+    auto by_role = colours.roles;
+    if (scale && !by_value) by_role[static_cast<std::size_t>(Role::moving)] = colours.neutral;
     std::vector<Rgb> result(frame.positions.size());
     for (std::size_t i = 0; i < result.size(); ++i) {
         const Role role = frame.shape->roles[i];
         const bool valued = by_value && role != Role::fixed;
-        result[i] = valued ? scale->colour(particle_value(frame, style, i), colours)
-                           : colours.roles[static_cast<std::size_t>(role)];
+        result[i] =
+            valued ? scale->colour(particle_value(frame, style, i), colours) : by_role[static_cast<std::size_t>(role)];
     }
     return result;
 }

@@ -26,6 +26,7 @@ struct Palette {
     Rgb grid;         ///< lines on the ground, axes
     Rgb text;         ///< numbers and titles
     Rgb spring;
+    Rgb neutral;                ///< moving particles where the springs carry the colours
     Rgb selection;              ///< ring around the selected particle
     std::array<Rgb, 4> roles;   ///< by Role
     std::array<Rgb, 3> axes;    ///< x, y, z of the small cross

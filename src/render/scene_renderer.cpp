@@ -95,7 +95,7 @@ void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& c
     Occupancy taken(tile.whole);
     mark_cross(taken, tile.whole, style.pixel_scale);
     body_->particles.prepare(frame, style, particle_colours(frame, style, scale), projection, taken);
-    if (style.springs) body_->springs.prepare(frame, spring_colours(frame, style, scale), projection);
+    if (style.springs) body_->springs.prepare(frame, style, spring_colours(frame, style, scale), projection);
     const ViewUniforms view(projection, drawn_bounds(frame, box, style.grid), tile, target, palette(style.background));
     body_->draw_space(style, box, axes, view, tile, target);
     body_->draw_flat(style, projection, scale, axes, taken, tile, target.size());

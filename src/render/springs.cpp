@@ -30,9 +30,12 @@ bool worth_drawing(Vec3 start, Vec3 end, const Projection& projection) {
 
 Springs::Springs() : program_("rod") {}
 
-void Springs::prepare(const Frame& frame, std::span<const Rgb> colours, const Projection& projection) {
+void Springs::prepare(const Frame& frame, const Style& style, std::span<const Rgb> colours,
+                      const Projection& projection) {
     rods_.clear();
-    radius_ = vertex_length(projection, DrawnSizes(*frame.shape).spring_radius());
+    // Colours are seen only on what is thick enough.
+    const double thickness = style.colouring == Colouring::strain ? 2 : 1;
+    radius_ = vertex_length(projection, thickness * DrawnSizes(*frame.shape).spring_radius());
     for (std::size_t i = 0; i < frame.shape->springs.size(); ++i) {
         const Spring& spring = frame.shape->springs[i];
         const Vec3 start = frame.positions[spring.first];

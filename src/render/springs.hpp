@@ -13,7 +13,7 @@ public:
     Springs();
     /// Uploads the springs that the picture shows; those of neighbours only a few pixels apart are left out, as their
     /// particles already cover the picture there.
-    void prepare(const Frame& frame, std::span<const Rgb> colours, const Projection& projection);
+    void prepare(const Frame& frame, const Style& style, std::span<const Rgb> colours, const Projection& projection);
     void draw(const ViewUniforms& view, double pixel_scale) const;
 
 private:
