@@ -124,6 +124,7 @@ void Viewer::draw_frame() {
     for (const ui::Request& request : interface_.take_requests()) carry_out(request);
     window_.show_picture();
     const double still = interface_.seconds_until_change();
+    if (still <= 0) frames_wanted_ = frames_after_input;
     change_ = still < 1e6 ? now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(still))
                           : Clock::time_point::max();
     tell();
@@ -170,7 +171,8 @@ void Viewer::tell() {
     trace_.tell("size", std::to_string(window_.display().width) + "x" + std::to_string(window_.display().height));
     trace_.tell(*view_);
     trace_.tell(camera_);
-    trace_.tell(interface_.widgets());
+    // Widgets find their places in the frames after the one they appear in.
+    if (frames_wanted_ == 0) trace_.tell(interface_.widgets());
 }
 
 }  // namespace steplab

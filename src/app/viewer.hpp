@@ -80,7 +80,7 @@ private:
     ui::Measured measured_;
     Clock::time_point drawn_ = Clock::now();               ///< when the last frame was begun
     Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes by itself
-    int frames_wanted_ = 1;
+    int frames_wanted_ = 3;
     bool quit_ = false;
 };
 

@@ -108,11 +108,19 @@ void Input::describe_keys(ImGuiIO& io) {
 
 bool Input::feed(ImGuiIO& io) {
     bool frame_is_full = false;
-    while (!events_.empty() && !frame_is_full) {
+    bool moved = false;
+    while (!events_.empty() && !frame_is_full && !ends_a_drag(events_.front(), moved)) {
+        moved = moved || std::holds_alternative<PointerMoved>(events_.front());
         frame_is_full = std::visit(Feed{io}, events_.front());
         events_.pop_front();
     }
     return !events_.empty();
+}
+
+/// The frame that sees a button released no longer sees where it was dragged to.
+bool Input::ends_a_drag(const InputEvent& event, bool moved) {
+    const auto* button = std::get_if<ButtonChanged>(&event);
+    return moved && button && !button->down;
 }
 
 bool Input::pressed(Key key, bool repeat) { return key_pressed(key, repeat); }

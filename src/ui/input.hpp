@@ -37,8 +37,9 @@ struct FocusLost {};
 using InputEvent =
     std::variant<PointerMoved, ButtonChanged, WheelTurned, KeyChanged, ModifiersChanged, TextTyped, FocusLost>;
 
-/// Hands events to ImGui, at most one press or release of a button or key in a frame: a click that is over within one
-/// frame of a slow machine must not be lost. It is the one place that knows how ImGui's versions take input.
+/// Hands events to ImGui, at most one press or release of a button or key in a frame, and what was dragged before it is
+/// let go: a click or drag that is over within one frame of a slow machine must not be lost. It is the one place that
+/// knows how ImGui's versions take input.
 class Input {
 public:
     void push(const InputEvent& event) { events_.push_back(event); }
@@ -51,6 +52,8 @@ public:
     static bool pressed(Key key, bool repeat);
 
 private:
+    static bool ends_a_drag(const InputEvent& event, bool moved);
+
     std::deque<InputEvent> events_;
 };
 

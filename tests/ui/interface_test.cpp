@@ -32,6 +32,17 @@ TEST(input, a_click_within_one_frame_is_not_lost) {
     EXPECT_EQ(desk.calls(), std::vector<std::string>{"play"});
 }
 
+TEST(input, a_drag_within_one_frame_is_not_lost) {
+    Desk desk;
+    desk.point_at("dt", 0.3f);
+    const WidgetRect place = desk.widget("dt");
+    desk.interface.input().push(ButtonChanged{0, true});
+    desk.interface.input().push(PointerMoved{place.left + 0.8f * (place.right - place.left), place.top + 5});
+    desk.interface.input().push(ButtonChanged{0, false});
+    for (int i = 0; i < 4; ++i) desk.frame();
+    EXPECT_GT(desk.wanted().dt, 0.5);
+}
+
 TEST(input, leaving_the_window_releases_everything) {
     Desk desk;
     desk.point_at("dt");

@@ -1,0 +1,101 @@
+# Sourced by window_test.sh: opens the real window on a display of its own and drives it with xdotool. It never sleeps:
+# the window tells every change on its trace, and expect waits for the line that has to come.
+
+readonly patience=60 # seconds until a line counts as missing
+
+fail() {
+    echo "FAILED: $*" >&2
+    echo "the window said last:" >&2
+    tail -n 30 "$folder/said" >&2
+    exit 1
+}
+
+clean_up() {
+    [[ -n ${window_pid:-} ]] && kill "$window_pid" 2>/dev/null
+    [[ -n ${display_pid:-} ]] && kill "$display_pid" 2>/dev/null
+    wait
+    rm -rf "$folder"
+}
+
+# start_display WIDTHxHEIGHT: a virtual display; it says its number once it is ready.
+start_display() {
+    for tool in Xvfb xdotool; do
+        command -v "$tool" >/dev/null || { echo "FAILED: $tool is needed (see scripts/packages.txt)" >&2; exit 1; }
+    done
+    mkfifo "$folder/number"
+    Xvfb -displayfd 7 -screen 0 "${1}x24" -nolisten tcp 7>"$folder/number" 2>"$folder/display.log" &
+    display_pid=$!
+    local number
+    read -r -t $patience number <"$folder/number" || fail "the virtual display did not start"
+    export DISPLAY=:$number
+    unset WAYLAND_DISPLAY
+}
+
+# open_window OPTION...: the window, and what it says from now on.
+open_window() {
+    declare -gA place=()
+    mkfifo "$folder/trace"
+    (cd "$folder" && exec "$program" --trace "$folder/trace" "$@") 2>"$folder/errors" &
+    window_pid=$!
+    exec 3<"$folder/trace"
+    : >"$folder/said"
+    expect "widget step .*"
+}
+
+# expect REGEX...: waits until each of these lines has come, in any order; remembers where widgets are.
+expect() {
+    local missing=("$@") line wanted left
+    while ((${#missing[@]})); do
+        IFS= read -r -t $patience line <&3 || fail "expected '${missing[*]}'; errors: $(cat "$folder/errors")"
+        echo "$line" >>"$folder/said"
+        note_widget "$line"
+        left=()
+        for wanted in "${missing[@]}"; do
+            [[ $line =~ ^$wanted$ ]] || left+=("$wanted")
+        done
+        missing=("${left[@]}")
+    done
+}
+
+note_widget() {
+    [[ $1 =~ ^widget\ (.*)\ (-?[0-9]+)\ (-?[0-9]+)\ (-?[0-9]+)\ (-?[0-9]+)$ ]] || return 0
+    local x=$(((BASH_REMATCH[2] + BASH_REMATCH[4]) / 2)) y=$(((BASH_REMATCH[3] + BASH_REMATCH[5]) / 2))
+    place[${BASH_REMATCH[1]}]="$x $y"
+}
+
+# point_at WIDGET: moves the pointer onto its middle.
+point_at() {
+    [[ -n ${place[$1]:-} ]] || fail "there is no widget '$1'"
+    # shellcheck disable=SC2086  # two numbers
+    xdotool mousemove ${place[$1]}
+}
+
+click() {
+    point_at "$1"
+    xdotool click 1
+}
+
+# choose MENU ITEM: opens a menu and clicks one of its items once it is there.
+choose() {
+    click "$1"
+    expect "widget $1/$2 [0-9].*"
+    click "$1/$2"
+}
+
+# enter SLIDER TEXT: types a value in place of a slider.
+enter() {
+    click "$1.value"
+    expect "widget $1.entry [0-9].*"
+    xdotool type -- "$2"
+    xdotool key Return
+}
+
+# close_window: it ends by itself, with exit code 0 and without a word on standard error.
+close_window() {
+    xdotool key ctrl+q
+    local code=0
+    wait "$window_pid" || code=$?
+    window_pid=
+    ((code == 0)) || fail "the window ended with exit code $code"
+    [[ ! -s $folder/errors ]] || fail "it wrote: $(cat "$folder/errors")"
+}

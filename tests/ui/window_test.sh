@@ -1,0 +1,141 @@
+#!/usr/bin/env bash
+# Drives the real window with keys and mouse on a virtual display.
+#     window_test.sh PROGRAM CASE
+set -uo pipefail
+
+program=$(realpath "$1")
+readonly program
+folder=$(mktemp -d)
+readonly folder
+# shellcheck source=tests/ui/window_driver.sh
+source "$(dirname "$0")/window_driver.sh"
+trap clean_up EXIT
+
+keys_drive_the_run() {
+    start_display 1280x800
+    open_window --model mesh
+    xdotool key Right; expect 'step 1'
+    xdotool key Right; expect 'step 2'
+    xdotool key Left; expect 'step 1'
+    xdotool key BackSpace; expect 'step 0'
+    xdotool key space; expect 'playing true' 'step 3'
+    xdotool key space; expect 'playing false'
+    xdotool key equal; expect 'rate 2'
+    xdotool key minus; expect 'rate 1'
+    xdotool key bracketleft; expect 'model chain'
+    xdotool key bracketright; expect 'model mesh'
+    close_window
+}
+
+keys_drive_the_window() {
+    start_display 1280x800
+    open_window --size 1000x700
+    xdotool key Tab; expect 'widget model gone'
+    xdotool key Tab; expect 'widget model [0-9].*'
+    xdotool key F1; expect 'widget help [0-9].*'
+    xdotool key F1; expect 'widget help gone'
+    xdotool key F11; expect 'size 1280x800'
+    xdotool key F11; expect 'size 1000x700'
+    xdotool key ctrl+p; expect 'saved steplab-mesh-1.png'
+    [[ $(head -c 8 "$folder/steplab-mesh-1.png" | tail -c 7) == $'PNG\r\n\x1a' ]] || fail "the picture is no PNG"
+    close_window
+}
+
+mouse_moves_the_camera() {
+    start_display 1280x800
+    open_window --model chain
+    local home
+    home=$(grep '^camera ' "$folder/said" | tail -1)
+    xdotool mousemove 800 300 click 4; expect 'camera .*'
+    xdotool key Home; expect "$home"
+    xdotool mousemove 800 300 mousedown 1 mousemove 860 300 mousemove 900 320 mouseup 1; expect 'camera .*'
+    xdotool key Home; expect "$home"
+    xdotool mousemove 800 300 mousedown 3 mousemove 860 300 mousemove 900 320 mouseup 3; expect 'camera .*'
+    xdotool key f; expect 'camera .*'
+    close_window
+}
+
+panel_changes_the_run() {
+    start_display 1280x800
+    open_window --model mesh
+    choose model rope; expect 'model rope' 'run 1'
+    choose method verlet; expect 'method verlet'
+    click precision/float; expect 'precision float'
+    enter dt 0.05; expect 'dt 0.05'
+    click step; expect 'step 1'
+    click step; expect 'step 2'
+    click 'step back'; expect 'step 1'
+    click play; expect 'playing true'
+    enter scene.g 1.62; expect 'command .*--set g=1.62.*'
+    click play; expect 'playing false'
+    enter scene.n 25; expect 'command .*--set n=25.*' 'step 0'
+    click restart; expect 'run [0-9]+'
+    choose menu 'copy command'
+    expect 'copied steplab --model rope --set n=25 --set g=1.62 --method verlet --precision float --dt 0.05'
+    close_window
+}
+
+wrong_entries_are_refused() {
+    start_display 1280x800
+    open_window --model oscillator
+    enter dt nonsense; expect 'widget refusal.close [0-9].*'
+    click refusal.close; expect 'widget refusal gone'
+    enter scene.m -3; expect 'widget refusal.close [0-9].*'
+    close_window
+}
+
+divergence_is_told_and_cured() {
+    start_display 1280x800
+    open_window --model chain --method euler --dt 2.5
+    click fastest; expect 'rate fastest'
+    xdotool key space; expect 'diverged [0-9]+' 'widget remedy.dt [0-9].*'
+    click remedy.dt; expect 'diverged no' 'playing true' 'widget divergence gone'
+    close_window
+}
+
+window_takes_any_size() {
+    start_display 3840x2160
+    open_window --model rope --size 3840x2160 --scale 2
+    [[ -n ${place[displacement]:-} ]] || fail 'a large window shows no plot'
+    local id
+    id=$(xdotool search --name '^steplab$' | tail -1)
+    xdotool windowsize "$id" 400 300; expect 'size 400x300' 'widget displacement gone'
+    xdotool windowsize "$id" 1600 1200; expect 'size 1600x1200'
+    xdotool key Right; expect 'step 1'
+    close_window
+}
+
+command_line_opens_its_scene() {
+    start_display 1280x800
+    open_window --model morse --set edge=2 --method midpoint --precision float --dt 0.02 --view 10,20,30,1,2,3
+    grep -qx 'command --model morse --set edge=2 --method midpoint --precision float --dt 0.02' "$folder/said" ||
+        fail "another scene was opened"
+    grep -qx 'camera 10,20,30,1,2,3' "$folder/said" || fail "another view was opened"
+    close_window
+}
+
+# refused CODE TEXT COMMAND...: the command ends with this exit code, and says these words on standard error.
+refused() {
+    local code=0 wanted=$1 text=$2
+    shift 2
+    "$@" >"$folder/said" 2>"$folder/errors" || code=$?
+    ((code == wanted)) || fail "exit code $code, not $wanted: $(cat "$folder/errors")"
+    grep -qF -- "$text" "$folder/errors" || fail "it does not say '$text' but: $(cat "$folder/errors")"
+    (($(wc -l <"$folder/errors") == 1)) || fail "more than one line: $(cat "$folder/errors")"
+}
+
+without_a_display_it_says_what_to_do() {
+    refused 5 'DISPLAY is not set' env -u DISPLAY -u WAYLAND_DISPLAY "$program"
+    refused 5 'steplab snapshot --model rope' env -u DISPLAY -u WAYLAND_DISPLAY "$program" --model rope
+    refused 5 "DISPLAY=':987654'" env -u WAYLAND_DISPLAY DISPLAY=:987654 "$program"
+    refused 2 'nonsense' env -u DISPLAY "$program" --model nonsense
+    refused 2 '--size' env -u DISPLAY "$program" --size 12
+}
+
+without_opengl_or_shaders_it_says_so() {
+    start_display 640x480
+    refused 5 'OpenGL 3.3' env MESA_GL_VERSION_OVERRIDE=2.1 "$program"
+    refused 5 "$folder" env STEPLAB_SHADERS="$folder" "$program"
+}
+
+"$2"
