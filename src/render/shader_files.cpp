@@ -6,12 +6,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <fstream>
 #include <optional>
-#include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace steplab::render {
 namespace {
@@ -50,6 +51,44 @@ fs::path find(const std::string& name, const std::vector<fs::path>& folders) {
                     name, fmt::join(looked_in, ", ")));
 }
 
+/// The name in a line `#include "name"`.
+std::optional<std::string> included_name(std::string_view line) {
+    constexpr std::string_view directive = "#include \"";
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (!line.starts_with(directive)) return std::nullopt;
+    line.remove_prefix(directive.size());
+    return std::string(line.substr(0, line.find('"')));
+}
+
+/// Takes a whole number from the front of `text`.
+std::optional<std::size_t> take_number(std::string_view& text) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc()) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    return number;
+}
+
+/// One line of a log. Mesa writes "0:12(5): error: ...", others "0(12) : error ..." or "ERROR: 0:12: ...".
+std::string named_line(std::string_view line, const std::vector<std::string>& files) {
+    std::string_view rest = line;
+    std::string_view kind;
+    for (const std::string_view each : {"ERROR: ", "WARNING: "}) {
+        if (rest.starts_with(each)) kind = each;
+    }
+    rest.remove_prefix(kind.size());
+    const auto source = take_number(rest);
+    if (!source || *source >= files.size() || rest.empty() || (rest[0] != ':' && rest[0] != '(')) {
+        return std::string(line);
+    }
+    const bool bracket = rest[0] == '(';
+    rest.remove_prefix(1);
+    const auto number = take_number(rest);
+    if (!number) return std::string(line);
+    if (bracket && rest.starts_with(')')) rest.remove_prefix(1);
+    return fmt::format("{}{}:{}{}", kind, files[*source], *number, rest);
+}
+
 void append(ShaderSource& source, const std::string& name, const std::vector<fs::path>& folders) {
     const fs::path path = find(name, folders);
     const auto text = text_of(path);
@@ -58,14 +97,12 @@ void append(ShaderSource& source, const std::string& name, const std::vector<fs:
     source.files.push_back(path.string());
     // Nothing but comments may stand before #version, so the outermost file is not announced.
     if (number > 0) source.text += fmt::format("#line 1 {}\n", number);
-    static const std::regex include(R"re(\s*#include\s+"([^"]+)"\s*)re");
     std::istringstream lines(*text);
-    std::smatch match;
     std::size_t line_number = 0;
     for (std::string line; std::getline(lines, line);) {
         ++line_number;
-        if (std::regex_match(line, match, include)) {
-            append(source, match[1], folders);
+        if (const auto included = included_name(line)) {
+            append(source, *included, folders);
             source.text += fmt::format("#line {} {}\n", line_number + 1, number);
         } else {
             source.text += line + '\n';
@@ -90,20 +127,9 @@ ShaderSource read_shader(const std::string& name, const std::vector<fs::path>& f
 }
 
 std::string named_log(const std::string& log, const std::vector<std::string>& files) {
-    // Mesa writes "0:12(5): error: ...", others "0(12) : error ..." or "ERROR: 0:12: ...".
-    static const std::regex place(R"(^((?:ERROR|WARNING): )?(\d+)[:(](\d+)\)?)");
     std::istringstream lines(log);
     std::string named;
-    std::smatch match;
-    for (std::string line; std::getline(lines, line);) {
-        const bool found = std::regex_search(line, match, place) && std::stoul(match[2]) < files.size();
-        if (found) {
-            named += fmt::format("{}{}:{}{}\n", match[1].str(), files[std::stoul(match[2])], match[3].str(),
-                                 match.suffix().str());
-        } else {
-            named += line + '\n';
-        }
-    }
+    for (std::string line; std::getline(lines, line);) named += named_line(line, files) + '\n';
     return named;
 }
 
