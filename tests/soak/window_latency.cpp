@@ -5,7 +5,6 @@
 
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -81,8 +80,10 @@ int main(int argc, char** argv) {
         for (const Point to : {widget, away}) times.push_back(answer_time(screen, to, watched));
     }
     std::sort(times.begin(), times.end());
-    const auto part = [&](double share) { return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))]; };
-    std::printf("answers: median %.1f ms, 95 %% within %.1f ms, slowest %.1f ms, unanswered %td\n", part(0.5), part(0.95),
-                times.back(), std::count_if(times.begin(), times.end(), [](double t) { return t < 0; }));
+    const auto part = [&](double share) {
+        return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1))];
+    };
+    std::printf("answers: median %.1f ms, 95 %% within %.1f ms, slowest %.1f ms, unanswered %td\n", part(0.5),
+                part(0.95), times.back(), std::count_if(times.begin(), times.end(), [](double t) { return t < 0; }));
     return 0;
 }

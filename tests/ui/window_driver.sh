@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2154  # the script that sources this one sets folder and program
 # Sourced by window_test.sh: opens the real window on a display of its own and drives it with xdotool. It never sleeps:
 # the window tells every change on its trace, and expect waits for the line that has to come.
 

@@ -7,7 +7,7 @@ program=$(realpath "$1")
 readonly program
 folder=$(mktemp -d)
 readonly folder
-# shellcheck source=tests/ui/window_driver.sh
+# shellcheck source=/dev/null
 source "$(dirname "$0")/window_driver.sh"
 trap clean_up EXIT
 
