@@ -21,6 +21,14 @@ constexpr double largest_whole = 9007199254740992.0;
         fmt::format("{} = '{}' is not possible: {} must be {}", info.name, text, info.name, range_text(info)));
 }
 
+bool is_allowed(const ParameterInfo& info, double value) {
+    using Kind = ParameterInfo::Kind;
+    const bool low = info.minimum_included ? value < info.minimum : value <= info.minimum;
+    const bool whole = info.kind == Kind::real || (value == std::floor(value) && value <= largest_whole);
+    const double maximum = info.kind == Kind::choice ? static_cast<double>(info.choices.size()) - 1 : info.maximum;
+    return std::isfinite(value) && !low && value <= maximum && whole;
+}
+
 }  // namespace
 
 std::string range_text(const ParameterInfo& info) {
@@ -35,11 +43,7 @@ std::string range_text(const ParameterInfo& info) {
 }
 
 void check_value(const ParameterInfo& info, double value) {
-    const bool low = info.minimum_included ? value < info.minimum : value <= info.minimum;
-    const bool whole = info.kind == ParameterInfo::Kind::real || (value == std::floor(value) && value <= largest_whole);
-    const double maximum =
-        info.kind == ParameterInfo::Kind::choice ? static_cast<double>(info.choices.size()) - 1 : info.maximum;
-    if (!std::isfinite(value) || low || value > maximum || !whole) refuse(info, number_text(value));
+    if (!is_allowed(info, value)) refuse(info, number_text(value));
 }
 
 double parse_value(const ParameterInfo& info, std::string_view text) {
@@ -49,8 +53,7 @@ double parse_value(const ParameterInfo& info, std::string_view text) {
         return static_cast<double>(found - info.choices.begin());
     }
     const auto value = parse_number(text);
-    if (!value) refuse(info, text);
-    check_value(info, *value);
+    if (!value || !is_allowed(info, *value)) refuse(info, text);
     return *value;
 }
 

@@ -60,9 +60,10 @@ std::string joined(std::span<const std::string_view> words, std::string_view sep
     return fmt::format("{}", fmt::join(words, separator));
 }
 
-std::string unknown_word(std::string_view kind, std::string_view word, std::span<const std::string_view> known) {
+std::string unknown_word(std::string_view kind, std::string_view word, std::span<const std::string_view> known,
+                         std::string_view of) {
     const auto guess = nearest(word, known);
-    return fmt::format("unknown {} '{}'{}; known: {}", kind, word,
+    return fmt::format("unknown {} '{}'{}{}{}; known: {}", kind, word, of.empty() ? "" : " of ", of,
                        guess ? fmt::format(" (did you mean '{}'?)", *guess) : "", joined(known));
 }
 

@@ -83,7 +83,7 @@ void set_parameter(RunDescription& description, std::string_view name, std::stri
     for (const auto& info : description.scene.infos()) known.push_back(info.name);
     for (const auto& info : description.method_parameters.infos()) known.push_back(info.name);
     throw UsageError(
-        unknown_word(fmt::format("parameter of {} and {}", description.model, description.method), name, known));
+        unknown_word("parameter", name, known, fmt::format("{} and {}", description.model, description.method)));
 }
 
 void check(const RunDescription& description) {

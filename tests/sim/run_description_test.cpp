@@ -41,7 +41,7 @@ TEST(RunDescription, parameters_belong_to_the_model_or_to_the_method) {
     EXPECT_EQ(description.scene["n"], 20);
     EXPECT_EQ(description.method_parameters["substeps"], 5);
     EXPECT_THAT(refusal([&] { set_parameter(description, "g", "1"); }),
-                HasSubstr("unknown parameter of chain and stoermer 'g'; known: n, L, k, m, c, fixed, v0, substeps"));
+                HasSubstr("unknown parameter 'g' of chain and stoermer; known: n, L, k, m, c, fixed, v0, substeps"));
 }
 
 TEST(RunDescription, refuses_a_dt_that_is_none) {
