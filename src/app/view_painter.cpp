@@ -1,6 +1,7 @@
 #include "app/view_painter.hpp"
 
 #include "app/view_priority.hpp"
+#include "render/motion.hpp"
 #include "render/scene_renderer.hpp"
 
 #include <chrono>
@@ -15,11 +16,18 @@ class Painting {
 public:
     std::vector<std::uint8_t> draw(const PaintJob& job) {
         if (!target_ || target_->size() != job.size) target_.emplace(job.size);
-        renderer_.draw(job.view->frame, job.style, job.camera, *target_);
+        renderer_.draw(moment(job), job.style, job.camera, *target_);
         return target_->read();
     }
 
 private:
+    const Frame& moment(const PaintJob& job) {
+        if (!job.from) return job.view->frame;
+        render::between(job.from->frame, job.view->frame, job.fraction, between_);
+        return between_;
+    }
+
+    Frame between_;
     render::SceneRenderer renderer_;
     std::optional<render::RenderTarget> target_;
 };

@@ -21,6 +21,8 @@ class Painting;
 /// A picture of the scene as it is asked for.
 struct PaintJob {
     std::shared_ptr<const RunView> view;
+    std::shared_ptr<const RunView> from;  ///< the moment glided from; null: `view` as it is
+    double fraction = 1;                  ///< how far from there to `view`
     render::Style style;
     render::Camera camera;
     render::PictureSize size;

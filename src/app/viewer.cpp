@@ -17,6 +17,8 @@ namespace {
 constexpr std::chrono::duration<double> frame_time{1.0 / 60};
 // A click reaches the panels in one frame; what it opens has found its size two frames later.
 constexpr int frames_after_input = 3;
+// Pictures of the moments between two steps are drawn only where they take less than this.
+constexpr double slow_picture = 0.05;
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -48,9 +50,8 @@ void SceneTexture::upload(const Painted& picture) {
     }
     size_ = picture.size;
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-    }
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
 Viewer::OpenGl::OpenGl() { render::load_opengl(); }
@@ -88,6 +89,7 @@ void Viewer::take_news() {
     if (worker_->take(*newer)) {
         view_ = std::move(newer);
         interface_.record(*view_);
+        glide_.arrived(view_, Clock::now());
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
     if (painter_.take(painted_)) {
@@ -118,8 +120,7 @@ void Viewer::draw_frame() {
     if (display.width <= 0 || display.height <= 0) return;  // minimised
     if (interface_.resize(display)) panels_.upload_fonts(interface_.fonts());
     interface_.draw(*view_, *worker_, {camera_, style_}, measured_);
-    const ui::PixelRect scene = interface_.scene();
-    painter_.ask({view_, style_, camera_, {scene.width, scene.height}});
+    ask_for_scene(now);
     draw_panels(display);
     for (const ui::Request& request : interface_.take_requests()) carry_out(request);
     window_.show_picture();
@@ -128,6 +129,14 @@ void Viewer::draw_frame() {
     change_ = still < 1e6 ? now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(still))
                           : Clock::time_point::max();
     tell();
+}
+
+void Viewer::ask_for_scene(Clock::time_point now) {
+    const ui::PixelRect scene = interface_.scene();
+    const bool gliding = measured_.frame_seconds < slow_picture && glide_.gliding(now);
+    const auto from = gliding ? glide_.from(now) : nullptr;
+    painter_.ask({view_, from, gliding ? glide_.fraction(now) : 1, style_, camera_, {scene.width, scene.height}});
+    if (gliding) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
 void Viewer::draw_panels(const ui::Display& display) {

@@ -7,6 +7,7 @@
 #include "render/gl_objects.hpp"
 #include "render/imgui_renderer.hpp"
 #include "sim/worker.hpp"
+#include "ui/glide.hpp"
 #include "ui/interface.hpp"
 
 #include <chrono>
@@ -58,6 +59,7 @@ private:
     void take_news();
     void wait();
     void draw_frame();
+    void ask_for_scene(Clock::time_point now);
     void draw_panels(const ui::Display& display);
     void carry_out(const ui::Request& request);
     void save_picture(const ui::Request& request);
@@ -75,6 +77,7 @@ private:
     ViewPool pool_;
     std::unique_ptr<Worker> worker_;
     std::shared_ptr<RunView> view_;
+    ui::Glide glide_;
     render::Camera camera_;
     render::Style style_;
     ui::Measured measured_;
