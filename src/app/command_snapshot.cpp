@@ -22,15 +22,6 @@ namespace {
 constexpr std::uint64_t most_moments = 400;
 constexpr std::uint64_t most_particle_moments = 20'000'000;
 
-/// The particle whose displacement the panel plots: the kicked one, else the bullet, else the last.
-std::size_t followed(const Shape& shape) {
-    for (const Role role : {Role::kicked, Role::bullet}) {
-        const auto found = std::find(shape.roles.begin(), shape.roles.end(), role);
-        if (found != shape.roles.end()) return static_cast<std::size_t>(found - shape.roles.begin());
-    }
-    return shape.roles.size() - 1;
-}
-
 class SnapshotCommand final : public Command {
 public:
     std::string_view name() const override { return "snapshot"; }
@@ -79,7 +70,7 @@ private:
 
     static std::optional<std::size_t> followed_particle(const Simulation& simulation, const PictureRequest& request) {
         if (request.style.selected) return request.style.selected;
-        return request.panel ? std::optional(followed(*simulation.shape())) : std::nullopt;
+        return request.panel ? std::optional(first_followed(*simulation.shape())) : std::nullopt;
     }
 
     static RunView without_particles(RunView view) {

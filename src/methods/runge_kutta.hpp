@@ -3,6 +3,7 @@
 #include "core/elementwise.hpp"
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "methods/synchronised.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,14 +26,13 @@ struct ButcherTable {
 /// Runs any explicit Runge-Kutta method on (x, v)' = (v, a(x) - gamma v). `Table::table` is its Butcher table; the
 /// compiler unrolls the sums over stages and drops the zeros of the table.
 template <class T, class Table>
-class RungeKutta {
+class RungeKutta : public Synchronised<T> {
 public:
     explicit RungeKutta(const ParameterValues&) {}
 
     template <class System>
     void start(System&, const State<T>& state) {
-        x_ = state.displacement;
-        v_ = state.velocity;
+        this->begin(state);
         stage_x_ = Field<T>(x_.count());
         for (auto& field : stage_v_) field = Field<T>(x_.count());
         for (auto& field : stage_a_) field = Field<T>(x_.count());
@@ -44,19 +44,9 @@ public:
         finish(system.dt());
     }
 
-    template <class System>
-    void synchronised(const System&, State<T>& out) const {
-        out.displacement = x_;
-        out.velocity = v_;
-    }
-
-    template <class Self, class F>
-    static void each_part(Self& self, F f) {
-        f(self.x_);
-        f(self.v_);
-    }
-
 private:
+    using Synchronised<T>::x_, Synchronised<T>::v_;
+
     static constexpr auto& table = Table::table;
     static constexpr std::size_t stages = std::remove_cvref_t<decltype(Table::table)>::stages;
 
@@ -146,7 +136,6 @@ private:
         });
     }
 
-    Field<T> x_, v_;
     Field<T> stage_x_;
     std::array<Field<T>, stages> stage_v_;  ///< the first is not used: stage 0 starts with v itself
     std::array<Field<T>, stages> stage_a_;

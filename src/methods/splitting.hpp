@@ -3,6 +3,7 @@
 #include "core/elementwise.hpp"
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "methods/synchronised.hpp"
 
 #include <array>
 #include <cstddef>
@@ -20,14 +21,13 @@ struct KickAndDrift {
 /// Runs any splitting method; `Table::table` is its array of KickAndDrift, which the compiler unrolls. Drag is taken
 /// explicitly, with the velocity before the kick.
 template <class T, class Table>
-class Splitting {
+class Splitting : public Synchronised<T> {
 public:
     explicit Splitting(const ParameterValues&) {}
 
     template <class System>
     void start(System&, const State<T>& state) {
-        x_ = state.displacement;
-        v_ = state.velocity;
+        this->begin(state);
         a_ = Field<T>(x_.count());
     }
 
@@ -36,19 +36,9 @@ public:
         all_parts(system, std::make_index_sequence<Table::table.size()>{});
     }
 
-    template <class System>
-    void synchronised(const System&, State<T>& out) const {
-        out.displacement = x_;
-        out.velocity = v_;
-    }
-
-    template <class Self, class F>
-    static void each_part(Self& self, F f) {
-        f(self.x_);
-        f(self.v_);
-    }
-
 private:
+    using Synchronised<T>::x_, Synchronised<T>::v_;
+
     template <class System, std::size_t... I>
     void all_parts(System& system, std::index_sequence<I...>) {
         (kick_and_drift<I>(system), ...);
@@ -77,7 +67,6 @@ private:
         });
     }
 
-    Field<T> x_, v_;
     Field<T> a_;
 };
 

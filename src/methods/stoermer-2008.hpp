@@ -3,6 +3,7 @@
 #include "core/entry.hpp"
 #include "core/field.hpp"
 #include "methods/stoermer.hpp"
+#include "methods/synchronised.hpp"
 
 #include <utility>
 
@@ -28,14 +29,13 @@ struct Stoermer2008 {
     };
 
     template <class T>
-    class Integrator {
+    class Integrator : public Synchronised<T> {
     public:
         explicit Integrator(const ParameterValues& values) : substeps_(values.count("substeps")) {}
 
         template <class System>
         void start(System&, const State<T>& state) {
-            x_ = state.displacement;
-            v_ = state.velocity;
+            this->begin(state);
             before_ = Field<T>(x_.count());
             a_ = Field<T>(x_.count());
         }
@@ -58,19 +58,9 @@ struct Stoermer2008 {
             each_number([=](T& x, T& before, T& v, T a) { v = ((x - before) / h + h / T(2) * a) / (T(1) + f); });
         }
 
-        template <class System>
-        void synchronised(const System&, State<T>& out) const {
-            out.displacement = x_;
-            out.velocity = v_;
-        }
-
-        template <class Self, class F>
-        static void each_part(Self& self, F f) {
-            f(self.x_);
-            f(self.v_);
-        }
-
     private:
+        using Synchronised<T>::x_, Synchronised<T>::v_;
+
         template <class System>
         void evaluate(System& system) {
             system.accelerations(x_, a_);
@@ -83,7 +73,6 @@ struct Stoermer2008 {
             }
         }
 
-        Field<T> x_, v_;  ///< absolute positions, velocities
         Field<T> before_, a_;
         std::size_t substeps_;
     };

@@ -1,5 +1,7 @@
 #include "sim/run_view.hpp"
 
+#include <algorithm>
+
 namespace steplab {
 
 namespace {
@@ -25,6 +27,14 @@ void look(const Simulation& simulation, std::optional<std::size_t> particle, Run
     view.segment_start = simulation.segment_start();
     view.baseline_step = simulation.baseline_step();
     view.dt = simulation.dt();
+}
+
+std::size_t first_followed(const Shape& shape) {
+    for (const Role role : {Role::kicked, Role::bullet}) {
+        const auto found = std::find(shape.roles.begin(), shape.roles.end(), role);
+        if (found != shape.roles.end()) return static_cast<std::size_t>(found - shape.roles.begin());
+    }
+    return shape.roles.size() - 1;
 }
 
 RunView view_of(const Simulation& simulation, std::optional<std::size_t> particle) {

@@ -50,6 +50,9 @@ struct RunView {
 /// Fills in everything of `view` that the simulation knows, reusing its memory; `particle` is the one to track.
 void look(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view);
 
+/// The particle to track until another one is picked: the kicked one, else the bullet, else the last.
+std::size_t first_followed(const Shape& shape);
+
 /// The view of a run that stands still.
 RunView view_of(const Simulation& simulation, std::optional<std::size_t> tracked = std::nullopt);
 

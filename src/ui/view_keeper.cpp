@@ -6,15 +6,6 @@
 
 namespace steplab::ui {
 
-std::size_t first_followed(const Shape& shape) {
-    const auto& roles = shape.roles;
-    for (const Role role : {Role::kicked, Role::bullet}) {
-        const auto found = std::find(roles.begin(), roles.end(), role);
-        if (found != roles.end()) return static_cast<std::size_t>(found - roles.begin());
-    }
-    return roles.empty() ? 0 : roles.size() - 1;
-}
-
 void ViewKeeper::keep(const Context& context) {
     const RunView& view = context.view;
     if (!view.frame.shape) return;

@@ -11,10 +11,6 @@
 
 namespace steplab::ui {
 
-/// The particle whose displacement is plotted until another one is picked: the kicked one, else the bullet, else the
-/// last.
-std::size_t first_followed(const Shape& shape);
-
 /// Sees to it that a new scene is whole in the picture and one of its particles is followed. A camera that the person
 /// has moved stays where it is until another model comes.
 class ViewKeeper {
