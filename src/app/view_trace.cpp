@@ -51,17 +51,22 @@ void Trace::tell(const RunView& view) {
 
 void Trace::tell(const render::Camera& camera) { tell("camera", render::view_text(camera)); }
 
-void Trace::tell(const ui::WidgetMap& widgets) {
+void Trace::tell(const ui::WidgetMap& widgets, bool last_frame) {
     if (!out_) return;
     std::vector<std::string> gone;
-    for (const auto& [name, value] : told_) {
-        if (name.starts_with("widget ") && value != "gone" && !widgets.contains(name.substr(7))) gone.push_back(name);
+    for (const auto& [line, value] : told_) {
+        if (!line.starts_with("widget ") || value == "gone") continue;
+        const std::string widget = line.substr(7);
+        if (!widgets.contains(widget) && (last_frame || !before_.contains(widget))) gone.push_back(line);
     }
-    for (const std::string& name : gone) tell(name, "gone");
+    for (const std::string& line : gone) tell(line, "gone");
     for (const auto& [name, place] : widgets) {
+        const auto before = before_.find(name);
+        if (!last_frame && (before == before_.end() || before->second != place)) continue;
         tell("widget " + name,
              fmt::format("{:.0f} {:.0f} {:.0f} {:.0f}", place.left, place.top, place.right, place.bottom));
     }
+    before_ = widgets;
 }
 
 }  // namespace steplab

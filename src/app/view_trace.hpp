@@ -24,7 +24,9 @@ public:
     void tell(std::string_view name, const std::string& value);
     void tell(const RunView& view);
     void tell(const render::Camera& camera);
-    void tell(const ui::WidgetMap& widgets);
+    /// Widgets find their places in the frames after the one they appear in: told is what two frames agree on, or what
+    /// stays because no frame comes after this one.
+    void tell(const ui::WidgetMap& widgets, bool last_frame);
 
 private:
     struct Close {
@@ -32,6 +34,7 @@ private:
     };
     std::unique_ptr<std::FILE, Close> out_;
     std::map<std::string, std::string, std::less<>> told_;
+    ui::WidgetMap before_;  ///< widgets of the frame before
 };
 
 }  // namespace steplab

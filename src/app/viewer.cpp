@@ -180,8 +180,7 @@ void Viewer::tell() {
     trace_.tell("size", std::to_string(window_.display().width) + "x" + std::to_string(window_.display().height));
     trace_.tell(*view_);
     trace_.tell(camera_);
-    // Widgets find their places in the frames after the one they appear in.
-    if (frames_wanted_ == 0) trace_.tell(interface_.widgets());
+    trace_.tell(interface_.widgets(), frames_wanted_ == 0);
 }
 
 }  // namespace steplab

@@ -44,6 +44,7 @@ struct WidgetRect {
     float top = 0;
     float right = 0;
     float bottom = 0;
+    friend bool operator==(const WidgetRect&, const WidgetRect&) = default;
 };
 using WidgetMap = std::map<std::string, WidgetRect, std::less<>>;
 

@@ -44,6 +44,12 @@ const ParameterInfo& dt_info() {
     return info;
 }
 
+const std::string& help_text() {
+    static const std::string text =
+        fmt::format("time step\n{} · default {} s\na change applies at once", range_text(dt_info()), default_dt);
+    return text;
+}
+
 void draw_verdict(const Context& context, const Verdict& verdict) {
     const WithFont font(context.theme.fonts().small);
     const float radius = context.px(3.5f);
@@ -70,13 +76,11 @@ void draw_step_panel(const Context& context) {
     const auto limit = current ? context.view.limit : stability_limit(description);
     const Verdict result = verdict(limit, description.dt);
     const bool marked = limit && limit->limit > 0 && std::isfinite(limit->limit);
-    const std::string help =
-        fmt::format("time step\n{} · default {} s\na change applies at once", range_text(dt_info()), default_dt);
     heading(context, "STEP");
     slider_row(context, {
                             .widget = "dt",
                             .label = "dt",
-                            .tooltip = help,
+                            .tooltip = help_text(),
                             .value_text = with_unit(number(description.dt), "s"),
                             .entry_text = format_value(dt_info(), description.dt),
                             .value = description.dt,
