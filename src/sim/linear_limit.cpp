@@ -30,7 +30,8 @@ double growth(const Method& method, const ParameterValues& parameters, const Sce
     stepper->advance(1);
     stepper->synchronised(state);
     const Vec3 x = state.displacement.at(1), v = state.velocity.at(1);
-    // the discriminant from the half difference of the diagonal: exact where one eigenvalue is 1 because nothing couples
+    // the discriminant from the half difference of the diagonal: exact where one eigenvalue is 1 because nothing
+    // couples
     const double half_trace = (x.x + v.y) / 2, half_difference = (x.x - v.y) / 2;
     const std::complex<double> root = std::sqrt(std::complex<double>(half_difference * half_difference + x.y * v.x));
     return std::max(std::abs(half_trace + root), std::abs(half_trace - root));
