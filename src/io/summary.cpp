@@ -47,7 +47,7 @@ std::string summary_json(const RunSummary& summary) {
 
 std::string summary_text(const RunSummary& s) {
     const std::string dt = number_text(shortest(s.precision, s.dt));
-    const std::string status = s.diverged_step ? fmt::format("diverged after step {}", *s.diverged_step) : "ok";
+    const std::string status = s.diverged_step ? fmt::format("diverged in step {}", *s.diverged_step) : "ok";
     std::string text = fmt::format("{} with {}, {}, dt {}\n", s.model, s.method, id(s.precision), dt);
     const auto line = [&text](std::string_view what, const std::string& value) {
         text += fmt::format("  {:<14}{}\n", what, value);
