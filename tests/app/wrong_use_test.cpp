@@ -86,7 +86,7 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--model", "free", "--set", "n=1e12"}, {"1e+12 particles", "bytes", "smaller n"}},
     {{"run", "--model", "mesh", "--set", "dim=1000000"}, {"1e+12 particles", "bytes", "smaller dim"}},
     {{"run", "--model", "morse", "--set", "edge=100000"}, {"particles", "bytes", "smaller edge"}},
-    {{"run", "--model", "rope", "--set", "n=1e300"}, {"n", "1e+300"}},
+    {{"run", "--model", "rope", "--set", "n=1e300"}, {"n", "1e300"}},
     // particles
     {{"run", "--out", "-", "--particles", "100"}, {"no particle 100", "0 to 99"}},
     {{"run", "--out", "-", "--particles", "0-100"}, {"no particle 100", "0 to 99"}},
