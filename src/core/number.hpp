@@ -91,7 +91,7 @@ T exponential(T x) {
     const T power = __builtin_bit_cast(T, static_cast<Bits>((exponent + Traits::bias) << Traits::mantissa));
     const T result = detail::exponential_polynomial<Traits::degree>(r) * power;
     const T above = where(x > Traits::highest, std::numeric_limits<T>::infinity(), result);
-    return where(x < Traits::lowest, T(0), where(x != x, x, above));
+    return where(x < Traits::lowest, T(0), where(std::isnan(x), x, above));
 }
 
 /// For references: libm's, whose last bits no golden result depends on.
