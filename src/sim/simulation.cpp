@@ -309,9 +309,10 @@ std::size_t Simulation::Snapshot::bytes() const { return content_->bytes; }
 
 Simulation::Snapshot Simulation::save() const {
     const Stepper& stepper = *body_->segment.stepper;
+    const Course& course = *body_;
     Snapshot snapshot;
     snapshot.content_ = std::make_shared<const Snapshot::Content>(
-        Snapshot::Content{description(), *body_, stepper.save(), stepper.bytes()});
+        Snapshot::Content{description(), course, stepper.save(), stepper.bytes()});
     return snapshot;
 }
 

@@ -55,6 +55,7 @@ void draw_panels(const Context& context) {
 /// The newest picture of the scene, stretched to the place it has now until one of the right size is there.
 void draw_scene_picture(const Area& scene, std::uint32_t texture) {
     if (texture == 0) return;
+    // ImGui carries a texture's name as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
     ImGui::GetBackgroundDrawList()->AddImage(id, {scene.x, scene.y}, {scene.right(), scene.bottom()});
 }
