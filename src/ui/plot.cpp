@@ -35,6 +35,7 @@ void draw_line(ImDrawList& list, const std::vector<PlotPoint>& points, ImU32 ink
     // ImGui's indices have 16 bits; a thick line takes up to 6 corners a point.
     constexpr std::size_t most = 8192;
     std::vector<ImVec2> corners;
+    corners.reserve(points.size());
     for (const PlotPoint& point : points) corners.emplace_back(point.x, point.y);
     for (std::size_t from = 0; from + 1 < corners.size(); from += most - 1) {
         const std::size_t count = std::min(most, corners.size() - from);

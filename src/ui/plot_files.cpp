@@ -13,7 +13,7 @@ std::string free_name(const std::filesystem::path& folder, std::string_view name
     std::string words(name);
     std::replace(words.begin(), words.end(), ' ', '-');
     for (int i = 1;; ++i) {
-        const std::string file = (folder / fmt::format("steplab-{}-{}.{}", words, i, end)).string();
+        std::string file = (folder / fmt::format("steplab-{}-{}.{}", words, i, end)).string();
         std::error_code ignored;
         if (!std::filesystem::exists(file, ignored)) return file;
     }
