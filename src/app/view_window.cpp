@@ -2,6 +2,7 @@
 
 #include "app/view_icon.hpp"
 #include "app/view_keys.hpp"
+#include "app/view_priority.hpp"
 #include "core/error.hpp"
 
 #include <GLFW/glfw3.h>
@@ -172,6 +173,7 @@ void Window::toggle_full_screen() {
 void Window::copy(const std::string& text) { glfwSetClipboardString(handle(), text.c_str()); }
 
 DrawingContext::DrawingContext() : window_(nullptr) {
+    const NewThreadsGiveWay rasterisers;
     for (const int way : {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API}) {
         hint_core_profile();
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
