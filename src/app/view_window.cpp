@@ -94,6 +94,7 @@ struct Window::Events {
     }
     static void refresh(GLFWwindow* handle) { of(handle).touched_ = true; }
     static void size(GLFWwindow* handle, int, int) { of(handle).touched_ = true; }
+    static void minimised(GLFWwindow* handle, int) { of(handle).touched_ = true; }
 
     static void connect(GLFWwindow* handle) {
         glfwSetKeyCallback(handle, key);
@@ -105,6 +106,7 @@ struct Window::Events {
         glfwSetWindowFocusCallback(handle, focus);
         glfwSetWindowRefreshCallback(handle, refresh);
         glfwSetFramebufferSizeCallback(handle, size);
+        glfwSetWindowIconifyCallback(handle, minimised);
     }
 };
 
@@ -131,7 +133,7 @@ ui::Display Window::display() const {
     float y = 1;
     glfwGetWindowContentScale(handle(), &x, &y);
     display.scale = scale_.value_or(std::clamp(x, 0.5f, 8.0f));
-    if (glfwGetWindowAttrib(handle(), GLFW_ICONIFIED) == GLFW_TRUE) display.width = 0;
+    if (glfwGetWindowAttrib(handle(), GLFW_ICONIFIED) == GLFW_TRUE) display.width = display.height = 0;
     return display;
 }
 
@@ -171,6 +173,11 @@ void Window::toggle_full_screen() {
 }
 
 void Window::copy(const std::string& text) { glfwSetClipboardString(handle(), text.c_str()); }
+
+std::string Window::pasted() const {
+    const char* text = glfwGetClipboardString(handle());
+    return text ? text : "";
+}
 
 DrawingContext::DrawingContext() : window_(nullptr) {
     const NewThreadsGiveWay rasterisers;

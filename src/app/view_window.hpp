@@ -46,6 +46,8 @@ public:
     void show_picture();
     void toggle_full_screen();
     void copy(const std::string& text);
+    /// What other programs copied; empty where it is no text.
+    std::string pasted() const;
     GLFWwindow* handle() const { return window_.get(); }
 
 private:

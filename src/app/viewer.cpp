@@ -64,6 +64,7 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
       worker_(start_worker(description)) {
     panels_.upload_fonts(interface_.fonts());
     window_.listen(interface_.input());
+    interface_.use_clipboard({[this] { return window_.pasted(); }, [this](const auto& text) { window_.copy(text); }});
     worker_->on_view(&Window::wake);
     if (request.full_screen) window_.toggle_full_screen();
     take_news();
@@ -117,6 +118,7 @@ void Viewer::draw_frame() {
     drawn_ = now;
     --frames_wanted_;
     const ui::Display display = window_.display();
+    trace_.tell("size", std::to_string(display.width) + "x" + std::to_string(display.height));
     if (display.width <= 0 || display.height <= 0) return;  // minimised
     if (interface_.resize(display)) panels_.upload_fonts(interface_.fonts());
     interface_.draw(*view_, *worker_, {camera_, style_}, measured_);
@@ -177,7 +179,6 @@ void Viewer::save_picture(const ui::Request& request) {
 
 void Viewer::tell() {
     if (!trace_.wanted()) return;
-    trace_.tell("size", std::to_string(window_.display().width) + "x" + std::to_string(window_.display().height));
     trace_.tell(*view_);
     trace_.tell(camera_);
     trace_.tell(interface_.widgets(), frames_wanted_ == 0);

@@ -93,8 +93,8 @@ void TrajectoryWriter::Block::append_csv(std::string& text, const Part& part, co
 
 void TrajectoryWriter::Block::append_xyz(std::string& text, const Part& part, const Row* row) const {
     if (part.frame_begins) {
-        text += fmt::format("{}\nProperties=species:S:1:pos:R:3:velo:R:3 Time={} Step={} pbc=\"F F F\"\n",
-                            part.frame_rows, number_text(part.time), part.step);
+        text += fmt::format("{}\nProperties=type:S:1:pos:R:3:velo:R:3 Time={} Step={} pbc=\"F F F\"\n", part.frame_rows,
+                            number_text(part.time), part.step);
     }
     for (const Row* end = row + part.rows; row != end; ++row) {
         text += id(row->role);

@@ -13,7 +13,7 @@ namespace steplab {
 
 enum class TrajectoryFormat {
     csv,  ///< step,time,particle,x,y,z,vx,vy,vz: one line for each particle
-    xyz,  ///< extended XYZ, as OVITO and ASE read it: species (the role), position, velocity
+    xyz,  ///< extended XYZ, as OVITO and ASE read it: type (the role), position, velocity
 };
 
 /// The format of this name. Throws UsageError naming the known ones.

@@ -42,6 +42,19 @@ ImGuiContext* make_context() {
     return context;
 }
 
+/// A clipboard as ImGui calls it, which wants text that stays where it is after the call.
+struct ImGuiClipboard {
+    Clipboard clipboard;
+    std::string text;
+
+    static ImGuiClipboard& of(void* self) { return *static_cast<ImGuiClipboard*>(self); }
+    static const char* read(void* self) {
+        of(self).text = of(self).clipboard.read();
+        return of(self).text.c_str();
+    }
+    static void write(void* self, const char* text) { of(self).clipboard.write(text); }
+};
+
 void draw_panels(const Context& context) {
     draw_side_panel(context);
     draw_plots_panel(context);
@@ -76,6 +89,7 @@ struct Interface::Body {
     Display display;
     Theme theme;
     Input input;
+    ImGuiClipboard clipboard;
     Session session;
     ViewKeeper view_keeper;
     Layout layout;
@@ -105,6 +119,15 @@ void Interface::record(const RunView& view) {
 void Interface::show_scene(std::uint32_t texture) { body_->scene_texture = texture; }
 
 Input& Interface::input() { return body_->input; }
+
+void Interface::use_clipboard(Clipboard clipboard) {
+    ImGui::SetCurrentContext(body_->context.get());
+    body_->clipboard.clipboard = std::move(clipboard);
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = &body_->clipboard;
+    io.GetClipboardTextFn = ImGuiClipboard::read;
+    io.SetClipboardTextFn = ImGuiClipboard::write;
+}
 
 void Interface::draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured) {
     draw_frame(view, commands, stage, measured, false);

@@ -6,6 +6,7 @@
 #include "ui/input.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ struct ImFontAtlas;
 struct ImGuiContext;
 
 namespace steplab::ui {
+
+/// The clipboard that other programs see.
+struct Clipboard {
+    std::function<std::string()> read;
+    std::function<void(const std::string& text)> write;
+};
 
 /// The whole panel set of one window or still picture. It owns an ImGui context and no OpenGL object: whoever draws
 /// takes draw_data() and fonts(). All positions are pixels from the top left of the display.
@@ -41,6 +48,8 @@ public:
 
     /// Keyboard and mouse: what is pushed here is fed to the next frames.
     Input& input();
+    /// What is cut, copied and pasted in text entries goes by this clipboard; without one it stays in the interface.
+    void use_clipboard(Clipboard clipboard);
     /// One frame: sends what the person asked for to `commands`, moves the camera and sets the style.
     void draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured = {});
     /// The frame of a picture that nobody touches: the same view gives the same draw data, whenever it is drawn.

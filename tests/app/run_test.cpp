@@ -94,7 +94,7 @@ TEST_P(Runs, extended_xyz_reads_back_exactly) {
             simulation.advance(step - simulation.step());
             const Frame frame = simulation.frame();
             EXPECT_EQ(number<std::size_t>(lines.at(line++)), frame.positions.size());
-            EXPECT_THAT(lines.at(line), HasSubstr("Properties=species:S:1:pos:R:3:velo:R:3 "));
+            EXPECT_THAT(lines.at(line), HasSubstr("Properties=type:S:1:pos:R:3:velo:R:3 "));
             const std::string& comment = lines.at(line++);
             EXPECT_EQ(number(split(comment.substr(comment.find("Time=") + 5), ' ').front()), frame.time);
             for (std::size_t i = 0; i < frame.positions.size(); ++i) {

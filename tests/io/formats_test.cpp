@@ -57,7 +57,7 @@ TEST(Trajectory, csv_holds_the_shortest_text_of_each_number) {
 TEST(Trajectory, xyz_is_what_ovito_reads) {
     EXPECT_EQ(written(sample_frame(Precision::double_), TrajectoryFormat::xyz, {1}),
               "1\n"
-              "Properties=species:S:1:pos:R:3:velo:R:3 Time=0.30000000000000004 Step=3 pbc=\"F F F\"\n"
+              "Properties=type:S:1:pos:R:3:velo:R:3 Time=0.30000000000000004 Step=3 pbc=\"F F F\"\n"
               "kicked 1 2 3 0 0 0\n");
 }
 

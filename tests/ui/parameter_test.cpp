@@ -82,6 +82,21 @@ TEST(parameters, every_slider_takes_a_typed_value_of_any_size) {
     }
 }
 
+TEST(parameters, text_entries_share_the_clipboard_of_other_programs) {
+    Desk desk(describe("oscillator"));
+    std::string clipboard = "0.25";
+    desk.interface.use_clipboard({[&] { return clipboard; }, [&](const std::string& text) { clipboard = text; }});
+    desk.click("dt.value");
+    desk.key(Key::v, true);
+    desk.key(Key::enter);
+    EXPECT_EQ(desk.wanted().dt, 0.25);
+    desk.click("dt.value");
+    desk.type("0.5");
+    desk.key(Key::a, true);
+    desk.key(Key::x, true);
+    EXPECT_EQ(clipboard, "0.5");
+}
+
 TEST(parameters, choices_and_switches_are_clicked) {
     for (const Place& place : all_parameters()) {
         if (has_slider(place.info)) continue;

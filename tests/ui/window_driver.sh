@@ -13,6 +13,7 @@ fail() {
 
 clean_up() {
     [[ -n ${window_pid:-} ]] && kill "$window_pid" 2>/dev/null
+    [[ -n ${manager_pid:-} ]] && kill "$manager_pid" 2>/dev/null
     [[ -n ${display_pid:-} ]] && kill "$display_pid" 2>/dev/null
     wait
     rm -rf "$folder"
@@ -30,6 +31,16 @@ start_display() {
     read -r -t $patience number <"$folder/number" || fail "the virtual display did not start"
     export DISPLAY=:$number
     unset WAYLAND_DISPLAY
+}
+
+# start_window_manager: what minimises windows and brings them back; ready once it has put its name on the display.
+start_window_manager() {
+    command -v openbox >/dev/null || { echo "FAILED: openbox is needed (see scripts/packages.txt)" >&2; exit 1; }
+    mkfifo "$folder/manager"
+    openbox --sm-disable --startup "sh -c 'echo ready >$folder/manager'" 2>>"$folder/display.log" &
+    manager_pid=$!
+    local word
+    read -r -t $patience word <"$folder/manager" || fail "the window manager did not start"
 }
 
 # open_window OPTION...: the window, and what it says from now on.

@@ -84,6 +84,16 @@ wrong_entries_are_refused() {
     close_window
 }
 
+text_entries_paste_what_was_copied() {
+    start_display 1280x800
+    open_window --model oscillator --dt 0.25
+    choose menu 'copy command'; expect 'copied .*'
+    click dt.value; expect 'widget dt.entry [0-9].*'
+    xdotool key ctrl+v key Return; expect 'widget refusal.close [0-9].*'
+    click refusal.close; expect 'widget refusal gone'
+    close_window
+}
+
 divergence_is_told_and_cured() {
     start_display 1280x800
     open_window --model chain --method euler --dt 2.5
@@ -102,6 +112,20 @@ window_takes_any_size() {
     xdotool windowsize "$id" 400 300; expect 'size 400x300' 'widget displacement gone'
     xdotool windowsize "$id" 1600 1200; expect 'size 1600x1200'
     xdotool key Right; expect 'step 1'
+    close_window
+}
+
+minimised_it_draws_nothing_and_comes_back() {
+    start_display 1280x800
+    start_window_manager
+    open_window --model mesh --size 1000x700
+    local id
+    id=$(xdotool search --name '^steplab$' | tail -1)
+    xdotool windowminimize --sync "$id"; expect 'size 0x0'
+    xdotool windowmap --sync "$id"; expect 'size 1000x700'
+    xdotool windowfocus --sync "$id" key space; expect 'playing true' 'step 3'
+    xdotool windowminimize --sync "$id"; expect 'size 0x0'
+    xdotool windowmap --sync "$id"; expect 'size 1000x700' 'step [0-9]+'
     close_window
 }
 
