@@ -6,6 +6,8 @@ namespace steplab {
 
 /// Euler as the thesis uses it: the new velocity moves the particles (semi-implicit, symplectic).
 struct Euler {
+    static constexpr ParameterInfo parameters[] = {compensated_sums};
+
     static constexpr MethodInfo info{
         .id = "euler",
         .name = "Euler, semi-implicit",
@@ -17,8 +19,10 @@ struct Euler {
         .symplectic = true,
         .conserves = "momentum, angular momentum, energy within bounds",
         .source = "Hairer, Lubich, Wanner, Geometric Numerical Integration, I.1.2",
+        .parameters = parameters,
     };
 
+    static constexpr bool explicit_drag = true;
     static constexpr std::array<KickAndDrift, 1> table{{{.kick = 1, .drift = 1}}};
 
     template <class T>

@@ -6,6 +6,8 @@ namespace steplab {
 
 /// The explicit midpoint rule, the thesis' RK2.
 struct Midpoint {
+    static constexpr ParameterInfo parameters[] = {compensated_sums};
+
     static constexpr MethodInfo info{
         .id = "midpoint",
         .name = "Midpoint (RK2)",
@@ -16,6 +18,7 @@ struct Midpoint {
         .linear_limit = 0,  // grows by sqrt(1 + (omega dt)^4 / 4) a step
         .conserves = "momentum",
         .source = "Runge, Math. Ann. 46 (1895) 167; Hairer, Nørsett, Wanner I, II.1",
+        .parameters = parameters,
     };
 
     static constexpr ButcherTable<2> table{.a = {{{0, 0}, {0.5, 0}}}, .b = {0, 1}};

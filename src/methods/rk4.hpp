@@ -6,6 +6,8 @@ namespace steplab {
 
 /// The classic Runge-Kutta method.
 struct Rk4 {
+    static constexpr ParameterInfo parameters[] = {compensated_sums};
+
     static constexpr MethodInfo info{
         .id = "rk4",
         .name = "Runge-Kutta 4",
@@ -16,6 +18,7 @@ struct Rk4 {
         .linear_limit = 2.8284271247461903,  // 2 sqrt(2)
         .conserves = "momentum",
         .source = "Kutta, Z. Math. Phys. 46 (1901) 435; Hairer, Nørsett, Wanner I, II.1",
+        .parameters = parameters,
     };
 
     static constexpr ButcherTable<4> table{

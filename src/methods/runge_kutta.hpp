@@ -28,7 +28,7 @@ struct ButcherTable {
 template <class T, class Table>
 class RungeKutta : public Synchronised<T> {
 public:
-    explicit RungeKutta(const ParameterValues&) {}
+    explicit RungeKutta(const ParameterValues& values) : Synchronised<T>(values) {}
 
     template <class System>
     void start(System&, const State<T>& state) {
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    using Synchronised<T>::x_, Synchronised<T>::v_;
+    using Synchronised<T>::x_, Synchronised<T>::v_, Synchronised<T>::lost_;
 
     static constexpr auto& table = Table::table;
     static constexpr std::size_t stages = std::remove_cvref_t<decltype(Table::table)>::stages;
@@ -129,6 +129,14 @@ private:
         T *const x = x_.flat().data(), *const v = v_.flat().data();
         const auto of_x = slopes_of_x(std::make_index_sequence<stages>{});
         const auto of_v = slopes_of_v(std::make_index_sequence<stages>{});
+        if (lost_.kept()) {
+            T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
+            return elementwise(x_.flat().size(), [=](std::size_t k) {
+                const T slope = weighted_sum<FinalWeights, stages - 1>(of_x, k);
+                add_compensated(x[k], lost_x[k], dt * slope);
+                add_compensated(v[k], lost_v[k], dt * weighted_sum<FinalWeights, stages - 1>(of_v, k));
+            });
+        }
         elementwise(x_.flat().size(), [=](std::size_t k) {
             const T slope = weighted_sum<FinalWeights, stages - 1>(of_x, k);
             x[k] += dt * slope;

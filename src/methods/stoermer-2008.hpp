@@ -13,6 +13,7 @@ namespace steplab {
 /// step takes the acceleration of the substep before. It works on absolute positions with the plain force loop.
 struct Stoermer2008 {
     static constexpr bool plain = true;
+    static constexpr ParameterInfo parameters[] = {Stoermer::substeps};
 
     static constexpr MethodInfo info{
         .id = "stoermer-2008",
@@ -25,7 +26,7 @@ struct Stoermer2008 {
         .curiosity = true,
         .conserves = "momentum",
         .source = "Sosnowski, thesis, UMK Toruń 2008, listing of Störmer",
-        .parameters = Stoermer::parameters,
+        .parameters = parameters,
     };
 
     template <class T>

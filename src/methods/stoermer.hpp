@@ -7,7 +7,7 @@ namespace steplab {
 
 /// Störmer's rule: z substeps of the three-point rule, started and ended with velocities at full steps.
 struct Stoermer {
-    static constexpr ParameterInfo parameters[] = {{.name = "substeps",
+    static constexpr ParameterInfo substeps{.name = "substeps",
                                                     .kind = ParameterInfo::Kind::integer,
                                                     .unit = "",
                                                     .minimum = 1,
@@ -15,7 +15,8 @@ struct Stoermer {
                                                     .default_value = 10,
                                                     .what = "substeps z of a step",
                                                     .slider_low = 1,
-                                                    .slider_high = 50}};
+                                                    .slider_high = 50};
+    static constexpr ParameterInfo parameters[] = {substeps, compensated_sums};
 
     static constexpr MethodInfo info{
         .id = "stoermer",
@@ -36,11 +37,12 @@ struct Stoermer {
     template <class T>
     class Integrator {
     public:
-        explicit Integrator(const ParameterValues& values) : substeps_(values.count("substeps")) {}
+        explicit Integrator(const ParameterValues& values)
+            : substeps_(values.count("substeps")), compensated_(values[compensated_sums.name] != 0) {}
 
         template <class System>
         void start(System& system, const State<T>& state) {
-            points_ = {state.displacement, state.velocity, Field<T>(state.displacement.count())};
+            points_ = ThreePoint<T>(state, compensated_);
             system.accelerations(points_.x, points_.a);
         }
 
@@ -64,9 +66,7 @@ struct Stoermer {
 
         template <class Self, class F>
         static void each_part(Self& self, F f) {
-            f(self.points_.x);
-            f(self.points_.w);
-            f(self.points_.a);
+            ThreePoint<T>::each_part(self.points_, f);
         }
 
     private:
@@ -79,6 +79,7 @@ struct Stoermer {
 
         ThreePoint<T> points_;
         std::size_t substeps_;
+        bool compensated_;
     };
 };
 

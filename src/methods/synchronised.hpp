@@ -1,14 +1,20 @@
 #pragma once
 
+#include "core/entry.hpp"
 #include "core/field.hpp"
+#include "methods/compensated.hpp"
 
 namespace steplab {
 
-/// The internal state of methods that hold positions and velocities of one time and nothing else. Integrators inherit
-/// it.
+/// The internal state of methods that hold positions and velocities of one time and nothing else, with what rounding
+/// has cut off them if their parameter `compensated` asks for it. Integrators inherit it.
 template <class T>
 class Synchronised {
 public:
+    Synchronised() = default;
+    explicit Synchronised(const ParameterValues& values)
+        : compensated_(values.contains(compensated_sums.name) && values[compensated_sums.name] != 0) {}
+
     template <class System>
     void synchronised(const System&, State<T>& out) const {
         out.displacement = x_;
@@ -19,16 +25,23 @@ public:
     static void each_part(Self& self, F f) {
         f(self.Synchronised::x_);
         f(self.Synchronised::v_);
+        f(self.Synchronised::lost_.x);
+        f(self.Synchronised::lost_.v);
     }
 
 protected:
     void begin(const State<T>& state) {
         x_ = state.displacement;
         v_ = state.velocity;
+        lost_ = Lost<T>(compensated_, x_.count());
     }
 
     Field<T> x_;  ///< displacements; absolute positions in plain methods
     Field<T> v_;
+    Lost<T> lost_;
+
+private:
+    bool compensated_ = false;
 };
 
 }  // namespace steplab

@@ -8,6 +8,8 @@ namespace steplab {
 /// Störmer-Verlet in three points. It starts from x(1) = x0 + dt (1 - f) v0 + dt^2/2 a0 and shows
 /// v(n) = (x(n+1) - x(n-1)) / (2 dt), the velocity at the time of x(n).
 struct Verlet {
+    static constexpr ParameterInfo parameters[] = {compensated_sums};
+
     static constexpr MethodInfo info{
         .id = "verlet",
         .name = "Störmer-Verlet",
@@ -21,17 +23,18 @@ struct Verlet {
         .reversible = true,
         .conserves = "momentum, angular momentum, energy within bounds",
         .source = "Verlet, Phys. Rev. 159 (1967) 98; Hairer, Lubich, Wanner, Acta Numerica 12 (2003) 399",
+        .parameters = parameters,
     };
 
     template <class T>
     class Integrator {
     public:
-        explicit Integrator(const ParameterValues&) {}
+        explicit Integrator(const ParameterValues& values) : compensated_(values[compensated_sums.name] != 0) {}
 
         /// The mean velocity behind the start is the one that makes next() take the prescribed first step.
         template <class System>
         void start(System& system, const State<T>& state) {
-            points_ = {state.displacement, state.velocity, Field<T>(state.displacement.count())};
+            points_ = ThreePoint<T>(state, compensated_);
             system.accelerations(points_.x, points_.a);
             const T h = system.dt(), f = system.drag() * h / T(2);
             T* const w = points_.w.flat().data();
@@ -58,13 +61,12 @@ struct Verlet {
 
         template <class Self, class F>
         static void each_part(Self& self, F f) {
-            f(self.points_.x);
-            f(self.points_.w);
-            f(self.points_.a);
+            ThreePoint<T>::each_part(self.points_, f);
         }
 
     private:
         ThreePoint<T> points_;
+        bool compensated_;
     };
 };
 

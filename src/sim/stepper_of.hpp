@@ -18,6 +18,24 @@ inline constexpr bool is_plain = requires {
     Method::plain;
 };
 
+/// What of an integrator's internal state is no field.
+template <class Integrator>
+inline constexpr bool has_progress = requires(const Integrator& integrator) {
+    integrator.progress();
+};
+template <class Integrator>
+struct ProgressType {
+    struct None {};
+    using Type = None;
+};
+template <class Integrator>
+requires has_progress<Integrator>
+struct ProgressType<Integrator> {
+    using Type = typename Integrator::Progress;
+};
+template <class Integrator>
+using ProgressOf = typename ProgressType<Integrator>::Type;
+
 /// A method in one precision on one layout of forces.
 template <class Method, class T, class Force>
 class StepperOf final : public Stepper {
@@ -53,7 +71,7 @@ public:
     std::uint64_t evaluations() const override { return system_.evaluations(); }
 
     std::any save() const override {
-        Saved saved{{}, system_.evaluations()};
+        Saved saved{{}, progress(), system_.evaluations()};
         Integrator::each_part(integrator_, [&](const Field<T>& part) { saved.parts.push_back(part); });
         return saved;
     }
@@ -62,6 +80,7 @@ public:
         const Saved& saved = std::any_cast<const Saved&>(state);
         auto part = saved.parts.begin();
         Integrator::each_part(integrator_, [&](Field<T>& mine) { mine = *part++; });
+        if constexpr (has_progress<Integrator>) integrator_.progress(saved.progress);
         system_.evaluations(saved.evaluations);
     }
 
@@ -72,10 +91,21 @@ public:
     }
 
 private:
+    using Integrator = typename Method::template Integrator<T>;
+
     struct Saved {
         std::vector<Field<T>> parts;
+        ProgressOf<Integrator> progress;
         std::uint64_t evaluations;
     };
+
+    ProgressOf<Integrator> progress() const {
+        if constexpr (has_progress<Integrator>) {
+            return integrator_.progress();
+        } else {
+            return {};
+        }
+    }
 
     /// A number minus itself is zero if it is finite, else not a number, which every sum passes on.
     static bool all_finite(const Field<T>& field) {
@@ -87,8 +117,6 @@ private:
     void add_reference(Field<T>& positions, T sign) const {
         for (std::size_t k = 0; k < positions.flat().size(); ++k) positions.flat()[k] += sign * reference_.flat()[k];
     }
-
-    using Integrator = typename Method::template Integrator<T>;
 
     System<T, Force> system_;
     Integrator integrator_;

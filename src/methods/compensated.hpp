@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/entry.hpp"
+#include "core/field.hpp"
+
+namespace steplab {
+
+/// The option of every method of fixed steps: its sums of positions and velocities keep what rounding cuts off.
+inline constexpr ParameterInfo compensated_sums{.name = "compensated",
+                                                .kind = ParameterInfo::Kind::integer,
+                                                .unit = "",
+                                                .minimum = 0,
+                                                .maximum = 1,
+                                                .default_value = 0,
+                                                .what = "1: sums keep what rounding cuts off, 0: it is lost",
+                                                .slider_high = 1};
+
+/// sum += increment, where `lost` holds what rounding has cut off `sum` so far (compensated summation with the error
+/// of a sum after Knuth, The Art of Computer Programming 2, 4.2.2, theorem B; Hairer, Lubich, Wanner, Geometric
+/// Numerical Integration, VIII.5).
+template <class T>
+void add_compensated(T& sum, T& lost, T increment) {
+    const T wanted = increment + lost;
+    const T next = sum + wanted;
+    const T added = next - sum;
+    lost = (sum - (next - added)) + (wanted - added);
+    sum = next;
+}
+
+/// What rounding has cut off positions and velocities; empty unless sums are compensated.
+template <class T>
+struct Lost {
+    Field<T> x, v;
+
+    Lost() = default;
+    Lost(bool compensated, std::size_t count)
+        : x(compensated ? Field<T>(count) : Field<T>()), v(compensated ? Field<T>(count) : Field<T>()) {}
+    bool kept() const { return x.count() > 0; }
+};
+
+}  // namespace steplab
