@@ -75,3 +75,16 @@ function(steplab_tests folder)
   gtest_discover_tests(test_${folder} TEST_PREFIX ${folder}. DISCOVERY_TIMEOUT 60
                        PROPERTIES TIMEOUT 300 LABELS "${folder};${ARG_LABELS}")
 endfunction()
+
+# The class of a method: rk4 -> Rk4, verlet-2008 -> Verlet2008.
+function(steplab_method_class id class)
+  string(REPLACE "-" ";" words ${id})
+  set(name "")
+  foreach(word IN LISTS words)
+    string(SUBSTRING ${word} 0 1 first)
+    string(SUBSTRING ${word} 1 -1 rest)
+    string(TOUPPER ${first} first)
+    string(APPEND name ${first}${rest})
+  endforeach()
+  set(${class} ${name} PARENT_SCOPE)
+endfunction()

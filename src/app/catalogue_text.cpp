@@ -134,7 +134,8 @@ std::string methods_table() {
     for (const Method& method : methods()) {
         const MethodInfo& info = method.info;
         std::string evaluations = fmt::format("{:g}", evaluations_per_step(info, ParameterValues(info.parameters)));
-        if (!info.parameters.empty()) evaluations += fmt::format(" ({})", settings(info.parameters));
+        if (const ParameterValues values(info.parameters); values.contains("substeps"))
+            evaluations += fmt::format(" (substeps={:g})", values["substeps"]);
         rows.push_back({std::string(info.id), std::string(info.name), std::to_string(info.order), evaluations,
                         limit_text(info), properties(info)});
     }

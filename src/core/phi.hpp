@@ -7,9 +7,9 @@
 
 namespace steplab {
 
-/// (e^z - 1) / z, 1 at z = 0: what a step of an equation with linear decay is made of (phi_1 of exponential integrators:
-/// Hochbruck, Ostermann, Acta Numerica 19 (2010) 209). Near 0 from its series, so that no digits cancel; float is
-/// computed in double. The same bits on every system.
+/// (e^z - 1) / z, 1 at z = 0: what a step of an equation with linear decay is made of (phi_1 of exponential
+/// integrators: Hochbruck, Ostermann, Acta Numerica 19 (2010) 209). Near 0 from its series, so that no digits cancel;
+/// float is computed in double. The same bits on every system.
 template <class T>
 T phi_1(T z) {
     using Wide = std::conditional_t<std::is_same_v<T, float>, double, T>;

@@ -8,14 +8,14 @@ namespace steplab {
 /// Störmer's rule: z substeps of the three-point rule, started and ended with velocities at full steps.
 struct Stoermer {
     static constexpr ParameterInfo substeps{.name = "substeps",
-                                                    .kind = ParameterInfo::Kind::integer,
-                                                    .unit = "",
-                                                    .minimum = 1,
-                                                    .maximum = 1000000,
-                                                    .default_value = 10,
-                                                    .what = "substeps z of a step",
-                                                    .slider_low = 1,
-                                                    .slider_high = 50};
+                                            .kind = ParameterInfo::Kind::integer,
+                                            .unit = "",
+                                            .minimum = 1,
+                                            .maximum = 1000000,
+                                            .default_value = 10,
+                                            .what = "substeps z of a step",
+                                            .slider_low = 1,
+                                            .slider_high = 50};
     static constexpr ParameterInfo parameters[] = {substeps, compensated_sums};
 
     static constexpr MethodInfo info{

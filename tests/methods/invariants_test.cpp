@@ -35,8 +35,8 @@ TEST_P(Invariants, angular_momentum_is_kept_by_symplectic_methods) {
     EXPECT_LT(length(simulation.diagnostics().angular_momentum - before), rounding_of(precision) * 28 * 100 * 400);
 }
 
-// Bounded for symplectic methods over 10^5 steps, drifting for the others: the energy error of the second half of a
-// long run is no larger than that of the first, up to a tenth.
+// Bounded for symplectic methods over 10^4 steps, drifting for the others: the energy error of the second half of a
+// long run is no larger than that of the first, up to a tenth and to what one rounding a step adds up to.
 TEST_P(Invariants, energy_stays_bounded_exactly_where_it_is_said_to) {
     const auto& [info, precision] = GetParam();
     Simulation simulation(run_of("oscillator", info->id, precision, 0.3));
@@ -47,7 +47,8 @@ TEST_P(Invariants, energy_stays_bounded_exactly_where_it_is_said_to) {
         double& half = i < 5000 ? first : second;
         half = std::max(half, std::abs(simulation.diagnostics().energy_error));
     }
-    EXPECT_EQ(!simulation.divergence() && second < 1.1 * first, info->symplectic);
+    const double rounding = 10000 * rounding_of(precision);
+    EXPECT_EQ(!simulation.divergence() && second < 1.1 * first + rounding, info->symplectic);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Invariants, testing::ValuesIn(working_methods()), case_name);
@@ -84,21 +85,22 @@ TEST(Reversal, brings_reversible_methods_back_and_no_others) {
     }
 }
 
-// omega dt just below the declared limit stays bounded for long; just above, it blows up. The methods unstable at any
-// dt (limit 0) blow up at omega dt = 0.9.
+// omega dt just below the declared limit stays bounded for long; just above, it blows up, if slowly: srkn-11b, whose
+// limit is a narrow resonance at omega dt = pi, grows there by no more than 4e-4 a step. The methods unstable at any dt
+// (limit 0) blow up at omega dt = 0.9.
 TEST(LinearLimit, is_where_the_oscillator_blows_up) {
     for (const MethodCase& c : working_methods()) {
         const double limit = linear_limit(*c.info, ParameterValues(c.info->parameters));
         const auto diverges = [&](double dt) {
             Simulation simulation(run_of("oscillator", c.id(), c.precision, dt));
-            simulation.advance(5000);
+            simulation.advance(100000);
             return simulation.divergence().has_value();
         };
         if (limit == 0) {
             EXPECT_TRUE(diverges(0.9)) << c;
         } else {
-            EXPECT_FALSE(diverges(0.99 * limit)) << c;
-            EXPECT_TRUE(diverges(1.01 * limit)) << c;
+            EXPECT_FALSE(diverges(0.999 * limit)) << c;
+            EXPECT_TRUE(diverges(1.0002 * limit)) << c;
         }
     }
 }
