@@ -1,8 +1,10 @@
 #include "app/commands.hpp"
 
 #include "app/catalogue_text.hpp"
+#include "app/command_advise.hpp"
 #include "app/command_line.hpp"
 #include "app/command_list.hpp"
+#include "app/command_report.hpp"
 #include "app/command_run.hpp"
 #include "app/command_snapshot.hpp"
 #include "app/command_view.hpp"
@@ -63,6 +65,8 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     all.push_back(list_command());
     all.push_back(run_command());
     all.push_back(snapshot_command());
+    all.push_back(report_command());
+    all.push_back(advise_command());
     all.push_back(view_command(arguments));
     return all;
 }

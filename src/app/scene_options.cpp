@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -27,6 +26,8 @@ constexpr ParameterInfo steps_info{.name = "--steps",
                                    .maximum = most_steps,
                                    .what = "number of steps"};
 
+}  // namespace
+
 Precision precision_of(std::string_view text) {
     constexpr std::array known{id(Precision::float_), id(Precision::double_)};
     if (text == known[0]) return Precision::float_;
@@ -34,23 +35,20 @@ Precision precision_of(std::string_view text) {
     throw UsageError(unknown_word("precision", text, known));
 }
 
-void apply(RunDescription& description, const std::vector<std::string>& settings) {
-    std::vector<std::string> names;
-    for (const std::string& setting : settings) {
-        const std::size_t equals = setting.find('=');
-        if (equals == std::string::npos || equals == 0) {
-            throw UsageError(fmt::format("--set '{}' is not of the form name=value, such as --set n=20", setting));
+std::vector<Setting> parse_settings(const std::vector<std::string>& texts) {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw UsageError(fmt::format("--set '{}' is not of the form name=value, such as --set n=20", text));
+        const std::string name = text.substr(0, equals);
+        for (const Setting& earlier : settings) {
+            if (earlier.name == name) throw UsageError(fmt::format("parameter '{}' is set more than once", name));
         }
-        const std::string name = setting.substr(0, equals);
-        if (std::find(names.begin(), names.end(), name) != names.end()) {
-            throw UsageError(fmt::format("parameter '{}' is set more than once", name));
-        }
-        names.push_back(name);
-        set_parameter(description, name, setting.substr(equals + 1));
+        settings.push_back({name, text.substr(equals + 1)});
     }
+    return settings;
 }
-
-}  // namespace
 
 void SceneOptions::declare(CLI::App& app) {
     const RunDescription defaults = describe();
@@ -75,7 +73,7 @@ RunDescription SceneOptions::description() const {
     RunDescription description = describe(model_, method_);
     description.precision = precision_of(precision_);
     description.dt = parse_value(dt_info, dt_);
-    apply(description, settings_);
+    for (const Setting& setting : parse_settings(settings_)) set_parameter(description, setting.name, setting.text);
     check(description);
     return description;
 }
@@ -96,6 +94,13 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
                                      number_text(description.dt)));
     }
     return steps_until(until, description.dt);
+}
+
+double TimeOptions::duration(const RunDescription& description) const {
+    const double time =
+        until_.empty() ? static_cast<double>(steps(description)) * description.dt : parse_value(until_info, until_);
+    if (!(time > 0)) throw UsageError("the time to reach must be > 0: give --until T, or --steps N with --dt X");
+    return time;
 }
 
 }  // namespace steplab

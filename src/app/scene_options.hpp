@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -11,6 +12,16 @@ class App;
 }
 
 namespace steplab {
+
+/// One --set name=value.
+struct Setting {
+    std::string name, text;
+};
+/// Throws UsageError for what is not of that form or names a parameter twice.
+std::vector<Setting> parse_settings(const std::vector<std::string>& texts);
+
+/// "float" or "double". Throws UsageError.
+Precision precision_of(std::string_view text);
 
 /// The options SCENE, the same for every command and program: --model, --set, --method, --precision, --dt.
 /// Everything is taken as text and read by our own parsers: in the C locale, whole, with one kind of message.
@@ -36,6 +47,8 @@ public:
     void declare(CLI::App& app);
     /// Number of steps from the start. Throws UsageError.
     std::uint64_t steps(const RunDescription& description) const;
+    /// The time they reach: --until, or the steps times dt. Throws UsageError unless it is > 0.
+    double duration(const RunDescription& description) const;
 
 private:
     std::uint64_t default_steps_;

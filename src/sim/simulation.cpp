@@ -260,6 +260,8 @@ std::string Simulation::hash() const {
     return fmt::format("{:016x}", hash);
 }
 
+const State<double>& Simulation::state() const { return body_->state; }
+
 Diagnostics Simulation::diagnostics() const {
     const Body& body = *body_;
     Diagnostics sums = sums_over_particles(body.state, body.segment.scene, *shape());

@@ -61,6 +61,8 @@ public:
     Frame frame() const;
     void frame(Frame& out) const;
     Diagnostics diagnostics() const;
+    /// Displacements from the reference positions and velocities of the moment, with all the digits the run has.
+    const State<double>& state() const;
     /// The unchanging part of the scene; built when first asked for.
     std::shared_ptr<const Shape> shape() const;
     /// Hash of step and synchronised state bits, 16 hexadecimal digits.

@@ -1,0 +1,5 @@
+#pragma once
+#include "sim/run_description.hpp"
+namespace steplab {
+double omega_max(const RunDescription&);
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "lab/reference.hpp"
+#include "sim/run_description.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace steplab {
+
+/// One run from the scene's start over a given time, and what it was found to be worth.
+struct Measurement {
+    RunDescription run;
+    std::uint64_t steps = 0;             ///< asked for
+    std::uint64_t evaluations = 0;       ///< start-up included
+    double error = 0;                    ///< largest distance of a particle from the reference at the end
+    double rms_error = 0;                ///< root of the mean squared distance over the particles
+    double energy_error = 0;             ///< largest |E - E0| over the moments looked at
+    bool diverged = false;               ///< then error and wall_seconds mean nothing
+    std::optional<double> wall_seconds;  ///< of the stepping alone, least of several; none until timed
+    std::string hash;
+};
+
+/// Runs it once, looking at the energy at 64 moments. No error is given below the reference's own.
+Measurement measure(const RunDescription& run, std::uint64_t steps, const Reference& reference);
+
+/// Times the stepping of one run from a fresh start: nothing else is inside the clock.
+double stepping_seconds(const RunDescription& run, std::uint64_t steps);
+
+}  // namespace steplab

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "lab/study.hpp"
+
+#include <span>
+#include <string>
+
+namespace steplab {
+
+/// The report as one page of HTML that needs nothing else: diagrams are inline SVG, styles stand in its head.
+/// `errors`: the accuracies it answers for, largest first. Throws FileError if gnuplot cannot be run.
+std::string report_page(std::span<const Study> studies, std::span<const double> errors, const Circumstances& made);
+
+}  // namespace steplab

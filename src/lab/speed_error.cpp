@@ -1,0 +1,145 @@
+#include "lab/speed_error.hpp"
+
+#include "lab/linearised.hpp"
+#include "sim/catalogue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+/// Runs shorter than this are repeated within a round until they have taken as long together.
+constexpr double least_seconds = 2e-4;
+
+/// A series ends when halving dt has gained nothing twice: rounding has taken over, or the reference's own error.
+class GainWatch {
+public:
+    bool gains_no_more(const Measurement& last) {
+        if (last.diverged) return false;
+        useless_ = last.error > 0.7 * best_ ? useless_ + 1 : 0;
+        best_ = std::min(best_, last.error);
+        return useless_ == 2;
+    }
+
+private:
+    double best_ = infinity;
+    int useless_ = 0;
+};
+
+/// What one run costs before it is made, from the one made last.
+class CostWatch {
+public:
+    explicit CostWatch(double most_seconds) : most_(most_seconds) {}
+
+    bool too_long(std::uint64_t steps) const { return seconds_a_step_ * static_cast<double>(steps) > most_; }
+    void ran(std::uint64_t steps, double seconds) { seconds_a_step_ = seconds / static_cast<double>(steps); }
+
+private:
+    double most_;
+    double seconds_a_step_ = 0;
+};
+
+class Series {
+public:
+    Series(const StudyPlan& plan, const Reference& reference, std::vector<Measurement>& out)
+        : plan_(plan), reference_(reference), out_(out) {}
+
+    void over_dt(const std::string& method, Precision precision) {
+        GainWatch gain;
+        CostWatch cost(plan_.most_seconds_a_run);
+        for (double wanted = static_cast<double>(fewest_steps(plan_, method)); wanted < 1e9; wanted *= plan_.ratio) {
+            const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
+            if (cost.too_long(steps)) return;
+            const RunDescription run = run_over(plan_, method, precision, steps);
+            cost.ran(steps, stepping_seconds(run, steps));
+            out_.push_back(measure(run, steps, reference_));
+            if (gain.gains_no_more(out_.back())) return;
+        }
+    }
+
+    void over_tolerance(const std::string& method, Precision precision) {
+        GainWatch gain;
+        const double least = precision == Precision::float_ ? 1e-8 : 1e-16;
+        for (double tolerance = 1e-2; tolerance > least; tolerance /= 10) {
+            RunDescription run = run_over(plan_, method, precision, 1);
+            run.method_parameters.set("tolerance", tolerance);
+            if (stepping_seconds(run, 1) > plan_.most_seconds_a_run) return;
+            out_.push_back(measure(run, 1, reference_));
+            if (gain.gains_no_more(out_.back())) return;
+        }
+    }
+
+private:
+    const StudyPlan& plan_;
+    const Reference& reference_;
+    std::vector<Measurement>& out_;
+};
+
+/// The scene's largest angular frequency, or one that lets a tenth of the time be a quarter of its period.
+double frequency(const StudyPlan& plan) {
+    const double omega = omega_max(plan.scene);
+    return omega > 0 ? omega : 5 * 3.14159265358979 / plan.time;
+}
+
+double time_once(const Measurement& run) {
+    double least = infinity, sum = 0;
+    while (sum < least_seconds) {
+        const double seconds = stepping_seconds(run.run, run.steps);
+        least = std::min(least, seconds);
+        sum += seconds;
+    }
+    return least;
+}
+
+}  // namespace
+
+RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps) {
+    RunDescription run = with_method(plan.scene, method);
+    for (const auto& [name, value] : plan.method_settings) {
+        if (run.method_parameters.contains(name)) run.method_parameters.set(name, value);
+    }
+    run.precision = precision;
+    run.dt = plan.time / static_cast<double>(steps);
+    return run;
+}
+
+std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method) {
+    const RunDescription run = run_over(plan, method, Precision::double_, 1);
+    const double limit = linear_limit(steplab::method(method).info, run.method_parameters);
+    const double phase = limit == 0 ? 0.5 : std::min(0.95 * limit, 20.0);
+    return static_cast<std::uint64_t>(std::max(1.0, std::ceil(plan.time * frequency(plan) / phase)));
+}
+
+void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyProgress& progress) {
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            if (runs[i].diverged) continue;
+            runs[i].wall_seconds = std::min(runs[i].wall_seconds.value_or(infinity), time_once(runs[i]));
+            progress((round + static_cast<double>(i) / static_cast<double>(runs.size())) / rounds);
+        }
+    }
+}
+
+std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& reference,
+                                        const StudyProgress& progress) {
+    std::vector<Measurement> runs;
+    Series series(plan, reference, runs);
+    double done = 0;
+    const double all = static_cast<double>(plan.methods.size() * plan.precisions.size());
+    for (const std::string& id : plan.methods) {
+        for (const Precision precision : plan.precisions) {
+            if (method(id).info.adaptive) {
+                series.over_tolerance(id, precision);
+            } else {
+                series.over_dt(id, precision);
+            }
+            progress(++done / all / 2);
+        }
+    }
+    time_interleaved(runs, plan.rounds, [&](double part) { progress(0.5 + part / 2); });
+    return runs;
+}
+
+}  // namespace steplab

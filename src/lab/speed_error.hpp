@@ -1,0 +1,42 @@
+#pragma once
+
+#include "lab/measurement.hpp"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace steplab {
+
+/// A scene over a time, and which runs of it are to be measured.
+struct StudyPlan {
+    RunDescription scene;  ///< its method, precision and dt do not matter
+    double time = 0;
+    std::vector<std::string> methods;
+    std::map<std::string, double> method_settings;  ///< parameters of methods; those that have them take them
+    std::vector<Precision> precisions;
+    double most_seconds_a_run = 0.02;  ///< a series of smaller and smaller dt ends before a run takes longer
+    double ratio = 2;                  ///< of neighbouring dt in a series, > 1
+    int rounds = 3;                    ///< each run is timed in so many interleaved rounds
+};
+
+/// Called between runs with the part of the work that is done, 0 .. 1; may throw to end it.
+using StudyProgress = std::function<void(double)>;
+
+/// Measures every method and precision of the plan over a series of dt, largest first, down to where rounding or the
+/// reference ends the gain; adaptive methods over a series of tolerances. All runs that did not diverge are then timed
+/// in interleaved rounds, so that a disturbance of the machine hits all alike, and the least of each is kept.
+std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& reference,
+                                        const StudyProgress& progress);
+
+/// The run of this method with this many steps over the time: dt = time / steps.
+RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps);
+
+/// Steps over the time at the method's largest sensible dt: just below the stability limit where there is one.
+std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method);
+
+/// Times these runs in interleaved rounds and stores the least of each.
+void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyProgress& progress);
+
+}  // namespace steplab
