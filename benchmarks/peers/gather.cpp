@@ -1,0 +1,9 @@
+#include "libraries.hpp"
+
+namespace steplab::benchmark {
+
+std::vector<Solver> gather_solvers(const Problem& problem) {
+    return solvers_of<GatherChain, GatherMesh, GatherMorse>(problem);
+}
+
+}  // namespace steplab::benchmark

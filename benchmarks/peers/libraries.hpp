@@ -1,0 +1,245 @@
+#pragma once
+
+#include "loops.hpp"
+#include "solver.hpp"
+
+#include <boost/numeric/odeint.hpp>
+#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_mclachlan.hpp>
+
+#include <arkode/arkode_erkstep.h>
+#include <cvode/cvode.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <memory>
+#include <nvector/nvector_serial.h>
+#include <stdexcept>
+#include <sundials/sundials_context.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include <utility>
+
+namespace steplab::benchmark {
+
+// How each library is driven, over one of the loops: included by a source file for each way to write the force, because
+// these are compiled with different flags.
+
+namespace odeint = boost::numeric::odeint;
+using Numbers = std::vector<double>;
+
+template <class Loop>
+struct Force {
+    std::size_t n;
+
+    /// Symplectic steppers: the rate of change of momentum.
+    void operator()(const Numbers& x, Numbers& a) const { Loop::accelerations(x.data(), a.data(), n); }
+    /// velocity_verlet.
+    void operator()(const Numbers& x, const Numbers&, Numbers& a, double) const {
+        Loop::accelerations(x.data(), a.data(), n);
+    }
+    /// Positions and velocities in one vector.
+    void operator()(const Numbers& state, Numbers& rate, double) const { rates(state.data(), rate.data()); }
+    void rates(const double* state, double* rate) const {
+        std::copy(state + 3 * n, state + 6 * n, rate);
+        Loop::accelerations(state, rate + 3 * n, n);
+    }
+};
+
+template <class Loop>
+struct Case {
+    double time;
+    std::size_t n;
+    Numbers x, v;
+
+    explicit Case(const Problem& problem)
+        : time(problem.time),
+          n(problem.positions.size()),
+          x(placed(problem.positions)),
+          v(placed(problem.velocities)) {}
+
+    static Numbers placed(const std::vector<Vec3>& points) {
+        const std::size_t count = points.size();
+        Numbers numbers(3 * count);
+        for (std::size_t i = 0; i < count; ++i) {
+            numbers[Loop::place(count, i, 0)] = points[i].x;
+            numbers[Loop::place(count, i, 1)] = points[i].y;
+            numbers[Loop::place(count, i, 2)] = points[i].z;
+        }
+        return numbers;
+    }
+    Numbers state() const {
+        Numbers both = x;
+        both.insert(both.end(), v.begin(), v.end());
+        return both;
+    }
+    std::vector<Vec3> points(const double* numbers) const {
+        std::vector<Vec3> out(n);
+        for (std::size_t i = 0; i < n; ++i)
+            out[i] = {numbers[Loop::place(n, i, 0)], numbers[Loop::place(n, i, 1)], numbers[Loop::place(n, i, 2)]};
+        return out;
+    }
+};
+
+template <class Loop, class Stepper>
+Solver odeint_adaptive(std::string name, const Case<Loop>& c) {
+    return {"odeint " + std::move(name), true, [c](double tolerance) {
+                Numbers state = c.state();
+                odeint::integrate_adaptive(odeint::make_controlled(tolerance, tolerance, Stepper()), Force<Loop>{c.n},
+                                           state, 0.0, c.time, 0.01);
+                return c.points(state.data());
+            }};
+}
+
+template <class Loop>
+Solver odeint_bulirsch_stoer(const Case<Loop>& c) {
+    return {"odeint bulirsch_stoer", true, [c](double tolerance) {
+                Numbers state = c.state();
+                odeint::bulirsch_stoer<Numbers> stepper(tolerance, tolerance, 1.0, 1.0);
+                odeint::integrate_adaptive(stepper, Force<Loop>{c.n}, state, 0.0, c.time, 0.01);
+                return c.points(state.data());
+            }};
+}
+
+template <class Loop, class Stepper>
+Solver odeint_fixed(std::string name, const Case<Loop>& c) {
+    return {"odeint " + std::move(name), false, [c](double steps) {
+                Numbers state = c.state();
+                Stepper stepper;
+                const Force<Loop> force{c.n};
+                const double dt = c.time / steps;
+                for (double i = 0; i < steps; ++i) stepper.do_step(force, state, i * dt, dt);
+                return c.points(state.data());
+            }};
+}
+
+template <class Loop, class Stepper>
+Solver odeint_pair(std::string name, const Case<Loop>& c) {
+    return {"odeint " + std::move(name), false, [c](double steps) {
+                Numbers x = c.x, v = c.v;
+                Stepper stepper;
+                const Force<Loop> force{c.n};
+                const double dt = c.time / steps;
+                for (double i = 0; i < steps; ++i)
+                    stepper.do_step(force, std::make_pair(std::ref(x), std::ref(v)), i * dt, dt);
+                return c.points(x.data());
+            }};
+}
+
+template <class Loop>
+int gsl_rates(double, const double* state, double* rate, void* force) {
+    static_cast<const Force<Loop>*>(force)->rates(state, rate);
+    return GSL_SUCCESS;
+}
+
+template <class Loop>
+Solver gsl_adaptive(std::string name, const gsl_odeiv2_step_type* type, const Case<Loop>& c) {
+    return {"GSL " + std::move(name), true, [c, type](double tolerance) {
+                Numbers state = c.state();
+                Force<Loop> force{c.n};
+                gsl_odeiv2_system system{gsl_rates<Loop>, nullptr, state.size(), &force};
+                const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
+                    gsl_odeiv2_driver_alloc_y_new(&system, type, 0.01, tolerance, tolerance), gsl_odeiv2_driver_free);
+                double t = 0;
+                if (gsl_odeiv2_driver_apply(driver.get(), &t, c.time, state.data()) != GSL_SUCCESS)
+                    throw std::runtime_error("GSL gave up");
+                return c.points(state.data());
+            }};
+}
+
+template <class Loop>
+int sundials_rates(realtype, N_Vector state, N_Vector rate, void* force) {
+    static_cast<const Force<Loop>*>(force)->rates(N_VGetArrayPointer(state), N_VGetArrayPointer(rate));
+    return 0;
+}
+
+struct SundialsContext {
+    SUNContext context = nullptr;
+    SundialsContext() { SUNContext_Create(nullptr, &context); }
+    ~SundialsContext() { SUNContext_Free(&context); }
+    SundialsContext(const SundialsContext&) = delete;
+    SundialsContext& operator=(const SundialsContext&) = delete;
+};
+
+inline N_Vector vector_over(Numbers& numbers, const SundialsContext& context) {
+    return N_VMake_Serial(static_cast<sunindextype>(numbers.size()), numbers.data(), context.context);
+}
+
+inline void succeeded(int result) {
+    if (result < 0) throw std::runtime_error("SUNDIALS gave up");
+}
+
+template <class Loop>
+Solver sundials_erk(int order, const Case<Loop>& c) {
+    return {"SUNDIALS ERKStep " + std::to_string(order), true, [c, order](double tolerance) {
+                const SundialsContext context;
+                Numbers state = c.state();
+                Force<Loop> force{c.n};
+                const N_Vector y = vector_over(state, context);
+                void* memory = ERKStepCreate(sundials_rates<Loop>, 0, y, context.context);
+                succeeded(ERKStepSetOrder(memory, order));
+                succeeded(ERKStepSStolerances(memory, tolerance, tolerance));
+                succeeded(ERKStepSetUserData(memory, &force));
+                succeeded(ERKStepSetMaxNumSteps(memory, 10000000));
+                succeeded(ERKStepSetStopTime(memory, c.time));
+                realtype t = 0;
+                const int result = ERKStepEvolve(memory, c.time, y, &t, ARK_NORMAL);
+                ERKStepFree(&memory);
+                N_VDestroy(y);
+                succeeded(result);
+                return c.points(state.data());
+            }};
+}
+
+template <class Loop>
+Solver sundials_adams(const Case<Loop>& c) {
+    return {"SUNDIALS CVODE Adams", true, [c](double tolerance) {
+                const SundialsContext context;
+                Numbers state = c.state();
+                Force<Loop> force{c.n};
+                const N_Vector y = vector_over(state, context);
+                void* memory = CVodeCreate(CV_ADAMS, context.context);
+                succeeded(CVodeInit(memory, sundials_rates<Loop>, 0, y));
+                succeeded(CVodeSStolerances(memory, tolerance, tolerance));
+                succeeded(CVodeSetUserData(memory, &force));
+                succeeded(CVodeSetMaxNumSteps(memory, 10000000));
+                SUNNonlinearSolver solver = SUNNonlinSol_FixedPoint(y, 0, context.context);
+                succeeded(CVodeSetNonlinearSolver(memory, solver));
+                succeeded(CVodeSetStopTime(memory, c.time));
+                realtype t = 0;
+                const int result = CVode(memory, c.time, y, &t, CV_NORMAL);
+                CVodeFree(&memory);
+                SUNNonlinSolFree(solver);
+                N_VDestroy(y);
+                succeeded(result);
+                return c.points(state.data());
+            }};
+}
+
+template <class Loop>
+std::vector<Solver> solvers_with(const Problem& problem) {
+    const Case<Loop> c(problem);
+    gsl_set_error_handler_off();
+    using Fehlberg = odeint::runge_kutta_fehlberg78<Numbers>;
+    std::vector<Solver> all{odeint_fixed<Loop, Fehlberg>("fehlberg78 fixed", c),
+                            odeint_adaptive<Loop, Fehlberg>("fehlberg78", c),
+                            odeint_adaptive<Loop, odeint::runge_kutta_cash_karp54<Numbers>>("cash_karp54", c),
+                            odeint_adaptive<Loop, odeint::runge_kutta_dopri5<Numbers>>("dopri5", c),
+                            odeint_fixed<Loop, odeint::runge_kutta4<Numbers>>("rk4", c),
+                            odeint_bulirsch_stoer<Loop>(c),
+                            odeint_pair<Loop, odeint::velocity_verlet<Numbers>>("velocity_verlet", c),
+                            odeint_pair<Loop, odeint::symplectic_rkn_sb3a_mclachlan<Numbers>>("sb3a", c),
+                            gsl_adaptive<Loop>("rk8pd", gsl_odeiv2_step_rk8pd, c),
+                            gsl_adaptive<Loop>("rkf45", gsl_odeiv2_step_rkf45, c),
+                            gsl_adaptive<Loop>("rkck", gsl_odeiv2_step_rkck, c),
+                            gsl_adaptive<Loop>("msadams", gsl_odeiv2_step_msadams, c)};
+    for (const int order : {4, 5, 6, 8}) all.push_back(sundials_erk<Loop>(order, c));
+    all.push_back(sundials_adams<Loop>(c));
+    return all;
+}
+
+template <class Chain, class Mesh, class Morse>
+std::vector<Solver> solvers_of(const Problem& problem) {
+    if (problem.scene == "chain") return solvers_with<Chain>(problem);
+    if (problem.scene == "mesh") return solvers_with<Mesh>(problem);
+    return solvers_with<Morse>(problem);
+}
+
+}  // namespace steplab::benchmark

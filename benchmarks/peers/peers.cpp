@@ -1,0 +1,183 @@
+// Time to an error: for three scenes and errors from 1e-2 to 1e-14, the fastest method of steplab beside the fastest of
+// Boost.odeint, GSL and SUNDIALS, in one process. Every method runs over a series of dt or tolerances; all runs that
+// might win are timed in interleaved rounds and the least of each is kept. The libraries get the force once as a user
+// writes it and once as compilers vectorise it (with -fno-math-errno). Usage: peers [chain|morse|mesh ...] [rounds]
+
+#include "core/flush_subnormals.hpp"
+#include "lab/speed_error.hpp"
+#include "lab/study.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/simulation.hpp"
+#include "solver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+namespace steplab::benchmark {
+
+/// A run of somebody at one setting.
+struct Entry {
+    std::string who;  ///< library and method, with the setting
+    int group = 0;    ///< 0 steplab, 1 libraries with the plain force, 2 with the gather force
+    double error = 0;
+    std::function<double()> seconds;
+    double least = 1e300;
+};
+
+constexpr double targets[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
+/// Runs beyond this are of no use to anybody here.
+constexpr double most_seconds = 0.1;
+
+double seconds_of(const std::function<void()>& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+StudyPlan plan_of(std::string_view scene) {
+    std::vector<StudyPlan> plans = default_plans(false);
+    StudyPlan plan = *std::find_if(plans.begin(), plans.end(), [&](const auto& p) { return p.scene.model == scene; });
+    plan.precisions = {Precision::double_};
+    plan.most_seconds_a_run = most_seconds;
+    plan.ratio = 1.1;
+    plan.rounds = 1;
+    return plan;
+}
+
+Problem problem_of(const StudyPlan& plan) {
+    const Frame start = Simulation(plan.scene).frame();
+    return {plan.scene.model, plan.time, start.positions, start.velocities};
+}
+
+double error_of(const std::vector<Vec3>& end, const StudyPlan& plan, const Reference& reference) {
+    const Scene scene = model(plan.scene.model).scene(plan.scene.scene);
+    Field<double> displacement(end.size());
+    for (std::size_t i = 0; i < end.size(); ++i) displacement.set(i, end[i] - scene.reference.at(i));
+    double largest = 0;
+    for (std::size_t i = 0; i < end.size(); ++i) largest = std::max(largest, reference.distance(displacement, i));
+    return std::isfinite(largest) ? largest : 1e300;
+}
+
+class Contest {
+public:
+    Contest(std::string_view scene) : plan_(plan_of(scene)), reference_(reference_for(plan_)) {
+        const Problem problem = problem_of(plan_);
+        for (const Solver& solver : plain_solvers(problem)) enter(solver, 1);
+        for (const Solver& solver : gather_solvers(problem)) enter(solver, 2);
+        for (const Measurement& run : measure_series(plan_, reference_, [](double) {})) {
+            if (run.diverged) continue;
+            entries_.push_back({fmt::format("{} {}", run.run.method, setting(run.run)), 0, run.error,
+                                [run] { return stepping_seconds(run.run, run.steps); },
+                                run.wall_seconds.value_or(1e300)});
+        }
+    }
+
+    void hold(int rounds) {
+        drop_hopeless();
+        for (int round = 0; round < rounds; ++round) {
+            for (Entry& entry : entries_) entry.least = std::min(entry.least, entry.seconds());
+        }
+    }
+
+    void print() const {
+        fmt::print("\n{} to t = {}, reference: {} ({:.0e})\n", plan_.scene.model, plan_.time, reference_.how,
+                   reference_.error);
+        fmt::print("{:<7} {:>10}  {:<30} {:>10} {:>6}  {:<34} {:>10} {:>6}  {}\n", "error", "steplab", "", "plain",
+                   "ratio", "", "gather", "ratio", "");
+        for (const double target : targets) {
+            const Entry *own = best(0, target), *plain = best(1, target), *gather = best(2, target);
+            fmt::print("{:<7.0e} {}  {} {}  {}\n", target, cell(own, 30), cell(plain, own, 34), cell(gather, own, 34),
+                       "");
+        }
+    }
+
+private:
+    static std::string setting(const RunDescription& run) {
+        if (run.method_parameters.contains("tolerance") && run.method_parameters["tolerance"] > 0)
+            return fmt::format("{:.0e}", run.method_parameters["tolerance"]);
+        return fmt::format("dt {:.3g}", run.dt);
+    }
+
+    /// A series from loose to tight, until a run is too long or two gain nothing.
+    void enter(const Solver& solver, int group) {
+        double best_error = 1e300;
+        int useless = 0;
+        for (double setting = solver.adaptive ? 0.3 : 20; useless < 6; setting *= solver.adaptive ? 0.5 : 1.15) {
+            if (setting < 1e-17 || setting > 1e8) return;
+            std::vector<Vec3> end;
+            double seconds = 0;
+            try {
+                seconds = seconds_of([&] { end = solver.solve(setting); });
+            } catch (const std::exception&) {
+                return;
+            }
+            const double error = error_of(end, plan_, reference_);
+            useless = error > 0.8 * best_error ? useless + 1 : 0;
+            best_error = std::min(best_error, error);
+            entries_.push_back({fmt::format("{} {:.0e}", solver.name, setting), group, error,
+                                [solver, setting] { return seconds_of([&] { solver.solve(setting); }); }, seconds});
+            if (seconds > most_seconds) return;
+        }
+    }
+
+    /// Keeps what may be the fastest of its group at a target: within a factor 2 of the first timing.
+    void drop_hopeless() {
+        std::erase_if(entries_, [&](const Entry& entry) {
+            return std::none_of(std::begin(targets), std::end(targets), [&](double target) {
+                const Entry* fastest = best(entry.group, target);
+                return fastest && entry.error <= target && entry.least <= 2 * fastest->least;
+            });
+        });
+    }
+
+    const Entry* best(int group, double target) const {
+        const Entry* best = nullptr;
+        for (const Entry& entry : entries_) {
+            if (entry.group == group && entry.error <= target && (!best || entry.least < best->least)) best = &entry;
+        }
+        return best;
+    }
+
+    static std::string cell(const Entry* entry, std::size_t width) {
+        if (!entry) return fmt::format("{:>10}  {:<{}}", "-", "", width);
+        return fmt::format("{:>7.1f} µs  {:<{}}", entry->least * 1e6, entry->who, width);
+    }
+    static std::string cell(const Entry* theirs, const Entry* own, std::size_t width) {
+        if (!theirs) return fmt::format("{:>10} {:>6}  {:<{}}", "-", "", "", width);
+        return fmt::format("{:>7.1f} µs {:>6.2f}  {:<{}}", theirs->least * 1e6, own ? theirs->least / own->least : 0.0,
+                           theirs->who, width);
+    }
+
+    StudyPlan plan_;
+    Reference reference_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace steplab::benchmark
+
+int main(int argc, char** argv) {
+    using namespace steplab::benchmark;
+    std::vector<std::string> scenes;
+    int rounds = 20;
+    for (int i = 1; i < argc; ++i) {
+        const int number = std::atoi(argv[i]);
+        if (number > 0) {
+            rounds = number;
+        } else {
+            scenes.emplace_back(argv[i]);
+        }
+    }
+    if (scenes.empty()) scenes = {"chain", "morse", "mesh"};
+    const steplab::FlushSubnormals flush;  // for the libraries too
+    for (const std::string& scene : scenes) {
+        Contest contest(scene);
+        contest.hold(rounds);
+        contest.print();
+    }
+}
