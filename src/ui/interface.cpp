@@ -97,6 +97,7 @@ struct Interface::Body {
     std::uint32_t scene_texture = 0;
     bool new_view = true;
     bool input_left = false;
+    bool unsettled = true;  ///< a widget came, went or moved: ImGui knows the size of what is new one frame later
 };
 
 Interface::Interface(const Display& display) : body_(std::make_unique<Body>(display)) {}
@@ -147,7 +148,7 @@ void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage,
     io.DeltaTime = static_cast<float>(measured.since_last_frame);
     body.input_left = body.input.feed(io);
     ImGui::NewFrame();
-    body.widgets.clear();
+    const WidgetMap before = std::exchange(body.widgets, {});
     body.session.wanted.follow(view, body.new_view);
     body.new_view = false;
     body.layout = arrange(body.display, body.session.panel);
@@ -162,6 +163,7 @@ void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage,
     draw_scene_picture(body.layout.scene, body.scene_texture);
     draw_panels(context);
     ImGui::Render();
+    body.unsettled = body.widgets != before;
 }
 
 PixelRect Interface::scene() const { return pixels(body_->layout.scene); }
@@ -182,7 +184,7 @@ std::vector<Request> Interface::take_requests() { return std::exchange(body_->se
 
 double Interface::seconds_until_change() const {
     ImGui::SetCurrentContext(body_->context.get());
-    if (body_->input_left) return 0;
+    if (body_->input_left || body_->unsettled) return 0;
     const auto& notice = body_->session.notice;
     return notice ? std::max(0.0, notice->until - ImGui::GetTime()) : std::numeric_limits<double>::infinity();
 }

@@ -44,6 +44,21 @@ TEST_F(Diverged, card_appears_with_its_remedies) {
     EXPECT_TRUE(desk.has("remedy.method"));
 }
 
+// ImGui knows the size of a new card one frame later: it must come, though nobody touches anything.
+TEST(Divergence, card_asks_for_frames_until_it_stands) {
+    Desk desk(describe("chain", "euler"));
+    for (int i = 0; i < 5; ++i) desk.frame();
+    desk.view = diverged("euler", 2.5);
+    desk.interface.record(desk.view);
+    desk.frame();
+    int frames = 1;
+    for (; desk.interface.seconds_until_change() <= 0 && frames < 100; ++frames) desk.frame();
+    EXPECT_LT(frames, 10);
+    const WidgetRect stands = desk.widget("remedy.dt");
+    for (int i = 0; i < 5; ++i) desk.frame();
+    EXPECT_EQ(desk.widget("remedy.dt"), stands);
+}
+
 TEST_F(Diverged, smaller_dt_restarts_and_plays) {
     desk.click("remedy.dt");
     EXPECT_THAT(desk.calls(), ElementsAre("change", "restart", "play"));
