@@ -36,6 +36,7 @@ public:
     std::string_view what() const override { return "Measure speed against error: a table and a page"; }
 
     void declare(CLI::App& app) override {
+        app.add_flag("--thesis", thesis_, "The tables and charts of the thesis of 2008 instead, as thesis.html");
         text_option(app, "--out", out_, "DIR", "Where speed_error.csv and report.html go (required)");
         app.add_flag("--quick", quick_, "Under a minute instead of under fifteen: fewer and shorter runs");
         repeated_option(app, "--model", models_, "ID", "Only this model; repeatable (default all)");
@@ -49,6 +50,7 @@ public:
 
     int run() override {
         if (out_.empty()) throw UsageError("--out DIR is needed: where speed_error.csv and report.html go");
+        if (thesis_) return write_thesis();
         ReportRequest request{.folder = out_, .plans = plans()};
         if (!errors_.empty()) request.errors = errors();
         catch_interruptions();
@@ -63,6 +65,12 @@ public:
     }
 
 private:
+    int write_thesis() const {
+        write_thesis_page(out_);
+        print(fmt::format("{}/thesis.html is written\n", out_));
+        return static_cast<int>(ExitCode::done);
+    }
+
     std::vector<StudyPlan> plans() const {
         for (const std::string& id : models_) model(id);
         for (const std::string& id : methods_) method(id);
@@ -108,7 +116,7 @@ private:
     }
 
     std::string out_;
-    bool quick_ = false;
+    bool quick_ = false, thesis_ = false;
     std::vector<std::string> models_, methods_, settings_, errors_;
     std::string precision_, time_;
 };

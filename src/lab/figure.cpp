@@ -83,6 +83,8 @@ std::string commands(const Figure& figure, std::size_t number, const std::string
     text += fmt::format("set output '{}'\nset xlabel '{}'\nset ylabel '{}'\n", file, figure.x_label, figure.y_label);
     text += figure.log_x ? "set logscale x\nset format x '10^{%T}'\n" : "unset logscale x\nset format x '%g'\n";
     text += figure.log_y ? "set logscale y\nset format y '10^{%T}'\n" : "unset logscale y\nset format y '%g'\n";
+    text += figure.y_range ? fmt::format("set yrange [{}:{}]\n", figure.y_range->first, figure.y_range->second)
+                           : std::string("set yrange [*:*]\n");
     text += "plot ";
     for (std::size_t c = 0; c < figure.curves.size(); ++c)
         text += (c ? ", \\\n" : "") + curve_command(figure, number, c);
@@ -95,7 +97,7 @@ set tics nomirror textcolor rgb '#555555'
 set grid lc rgb '#e0e0e0' lt 1 lw 0.6
 set xlabel textcolor rgb '#333333'
 set ylabel textcolor rgb '#333333'
-set key outside right top textcolor rgb '#333333' samplen 1.6
+set key outside right top textcolor rgb '#333333' samplen 1.2 width -2 font ',10'
 )";
 
 void run_gnuplot(const std::string& script) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@ struct Curve {
 struct Figure {
     std::string x_label, y_label;
     bool log_x = true, log_y = true;
+    std::optional<std::pair<double, double>> y_range = {};  ///< none: as the points need
     std::vector<Curve> curves;
 };
 

@@ -4,6 +4,7 @@
 #include "io/output_file.hpp"
 #include "lab/report_page.hpp"
 #include "lab/speed_error_csv.hpp"
+#include "lab/thesis.hpp"
 
 #include <fmt/format.h>
 
@@ -17,13 +18,17 @@ namespace steplab {
 
 namespace {
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw FileError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
+}
+
 /// Measurements of the scenes that are done, each in a file of its own until the whole report is.
 class DoneScenes {
 public:
     explicit DoneScenes(const std::string& folder) : folder_(std::filesystem::path(folder) / ".measured") {
-        std::error_code error;
-        std::filesystem::create_directories(folder_, error);
-        if (error) throw FileError(fmt::format("cannot make the folder '{}': {}", folder_.string(), error.message()));
+        make_folder(folder_);
     }
 
     std::optional<std::vector<Measurement>> find(const StudyPlan& plan) const {
@@ -89,6 +94,11 @@ void write_report(const ReportRequest& request, const ReportProgress& progress) 
     write_file(request.folder, "speed_error.csv", speed_error_csv(all));
     write_file(request.folder, "report.html", report_page(studies, request.errors, circumstances()));
     done.forget();
+}
+
+void write_thesis_page(const std::string& folder) {
+    make_folder(folder);
+    write_file(folder, "thesis.html", thesis_page());
 }
 
 }  // namespace steplab

@@ -21,4 +21,7 @@ using ReportProgress = std::function<void(double, const std::string&)>;
 /// by scene: a report that was interrupted and is asked for again goes on where it was. Throws FileError.
 void write_report(const ReportRequest& request, const ReportProgress& progress);
 
+/// Writes thesis.html into the folder: the thesis' tables and charts, recomputed. Throws FileError.
+void write_thesis_page(const std::string& folder);
+
 }  // namespace steplab

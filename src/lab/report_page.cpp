@@ -2,6 +2,7 @@
 
 #include "core/text.hpp"
 #include "lab/answers.hpp"
+#include "lab/page.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -13,23 +14,6 @@
 namespace steplab {
 
 namespace {
-
-constexpr const char* head = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>steplab report</title>
-<style>
-body { font: 16px/1.5 Inter, "Segoe UI", system-ui, sans-serif; color: #222; background: #fdfdfc;
-       max-width: 1320px; margin: 2.5em auto; padding: 0 1.5em; }
-h1 { font-size: 2em; margin: 0; } h2 { margin: 2.4em 0 .3em; font-size: 1.45em; } h3 { margin: 1.6em 0 .3em; font-size: 1.05em; }
-p { max-width: 52em; } .quiet { color: #666; font-size: .9em; }
-table { border-collapse: collapse; font-size: .88em; margin: .6em 0 1.2em; }
-th { text-align: left; font-weight: 600; border-bottom: 2px solid #ccc; padding: .25em 1.1em .25em 0; vertical-align: bottom; }
-td { border-bottom: 1px solid #eee; padding: .22em 1.1em .22em 0; font-variant-numeric: tabular-nums; }
-.row { display: flex; flex-wrap: wrap; gap: 1em 1.5em; } figure { margin: 0; } figure svg { width: 620px; max-width: 100%; height: auto; }
-figcaption { font-weight: 600; font-size: .95em; }
-nav a { margin-right: 1.2em; } a { color: #2a5d9f; }
-</style></head><body>
-)";
 
 /// Seconds as one reads them.
 std::string duration(double seconds) {
@@ -150,10 +134,6 @@ std::string methods_table(const Study& study) {
     return text + "</table>\n";
 }
 
-std::string captioned(const std::string& caption, const std::string& svg) {
-    return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", caption, svg);
-}
-
 std::string study_section(const Study& study, std::span<const double> errors, std::span<const std::string> svg) {
     const RunDescription& scene = study.plan.scene;
     std::string text = fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p>{1} To t = {2}{3}.</p>\n", scene.model,
@@ -169,15 +149,6 @@ std::string study_section(const Study& study, std::span<const double> errors, st
     return text;
 }
 
-std::string title(const Circumstances& made) {
-    return fmt::format(
-        "<h1>Speed against error</h1>\n<p class=\"quiet\">steplab {} ({}), {}; {}; {}. Times are of the stepping "
-        "alone, "
-        "the least of interleaved rounds, on one core: compare them with each other, not with those of another "
-        "machine.</p>\n",
-        made.version, made.commit, made.compiler, made.processor, made.date);
-}
-
 }  // namespace
 
 std::string report_page(std::span<const Study> studies, std::span<const double> errors, const Circumstances& made) {
@@ -186,10 +157,10 @@ std::string report_page(std::span<const Study> studies, std::span<const double> 
         for (Figure& figure : figures_of(study)) figures.push_back(std::move(figure));
     }
     const std::vector<std::string> svg = svg_figures(figures);
-    std::string page = head + title(made) + answers_table(studies, errors);
+    std::string page = page_head("Speed against error", made) + answers_table(studies, errors);
     for (std::size_t i = 0; i < studies.size(); ++i)
         page += study_section(studies[i], errors, std::span(svg).subspan(3 * i, 3));
-    return page + "</body></html>\n";
+    return page + page_end;
 }
 
 }  // namespace steplab
