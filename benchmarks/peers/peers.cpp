@@ -59,8 +59,7 @@ double error_of(const std::vector<Vec3>& end, const StudyPlan& plan, const Refer
     const Scene scene = model(plan.scene.model).scene(plan.scene.scene);
     Field<double> displacement(end.size());
     for (std::size_t i = 0; i < end.size(); ++i) displacement.set(i, end[i] - scene.reference.at(i));
-    double largest = 0;
-    for (std::size_t i = 0; i < end.size(); ++i) largest = std::max(largest, reference.distance(displacement, i));
+    const double largest = error_against(reference.moments.back(), displacement);
     return std::isfinite(largest) ? largest : 1e300;
 }
 
@@ -87,7 +86,7 @@ public:
 
     void print() const {
         fmt::print("\n{} to t = {}, reference: {} ({:.0e})\n", plan_.scene.model, plan_.time, reference_.how,
-                   reference_.error);
+                   reference_.moments.back().error);
         fmt::print("{:<7} {:>10}  {:<30} {:>10} {:>6}  {:<34} {:>10} {:>6}  {}\n", "error", "steplab", "", "plain",
                    "ratio", "", "gather", "ratio", "");
         for (const double target : targets) {

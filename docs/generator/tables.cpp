@@ -2,6 +2,7 @@
 
 #include "scratch_folder.hpp"
 #include "shell.hpp"
+#include "lab/thesis.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/keys.hpp"
 
@@ -122,6 +123,8 @@ std::string section(const std::string& name, const std::string& folder) {
     if (name == "models in full") return models_in_full();
     if (name == "methods in full") return methods_in_full();
     if (name == "keys") return ui::key_table();
+    if (name == "thesis table 1") return markdown(thesis_table_1());
+    if (name == "thesis table 2") return markdown(thesis_table_2());
     if (name == "help") return help_of("", folder);
     if (name.starts_with("help ")) return help_of(name.substr(5), folder);
     if (name.starts_with("$ ")) return command_and_output(name.substr(2), folder);

@@ -77,7 +77,7 @@ private:
                             id(best.run.precision), best.evaluations, milliseconds(best));
         text += fmt::format("  steplab run {} --steps {}\n", command_line(best.run), best.steps);
         text += fmt::format("  run once more: its error is {:.2e} (reference: {}, known to {:.0e})\n", best.error,
-                            reference.how, reference.error);
+                            reference.how, reference.moments.back().error);
         const std::size_t shown = std::min(advice.others.size(), most_others);
         for (std::size_t i = 0; i < shown; ++i) {
             const Measurement& other = advice.others[i];

@@ -15,16 +15,8 @@ namespace {
 constexpr std::uint64_t looks = 64;
 
 void compare(Measurement& measurement, const State<double>& end, const Reference& reference) {
-    double squares = 0;
-    const std::size_t particles = end.displacement.count();
-    for (std::size_t i = 0; i < particles; ++i) {
-        const double distance = reference.distance(end.displacement, i);
-        measurement.error = std::max(measurement.error, distance);
-        squares += distance * distance;
-    }
-    measurement.rms_error = std::sqrt(squares / static_cast<double>(particles));
-    measurement.error = std::max(measurement.error, reference.error);
-    measurement.rms_error = std::max(measurement.rms_error, reference.error);
+    measurement.error = error_against(reference.moments.back(), end.displacement);
+    measurement.rms_error = rms_error_against(reference.moments.back(), end.displacement);
 }
 
 }  // namespace

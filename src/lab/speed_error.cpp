@@ -79,7 +79,7 @@ private:
 
 /// The scene's largest angular frequency, or one that lets a tenth of the time be a quarter of its period.
 double frequency(const StudyPlan& plan) {
-    const double omega = omega_max(plan.scene);
+    const double omega = highest_frequency(modes(linearised(plan.scene)));
     return omega > 0 ? omega : 5 * 3.14159265358979 / plan.time;
 }
 
@@ -94,6 +94,12 @@ double time_once(const Measurement& run) {
 }
 
 }  // namespace
+
+Reference reference_for(const StudyPlan& plan) {
+    RunDescription scene = plan.scene;
+    scene.precision = Precision::double_;
+    return reference(scene, std::vector{plan.time});
+}
 
 RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps) {
     RunDescription run = with_method(plan.scene, method);

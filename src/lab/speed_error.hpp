@@ -30,6 +30,9 @@ using StudyProgress = std::function<void(double)>;
 std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& reference,
                                         const StudyProgress& progress);
 
+/// What the runs of a plan are judged by: the scene at its time.
+Reference reference_for(const StudyPlan& plan);
+
 /// The run of this method with this many steps over the time: dt = time / steps.
 RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps);
 
