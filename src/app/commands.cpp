@@ -2,6 +2,7 @@
 
 #include "app/catalogue_text.hpp"
 #include "app/command_line.hpp"
+#include "app/command_limits.hpp"
 #include "app/command_list.hpp"
 #include "app/command_run.hpp"
 #include "app/command_snapshot.hpp"
@@ -63,6 +64,7 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     all.push_back(list_command());
     all.push_back(run_command());
     all.push_back(snapshot_command());
+    all.push_back(limits_command());
     all.push_back(view_command(arguments));
     return all;
 }
