@@ -16,54 +16,75 @@ namespace {
 
 /// Frequencies of a damped scene that are asked; a scene with more of them is sampled.
 constexpr std::size_t most_frequencies = 64;
-/// Steps of a run; in large scenes fewer, so that a method takes seconds. 1000 still resolve 0.1 %.
-constexpr double most_steps = 8192, fewest_steps = 1024, most_particle_steps = 4e8;
-/// A vibration that grows by this factor is unstable: just below a limit bounded ones swell too, by
-/// (8 (1 - dt / limit))^(-1/2), and this factor is reached within 2e-5 of it only.
-const double unstable_growth = std::log(100.0);
-constexpr double resolution = 2e-4;
+/// Steps of a run: enough to see the growth just above theory's limit, if a scene of so many particles allows.
+constexpr double fewest_steps = 1024, most_particle_steps = 4e8;
+constexpr double resolution = 3e-5;  // of the bisection, relative
 /// Where theory and measurement agree no better, the note says why.
 constexpr double agreement = 1e-3;
 
-std::uint64_t steps_of_a_run(const Method& method, const RunDescription& description, std::size_t particles) {
-    const double cost = static_cast<double>(particles) *
-                        std::max(1.0, evaluations_per_step(method.info, description.method_parameters));
-    return static_cast<std::uint64_t>(std::clamp(most_particle_steps / cost, fewest_steps, most_steps));
+/// What theory says of a method in one mode, just above its limit: the dt at which to look, and how fast the mode grows
+/// there. A resonance may be narrow, so the best of several is taken, all as near as runs and theory are to agree.
+struct Above {
+    double dt = 0;
+    double log_growth = 0;  ///< logarithm of a step's factor
+};
+
+Above just_above(const Method& method, const ParameterValues& parameters, double omega, double gamma, double limit) {
+    Above best;
+    if (!(limit > 0 && limit < infinity)) return best;
+    for (const double factor : {1.0001, 1.0002, 1.0005, 1.001}) {
+        const double growth = std::log(step_growth(method, parameters, omega, gamma, factor * limit));
+        if (!(growth < best.log_growth)) best = {factor * limit, growth};
+    }
+    return best;
+}
+
+/// Enough to see growth a quarter as fast.
+std::uint64_t steps_of_a_run(const Above& above, double evaluations, std::size_t particles) {
+    const double most = most_particle_steps / (static_cast<double>(particles) * std::max(1.0, evaluations));
+    const double wanted = above.log_growth > 0 ? 0.8 / above.log_growth : fewest_steps;
+    return static_cast<std::uint64_t>(std::max(fewest_steps, std::min(wanted, most)));
 }
 
 /// Bisection on runs, begun at what theory expects.
 class Search {
 public:
-    Search(const ModeRun& run, std::uint64_t steps) : run_(run), steps_(steps) {}
+    Search(const ModeRun& run, const Above& above, std::uint64_t steps) : run_(run), above_(above), steps_(steps) {}
 
     double limit(double expected) const {
-        const double scale = run_.time_scale();
-        if (run_.grows_slowly(0.1 * scale)) return 0;
-        if (expected == infinity) return beyond_all(scale);
-        const double guess = expected > 0 ? expected : scale;
-        double stable = 0.99 * guess, unstable = 1.01 * guess;
-        while (grows(stable)) {
-            unstable = stable;
-            stable *= 0.8;
-            if (stable < 0.01 * scale) return 0;
+        if (expected == infinity) return beyond_all();
+        if (expected == 0) {
+            // seen soonest far below the steps that methods allow: midpoint grows by (omega dt)^4 / 8 a step
+            if (run_.grows(0.1 * run_.time_scale(), 8192, 0.01)) return 0;
+            expected = run_.time_scale();
         }
-        while (!grows(unstable)) {
-            stable = unstable;
-            unstable *= 1.25;
-            if (unstable > 1e4 * scale) return infinity;
+        double stable = 0.99 * expected;
+        const double least = 0.01 * std::min(stable, run_.time_scale());
+        for (; grows(stable); stable *= 0.8) {
+            if (stable < least) return 0;
         }
-        return between(stable, unstable);
+        return up_from(stable, expected);
     }
 
 private:
-    bool grows(double dt) const { return run_.growth(dt, steps_) > unstable_growth; }
+    bool grows(double dt) const { return run_.grows(dt, steps_); }
+
+    double up_from(double stable, double expected) const {
+        if (above_.dt > stable && grows(above_.dt)) return between(stable, above_.dt);
+        for (double dt = std::max(stable, 1.01 * expected); dt < 1e4 * run_.time_scale(); dt *= 1.25) {
+            if (grows(dt)) return between(stable, dt);
+            stable = dt;
+        }
+        return infinity;
+    }
 
     /// Of a method that is said to be stable at any dt: tried at some, far beyond all explicit methods.
-    double beyond_all(double scale) const {
-        double stable = 0.1 * scale;
+    double beyond_all() const {
+        double stable = 0.1 * run_.time_scale();
         for (const double tried : {1.0, 3.0, 10.0, 100.0, 1000.0}) {
-            if (run_.growth(tried * scale, fewer_steps) > unstable_growth) return between(stable, tried * scale);
-            stable = tried * scale;
+            const double dt = tried * run_.time_scale();
+            if (run_.grows(dt, 1024)) return between(stable, dt);
+            stable = dt;
         }
         return infinity;
     }
@@ -76,9 +97,8 @@ private:
         return (stable + unstable) / 2;
     }
 
-    static constexpr std::uint64_t fewer_steps = 1024;
-
     const ModeRun& run_;
+    Above above_;
     std::uint64_t steps_;
 };
 
@@ -127,47 +147,60 @@ std::vector<StabilityLab::Oscillation> StabilityLab::oscillations() const {
         const Eigen::Index mode = samples == 1 ? count - 1 : sample * (count - 1) / (samples - 1);
         const double omega2 = modes_.values[mode];
         if (omega2 < -zero) continue;  // departs by itself, whatever the method
-        all.push_back({omega2 < zero ? 0 : std::sqrt(omega2), mode});
+        all.push_back({omega2 < zero ? 0 : std::sqrt(omega2), mode, infinity});
     }
     return all;
+}
+
+/// The oscillation that grows at the smallest dt. Without drag that is the fastest.
+StabilityLab::Oscillation StabilityLab::first_to_grow(const Method& method, const ParameterValues& parameters) const {
+    const std::vector<Oscillation> all = oscillations();
+    Oscillation first{};
+    for (auto other = all.rbegin(); other != all.rend(); ++other) {
+        const double limit = linear_limit(method, parameters, other->omega, scene_.drag);
+        if (other == all.rbegin() || limit < first.limit) first = {other->omega, other->mode, limit};
+        if (scene_.drag == 0) break;
+    }
+    return first;
+}
+
+double StabilityLab::departure() const {
+    return modes_.values.size() > 0 ? std::sqrt(std::max(0.0, -modes_.values[0])) : 0;
 }
 
 Limit StabilityLab::limit(const RunDescription& description) const {
     const RunDescription held = as_held(description);
     const Method& method = steplab::method(held.method);
-    Limit limit{.description = held, .omega_max = omega_max(), .theory = {}, .measured = {}, .note = {}};
+    Limit limit{.description = held, .omega_max = omega_max(), .theory = infinity, .measured = infinity, .note = {}};
     if (method.info.adaptive) {
-        limit.theory = limit.measured = infinity;
         limit.note = "chooses its steps";
-        return limit;
-    }
-    const std::vector<Oscillation> asked = oscillations();
-    const bool moves = !asked.empty() && (asked.back().omega > 0 || scene_.drag > 0);
-    if (!moves) {
-        limit.theory = limit.measured = infinity;
+    } else if (omega_max() == 0 && scene_.drag == 0) {
         limit.note = "nothing oscillates";
-        return limit;
+    } else {
+        find(limit, method);
     }
-    Oscillation first = asked.back();
-    double theory = linear_limit(method, held.method_parameters, first.omega, scene_.drag);
-    if (scene_.drag > 0 && !method.info.curiosity) {
-        for (const Oscillation& other : asked) {
-            const double its = linear_limit(method, held.method_parameters, other.omega, scene_.drag);
-            if (its < theory) first = other, theory = its;
-        }
-    }
-    limit.theory = theory;
+    return limit;
+}
+
+void StabilityLab::find(Limit& limit, const Method& method) const {
+    const RunDescription& held = limit.description;
+    const Oscillation first = first_to_grow(method, held.method_parameters);
+    limit.theory = first.limit;
+    limit.measured.reset();
     if (method.info.curiosity) {
-        limit.note = "kept to show a mistake: not measured, theory is that of the rule it should be";
-        return limit;
+        limit.note = "kept to show a mistake: not measured";
+        return;
     }
     // float keeps 7 digits of a pair's distance: its vibrations are larger
     const double size = (held.precision == Precision::float_ ? 1e-3 : 1e-6) * spacing_;
     const ModeRun run(method, held.method_parameters, held.precision, scene_,
-                      linearised_.field(modes_.vectors.col(first.mode)), first.omega, size);
-    limit.measured = Search(run, steps_of_a_run(method, held, scene_.reference.count())).limit(theory);
-    if (!agree(theory, *limit.measured)) limit.note = disagreement(run, held.precision, theory, *limit.measured);
-    return limit;
+                      linearised_.field(modes_.vectors.col(first.mode)), first.omega, size, departure());
+    const Above above = just_above(method, held.method_parameters, first.omega, scene_.drag, first.limit);
+    const std::uint64_t steps = steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters),
+                                               scene_.reference.count());
+    limit.measured = Search(run, above, steps).limit(first.limit);
+    if (!agree(first.limit, *limit.measured))
+        limit.note = disagreement(run, held.precision, first.limit, *limit.measured);
 }
 
 }  // namespace steplab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/linearised.hpp"
+#include "sim/catalogue.hpp"
 #include "sim/run_description.hpp"
 
 #include <optional>
@@ -30,17 +31,22 @@ public:
     double omega_max() const;
     /// Of the method that the description names; its scene must be that of this object.
     /// Theory: the first dt at which the matrix that a step makes of (x, v) has an eigenvalue larger than 1, over the
-    /// frequencies of the scene, drag included. Measured: bisection to 2e-4 on runs of up to 8192 steps that begin as a
+    /// frequencies of the scene, drag included. Measured: bisection to 3e-5 on runs of up to 8192 steps that begin as a
     /// small vibration in the mode which theory says grows first. Throws Interrupted.
     Limit limit(const RunDescription& description) const;
 
 private:
-    /// A frequency of the scene and the mode that has it.
+    /// A frequency of the scene, the mode that has it, and a method's limit there.
     struct Oscillation {
-        double omega;
-        Eigen::Index mode;
+        double omega = 0;
+        Eigen::Index mode = 0;
+        double limit = infinity;
     };
     std::vector<Oscillation> oscillations() const;
+    Oscillation first_to_grow(const Method& method, const ParameterValues& parameters) const;
+    /// The rate of the fastest departure from the start that is no oscillation.
+    double departure() const;
+    void find(Limit& limit, const Method& method) const;
 
     Scene scene_;  ///< balanced
     double spacing_;
