@@ -74,8 +74,8 @@ void check_known(const std::vector<Setting>& settings, const std::vector<RunDesc
                 if (std::find(known.begin(), known.end(), info.name) == known.end()) known.push_back(info.name);
             }
         }
-        throw UsageError(unknown_word("parameter", setting.name, known,
-                                      fmt::format("{} and the methods", runs.front().model)));
+        throw UsageError(
+            unknown_word("parameter", setting.name, known, fmt::format("{} and the methods", runs.front().model)));
     }
 }
 

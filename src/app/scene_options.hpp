@@ -24,8 +24,8 @@ public:
     void declare(CLI::App& app);
     /// The run they describe, checked. Throws UsageError.
     RunDescription description() const;
-    /// The runs they describe, checked: one, or one for each method, which takes those of the settings that are its own.
-    /// Throws UsageError, also for a setting that is nobody's.
+    /// The runs they describe, checked: one, or one for each method, which takes those of the settings that are its
+    /// own. Throws UsageError, also for a setting that is nobody's.
     std::vector<RunDescription> descriptions() const;
 
 private:

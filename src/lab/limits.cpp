@@ -112,8 +112,9 @@ std::string percent(double ratio) { return fmt::format("{:+.2g} %", 100 * (ratio
 /// Why the two differ, as far as the run can tell.
 std::string disagreement(const ModeRun& run, Precision precision, double theory, double measured) {
     if (const double nonlinear = run.nonlinearity(); nonlinear > 0.01) {
-        return fmt::format("the force is not smooth at the start (off its derivative by {:.2g} %): theory does not hold",
-                           100 * nonlinear);
+        return fmt::format(
+            "the force is not smooth at the start (off its derivative by {:.2g} %): theory does not hold",
+            100 * nonlinear);
     }
     const std::string far = theory > 0 && measured > 0 && std::isfinite(measured) && std::isfinite(theory)
                                 ? percent(measured / theory) + " from theory"
@@ -196,8 +197,8 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
     const ModeRun run(method, held.method_parameters, held.precision, scene_,
                       linearised_.field(modes_.vectors.col(first.mode)), first.omega, size, departure());
     const Above above = just_above(method, held.method_parameters, first.omega, scene_.drag, first.limit);
-    const std::uint64_t steps = steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters),
-                                               scene_.reference.count());
+    const std::uint64_t steps =
+        steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count());
     limit.measured = Search(run, above, steps).limit(first.limit);
     if (!agree(first.limit, *limit.measured))
         limit.note = disagreement(run, held.precision, first.limit, *limit.measured);

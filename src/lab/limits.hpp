@@ -12,8 +12,8 @@ namespace steplab {
 /// The stability limit of a method on a scene, as theory gives it and as runs show it. Time steps: 0 = unstable at any
 /// dt, infinity = stable at any dt.
 struct Limit {
-    RunDescription description;  ///< what was asked about
-    double omega_max = 0;        ///< largest angular frequency of the scene linearised at its start
+    RunDescription description;      ///< what was asked about
+    double omega_max = 0;            ///< largest angular frequency of the scene linearised at its start
     std::optional<double> theory;    ///< none: theory has no answer, and the note says why
     std::optional<double> measured;  ///< none: not measured, and the note says why
     std::string note;                ///< empty if there is nothing to say

@@ -6,7 +6,6 @@
 #include "models/model.hpp"
 
 #include <Eigen/Dense>
-
 #include <cstddef>
 #include <functional>
 #include <vector>

@@ -59,8 +59,7 @@ struct ModeRun::Motion {
 };
 
 ModeRun::ModeRun(const Method& method, const ParameterValues& parameters, Precision precision, const Scene& scene,
-                 const Field<double>& shape, double omega, double size,
-                 double departure)
+                 const Field<double>& shape, double omega, double size, double departure)
     : method_(method),
       parameters_(parameters),
       precision_(precision),

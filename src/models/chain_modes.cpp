@@ -65,8 +65,7 @@ public:
 
     /// The answers of the modes are no larger than the slowest one's, and their shapes add up to less than 2.
     double rounding(double t) const override {
-        return 2 * mode_rounding(v0_, std::sqrt(omega2_.front()), t) +
-               1e-19 * std::abs(static_cast<double>(v0_)) * t;
+        return 2 * mode_rounding(v0_, std::sqrt(omega2_.front()), t) + 1e-19 * std::abs(static_cast<double>(v0_)) * t;
     }
 
 private:

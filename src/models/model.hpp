@@ -49,6 +49,8 @@ struct Model {
     std::optional<double> (*omega_max)(const ParameterValues&);
     /// Null where no exact solution is known (or holds for these values).
     std::shared_ptr<const ExactSolution> (*exact)(const ParameterValues&);
+    /// Displacements where the scene comes to rest under its drag. Null where it does not, or nobody knows where.
+    Field<double> (*resting)(const ParameterValues&) = nullptr;
 };
 
 }  // namespace steplab

@@ -42,7 +42,8 @@ private:
 template <class T>
 class Pairs {
 public:
-    explicit Pairs(const PairForces& forces) : count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
+    explicit Pairs(const PairForces& forces)
+        : count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
 
     void accelerations(const Field<T>& u, Field<T>& a) const {
         for (std::size_t begin = 0; begin < count_; begin += lanes) accelerate_lanes(u, a, begin);
