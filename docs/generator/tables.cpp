@@ -1,8 +1,8 @@
 #include "tables.hpp"
 
+#include "lab/thesis.hpp"
 #include "scratch_folder.hpp"
 #include "shell.hpp"
-#include "lab/thesis.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/keys.hpp"
 

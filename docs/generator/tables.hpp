@@ -20,10 +20,8 @@ std::string command_and_output(const std::string& command, const std::string& fo
 /// What `steplab COMMAND --help` prints, without the models and methods at its foot.
 std::string help_of(const std::string& command, const std::string& folder);
 
-/// The section of that name: "models", "methods", "models in full", "methods in full", "thesis table N", "keys", "help", "help COMMAND",
-/// or "$ any shell command".
-/// Throws std::runtime_error if the name is unknown.
-/// unknown.
+/// The section of that name: "models", "methods", "models in full", "methods in full", "thesis table N", "keys",
+/// "help", "help COMMAND", or "$ any shell command". Throws std::runtime_error if the name is unknown. unknown.
 std::string section(const std::string& name, const std::string& folder);
 
 }  // namespace steplab::docs

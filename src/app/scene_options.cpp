@@ -4,6 +4,7 @@
 #include "app/command_line.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "sim/catalogue.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,6 +15,8 @@
 namespace steplab {
 
 namespace {
+
+constexpr std::string_view all_methods = "all";
 
 /// Up to here every whole number is a double, so that step * dt is the time.
 constexpr double most_steps = 9007199254740992.0;
@@ -50,6 +53,31 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts) {
     return settings;
 }
 
+namespace {
+
+bool has_parameter(const RunDescription& description, std::string_view name) {
+    return description.scene.contains(name) || description.method_parameters.contains(name);
+}
+
+/// Throws UsageError if a setting belongs to none of the runs.
+void check_known(const std::vector<Setting>& settings, const std::vector<RunDescription>& runs) {
+    for (const Setting& setting : settings) {
+        if (std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return has_parameter(run, setting.name); }))
+            continue;
+        std::vector<std::string_view> known;
+        for (const ParameterInfo& info : runs.front().scene.infos()) known.push_back(info.name);
+        for (const RunDescription& run : runs) {
+            for (const ParameterInfo& info : run.method_parameters.infos()) {
+                if (std::find(known.begin(), known.end(), info.name) == known.end()) known.push_back(info.name);
+            }
+        }
+        throw UsageError(
+            unknown_word("parameter", setting.name, known, fmt::format("{} and the methods", runs.front().model)));
+    }
+}
+
+}  // namespace
+
 void SceneOptions::declare(CLI::App& app) {
     const RunDescription defaults = describe();
     model_ = defaults.model;
@@ -60,7 +88,9 @@ void SceneOptions::declare(CLI::App& app) {
     text_option(app, "--model", model_, "ID", fmt::format("What moves (default {})", model_))->group(group);
     repeated_option(app, "--set", settings_, "name=value", "A parameter of the model or method; repeatable")
         ->group(group);
-    text_option(app, "--method", method_, "ID", fmt::format("How it is integrated (default {})", method_))
+    const std::string_view many = methods_ == Methods::one_or_all ? "; all: every method" : "";
+    text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
+                fmt::format("How it is integrated (default {}{})", method_, many))
         ->group(group);
     text_option(app, "--precision", precision_, "float|double",
                 fmt::format("Of the whole run (default {})", precision_))
@@ -76,6 +106,23 @@ RunDescription SceneOptions::description() const {
     for (const Setting& setting : parse_settings(settings_)) set_parameter(description, setting.name, setting.text);
     check(description);
     return description;
+}
+
+std::vector<RunDescription> SceneOptions::descriptions() const {
+    if (method_ != all_methods) return {description()};
+    const std::vector<Setting> settings = parse_settings(settings_);
+    std::vector<RunDescription> runs;
+    for (const Method& method : methods()) runs.push_back(describe(model_, method.info.id));
+    check_known(settings, runs);
+    for (RunDescription& run : runs) {
+        run.precision = precision_of(precision_);
+        run.dt = parse_value(dt_info, dt_);
+        for (const Setting& setting : settings) {
+            if (has_parameter(run, setting.name)) set_parameter(run, setting.name, setting.text);
+        }
+        check(run);
+    }
+    return runs;
 }
 
 void TimeOptions::declare(CLI::App& app) {

@@ -27,12 +27,20 @@ Precision precision_of(std::string_view text);
 /// Everything is taken as text and read by our own parsers: in the C locale, whole, with one kind of message.
 class SceneOptions {
 public:
+    /// Whether --method may be `all`.
+    enum class Methods { one, one_or_all };
+    explicit SceneOptions(Methods methods = Methods::one) : methods_(methods) {}
+
     /// Adds the options, and the table of models, methods and parameters at the foot of the help.
     void declare(CLI::App& app);
     /// The run they describe, checked. Throws UsageError.
     RunDescription description() const;
+    /// The runs they describe, checked: one, or one for each method, which takes those of the settings that are its
+    /// own. Throws UsageError, also for a setting that is nobody's.
+    std::vector<RunDescription> descriptions() const;
 
 private:
+    Methods methods_;
     std::string model_;
     std::vector<std::string> settings_;
     std::string method_;

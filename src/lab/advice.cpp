@@ -122,10 +122,10 @@ std::vector<Measurement> candidates(const StudyPlan& plan, Search& search, const
 }  // namespace
 
 Advice advise(const StudyPlan& plan, double error, const Reference& reference, const StudyProgress& progress) {
-    const double known = reference.moments.back().error;
-    if (error < known) {
+    const double certain = reference.moments.back().error;
+    if (error < certain) {
         throw UsageError(fmt::format("an error of {} cannot be told here: the reference ({}) is itself known to {:.1e}",
-                                     number_text(error), reference.how, known));
+                                     number_text(error), reference.how, certain));
     }
     Search search(plan, error, reference);
     std::vector<Measurement> runs = candidates(plan, search, progress);

@@ -79,7 +79,9 @@ private:
 
 /// The scene's largest angular frequency, or one that lets a tenth of the time be a quarter of its period.
 double frequency(const StudyPlan& plan) {
-    const double omega = highest_frequency(modes(linearised(plan.scene)));
+    const Model& scene = model(plan.scene.model);
+    const LinearisedScene linearised(scene.scene(plan.scene.scene), scene.shape(plan.scene.scene));
+    const double omega = highest_frequency(modes(linearised));
     return omega > 0 ? omega : 5 * 3.14159265358979 / plan.time;
 }
 

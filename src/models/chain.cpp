@@ -28,7 +28,8 @@ constexpr ParameterInfo parameters[] = {number_of_particles(2, 10),
 constexpr std::size_t most_exact = 1024;
 
 ChainModes modes(const ParameterValues& values) {
-    return {values.count("n"), values["fixed"] != 0, values["k"] / values["m"], values["c"] / values["m"]};
+    const long double mass = values["m"];
+    return {values.count("n"), values["fixed"] != 0, values["k"] / mass, values["c"] / mass};
 }
 
 Scene scene(const ParameterValues& values) {

@@ -11,8 +11,8 @@ namespace steplab {
 struct ChainModes {
     std::size_t count = 2;  ///< particles, a fixed one included
     bool first_fixed = true;
-    double k_over_m = 1;
-    double drag = 0;  ///< gamma = c / m
+    long double k_over_m = 1;
+    long double drag = 0;  ///< gamma = c / m
 
     /// Number of modes: moving particles.
     std::size_t modes() const { return first_fixed ? count - 1 : count; }

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/field.hpp"
+
 #include <cstddef>
+#include <memory>
 #include <variant>
 
 namespace steplab {
@@ -40,6 +43,8 @@ struct PairForces {
     double depth = 1;  ///< D
     double k = 0.5;    ///< force constant at r0: b = sqrt(k / (2 D))
     double r0 = 0.5;
+    /// Taken off the accelerations: those of a state make it one of rest. Null: nothing.
+    std::shared_ptr<const Field<double>> balance = nullptr;
 };
 
 /// Morse potential between pairs nearer than `cutoff`, shifted to zero there.  near_pairs.hpp

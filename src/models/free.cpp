@@ -11,11 +11,22 @@ constexpr ParameterInfo parameters[] = {number_of_particles(1, 10), particle_mas
 
 class Solution final : public ExactSolution {
 public:
+    explicit Solution(std::size_t count) : count_(count) {}
+
     /// From (i, 0, 0) at rest under (0, -0.1 i, 0); the reference positions are zero.
     Vec3 displacement(std::size_t particle, double t) const override {
         const double i = static_cast<double>(particle);
         return {i, -0.05 * i * t * t, 0};
     }
+    Vec3 velocity(std::size_t particle, double t) const override {
+        return {0, -0.1 * static_cast<double>(particle) * t, 0};
+    }
+    double rounding(double t) const override {
+        return 2.3e-16 * static_cast<double>(count_) * (1 + 0.05 * t * t);  // some products of half an ulp each
+    }
+
+private:
+    std::size_t count_;
 };
 
 Scene scene(const ParameterValues& values) {
@@ -52,8 +63,8 @@ const Model& free_model() {
         .scene = scene,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(0.0); },
-        .exact = [](const ParameterValues&) -> std::shared_ptr<const ExactSolution> {
-            return std::make_shared<Solution>();
+        .exact = [](const ParameterValues& values) -> std::shared_ptr<const ExactSolution> {
+            return std::make_shared<Solution>(values.count("n"));
         },
     };
     return model;

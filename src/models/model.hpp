@@ -17,10 +17,16 @@ public:
     virtual ~ExactSolution() = default;
     /// Displacement from the reference position of one particle at time t.
     virtual Vec3 displacement(std::size_t particle, double t) const = 0;
+    /// Velocity of one particle at time t.
+    virtual Vec3 velocity(std::size_t particle, double t) const = 0;
     /// The same for all particles; `out` has one place for each.
     virtual void displacements(double t, std::span<Vec3> out) const {
         for (std::size_t i = 0; i < out.size(); ++i) out[i] = displacement(i, t);
     }
+    /// Until this time it is the motion; not beyond.
+    virtual double valid_until() const { return infinity; }
+    /// Bound of what rounding adds to a displacement at time t, from the sizes that it is a sum of.
+    virtual double rounding(double t) const = 0;
 };
 
 /// A model with its parameters filled in, ready to be stepped: everything in double.
@@ -43,6 +49,8 @@ struct Model {
     std::optional<double> (*omega_max)(const ParameterValues&);
     /// Null where no exact solution is known (or holds for these values).
     std::shared_ptr<const ExactSolution> (*exact)(const ParameterValues&);
+    /// Displacements where the scene comes to rest under its drag. Null where it does not, or nobody knows where.
+    Field<double> (*resting)(const ParameterValues&) = nullptr;
 };
 
 }  // namespace steplab

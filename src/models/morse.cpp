@@ -1,3 +1,4 @@
+#include "models/head_on.hpp"
 #include "models/model.hpp"
 #include "models/parameters.hpp"
 
@@ -101,6 +102,13 @@ Shape shape(const ParameterValues& values) {
     return shape;
 }
 
+/// One particle and the bullet, head on.
+std::shared_ptr<const ExactSolution> exact(const ParameterValues& values) {
+    if (values["edge"] != 1 || values["cutoff"] > 0) return nullptr;
+    const PairForces pair{2, values["m"], values["D"], values["k"], values["r0"]};
+    return head_on_solution(pair, bullet_start.x, values["v0"]);
+}
+
 double particles(const ParameterValues& values) { return values["edge"] * values["edge"] * values["edge"] + 1; }
 
 }  // namespace
@@ -116,7 +124,7 @@ const Model& morse_model() {
         .scene = scene,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(); },
-        .exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); },
+        .exact = exact,
     };
     return model;
 }

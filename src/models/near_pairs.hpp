@@ -20,6 +20,7 @@ public:
           morse_(morse_constants<T>(forces)),
           cutoff_(static_cast<T>(forces.cutoff)),
           shift_(morse_energy(morse_, cutoff_)),
+          balance_(forces),
           neighbours_(forces.cutoff) {}
 
     void accelerations(const Field<T>& u, Field<T>& a) {
@@ -39,6 +40,7 @@ public:
             a.y()[i] = sum.y;
             a.z()[i] = sum.z;
         }
+        balance_.take_off(a);
     }
 
     /// V(r) - V(cut-off), so that the energy does not jump where pairs come in.
@@ -64,6 +66,7 @@ private:
     MorseConstants<T> morse_;
     T cutoff_;
     T shift_;
+    Balance<T> balance_;
     Neighbours neighbours_;
 };
 

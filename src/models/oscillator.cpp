@@ -16,15 +16,24 @@ double omega(const ParameterValues& values) { return std::sqrt(values["k"] / val
 class Solution final : public ExactSolution {
 public:
     explicit Solution(const ParameterValues& values)
-        : omega2_(values["k"] / values["m"]), gamma_(values["c"] / values["m"]), v0_(values["v0"]) {}
+        : omega2_(static_cast<long double>(values["k"]) / values["m"]),
+          gamma_(static_cast<long double>(values["c"]) / values["m"]),
+          v0_(values["v0"]) {}
 
     Vec3 displacement(std::size_t particle, double t) const override {
         if (particle == 0) return {};
-        return {v0_ * kick_response(omega2_, gamma_, t), 0, 0};
+        return {static_cast<double>(v0_ * KickResponse(omega2_, gamma_, t).g), 0, 0};
     }
 
+    Vec3 velocity(std::size_t particle, double t) const override {
+        if (particle == 0) return {};
+        return {static_cast<double>(v0_ * KickResponse(omega2_, gamma_, t).g_rate), 0, 0};
+    }
+
+    double rounding(double t) const override { return mode_rounding(v0_, std::sqrt(omega2_), t); }
+
 private:
-    double omega2_, gamma_, v0_;
+    long double omega2_, gamma_, v0_;
 };
 
 /// Particle 0 is the fixed end of the spring, at the origin; particle 1 is the one that swings.

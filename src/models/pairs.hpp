@@ -19,14 +19,35 @@ MorseConstants<T> morse_constants(const PairForces& forces) {
     return {depth, b, static_cast<T>(forces.r0), T(2) * b * depth / static_cast<T>(forces.mass)};
 }
 
+/// PairForces::balance at work, in the number type of an engine.
+template <class T>
+class Balance {
+public:
+    explicit Balance(const PairForces& forces) {
+        if (forces.balance) accelerations_ = converted<T>(*forces.balance);
+    }
+
+    void take_off(Field<T>& a) const {
+        if (accelerations_.count() == 0) return;
+        T* const out = a.flat().data();
+        const T* const balance = accelerations_.flat().data();
+        elementwise(a.flat().size(), [=](std::size_t k) { out[k] -= balance[k]; });
+    }
+
+private:
+    Field<T> accelerations_;
+};
+
 /// PairForces at work: every particle sums the pulls of all others in the order of their indices.
 template <class T>
 class Pairs {
 public:
-    explicit Pairs(const PairForces& forces) : count_(forces.count), morse_(morse_constants<T>(forces)) {}
+    explicit Pairs(const PairForces& forces)
+        : count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
 
     void accelerations(const Field<T>& u, Field<T>& a) const {
         for (std::size_t begin = 0; begin < count_; begin += lanes) accelerate_lanes(u, a, begin);
+        balance_.take_off(a);
     }
 
     PotentialEnergy potential(const Field<T>& u) const {
@@ -69,6 +90,7 @@ private:
 
     std::size_t count_;
     MorseConstants<T> morse_;
+    Balance<T> balance_;
 };
 
 }  // namespace steplab

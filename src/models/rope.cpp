@@ -44,6 +44,18 @@ Shape shape(const ParameterValues& values) {
     return shape;
 }
 
+/// Link j = 1 .. n-1 from the anchor carries n - j particles and is stretched by (n - j) g / k.
+Field<double> resting(const ParameterValues& values) {
+    const double n = values["n"];
+    Field<double> displacement(values.count("n"));
+    for (std::size_t particle = 1; particle < values.count("n"); ++particle) {
+        const double i = static_cast<double>(particle), carried = i * n - i * (i + 1) / 2;
+        const double length = i * values["L"] + values["g"] / values["k"] * carried;
+        displacement.set(particle, {-i * values["L"], -length, 0});
+    }
+    return displacement;
+}
+
 }  // namespace
 
 const Model& rope_model() {
@@ -62,6 +74,7 @@ const Model& rope_model() {
                     ChainModes{.count = values.count("n"), .k_over_m = values["k"]}.highest_frequency());
             },
         .exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); },
+        .resting = resting,
     };
     return model;
 }

@@ -29,12 +29,12 @@ struct SpringGeometry {
 };
 
 /// (|d| - length) d / |d|: the pull of a spring of force constant 1 on its first particle. Zero for coincident
-/// particles.
+/// particles, where the derivative is that of a spring of rest length 0, which has one.
 template <class N>
 Vector<N> spring_pull(const Vector<N>& rest, N length, const Vector<N>& e) {
     const SpringGeometry<N> spring(rest, e);
     const N denominator = spring.distance2 + length * spring.distance;
-    const N factor = spring.stretch / where(denominator > N(0), denominator, N(1));
+    const N factor = where(denominator > N(0), spring.stretch / denominator, N(1));
     return {factor * spring.d.x, factor * spring.d.y, factor * spring.d.z};
 }
 

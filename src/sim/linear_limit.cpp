@@ -62,4 +62,9 @@ double linear_limit(const Method& method, const ParameterValues& parameters, dou
     return first_growth(method, parameters, omega, gamma);
 }
 
+double step_growth(const Method& method, const ParameterValues& parameters, double omega, double gamma, double dt) {
+    const FlushSubnormals flush;
+    return growth(method, parameters, damped_oscillator(omega, gamma), dt);
+}
+
 }  // namespace steplab

@@ -10,4 +10,7 @@ namespace steplab {
 /// the limit without drag.
 double linear_limit(const Method& method, const ParameterValues& parameters, double omega, double gamma);
 
+/// The factor by which a step of dt lets that motion grow: the size of the matrix' larger eigenvalue.
+double step_growth(const Method& method, const ParameterValues& parameters, double omega, double gamma, double dt);
+
 }  // namespace steplab

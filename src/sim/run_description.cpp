@@ -97,6 +97,15 @@ void check(const RunDescription& description) {
     check_memory(description);
 }
 
+RunDescription as_held(RunDescription description) {
+    check(description);
+    description.dt = rounded_to(description.precision, description.dt);
+    for (const auto& info : description.scene.infos()) {
+        description.scene.set(info.name, rounded_to(description.precision, description.scene[info.name]));
+    }
+    return description;
+}
+
 std::string command_line(const RunDescription& description) {
     return fmt::format("--model {}{} --method {}{} --precision {} --dt {}", description.model,
                        changed_parameters(description.scene), description.method,

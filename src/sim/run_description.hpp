@@ -36,6 +36,9 @@ void set_parameter(RunDescription& description, std::string_view name, std::stri
 /// and the particles fit into this machine's memory (the message tells the bytes needed).
 void check(const RunDescription& description);
 
+/// The description with dt and the scene's parameters as its precision holds them. Throws UsageError (check()).
+RunDescription as_held(RunDescription description);
+
 /// "--model chain --set n=20 --method rk4 --precision double --dt 0.1": what differs from a default is named, so that
 /// the command line gives the same description back.
 std::string command_line(const RunDescription& description);

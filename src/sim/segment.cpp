@@ -4,19 +4,6 @@
 
 namespace steplab {
 
-namespace {
-
-RunDescription as_held(RunDescription description) {
-    check(description);
-    description.dt = rounded_to(description.precision, description.dt);
-    for (const auto& info : description.scene.infos()) {
-        description.scene.set(info.name, rounded_to(description.precision, description.scene[info.name]));
-    }
-    return description;
-}
-
-}  // namespace
-
 Segment::Segment(const RunDescription& given)
     : description(given), held(as_held(given)), scene(model(held.model).scene(held.scene)), meter(scene) {
     start(scene.start);

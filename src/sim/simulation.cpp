@@ -269,12 +269,13 @@ Diagnostics Simulation::diagnostics() const {
     sums.potential = body.energy.potential.value;
     sums.energy = body.energy.total();
     sums.energy_error = sums.energy - body.baseline.total();
-    if (body.exact) sums.error = largest_error(body.state.displacement, *body.exact, time());
+    if (has_exact() && time() <= body.exact->valid_until())
+        sums.error = largest_error(body.state.displacement, *body.exact, time());
     return sums;
 }
 
 std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time) const {
-    if (!body_->exact) return std::nullopt;
+    if (!has_exact() || time > body_->exact->valid_until()) return std::nullopt;
     return body_->segment.scene.reference.at(particle) + body_->exact->displacement(particle, time);
 }
 

@@ -68,8 +68,8 @@ public:
     /// Hash of step and synchronised state bits, 16 hexadecimal digits.
     std::string hash() const;
 
-    /// Position of a particle at time t in closed form. None if no exact solution is known, or since the run left its
-    /// conditions (a parameter of the scene was changed under way).
+    /// Position of a particle at time t in closed form. None if no exact solution is known (for so long), or since the
+    /// run left its conditions (a parameter of the scene was changed under way).
     std::optional<Vec3> exact_position(std::size_t particle, double time) const;
     bool has_exact() const;
 

@@ -1,5 +1,6 @@
 #include "lab/answers.hpp"
 
+#include "core/error.hpp"
 #include "lab/speed_error_csv.hpp"
 
 #include <gmock/gmock.h>
@@ -76,14 +77,14 @@ TEST(SpeedErrorCsv, reads_back_exactly) {
         EXPECT_EQ(back[i].steps, runs[i].steps);
         EXPECT_EQ(back[i].wall_seconds, runs[i].wall_seconds);
         EXPECT_EQ(back[i].diverged, runs[i].diverged);
-        if (!runs[i].diverged) EXPECT_EQ(back[i].error, runs[i].error);
+        EXPECT_EQ(back[i].error, runs[i].diverged ? 0 : runs[i].error);
     }
 }
 
 TEST(SpeedErrorCsv, has_the_columns_of_the_contract_and_nothing_for_what_a_failed_run_has_not) {
     const std::string csv = speed_error_csv(std::vector{diverged("euler", 1)});
-    EXPECT_THAT(csv, testing::StartsWith(
-                         "model,method,precision,dt,steps,evaluations,wall_s,error,energy_error,status,hash"));
+    EXPECT_THAT(
+        csv, testing::StartsWith("model,method,precision,dt,steps,evaluations,wall_s,error,energy_error,status,hash"));
     EXPECT_THAT(csv, HasSubstr(",,,diverged,"));
 }
 

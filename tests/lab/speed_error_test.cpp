@@ -33,10 +33,12 @@ TEST(SpeedError, falls_with_dt_by_the_order_of_the_method) {
     const StudyPlan plan = small_plan({"verlet", "pefrl"});
     const auto runs = measure_series(plan, reference_for(plan), no_progress);
     for (const char* method : {"verlet", "pefrl"}) {
-        EXPECT_NEAR(measured_order(runs, method, Precision::double_).value_or(0), steplab::method(method).info.order, 0.3)
+        EXPECT_NEAR(measured_order(runs, method, Precision::double_).value_or(0), steplab::method(method).info.order,
+                    0.3)
             << method;
     }
-    for (const Measurement& run : runs) EXPECT_GT(run.wall_seconds.value_or(0), 0) << run.run.method << " " << run.run.dt;
+    for (const Measurement& run : runs)
+        EXPECT_GT(run.wall_seconds.value_or(0), 0) << run.run.method << " " << run.run.dt;
 }
 
 TEST(SpeedError, ends_where_the_run_was_asked_to_end) {
@@ -51,8 +53,8 @@ TEST(SpeedError, of_a_wrong_scene_does_not_fall) {
     StudyPlan wrong = right;
     wrong.scene.scene.set("k", 1.01);
     const auto runs = measure_series(wrong, reference_for(right), no_progress);
-    const auto least = std::min_element(runs.begin(), runs.end(),
-                                        [](const auto& a, const auto& b) { return a.error < b.error; });
+    const auto least =
+        std::min_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
     EXPECT_GT(least->error, 1e-3);
 }
 

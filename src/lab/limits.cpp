@@ -1,0 +1,207 @@
+#include "lab/limits.hpp"
+
+#include "core/error.hpp"
+#include "lab/mode_run.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/linear_limit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+/// Frequencies of a damped scene that are asked; a scene with more of them is sampled.
+constexpr std::size_t most_frequencies = 64;
+/// Steps of a run: enough to see the growth just above theory's limit, if a scene of so many particles allows.
+constexpr double fewest_steps = 1024, most_particle_steps = 4e8;
+constexpr double resolution = 3e-5;  // of the bisection, relative
+/// Where theory and measurement agree no better, the note says why.
+constexpr double agreement = 1e-3;
+
+/// What theory says of a method in one mode, just above its limit: the dt at which to look, and how fast the mode grows
+/// there. A resonance may be narrow, so the best of several is taken, all as near as runs and theory are to agree.
+struct Above {
+    double dt = 0;
+    double log_growth = 0;  ///< logarithm of a step's factor
+};
+
+Above just_above(const Method& method, const ParameterValues& parameters, double omega, double gamma, double limit) {
+    Above best;
+    if (!(limit > 0 && limit < infinity)) return best;
+    for (const double factor : {1.0001, 1.0002, 1.0005, 1.001}) {
+        const double growth = std::log(step_growth(method, parameters, omega, gamma, factor * limit));
+        if (!(growth < best.log_growth)) best = {factor * limit, growth};
+    }
+    return best;
+}
+
+/// Enough to see growth a quarter as fast.
+std::uint64_t steps_of_a_run(const Above& above, double evaluations, std::size_t particles) {
+    const double most = most_particle_steps / (static_cast<double>(particles) * std::max(1.0, evaluations));
+    const double wanted = above.log_growth > 0 ? 0.8 / above.log_growth : fewest_steps;
+    return static_cast<std::uint64_t>(std::max(fewest_steps, std::min(wanted, most)));
+}
+
+/// Bisection on runs, begun at what theory expects.
+class Search {
+public:
+    Search(const ModeRun& run, const Above& above, std::uint64_t steps) : run_(run), above_(above), steps_(steps) {}
+
+    double limit(double expected) const {
+        if (expected == infinity) return beyond_all();
+        if (expected == 0) {
+            // seen soonest far below the steps that methods allow: midpoint grows by (omega dt)^4 / 8 a step
+            if (run_.grows(0.1 * run_.time_scale(), 8192, 0.01)) return 0;
+            expected = run_.time_scale();
+        }
+        double stable = 0.99 * expected;
+        const double least = 0.01 * std::min(stable, run_.time_scale());
+        for (; grows(stable); stable *= 0.8) {
+            if (stable < least) return 0;
+        }
+        return up_from(stable, expected);
+    }
+
+private:
+    bool grows(double dt) const { return run_.grows(dt, steps_); }
+
+    double up_from(double stable, double expected) const {
+        if (above_.dt > stable && grows(above_.dt)) return between(stable, above_.dt);
+        for (double dt = std::max(stable, 1.01 * expected); dt < 1e4 * run_.time_scale(); dt *= 1.25) {
+            if (grows(dt)) return between(stable, dt);
+            stable = dt;
+        }
+        return infinity;
+    }
+
+    /// Of a method that is said to be stable at any dt: tried at some, far beyond all explicit methods.
+    double beyond_all() const {
+        double stable = 0.1 * run_.time_scale();
+        for (const double tried : {1.0, 3.0, 10.0, 100.0, 1000.0}) {
+            const double dt = tried * run_.time_scale();
+            if (run_.grows(dt, 1024)) return between(stable, dt);
+            stable = dt;
+        }
+        return infinity;
+    }
+
+    double between(double stable, double unstable) const {
+        while (unstable - stable > resolution * unstable) {
+            const double middle = (stable + unstable) / 2;
+            (grows(middle) ? unstable : stable) = middle;
+        }
+        return (stable + unstable) / 2;
+    }
+
+    const ModeRun& run_;
+    Above above_;
+    std::uint64_t steps_;
+};
+
+bool agree(double theory, double measured) {
+    if (theory == 0 || std::isinf(theory)) return theory == measured;
+    return std::abs(measured / theory - 1) <= agreement;
+}
+
+std::string percent(double ratio) { return fmt::format("{:+.2g} %", 100 * (ratio - 1)); }
+
+/// Why the two differ, as far as the run can tell.
+std::string disagreement(const ModeRun& run, Precision precision, double theory, double measured) {
+    if (const double nonlinear = run.nonlinearity(); nonlinear > 0.01) {
+        return fmt::format(
+            "the force is not smooth at the start (off its derivative by {:.2g} %): theory does not hold",
+            100 * nonlinear);
+    }
+    const std::string far = theory > 0 && measured > 0 && std::isfinite(measured) && std::isfinite(theory)
+                                ? percent(measured / theory) + " from theory"
+                                : "not what theory says";
+    if (precision == Precision::float_) return far + ": float's rounding is no small part of the vibration";
+    return far + ": the method's steps are not those of its linear theory";
+}
+
+}  // namespace
+
+std::optional<double> Limit::ratio() const {
+    if (!theory || !measured || !(*theory > 0) || std::isinf(*theory) || std::isinf(*measured)) return std::nullopt;
+    return *measured / *theory;
+}
+
+StabilityLab::StabilityLab(const RunDescription& description)
+    : scene_(balanced(model(description.model).scene(as_held(description).scene))),
+      spacing_(model(description.model).shape(as_held(description).scene).spacing),
+      linearised_(scene_, model(description.model).shape(as_held(description).scene)),
+      modes_(modes(linearised_)) {}
+
+double StabilityLab::omega_max() const { return highest_frequency(modes_); }
+
+std::vector<StabilityLab::Oscillation> StabilityLab::oscillations() const {
+    const Eigen::Index count = modes_.values.size();
+    std::vector<Oscillation> all;
+    if (count == 0) return all;
+    const double zero = 1e-10 * std::abs(modes_.values[count - 1]);  // rounding of an eigenvalue 0
+    const auto samples = std::min(static_cast<Eigen::Index>(most_frequencies), count);
+    for (Eigen::Index sample = 0; sample < samples; ++sample) {
+        const Eigen::Index mode = samples == 1 ? count - 1 : sample * (count - 1) / (samples - 1);
+        const double omega2 = modes_.values[mode];
+        if (omega2 < -zero) continue;  // departs by itself, whatever the method
+        all.push_back({omega2 < zero ? 0 : std::sqrt(omega2), mode, infinity});
+    }
+    return all;
+}
+
+/// The oscillation that grows at the smallest dt. Without drag that is the fastest.
+StabilityLab::Oscillation StabilityLab::first_to_grow(const Method& method, const ParameterValues& parameters) const {
+    const std::vector<Oscillation> all = oscillations();
+    Oscillation first{};
+    for (auto other = all.rbegin(); other != all.rend(); ++other) {
+        const double limit = linear_limit(method, parameters, other->omega, scene_.drag);
+        if (other == all.rbegin() || limit < first.limit) first = {other->omega, other->mode, limit};
+        if (scene_.drag == 0) break;
+    }
+    return first;
+}
+
+double StabilityLab::departure() const {
+    return modes_.values.size() > 0 ? std::sqrt(std::max(0.0, -modes_.values[0])) : 0;
+}
+
+Limit StabilityLab::limit(const RunDescription& description) const {
+    const RunDescription held = as_held(description);
+    const Method& method = steplab::method(held.method);
+    Limit limit{.description = held, .omega_max = omega_max(), .theory = infinity, .measured = infinity, .note = {}};
+    if (method.info.adaptive) {
+        limit.note = "chooses its steps";
+    } else if (omega_max() == 0 && scene_.drag == 0) {
+        limit.note = "nothing oscillates";
+    } else {
+        find(limit, method);
+    }
+    return limit;
+}
+
+void StabilityLab::find(Limit& limit, const Method& method) const {
+    const RunDescription& held = limit.description;
+    const Oscillation first = first_to_grow(method, held.method_parameters);
+    limit.theory = first.limit;
+    limit.measured.reset();
+    if (method.info.curiosity) {
+        limit.note = "kept to show a mistake: not measured";
+        return;
+    }
+    // float keeps 7 digits of a pair's distance: its vibrations are larger
+    const double size = (held.precision == Precision::float_ ? 1e-3 : 1e-6) * spacing_;
+    const ModeRun run(method, held.method_parameters, held.precision, scene_,
+                      linearised_.field(modes_.vectors.col(first.mode)), first.omega, size, departure());
+    const Above above = just_above(method, held.method_parameters, first.omega, scene_.drag, first.limit);
+    const std::uint64_t steps =
+        steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count());
+    limit.measured = Search(run, above, steps).limit(first.limit);
+    if (!agree(first.limit, *limit.measured))
+        limit.note = disagreement(run, held.precision, first.limit, *limit.measured);
+}
+
+}  // namespace steplab

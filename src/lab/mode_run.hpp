@@ -1,0 +1,43 @@
+#pragma once
+
+#include "sim/catalogue.hpp"
+
+#include <cstdint>
+
+namespace steplab {
+
+/// The scene whose accelerations are a(x0 + u) - a(x0), x0 being its start: so that it rests there, on the same forces.
+Scene balanced(Scene scene);
+
+/// A method at work on small vibrations of a balanced scene about its start in one mode: what it does to their size.
+class ModeRun {
+public:
+    /// `scene` must outlive this object; `shape` is the mode, `omega` its angular frequency, `size` the largest
+    /// displacement that the vibration has, `departure` the rate at which the scene departs from its start by itself.
+    ModeRun(const Method& method, const ParameterValues& parameters, Precision precision, const Scene& scene,
+            const Field<double>& shape, double omega, double size, double departure);
+
+    /// The time in which the mode does something: 1 / max(omega, gamma).
+    double time_scale() const { return 1 / rate_; }
+    /// True if the vibration grows in so many steps of dt: a hundredfold at some time, or to a size in the last quarter
+    /// of the run whose logarithm exceeds that in the first quarter by more than `allowed`, the ups and downs of a
+    /// bounded one. Every few steps all that is not of the mode (what other modes made of rounding) is dropped and the
+    /// vibration made as small as it was, so that the run stays in the linear range however long it is.
+    bool grows(double dt, std::uint64_t steps, double allowed = 0.1) const;
+    /// How far the force is from linear for a vibration of this size: |a(x0 + u) - a(x0) + omega^2 u| / (omega^2 |u|).
+    double nonlinearity() const;
+
+private:
+    struct Motion;
+    /// Logarithm of the factor by which so many steps change the size.
+    double log_factor(Motion& motion, double dt, std::uint64_t steps) const;
+
+    const Method& method_;
+    ParameterValues parameters_;
+    Precision precision_;
+    const Scene& scene_;
+    Field<double> shape_;  ///< largest displacement `size`
+    double omega_, rate_, departure_;
+};
+
+}  // namespace steplab

@@ -1,0 +1,158 @@
+#include "lab/limits.hpp"
+
+#include "lab/mode_run.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace steplab::test {
+namespace {
+
+Limit limit_of(std::string_view id, std::string_view method, Precision precision = Precision::double_,
+               Settings settings = {}) {
+    const RunDescription run = run_of(id, method, precision, 0.1, settings);
+    return StabilityLab(run).limit(run);
+}
+
+/// Linear scenes agree to 0.1 %, the others to 1 %; or the output says why not.
+void expect_agreement(const Limit& limit, double tolerance) {
+    ASSERT_TRUE(limit.theory.has_value());
+    ASSERT_TRUE(limit.measured.has_value());
+    if (const auto ratio = limit.ratio()) {
+        if (limit.note.empty()) EXPECT_NEAR(*ratio, 1, tolerance);
+        EXPECT_NEAR(*ratio, 1, 0.01);  // no note excuses more
+    } else {
+        EXPECT_EQ(*limit.theory, *limit.measured);
+    }
+}
+
+class Limits : public testing::TestWithParam<MethodCase> {};
+
+TEST_P(Limits, theory_and_runs_agree_on_every_model) {
+    for (const Model& model : models()) {
+        const bool linear = model.info.id != "mesh" && model.info.id != "morse";
+        const Limit limit = limit_of(model.info.id, GetParam().info->id, GetParam().precision);
+        SCOPED_TRACE(std::string(model.info.id) + ": " + limit.note);
+        if (GetParam().info->adaptive) {
+            EXPECT_TRUE(std::isinf(*limit.theory) && std::isinf(*limit.measured));
+        } else {
+            expect_agreement(limit, linear ? 1e-3 : 1e-2);
+        }
+    }
+}
+
+TEST_P(Limits, drag_is_included) {
+    for (const double c : {0.1, 5.0}) {
+        const Limit limit = limit_of("chain", GetParam().info->id, GetParam().precision, {{"c", c}, {"n", 6}});
+        SCOPED_TRACE(testing::Message() << c << ": " << limit.note);
+        if (!GetParam().info->adaptive) expect_agreement(limit, 1e-3);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Limits, testing::ValuesIn(working_methods()), case_name);
+
+TEST(Limit, of_the_ten_particle_chain_is_the_published_one) {
+    const auto expect = [](std::string_view method, double published, double digit) {
+        const Limit limit = limit_of("chain", method);
+        EXPECT_NEAR(limit.omega_max, 1.97272261, 5e-9) << method;
+        EXPECT_NEAR(*limit.theory, published, digit) << method;
+        EXPECT_NEAR(*limit.measured, published, 1e-3 * published) << method;
+    };
+    expect("euler", 1.01383, 5e-6);
+    expect("verlet", 1.01383, 5e-6);
+    expect("rk4", 1.43377, 5e-6);
+    expect("stoermer", 10.138, 5e-4);
+}
+
+TEST(Limit, is_zero_where_a_method_is_unstable_at_any_dt) {
+    for (const char* method : {"midpoint", "euler-forward"}) {
+        for (const char* model : {"oscillator", "chain", "mesh", "morse"}) {
+            const Limit limit = limit_of(model, method);
+            EXPECT_EQ(*limit.theory, 0) << method << ' ' << model;
+            EXPECT_EQ(*limit.measured, 0) << method << ' ' << model;
+        }
+    }
+}
+
+TEST(Limit, is_none_where_nothing_oscillates) {
+    const Limit limit = limit_of("free", "midpoint");
+    EXPECT_EQ(limit.omega_max, 0);
+    EXPECT_EQ(*limit.theory, infinity);
+    EXPECT_EQ(*limit.measured, infinity);
+    EXPECT_NE(limit.note, "");
+}
+
+TEST(Limit, of_a_curiosity_is_not_measured_and_says_so) {
+    const Limit limit = limit_of("chain", "verlet-2008");
+    EXPECT_FALSE(limit.measured.has_value());
+    EXPECT_NE(limit.note, "");
+}
+
+// The Morse cube is no place of rest at its start; its forces there are taken off, and only there do they vanish.
+TEST(Balanced, scene_rests_at_its_start) {
+    const RunDescription run = run_of("morse", "rk4", Precision::double_, 0.1);
+    const Scene scene = balanced(model("morse").scene(run.scene));
+    const Scene plain = model("morse").scene(run.scene);
+    State<double> state{scene.start.displacement, Field<double>(scene.start.displacement.count())};
+    const auto moved = [&](const Scene& where) {
+        const auto stepper = method("rk4").make({where, state, run.method_parameters, Precision::double_, 0.1});
+        stepper->advance(10);
+        State<double> end;
+        stepper->synchronised(end);
+        double largest = 0;
+        for (std::size_t k = 0; k < end.displacement.flat().size(); ++k)
+            largest = std::max(largest, std::abs(end.displacement.flat()[k] - state.displacement.flat()[k]));
+        return largest;
+    };
+    EXPECT_EQ(moved(scene), 0);
+    EXPECT_GT(moved(plain), 0.01);
+}
+
+/// The fastest mode of a chain under a method.
+ModeRun mode_of(const Scene& scene, const LinearisedScene& linear, const Eigenpairs& pairs,
+                std::string_view method_id) {
+    const Method& it = method(method_id);
+    return {it,
+            ParameterValues(it.info.parameters),
+            Precision::double_,
+            scene,
+            linear.field(pairs.vectors.col(pairs.values.size() - 1)),
+            highest_frequency(pairs),
+            1e-6,
+            0};
+}
+
+// The partner: a limit that is 1 % off on either side is refused by the runs.
+TEST(ModeRun, refuses_a_limit_that_is_one_percent_off) {
+    const RunDescription run = run_of("chain", "rk4", Precision::double_, 0.1);
+    const Scene scene = balanced(model("chain").scene(run.scene));
+    const LinearisedScene linear(scene, model("chain").shape(run.scene));
+    const Eigenpairs pairs = modes(linear);
+    for (const MethodCase& c : working_methods()) {
+        const double phase = linear_limit(*c.info, ParameterValues(c.info->parameters));
+        if (c.info->adaptive || phase == 0 || std::isinf(phase) || c.id() == "srkn-11b") continue;
+        const ModeRun mode = mode_of(scene, linear, pairs, c.id());
+        const double limit = phase / highest_frequency(pairs);
+        EXPECT_FALSE(mode.grows(0.99 * limit, 8192)) << c;
+        EXPECT_TRUE(mode.grows(1.01 * limit, 8192)) << c;
+    }
+}
+
+// srkn-11b has a resonance at omega dt = pi, so narrow that 1 % further it is stable again.
+TEST(ModeRun, finds_the_narrow_resonance) {
+    const Limit limit = limit_of("oscillator", "srkn-11b");
+    EXPECT_NEAR(*limit.measured, 3.1414, 1e-3 * 3.1414);
+}
+
+TEST(ModeRun, sees_a_force_that_is_not_smooth) {
+    // a pair at the cut-off's very distance: a force on one side, none on the other
+    const RunDescription run =
+        run_of("morse", "verlet", Precision::double_, 0.1, {{"edge", 2}, {"spacing", 1}, {"cutoff", 1}});
+    const Limit limit = StabilityLab(run).limit(run);
+    EXPECT_NE(limit.note, "");
+}
+
+}  // namespace
+}  // namespace steplab::test
