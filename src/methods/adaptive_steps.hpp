@@ -3,11 +3,15 @@
 #include "core/elementwise.hpp"
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "core/lanes.hpp"
 #include "methods/adaptive.hpp"
 #include "methods/collisions.hpp"
 #include "methods/compensated.hpp"
 #include "methods/step_control.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -23,6 +27,27 @@ struct Moment {
 
     Moment() = default;
     explicit Moment(std::size_t count) : x(count), v(count), a(count), lost(true, count) {}
+};
+
+/// A compensated sum from one moment into the next, a register at a time.
+template <class T>
+class SumInto {
+public:
+    SumInto(const Field<T>& from, const Field<T>& lost, Field<T>& to, Field<T>& left)
+        : from_(from.flat().data()), lost_(lost.flat().data()), to_(to.flat().data()), left_(left.flat().data()) {}
+
+    /// The sum at place k, which is stored.
+    Lanes<T> add(std::size_t k, Lanes<T> increment) const {
+        Lanes<T> sum = Lanes<T>::load(from_ + k), lost = Lanes<T>::load(lost_ + k);
+        add_compensated(sum, lost, increment);
+        sum.store(to_ + k);
+        lost.store(left_ + k);
+        return sum;
+    }
+
+private:
+    const T *from_, *lost_;
+    T *to_, *left_;
 };
 
 /// a(x) - gamma v.
@@ -51,16 +76,18 @@ private:
     const System& system_;
 };
 
-/// Runs a method that chooses its own steps, from frame to frame. A step may reach beyond the frame: what is between its
-/// ends is made when somebody looks. The times of frames are their number times dt, the time of the steps is a
+/// Runs a method that chooses its own steps, from frame to frame. A step may reach beyond the frame: what is between
+/// its ends is made when somebody looks. The times of frames are their number times dt, the time of the steps is a
 /// compensated sum. `Rule` does one step:
 ///     static constexpr ControlConstants control
 ///     explicit Rule(std::size_t count)
-///     double attempt(System&, const Moment& from, T h, Moment& next, T tolerance)   fills next.x, next.v, next.lost; the
+///     double attempt(System&, const Moment& from, T h, Moment& next, T tolerance)   fills next.x, next.v, next.lost;
+///     the
 ///                                                                                   error relative to the tolerance
 ///     void finish(System&, T h, Moment& next)                                       fills next.a
 ///     void between(Looking&, const Moment& from, const Moment& next, T h, T part, State<T>& out)   at from + part h
-///     void forget()                                                                 scratch is no longer of the last step
+///     void forget()                                                                 scratch is no longer of the last
+///     step
 template <class T, class Rule>
 class AdaptiveSteps {
 public:
@@ -203,8 +230,8 @@ private:
         });
     }
 
-    /// Norms of a pair of fields as the first step's choice takes them: root of the sum over all components, each relative
-    /// to tolerance (1 + |y|) of the state.
+    /// Norms of a pair of fields as the first step's choice takes them: root of the sum over all components, each
+    /// relative to tolerance (1 + |y|) of the state.
     double norm(const Field<T>& of_x, const Field<T>& of_v) {
         const auto square_into = [&](const Field<T>& value, const Field<T>& state, Field<T>& out) {
             const T *const y = value.flat().data(), *const s = state.flat().data();
@@ -219,8 +246,8 @@ private:
         return std::sqrt(static_cast<double>(sum_of(from_.x)) + static_cast<double>(sum_of(from_.v)));
     }
 
-    /// The first step's length from the sizes of the state, its slope and its second derivative, the last from a step of
-    /// Euler's method (Hairer, Norsett, Wanner I, II.4, algorithm on p. 169).
+    /// The first step's length from the sizes of the state, its slope and its second derivative, the last from a step
+    /// of Euler's method (Hairer, Norsett, Wanner I, II.4, algorithm on p. 169).
     template <class System>
     T first_length(System& system) {
         const double size = norm(next_.x, next_.v), slope = norm(next_.v, next_.a);
@@ -252,7 +279,7 @@ private:
     T tolerance_;
     StepControl<T> control_;
     CollisionGuard<T> guard_;
-    mutable Rule rule_{0};  ///< scratch
+    mutable Rule rule_{0};   ///< scratch
     Moment<T> from_, next_;  ///< the ends of the last step
     Progress progress_;
 };

@@ -17,10 +17,11 @@ namespace steplab {
 //
 //     h = guard.before(system, now, h)                     shortens a step on its way to a collision;
 //     if (guard.at_hand()) guard.cross(system, now, next)  takes the collision itself;
-//     if (guard.passes(system, now, next.x, h)) ...        throws away a trial that straddles one, and tries the h given.
+//     if (guard.passes(system, now, next.x, h)) ...        throws away a trial that straddles one, and tries the h
+//     given.
 //
-// where `now` and `next` hold fields x, v, a of one time, a the accelerations with drag. The steps end ever nearer before
-// the collision, their ends predicted from x, v, a of their beginnings, until it is so near that one step of the
+// where `now` and `next` hold fields x, v, a of one time, a the accelerations with drag. The steps end ever nearer
+// before the collision, their ends predicted from x, v, a of their beginnings, until it is so near that one step of the
 // velocity Verlet kind, whose two half kicks are weighted by the times before and after, takes the jump with an error
 // below rounding.
 
@@ -97,13 +98,14 @@ public:
     /// Length of the step in which the collision was first seen: a good first guess behind it.
     T scale() const { return state_.scale; }
 
-    /// Takes the step across: `next` gets x, v, a as long behind the collision as `now` is before it. Returns the time of
-    /// the collision from now, half of the step; the pairs go to `record`, whose times begin at `start`.
+    /// Takes the step across: `next` gets x, v, a as long behind the collision as `now` is before it. Returns the time
+    /// of the collision from now, half of the step; the pairs go to `record`, whose times begin at `start`.
     template <class System, class Moment>
     T cross(System& system, const Moment& now, Moment& next, double start, CollisionRecord& record) {
         const T time = state_.time, whole = T(2) * time, drag = system.drag();
         const T *const x = now.x.flat().data(), *const v = now.v.flat().data(), *const a = now.a.flat().data();
-        T *const next_x = next.x.flat().data(), *const next_v = next.v.flat().data(), *const next_a = next.a.flat().data();
+        T *const next_x = next.x.flat().data(), *const next_v = next.v.flat().data(),
+                 *const next_a = next.a.flat().data();
         const std::size_t size = now.x.flat().size();
         elementwise(size, [=](std::size_t k) { next_x[k] = x[k] + whole * (v[k] + time * a[k]); });
         system.accelerations(next.x, next.a);

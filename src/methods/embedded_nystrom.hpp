@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/lanes.hpp"
 #include "core/phi.hpp"
 #include "methods/adaptive_steps.hpp"
 #include "methods/weighted_sum.hpp"
@@ -25,7 +26,7 @@ struct NystromTable {
     using Row = std::array<long double, Stages>;
     Row c;
     std::array<Row, Stages> a;
-    Row b, b_slope;              ///< of the method
+    Row b, b_slope;                ///< of the method
     Row embedded, embedded_slope;  ///< of the lower order
 
     /// The difference of the two methods.
@@ -52,8 +53,8 @@ public:
         for (auto& field : k_) field = Field<T>(count);
     }
 
-    /// From `from` on for h. Fills positions and velocities of `next`; the error is the largest of any component, relative
-    /// to tolerance (1 + |value|).
+    /// From `from` on for h. Fills positions and velocities of `next`; the error is the largest of any component,
+    /// relative to tolerance (1 + |value|).
     template <class System>
     double attempt(System& system, const Moment<T>& from, T h, Moment<T>& next, T tolerance) {
         stages_of_step(system, from, h);
@@ -77,6 +78,7 @@ public:
     void forget() {}
 
 private:
+    using N = Lanes<T>;
     static constexpr auto& table = Table::table;
     static constexpr std::size_t stages = std::remove_cvref_t<decltype(Table::table)>::stages;
     template <std::size_t I>
@@ -99,9 +101,7 @@ private:
     template <class System>
     void stages_of_step(System& system, const Moment<T>& from, T h) {
         first_stage(system, from);
-        [&]<std::size_t... I>(std::index_sequence<I...>) {
-            (stage<I + 1>(system, from, h), ...);
-        }
+        [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(system, from, h), ...); }
         (std::make_index_sequence<stages - 1>{});
     }
 
@@ -120,20 +120,25 @@ private:
 
     template <std::size_t I, class System>
     void stage(System& system, const Moment<T>& from, T h) {
-        const T drag = system.drag(), step = static_cast<T>(table.c[I]) * h, square = h * h;
-        const T growth = drag != T(0) ? exponential(drag * step / T(2)) : T(1), decay = T(1) / growth;
-        const T *const x = from.x.flat().data(), *const v = slope(from, drag);
-        T *const at = x_.flat().data(), *const force = k_[I].flat().data();
-        const std::size_t size = x_.flat().size();
-        const auto before = accelerations<I>(from, drag);
-        elementwise(size, [=](std::size_t k) {
-            at[k] = x[k] + (step * v[k] + square * weighted_sum<StageWeights<I>>(before, k));
-        });
+        const T drag = system.drag(), step = static_cast<T>(table.c[I]) * h;
+        begin_stage<I>(from, h, step, drag);
         if (drag == T(0)) return system.accelerations(x_, k_[I]);
-        elementwise(size, [=](std::size_t k) { at[k] *= decay; });
+        const T growth = exponential(drag * step / T(2)), decay = T(1) / growth, stiffness = drag * drag / T(4);
+        T *const at = x_.flat().data(), *const force = k_[I].flat().data();
+        elementwise(x_.flat().size(), [=](std::size_t k) { at[k] *= decay; });
         system.accelerations(x_, k_[I]);
-        const T stiffness = drag * drag / T(4);
-        elementwise(size, [=](std::size_t k) { force[k] = growth * (force[k] + stiffness * at[k]); });
+        elementwise(x_.flat().size(), [=](std::size_t k) { force[k] = growth * (force[k] + stiffness * at[k]); });
+    }
+
+    template <std::size_t I>
+    void begin_stage(const Moment<T>& from, T h, T step, T drag) {
+        const T *const x = from.x.flat().data(), *const v = slope(from, drag);
+        T* const at = x_.flat().data();
+        const auto before = accelerations<I>(from, drag);
+        lanewise<T>(x_.flat().size(), [=, square = h * h](std::size_t k) {
+            const N moved = N(step) * N::load(v + k) + N(square) * weighted_sum<StageWeights<I>>(before, k);
+            (N::load(x + k) + moved).store(at + k);
+        });
     }
 
     const T* slope(const Moment<T>& from, T drag) const { return (drag == T(0) ? from.v : v_).flat().data(); }
@@ -150,33 +155,31 @@ private:
     /// From u and u' back to x and v, as increments so that no digits are lost: with d = exp(-gamma h / 2),
     /// x - x_0 = d (u - u_0) + (d - 1) x_0 and v - v_0 = d ((u' - u'_0) - gamma / 2 (u - u_0)) + (d - 1) v_0.
     void end(const Moment<T>& from, T h, T drag, Moment<T>& next, T tolerance) {
-        const T half = drag / T(2), exponent = -half * h, loss = exponent * phi_1(exponent), decay = T(1) + loss;
+        const T half = drag / T(2), exponent = -half * h, loss = drag == T(0) ? T(0) : exponent * phi_1(exponent);
         const T *const x = from.x.flat().data(), *const v = from.v.flat().data(), *const u1 = slope(from, drag);
-        const T *const lost_x = from.lost.x.flat().data(), *const lost_v = from.lost.v.flat().data();
-        T *const next_x = next.x.flat().data(), *const next_v = next.v.flat().data();
-        T *const left_x = next.lost.x.flat().data(), *const left_v = next.lost.v.flat().data();
-        T *const error_x = error_x_.flat().data(), *const error_v = error_v_.flat().data();
         const auto slopes = accelerations<stages>(from, drag);
-        elementwise(x_.flat().size(), [=, square = h * h](std::size_t k) {
-            const T u = h * u1[k] + square * weighted_sum<EndWeights>(slopes, k);
-            const T slope = h * weighted_sum<EndSlopeWeights>(slopes, k);
-            const T error = square * weighted_sum<ErrorWeights>(slopes, k);
-            const T error_of_slope = h * weighted_sum<ErrorSlopeWeights>(slopes, k);
-            T sum_x = x[k], sum_v = v[k], left = lost_x[k], left_of_v = lost_v[k];
-            add_compensated(sum_x, left, decay * u + loss * x[k]);
-            add_compensated(sum_v, left_of_v, decay * (slope - half * u) + loss * v[k]);
-            next_x[k] = sum_x;
-            next_v[k] = sum_v;
-            left_x[k] = left;
-            left_v[k] = left_of_v;
-            error_x[k] = std::abs(decay * error) / (tolerance * (T(1) + std::abs(sum_x)));
-            error_v[k] = std::abs(decay * (error_of_slope - half * error)) / (tolerance * (T(1) + std::abs(sum_v)));
+        T *const error_x = error_x_.flat().data(), *const error_v = error_v_.flat().data();
+        const SumInto<T> sum_x(from.x, from.lost.x, next.x, next.lost.x),
+            sum_v(from.v, from.lost.v, next.v, next.lost.v);
+        lanewise<T>(x_.flat().size(), [=, square = N(h * h), decay = T(1) + loss](std::size_t k) {
+            const N u = N(h) * N::load(u1 + k) + square * weighted_sum<EndWeights>(slopes, k);
+            const N slope = N(h) * weighted_sum<EndSlopeWeights>(slopes, k);
+            const N error = square * weighted_sum<ErrorWeights>(slopes, k);
+            const N error_of_slope = N(h) * weighted_sum<ErrorSlopeWeights>(slopes, k);
+            const N end_x = sum_x.add(k, N(decay) * u + N(loss) * N::load(x + k));
+            const N end_v = sum_v.add(k, N(decay) * (slope - N(half) * u) + N(loss) * N::load(v + k));
+            relative(N(decay) * error, end_x, tolerance).store(error_x + k);
+            relative(N(decay) * (error_of_slope - N(half) * error), end_v, tolerance).store(error_v + k);
         });
     }
 
-    Field<T> x_;                        ///< of a stage
-    Field<T> v_;                        ///< u' at the beginning
-    Field<T> error_x_, error_v_;        ///< relative to what is allowed
+    static N relative(N error, N value, T tolerance) {
+        return magnitude(error) / (N(tolerance) * (N(T(1)) + magnitude(value)));
+    }
+
+    Field<T> x_;                  ///< of a stage
+    Field<T> v_;                  ///< u' at the beginning
+    Field<T> error_x_, error_v_;  ///< relative to what is allowed
     std::array<Field<T>, stages> k_;
     Moment<T> seen_;
 };

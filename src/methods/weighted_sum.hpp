@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/lanes.hpp"
+
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -20,25 +22,23 @@ constexpr bool any_before(std::size_t count) {
 
 }  // namespace detail
 
-/// w_0 p_0[k] + ... + w_(N-1) p_(N-1)[k] from left to right; `Weights::weights` is known at compile time, so that terms
-/// whose weight is zero are left out.
-template <class Weights, class T, std::size_t N>
-T weighted_sum(const std::array<const T*, N>& terms, std::size_t k) {
-    const auto add = [&]<std::size_t J>(T sum, std::integral_constant<std::size_t, J>) {
+/// w_0 p_0 + ... + w_(M-1) p_(M-1) of the numbers in the register that begins at place k, from left to right.
+/// `Weights::weights` is known at compile time, so that terms whose weight is zero are left out.
+template <class Weights, class T, std::size_t M>
+Lanes<T> weighted_sum(const std::array<const T*, M>& terms, std::size_t k) {
+    const auto add = [&]<std::size_t J>(Lanes<T>& sum, std::integral_constant<std::size_t, J>) {
         constexpr auto weight = Weights::weights[J];
         if constexpr (weight == 0) {
-            return sum;
+            return;
         } else if constexpr (!detail::any_before<Weights>(J)) {
-            return static_cast<T>(weight) * terms[J][k];
+            sum = Lanes<T>(static_cast<T>(weight)) * Lanes<T>::load(terms[J] + k);
         } else {
-            return sum + static_cast<T>(weight) * terms[J][k];
+            sum = sum + Lanes<T>(static_cast<T>(weight)) * Lanes<T>::load(terms[J] + k);
         }
     };
-    T sum = T(0);
-    [&]<std::size_t... J>(std::index_sequence<J...>) {
-        ((sum = add(sum, std::integral_constant<std::size_t, J>{})), ...);
-    }
-    (std::make_index_sequence<N>{});
+    Lanes<T> sum(T(0));
+    [&]<std::size_t... J>(std::index_sequence<J...>) { (add(sum, std::integral_constant<std::size_t, J>{}), ...); }
+    (std::make_index_sequence<M>{});
     return sum;
 }
 

@@ -75,8 +75,7 @@ public:
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
         const auto steps = [](std::size_t from, std::size_t to) { return static_cast<T>(to) - static_cast<T>(from); };
         const T columns = steps(i % forces_.dim, j % forces_.dim), rows = steps(i / forces_.dim, j / forces_.dim);
-        return {length_ * columns + (u.x()[j] - u.x()[i]), u.y()[j] - u.y()[i],
-                (u.z()[j] - u.z()[i]) - length_ * rows};
+        return {length_ * columns + (u.x()[j] - u.x()[i]), u.y()[j] - u.y()[i], (u.z()[j] - u.z()[i]) - length_ * rows};
     }
 
 private:
