@@ -94,7 +94,8 @@ public:
     explicit AdaptiveSteps(const ParameterValues& values)
         : tolerance_(std::max(static_cast<T>(values[tolerance_parameter.name]),
                               T(2) * std::numeric_limits<T>::epsilon())),  // no precision holds more
-          control_(Rule::control) {}
+          control_(Rule::control),
+          guard_(tolerance_) {}
 
     template <class System>
     void start(System& system, const State<T>& state) {
@@ -186,8 +187,7 @@ private:
             const double error = rule_.attempt(system, from_, h, next_, tolerance_);
             if (std::isfinite(error) && guard_.passes(system, from_, next_.x, h)) continue;
             if (error <= 1 || !(h > shortest)) return take(system, h, error, target);
-            if (guard_.approaching()) control_.length(h);
-            control_.rejected(error);
+            control_.rejected(error, h);
             h = control_.length();
         }
         cross_collision(system);
@@ -197,7 +197,7 @@ private:
     template <class System>
     void take(System& system, T h, double error, Time target) {
         rule_.finish(system, h, next_);
-        if (!guard_.approaching()) control_.accepted(error);
+        if (!(h < control_.length())) control_.accepted(error);  // a step cut short says nothing about longer ones
         progress_.length = h;
         progress_.across = T(0);
         add_compensated(progress_.time, progress_.lost, static_cast<Time>(h));

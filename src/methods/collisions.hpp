@@ -31,9 +31,12 @@ struct Meeting {
     T distance;  ///< now
     T time;      ///< from now; not above 0 where there will be none
     T miss;      ///< distance then
+    T turn;      ///< change of velocity while the distance turns by a right angle, if they miss each other
 
     /// A pass at a distance is smooth and left to the control of errors.
-    bool is_collision() const { return distance > T(0) && time > T(0) && miss < T(0.1) * distance; }
+    bool is_collision(T negligible_turn) const {
+        return distance > T(0) && time > T(0) && (miss < T(0.1) * distance || turn < negligible_turn);
+    }
 };
 
 /// d(t) = d + w t + b t^2 / 2, where d . d(t) = 0.
@@ -49,19 +52,24 @@ Meeting<T> meeting(const System& system, const Moment& now, std::uint32_t first,
     const T time = T(2) * c / (square_root(p * p - T(4) * q * c) - p);  // not a number where there is no root
     const auto then = [=](T d0, T w0, T b0) { return d0 + time * (w0 + time / T(2) * b0); };
     const decltype(d) at{then(d.x, w.x, b.x), then(d.y, w.y, b.y), then(d.z, w.z, b.z)};
-    return {square_root(c), time, square_root(dot(at, at))};
+    const T miss = square_root(dot(at, at));
+    return {square_root(c), time, miss, miss * square_root(dot(b, b) / dot(w, w))};
 }
 
 template <class T>
 class CollisionGuard {
 public:
+    /// `tolerance`: of the errors of a step.
+    explicit CollisionGuard(T tolerance)
+        : negligible_turn_(std::max(tolerance / T(10), T(64) * std::numeric_limits<T>::epsilon())) {}
+
     /// The length allowed of a step that would have the length h.
     template <class System, class Moment>
     T before(const System& system, const Moment& now, T h) {
         tries_ = 0;
         if (!approaching()) return h;
         const Meeting<T> next = meeting<T>(system, now, state_.first, state_.second);
-        if (!next.is_collision() || next.time > state_.scale) {
+        if (!next.is_collision(negligible_turn_) || next.time > state_.scale) {
             state_.scale = T(0);
             return h;
         }
@@ -78,7 +86,9 @@ public:
         system.passing_pairs(now.x, end, [&](std::uint32_t first, std::uint32_t second) {
             const Meeting<T> next = meeting<T>(system, now, first, second);
             const T time = next.time > T(0) ? std::min(next.time, h) : h;
-            if ((!next.is_collision() && next.time < h) || !(next.distance > T(0)) || !(time < earliest)) return;
+            if ((!next.is_collision(negligible_turn_) && next.time < h) || !(next.distance > T(0)) ||
+                !(time < earliest))
+                return;
             earliest = time;
             pair[0] = first;
             pair[1] = second;
@@ -142,6 +152,7 @@ private:
         return state_.time - std::max(nearest(), share * state_.time);
     }
 
+    T negligible_turn_;
     State state_;
     int tries_ = 0;
 };

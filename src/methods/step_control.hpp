@@ -36,9 +36,10 @@ public:
         state_ = {scaled(std::clamp(factor, constants_.least, most)), std::max(error, 1e-4), false};
     }
 
-    void rejected(double error) {
+    /// `tried` may be shorter than length().
+    void rejected(double error, T tried) {
         const double factor = std::isfinite(error) ? constants_.safety / power(error, exponent()) : 0;
-        state_.length = scaled(std::clamp(factor, constants_.least, 1.0));
+        state_.length = tried * static_cast<T>(std::clamp(factor, constants_.least, 1.0));
         state_.rejected = true;
     }
 
