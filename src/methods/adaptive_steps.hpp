@@ -135,9 +135,9 @@ public:
 
     template <class Self, class F>
     static void each_part(Self& self, F f) {
-        f(self.from_.x), f(self.from_.v), f(self.from_.a);
-        f(self.next_.x), f(self.next_.v), f(self.next_.a);
-        f(self.next_.lost.x), f(self.next_.lost.v);
+        const auto moment = [&](auto& m) { f(m.x), f(m.v), f(m.a), f(m.lost.x), f(m.lost.v); };
+        moment(self.from_);
+        moment(self.next_);
     }
 
     const CollisionRecord& collisions() const { return progress_.collisions; }
