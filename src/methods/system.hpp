@@ -52,6 +52,7 @@ private:
 //   static void each_part(self, f)             calls f(field) for every field of self's internal state
 //   Progress progress() const; void progress(const Progress&)   where its internal state is more than fields: plain
 //   data
+//   const CollisionRecord& collisions() const   where it finds collisions (collisions.hpp); part of Progress
 // Everything else it holds is scratch: the internal state alone decides how the run goes on.
 
 }  // namespace steplab
