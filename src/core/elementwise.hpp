@@ -15,4 +15,12 @@ inline void elementwise(std::size_t size, F f) {
     for (std::size_t k = 0; k < size; ++k) f(k);
 }
 
+/// True if f(k) is true for a k = 0 .. size-1; f is called for all of them, in vector registers.
+template <class F>
+inline bool any_of_all(std::size_t size, F f) {
+    unsigned found = 0;
+    for (std::size_t k = 0; k < size; ++k) found |= static_cast<unsigned>(f(k));
+    return found != 0;
+}
+
 }  // namespace steplab

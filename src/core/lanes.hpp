@@ -139,4 +139,17 @@ template <class T>
 using Lanes =
     std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>, RegisterLanes<T>, SingleLane<T>>;
 
+/// The size of a number, or of each lane.
+template <class N>
+N magnitude(N x) {
+    return where(x < N(0), N(0) - x, x);
+}
+
+/// Calls f(k) for the places k = 0, Lanes<T>::count, ... of a field's numbers where its registers begin. The step
+/// written with them is in vector registers even where the compiler would not find the way there itself.
+template <class T, class F>
+inline void lanewise(std::size_t size, F f) {
+    for (std::size_t k = 0; k < size; k += Lanes<T>::count) f(k);
+}
+
 }  // namespace steplab

@@ -13,5 +13,8 @@ set(STEPLAB_METHODS
     srkn-11b
     kahan-li-8
     euler-forward
+    dopri5
+    dop853
+    rkn-12-10
     verlet-2008
     stoermer-2008)

@@ -20,13 +20,25 @@ public:
         ++evaluations_;
     }
 
+    /// The same for somebody who looks: not counted.
+    void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { force_.accelerations(x, a); }
+
+    /// Calls f(i, j) for the pairs of particles whose distance vector turns by a right angle or more on the way between
+    /// two positions, if they act on each other with a force that jumps where they coincide.
+    template <class F>
+    void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
+        force_.passing_pairs(from, to, f);
+    }
+    /// The vector from particle i to particle j at displacements x.
+    auto separation(const Field<T>& x, std::size_t i, std::size_t j) const { return force_.separation(x, i, j); }
+
     T drag() const { return drag_; }
     T dt() const { return dt_; }
     std::uint64_t evaluations() const { return evaluations_; }
     void evaluations(std::uint64_t count) { evaluations_ = count; }
 
 private:
-    Force force_;
+    mutable Force force_;  ///< its memory is scratch: accelerations depend on positions alone
     T drag_;
     T dt_;
     std::uint64_t evaluations_ = 0;
@@ -40,6 +52,7 @@ private:
 //   static void each_part(self, f)             calls f(field) for every field of self's internal state
 //   Progress progress() const; void progress(const Progress&)   where its internal state is more than fields: plain
 //   data
+//   const CollisionRecord& collisions() const   where it finds collisions (collisions.hpp); part of Progress
 // Everything else it holds is scratch: the internal state alone decides how the run goes on.
 
 }  // namespace steplab

@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/spring.hpp"
 
 namespace steplab {
 
@@ -28,6 +29,11 @@ public:
         const double value = mass_ * sum.value();
         return {value, value < 0 ? -value : value, value};
     }
+
+    /// Particles do not act on each other.
+    template <class F>
+    void passing_pairs(const Field<T>&, const Field<T>&, F) const {}
+    Vector<T> separation(const Field<T>&, std::size_t, std::size_t) const { return {T(0), T(0), T(0)}; }
 
 private:
     std::size_t count_;

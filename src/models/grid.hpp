@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,31 @@ public:
         return {value, value, 0};
     }
 
+    /// Calls f(first, second) for springs that turn round between two positions.
+    template <class F>
+    void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
+        for (std::size_t d = east; d <= south_west; ++d) {
+            const Direction way = direction(d);
+            for (std::size_t i = 0; i + way.rows < forces_.dim; ++i) {
+                const std::size_t start = i * forces_.dim + way.first;
+                const auto turned = [&, offset = way.offset](std::size_t j) {
+                    return turned_round(spring(from, way, start + j, offset), spring(to, way, start + j, offset));
+                };
+                if (!any_of_all(way.last - way.first, turned)) continue;
+                for (std::size_t j = 0; j < way.last - way.first; ++j) {
+                    const std::size_t first = start + j;
+                    if (turned(j)) f(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + way.offset));
+                }
+            }
+        }
+    }
+    /// The vector from particle i to particle j.
+    Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
+        const auto steps = [](std::size_t from, std::size_t to) { return static_cast<T>(to) - static_cast<T>(from); };
+        const T columns = steps(i % forces_.dim, j % forces_.dim), rows = steps(i / forces_.dim, j / forces_.dim);
+        return {length_ * columns + (u.x()[j] - u.x()[i]), u.y()[j] - u.y()[i], (u.z()[j] - u.z()[i]) - length_ * rows};
+    }
+
 private:
     /// The springs a particle is the first particle of, and where their pulls are kept; three more buffers hold the
     /// southward pulls of the row before.
@@ -78,6 +104,12 @@ private:
             default:
                 return {{-l, o, -l}, diagonal_, dim - 1, 1, 1, dim};
         }
+    }
+
+    /// The vector along the spring of one direction that begins at particle p.
+    static Vector<T> spring(const Field<T>& u, const Direction& way, std::size_t p, std::size_t offset) {
+        const std::size_t q = p + offset;
+        return {way.rest.x + (u.x()[q] - u.x()[p]), u.y()[q] - u.y()[p], way.rest.z + (u.z()[q] - u.z()[p])};
     }
 
     static T* component(Field<T>& f, std::size_t c) { return c == 0 ? f.x() : c == 1 ? f.y() : f.z(); }

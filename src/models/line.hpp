@@ -8,6 +8,7 @@
 #include "models/spring.hpp"
 
 #include <cmath>
+#include <cstdint>
 
 namespace steplab {
 
@@ -52,7 +53,30 @@ public:
         return {elastic + external, elastic + std::abs(external), external};
     }
 
+    /// Calls f(i, i + 1) for springs that turn round between two positions. Without a rest length the force does not
+    /// jump there.
+    template <class F>
+    void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
+        if (length_ == T(0)) return;
+        const std::size_t springs = forces_.count - 1;
+        const auto turned = [&](std::size_t i) { return turned_round(spring(from, i), spring(to, i)); };
+        if (!any_of_all(springs, turned)) return;
+        for (std::uint32_t i = 0; i < springs; ++i) {
+            if (turned(i)) f(i, i + 1);
+        }
+    }
+    /// The vector from particle i to particle j.
+    Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
+        const T rest = length_ * (static_cast<T>(j) - static_cast<T>(i));
+        return {rest + (u.x()[j] - u.x()[i]), u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+    }
+
 private:
+    /// The vector along the spring that begins at particle i.
+    Vector<T> spring(const Field<T>& u, std::size_t i) const {
+        return {length_ + (u.x()[i + 1] - u.x()[i]), u.y()[i + 1] - u.y()[i], u.z()[i + 1] - u.z()[i]};
+    }
+
     using N = Lanes<T>;
     using Vec = Vector<N>;
     static constexpr std::size_t width = N::count;

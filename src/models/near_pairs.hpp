@@ -7,6 +7,8 @@
 #include "models/neighbours.hpp"
 #include "models/pairs.hpp"
 
+#include <cstdint>
+
 namespace steplab {
 
 /// NearPairForces at work: every particle sums the pulls of those nearer than the cut-off in the order of their
@@ -59,6 +61,22 @@ public:
             }
         }
         return {value.value(), magnitude.value(), 0};
+    }
+
+    /// Calls f(i, j), i < j, for pairs within reach that turn round between two positions.
+    template <class F>
+    void passing_pairs(const Field<T>& from, const Field<T>& to, F f) {
+        neighbours_.follow(from);
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (const std::uint32_t j : neighbours_.of(i)) {
+                if (j > i && turned_round(separation(from, i, j), separation(to, i, j)))
+                    f(static_cast<std::uint32_t>(i), j);
+            }
+        }
+    }
+    /// The vector from particle i to particle j.
+    Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
+        return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
     }
 
 private:

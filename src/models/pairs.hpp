@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace steplab {
 
@@ -62,6 +63,24 @@ public:
             }
         }
         return {value.value(), magnitude.value(), 0};
+    }
+
+    /// Calls f(i, j), i < j, for pairs that turn round between two positions.
+    template <class F>
+    void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
+        for (std::size_t i = 0; i + 1 < count_; ++i) {
+            const auto turned = [&](std::size_t j) {
+                return turned_round(separation(from, i, i + 1 + j), separation(to, i, i + 1 + j));
+            };
+            if (!any_of_all(count_ - i - 1, turned)) continue;
+            for (std::size_t j = 0; j < count_ - i - 1; ++j) {
+                if (turned(j)) f(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 1 + j));
+            }
+        }
+    }
+    /// The vector from particle i to particle j.
+    Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
+        return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
     }
 
 private:

@@ -10,6 +10,12 @@ struct Vector {
     N x, y, z;
 };
 
+/// True if the angle between two distance vectors is 90 degrees or more, or a vector is zero.
+template <class N>
+bool turned_round(const Vector<N>& from, const Vector<N>& to) {
+    return !(from.x * to.x + from.y * to.y + from.z * to.z > N(0));
+}
+
 /// The spring formulas, once for every number type. A spring joins two particles whose reference positions differ by
 /// `rest`, |rest| = `length` being its rest length; e is the difference of their displacements. Then d = rest + e, and
 /// |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the rounding of positions is

@@ -7,7 +7,7 @@ namespace steplab {
 /// The largest stable dt of a method on x'' = -omega^2 x - gamma x', found from the matrix that one of its steps makes
 /// of (x, v): it is stable while no eigenvalue is larger than 1 in size. Infinity if omega = gamma = 0. Without drag it
 /// is the entry's linear_limit over omega. The curiosities, which are unstable in other ways, are not asked: they get
-/// the limit without drag.
+/// the limit without drag, as do the adaptive ones, whose steps follow the motion.
 double linear_limit(const Method& method, const ParameterValues& parameters, double omega, double gamma);
 
 /// The factor by which a step of dt lets that motion grow: the size of the matrix' larger eigenvalue.

@@ -219,6 +219,8 @@ std::uint64_t Simulation::evaluations() const {
     return body_->evaluations_before + body_->segment.stepper->evaluations();
 }
 
+CollisionRecord Simulation::collisions() const { return body_->segment.stepper->collisions(); }
+
 void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
 void Simulation::conclude() { body_->conclude(); }
 std::uint64_t Simulation::check_interval() const { return body_->interval(); }

@@ -44,6 +44,8 @@ public:
     std::size_t particles() const;
     /// Of the whole run, over all segments.
     std::uint64_t evaluations() const;
+    /// Collisions of the present segment where a force jumps, as adaptive methods find them; times since its start.
+    CollisionRecord collisions() const;
 
     /// Takes up to `steps` steps. If the run diverges, it goes back to the last good step, which may lie before where
     /// this call began, and no further. Numbers that are not finite are found at once, an impossible energy on a fixed

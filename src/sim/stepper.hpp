@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/collision.hpp"
 #include "core/entry.hpp"
 #include "core/precision.hpp"
 #include "models/model.hpp"
@@ -21,6 +22,8 @@ public:
     virtual void synchronised(State<double>& out) const = 0;
     /// Accelerations computed since the stepper was made, start-up included.
     virtual std::uint64_t evaluations() const = 0;
+    /// Collisions where a force jumps, as adaptive methods find them; their times since the stepper was made.
+    virtual CollisionRecord collisions() const { return {}; }
     /// The internal state, to come back to.
     virtual std::any save() const = 0;
     virtual void restore(const std::any& saved) = 0;

@@ -36,6 +36,12 @@ struct ProgressType<Integrator> {
 template <class Integrator>
 using ProgressOf = typename ProgressType<Integrator>::Type;
 
+/// Methods that find collisions where a force jumps and record them.
+template <class Integrator>
+inline constexpr bool has_collisions = requires(const Integrator& integrator) {
+    integrator.collisions();
+};
+
 /// A method in one precision on one layout of forces.
 template <class Method, class T, class Force>
 class StepperOf final : public Stepper {
@@ -69,6 +75,14 @@ public:
     }
 
     std::uint64_t evaluations() const override { return system_.evaluations(); }
+
+    CollisionRecord collisions() const override {
+        if constexpr (has_collisions<Integrator>) {
+            return integrator_.collisions();
+        } else {
+            return {};
+        }
+    }
 
     std::any save() const override {
         Saved saved{{}, progress(), system_.evaluations()};
