@@ -83,6 +83,7 @@ struct MethodInfo {
     bool symplectic = false;
     bool reversible = false;
     bool adaptive = false;
+    bool implicit = false;            ///< solves equations: `evaluations` is what a step usually takes
     bool curiosity = false;           ///< kept to show a mistake; not for work, its velocities least of all
     std::string_view conserves = {};  ///< what it keeps, in words
     std::string_view source = {};

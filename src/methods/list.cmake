@@ -13,5 +13,7 @@ set(STEPLAB_METHODS
     srkn-11b
     kahan-li-8
     euler-forward
+    implicit-midpoint
+    tr-bdf2
     verlet-2008
     stoermer-2008)

@@ -20,6 +20,20 @@ public:
         ++evaluations_;
     }
 
+    /// The same, and calls f(i, j, block) for every pair of particles that interact: block is how the acceleration of i
+    /// changes with the position of j (and of j with that of i), exactly. One evaluation.
+    template <class F>
+    void accelerations_and_blocks(const Field<T>& x, Field<T>& a, F f) {
+        accelerations(x, a);
+        each_block(force_, x, f);  // of the force's own header
+    }
+
+    /// What the force is made of: the layouts tell (coupling, each_interaction, external, moves).
+    Force& force() { return force_; }
+    const Force& force() const { return force_; }
+    /// For methods that compute accelerations in ways of their own.
+    void count_evaluations(std::uint64_t computed) { evaluations_ += computed; }
+
     T drag() const { return drag_; }
     T dt() const { return dt_; }
     std::uint64_t evaluations() const { return evaluations_; }
@@ -38,7 +52,8 @@ private:
 //   void step(System&)                        one step of dt; an adaptive one takes steps of its own until dt is behind
 //   void synchronised(const System&, State<T>& out) const   x and v of one time, without changing anything
 //   static void each_part(self, f)             calls f(field) for every field of self's internal state
-//   Progress progress() const; void progress(const Progress&)   where its internal state is more than fields: plain data
+//   Progress progress() const; void progress(const Progress&)   where its internal state is more than fields: plain
+//   data
 // Everything else it holds is scratch: the internal state alone decides how the run goes on.
 
 }  // namespace steplab

@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 
 namespace steplab {
 
@@ -28,6 +29,13 @@ public:
         const double value = mass_ * sum.value();
         return {value, value < 0 ? -value : value, value};
     }
+
+    Coupling coupling() const { return {Coupling::Kind::none, count_}; }
+    bool moves(std::size_t) const { return true; }
+    Vector<T> external(std::size_t i) const { return {T(0), -(step_ * static_cast<T>(static_cast<int>(i))), T(0)}; }
+
+    template <class F>
+    void each_interaction(const Field<T>&, F) const {}
 
 private:
     std::size_t count_;

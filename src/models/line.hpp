@@ -5,6 +5,7 @@
 #include "core/lanes.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 #include "models/spring.hpp"
 
 #include <cmath>
@@ -50,6 +51,16 @@ public:
         const double elastic = forces_.k * springs.value();
         const double external = forces_.mass * forces_.gravity * heights.value();
         return {elastic + external, elastic + std::abs(external), external};
+    }
+
+    Coupling coupling() const { return steplab::coupling(forces_); }
+    bool moves(std::size_t i) const { return i >= first_moving_; }
+    Vector<T> external(std::size_t) const { return {T(0), T(0) - gravity_, T(0)}; }
+
+    template <class F>
+    void each_interaction(const Field<T>&, F f) const {
+        const SpringFormula<T> spring{{length_, T(0), T(0)}, length_, stiffness_};
+        for (std::size_t i = 0; i + 1 < forces_.count; ++i) f(i, i + 1, spring);
     }
 
 private:

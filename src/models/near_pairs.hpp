@@ -3,6 +3,7 @@
 #include "core/field.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 #include "models/morse_pair.hpp"
 #include "models/neighbours.hpp"
 #include "models/pairs.hpp"
@@ -57,6 +58,24 @@ public:
             }
         }
         return {value.value(), magnitude.value(), 0};
+    }
+
+    Coupling coupling() const { return {Coupling::Kind::near, count_}; }
+    bool moves(std::size_t) const { return true; }
+    Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
+
+    /// The pairs nearer than the cut-off.
+    template <class F>
+    void each_interaction(const Field<T>& u, F f) {
+        neighbours_.follow(u);
+        const MorseFormula<T> pair{morse_};
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (const std::uint32_t j : neighbours_.of(i)) {
+                if (j < i) continue;
+                const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
+                if (dx * dx + dy * dy + dz * dz < cutoff_ * cutoff_) f(i, std::size_t(j), pair);
+            }
+        }
     }
 
 private:

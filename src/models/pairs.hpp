@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 #include "models/morse_pair.hpp"
 
 #include <algorithm>
@@ -41,6 +42,18 @@ public:
             }
         }
         return {value.value(), magnitude.value(), 0};
+    }
+
+    Coupling coupling() const { return {Coupling::Kind::all, count_}; }
+    bool moves(std::size_t) const { return true; }
+    Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
+
+    template <class F>
+    void each_interaction(const Field<T>&, F f) const {
+        const MorseFormula<T> pair{morse_};
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (std::size_t j = i + 1; j < count_; ++j) f(i, j, pair);
+        }
     }
 
 private:
