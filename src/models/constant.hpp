@@ -6,6 +6,8 @@
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
 
+#include <array>
+
 namespace steplab {
 
 /// ConstantForces at work: a_i = (0, -step * i, 0).
@@ -33,6 +35,8 @@ public:
     Coupling coupling() const { return {Coupling::Kind::none, count_}; }
     bool moves(std::size_t) const { return true; }
     Vector<T> external(std::size_t i) const { return {T(0), -(step_ * static_cast<T>(static_cast<int>(i))), T(0)}; }
+
+    std::array<SpringFormula<T>, 0> formulas() const { return {}; }
 
     template <class F>
     void each_interaction(const Field<T>&, F) const {}

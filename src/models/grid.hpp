@@ -60,16 +60,23 @@ public:
     }
     Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
 
+    std::array<SpringFormula<T>, 4> formulas() const {
+        const auto spring = [this](std::size_t d) {
+            const Direction way = direction(d);
+            return SpringFormula<T>{way.rest, way.length, stiffness_};
+        };
+        return {spring(east), spring(south), spring(south_east), spring(south_west)};
+    }
+
     /// Springs between two particles of the border are left out.
     template <class F>
     void each_interaction(const Field<T>&, F f) const {
         const std::size_t dim = forces_.dim;
         for (std::size_t d = east; d <= south_west; ++d) {
             const Direction way = direction(d);
-            const SpringFormula<T> spring{way.rest, way.length, stiffness_};
             for (std::size_t i = 0; i + way.rows < dim; ++i) {
                 for (std::size_t p = i * dim + way.first; p < i * dim + way.last; ++p) {
-                    if (moves(p) || moves(p + way.offset)) f(p, p + way.offset, spring);
+                    if (moves(p) || moves(p + way.offset)) f(p, p + way.offset, d);
                 }
             }
         }

@@ -10,16 +10,17 @@ namespace steplab {
 
 // Every layout of forces tells what its forces are made of, for methods that need more than their sum:
 //   coupling()                  which particles act on which
-//   each_interaction(u, f)      calls f(i, j, formula) once for every pair of particles i, j that interact at the
-//                               displacements u, always in the same order. The formula makes of the difference
-//                               e = u_j - u_i, in any number type, the acceleration of i; that of j is its opposite
+//   formulas()                  an array of the kinds of interaction: each makes of the difference e = u_j - u_i, in
+//                               any number type, the acceleration of i; that of j is its opposite
+//   each_interaction(u, f)      calls f(i, j, kind) once for every pair of particles i, j that interact at the
+//                               displacements u, kind after kind, always in the same order
 //   external(i)                 the acceleration that no other particle causes
 //   moves(i)                    false for fixed particles
 
 /// A spring: its pull over the mass of a particle.
 template <class T>
 struct SpringFormula {
-    Vector<T> rest;
+    Vector<T> rest;  ///< of e = 0
     T length;
     T stiffness;  ///< k / m
 
@@ -35,6 +36,7 @@ struct SpringFormula {
 template <class T>
 struct MorseFormula {
     MorseConstants<T> morse;
+    Vector<T> rest{T(0), T(0), T(0)};
 
     template <class N>
     Vector<N> operator()(const N& ex, const N& ey, const N& ez) const {
@@ -63,9 +65,10 @@ Block<T> derivative(const Formula& formula, const Vector<T>& e) {
 /// with u_i by the same block, both with their own by its opposite.
 template <class Force, class T, class F>
 void each_block(Force& force, const Field<T>& u, F f) {
-    force.each_interaction(u, [&](std::size_t i, std::size_t j, const auto& formula) {
+    const auto formulas = force.formulas();
+    force.each_interaction(u, [&](std::size_t i, std::size_t j, std::size_t kind) {
         const Vector<T> e{u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
-        f(i, j, derivative(formula, e));
+        f(i, j, derivative(formulas[kind], e));
     });
 }
 

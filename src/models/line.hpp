@@ -8,6 +8,7 @@
 #include "models/interactions.hpp"
 #include "models/spring.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace steplab {
@@ -57,10 +58,11 @@ public:
     bool moves(std::size_t i) const { return i >= first_moving_; }
     Vector<T> external(std::size_t) const { return {T(0), T(0) - gravity_, T(0)}; }
 
+    std::array<SpringFormula<T>, 1> formulas() const { return {{{{length_, T(0), T(0)}, length_, stiffness_}}}; }
+
     template <class F>
     void each_interaction(const Field<T>&, F f) const {
-        const SpringFormula<T> spring{{length_, T(0), T(0)}, length_, stiffness_};
-        for (std::size_t i = 0; i + 1 < forces_.count; ++i) f(i, i + 1, spring);
+        for (std::size_t i = 0; i + 1 < forces_.count; ++i) f(i, i + 1, std::size_t(0));
     }
 
 private:

@@ -8,6 +8,8 @@
 #include "models/neighbours.hpp"
 #include "models/pairs.hpp"
 
+#include <array>
+
 namespace steplab {
 
 /// NearPairForces at work: every particle sums the pulls of those nearer than the cut-off in the order of their
@@ -64,16 +66,17 @@ public:
     bool moves(std::size_t) const { return true; }
     Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
 
+    std::array<MorseFormula<T>, 1> formulas() const { return {{{morse_}}}; }
+
     /// The pairs nearer than the cut-off.
     template <class F>
     void each_interaction(const Field<T>& u, F f) {
         neighbours_.follow(u);
-        const MorseFormula<T> pair{morse_};
         for (std::size_t i = 0; i < count_; ++i) {
             for (const std::uint32_t j : neighbours_.of(i)) {
                 if (j < i) continue;
                 const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
-                if (dx * dx + dy * dy + dz * dz < cutoff_ * cutoff_) f(i, std::size_t(j), pair);
+                if (dx * dx + dy * dy + dz * dz < cutoff_ * cutoff_) f(i, std::size_t(j), std::size_t(0));
             }
         }
     }

@@ -48,11 +48,12 @@ public:
     bool moves(std::size_t) const { return true; }
     Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
 
+    std::array<MorseFormula<T>, 1> formulas() const { return {{{morse_}}}; }
+
     template <class F>
     void each_interaction(const Field<T>&, F f) const {
-        const MorseFormula<T> pair{morse_};
         for (std::size_t i = 0; i < count_; ++i) {
-            for (std::size_t j = i + 1; j < count_; ++j) f(i, j, pair);
+            for (std::size_t j = i + 1; j < count_; ++j) f(i, j, std::size_t(0));
         }
     }
 

@@ -102,7 +102,8 @@ TEST(Blocks, are_the_derivative_of_the_accelerations) {
 
 TEST(Blocks, one_per_mille_too_large_are_not) {
     for (const Scene& scene : shaken_scenes()) {
-        if (scene.forces.index() > 0) EXPECT_GT(worst_block_error(scene, 1.001), 1e-8);  // constant forces have none
+        if (scene.forces.index() == 0) continue;  // constant forces have no derivative
+        EXPECT_GT(worst_block_error(scene, 1.001), 1e-8);
     }
 }
 
@@ -158,11 +159,7 @@ TEST(NewtonMatrix, says_that_a_singular_one_is) {
 template <int Error>
 struct MisjudgedLine : Line<double> {
     using Line<double>::Line;
-    template <class F>
-    void each_interaction(const Field<double>&, F f) const {
-        const SpringFormula<double> spring{{1, 0, 0}, 1, 1 + Error / 100.0};
-        for (std::size_t i = 0; i + 1 < 5; ++i) f(i, i + 1, spring);
-    }
+    std::array<SpringFormula<double>, 1> formulas() const { return {{{{1, 0, 0}, 1, 1 + Error / 100.0}}}; }
 };
 
 /// Evaluations of 10 steps over 5 particles that swing across their line.

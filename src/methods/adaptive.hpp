@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/entry.hpp"
+
+namespace steplab {
+
+/// The parameter of every method that chooses its own steps.
+inline constexpr ParameterInfo tolerance_parameter{.name = "tolerance",
+                                                   .unit = "",
+                                                   .minimum = 0,
+                                                   .minimum_included = false,
+                                                   .default_value = 1e-9,
+                                                   .what = "error allowed in a step, absolute and relative alike",
+                                                   .slider_low = 1e-14,
+                                                   .slider_high = 1e-2,
+                                                   .slider_logarithmic = true};
+
+}  // namespace steplab
