@@ -15,5 +15,6 @@ set(STEPLAB_METHODS
     euler-forward
     implicit-midpoint
     tr-bdf2
+    taylor
     verlet-2008
     stoermer-2008)

@@ -120,7 +120,7 @@ public:
         const std::size_t divisor = b.kept(), place = tape.claim();
         N* const quotient = tape.series(place);
         if (tape.order() == 0) return begun(tape, place, a.head_ / b.head_);
-        const N now = ((a.now_ - b.now_ * quotient[0]) - tape.inner(divisor, place)) / b.head_;
+        const N now = ((a.now_ - b.now_ * quotient[0]) - tape.inner(divisor, place)) * (N(T(1)) / b.head_);
         return continued(tape, place, now);
     }
 
@@ -132,7 +132,7 @@ public:
         if (tape.order() == 0) return begun(tape, place, square_root(x.head_));
         const N root = tape.series(place)[0];
         const auto positive = root > N(T(0));
-        const N now = (x.now_ - tape.inner_square(place)) / where(positive, root + root, N(T(1)));
+        const N now = (x.now_ - tape.inner_square(place)) * (N(T(1)) / where(positive, root + root, N(T(1))));
         return continued(tape, place, where(positive, now, N(T(0))));
     }
 
