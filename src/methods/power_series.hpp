@@ -21,6 +21,11 @@ public:
     SeriesTape(N* memory, std::size_t length, std::size_t order) : memory_(memory), length_(length), order_(order) {}
 
     std::size_t order() const { return order_; }
+    /// A root of zero was taken, where there is no series.
+    bool singular() const { return singular_; }
+    void take_root_of(N number) {
+        for (std::size_t lane = 0; lane < N::count; ++lane) singular_ = singular_ || !(number[lane] > T(0));
+    }
     /// Series kept so far.
     std::size_t kept() const { return kept_; }
 
@@ -69,6 +74,7 @@ private:
     std::size_t length_, order_, kept_ = 0;
     std::array<N, most_kept> squares_;
     std::array<bool, most_kept> known_{};
+    bool singular_ = false;
 };
 
 /// A number type for the formulas of forces: a power series in time of which one coefficient after the other is
@@ -129,7 +135,10 @@ public:
         if (x.is_constant()) return Series(square_root(x.head_));
         SeriesTape<T>& tape = *x.tape_;
         const std::size_t place = tape.claim();
-        if (tape.order() == 0) return begun(tape, place, square_root(x.head_));
+        if (tape.order() == 0) {
+            tape.take_root_of(x.head_);
+            return begun(tape, place, square_root(x.head_));
+        }
         const N root = tape.series(place)[0];
         const auto positive = root > N(T(0));
         const N now = (x.now_ - tape.inner_square(place)) * (N(T(1)) / where(positive, root + root, N(T(1))));

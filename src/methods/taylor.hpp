@@ -209,7 +209,7 @@ private:
             const T share = reach();
             const bool fits = share > T(1) / T(64) && share < T(64);
             progress_.length = progress_.unit * (std::isfinite(share) ? share : T(1) / T(4096));
-            if (fits) break;
+            if (fits || singular_) break;
             progress_.unit = detail::power_of_two_below(progress_.length);
         }
         if (system.force().coupling().kind == Coupling::Kind::near) end_at_jump(system);
@@ -252,22 +252,29 @@ private:
     /// (Jorba, Zou, section 3.2). Where forces are so weak that the terms need not fall to be below the tolerance, they
     /// must.
     T reach() const {
+        if (singular_) return square_root(std::numeric_limits<T>::epsilon());
         const T of_x = T(1) / (T(1) + largest(x_[0])), of_v = T(1) / (T(1) + largest(v_)) / progress_.unit;
         double log_radius = infinity;
         T high = T(0), low = T(0);
         for (std::size_t k = last_ - 3; k <= last_; ++k) {
-            const T size = largest(x_[k]), relative = size * std::max(of_x, number(k) * of_v);
+            const T size = largest(x_[k]);
+            if (!std::isfinite(size)) return size;
             high = std::max(high, size);
             low = std::max(low, largest(x_[k - 4]));
-            if (!std::isfinite(size)) return size;
-            if (relative > std::numeric_limits<T>::min())
-                log_radius = std::min(log_radius, -logarithm(static_cast<double>(relative)) / static_cast<double>(k));
+            const double order = static_cast<double>(k);
+            log_radius =
+                std::min({log_radius, log_root(of_x * size, order), log_root(of_v * number(k) * size, order - 1)});
         }
         if (log_radius == infinity) return longest;
         const double order = static_cast<double>(last_);
         const T share = static_cast<T>(exponential(log_radius + (log_tolerance_ - 0.7) / order));
         const T falling = T(0.8) * square_root(square_root(low / high));
-        return std::min({share, falling > T(0) ? falling : share, longest});
+        return std::min({share, falling > T(0) ? falling : share});
+    }
+    /// ln of the time at which a term of this coefficient is 1.
+    static double log_root(T coefficient, double order) {
+        const double size = static_cast<double>(coefficient);
+        return size > std::numeric_limits<double>::min() ? -logarithm(size) / order : infinity;
     }
     static constexpr T longest = T(16);  ///< of a series that ends, in its unit
 
@@ -291,6 +298,7 @@ private:
     template <std::size_t Axes, class System>
     void compute_series(System& system) {
         find_groups(system);
+        singular_ = false;
         multiply(v_, progress_.unit, x_[1]);
         for (std::size_t k = 0; k + 2 <= last_; ++k) {
             accelerations<Axes>(system, k);
@@ -325,6 +333,7 @@ private:
             const Group& group = groups_[g];
             SeriesTape<T> tape(tapes_.data() + g * kept_ * length, length, k);
             const auto pull = pulls<Axes>(tape, group, formulas[group.kind], x_[k]);
+            singular_ = singular_ || tape.singular();
             for (std::size_t axis = 0; axis < Axes; ++axis) scatter(group, pull[axis], a[axis]);
         }
         for (const std::size_t i : fixed_) {
@@ -436,6 +445,7 @@ private:
     Progress progress_;
 
     Field<T> a_;
+    bool singular_ = false;  ///< two particles are at one place
     std::size_t axes_ = 3;
     std::vector<std::size_t> fixed_;
     std::size_t kept_ = 0;

@@ -17,7 +17,8 @@ namespace steplab {
 //   external(i)                 the acceleration that no other particle causes
 //   moves(i)                    false for fixed particles
 
-/// A spring: its pull over the mass of a particle.
+/// A spring: its pull over the mass of a particle. With rest length 0 it is linear, which the general formula, there 0
+/// / 0 at distance 0, does not show to a derivative.
 template <class T>
 struct SpringFormula {
     Vector<T> rest;  ///< of e = 0
@@ -26,6 +27,7 @@ struct SpringFormula {
 
     template <class N>
     Vector<N> operator()(const N& ex, const N& ey, const N& ez) const {
+        if (length == T(0)) return {N(stiffness) * ex, N(stiffness) * ey, N(stiffness) * ez};
         const Vector<N> pull =
             spring_pull(Vector<N>{N(rest.x), N(rest.y), N(rest.z)}, N(length), Vector<N>{ex, ey, ez});
         return {N(stiffness) * pull.x, N(stiffness) * pull.y, N(stiffness) * pull.z};

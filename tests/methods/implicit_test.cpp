@@ -191,8 +191,9 @@ RunDescription at_100_times_the_limit(std::string_view model, std::string_view m
 }
 
 TEST(Implicit, methods_are_stable_at_100_times_the_explicit_limit_and_explicit_ones_are_not) {
+    const Settings slow = {{"v0", 0.5}}, stiff = {{"k", 2e7}}, undamped = {{"k", 2e5}, {"c", 0}}, none = {};
     const std::pair<std::string_view, Settings> scenes[] = {
-        {"chain", {{"v0", 0.5}}}, {"rope", {{"k", 2e7}}}, {"rope", {{"k", 2e5}, {"c", 0}}}, {"oscillator", {}}};
+        {"chain", slow}, {"rope", stiff}, {"rope", undamped}, {"oscillator", none}};
     for (const auto& [scene, settings] : scenes) {
         for (const char* method : implicit_methods) {
             for (const Precision precision : precisions) {
@@ -213,7 +214,7 @@ TEST(Implicit, methods_are_stable_at_100_times_the_explicit_limit_and_explicit_o
 
 /// Distance of the stiff rope's end from where it hangs at rest, after `time`.
 double distance_from_rest(std::string_view method, double k, double time) {
-    RunDescription description = at_100_times_the_limit("rope", method, {{"k", k}, {"c", 2}});
+    RunDescription description = at_100_times_the_limit("rope", method, {{"k", k}, {"c", 1}});
     const ParameterValues& scene = description.scene;
     const Frame frame = frame_after(description, steps_until(time, description.dt));
     const double n = scene["n"];
@@ -221,9 +222,9 @@ double distance_from_rest(std::string_view method, double k, double time) {
     return length(frame.positions.back() - Vec3{0, end, 0});
 }
 
-// The pendulum's decay rate is c / 2m = 3.3: after 15 time units e^-50 of it is left.
+// The slowest motion, the pendulum, decays at the rate c / 2m = 1.67: after 20 time units e^-33 of it is left.
 TEST(TrBdf2, lets_a_stiff_rope_settle_at_its_exact_rest) {
-    for (const double k : {2e5, 2e7}) EXPECT_LT(distance_from_rest("tr-bdf2", k, 15), 1e-10) << k;
+    for (const double k : {2e5, 2e7}) EXPECT_LT(distance_from_rest("tr-bdf2", k, 20), 1e-10) << k;
     EXPECT_GT(distance_from_rest("tr-bdf2", 2e5, 1), 1e-3);  // the partner: not yet settled
 }
 
