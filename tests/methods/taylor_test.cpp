@@ -188,9 +188,10 @@ TEST(Taylor, follows_sine_and_cosine_between_its_steps) {
 
 TEST(Taylor, dense_frames_cost_nothing_and_show_the_same_motion) {
     Simulation rare(chain(1e-9, 0.1)), dense(chain(1e-9, 0.0001));
-    rare.advance(10);
-    dense.advance(10000);
-    EXPECT_LE(static_cast<double>(dense.evaluations()), 1.5 * static_cast<double>(rare.evaluations()));
+    rare.advance(200);
+    dense.advance(200000);
+    // a series or two more until the unit of time fits
+    EXPECT_LE(dense.evaluations(), rare.evaluations() + 3 * 19);
     EXPECT_LT(distance(rare.frame(), dense.frame()), 1e-8);  // both within some times the tolerance
     EXPECT_LT(chain_error(chain(1e-12, 0.0001), 20001), 1e-11);
 }
@@ -267,7 +268,7 @@ TEST(Taylor, counts_a_series_of_so_many_orders_as_so_many_evaluations) {
     std::uint64_t evaluations = 0;
     chain_at<double>(1e-9, 68.1, &evaluations);
     EXPECT_EQ(evaluations % 19, 0u);  // x to order 20: accelerations to order 18, 19 of them
-    EXPECT_LT(evaluations, 500u);
+    EXPECT_LT(evaluations, 1000u);
 }
 
 // A bullet so far away that its force is far below the tolerance: the step must not reach through the collision.
