@@ -72,6 +72,7 @@ Json method_json(const MethodInfo& info) {
             {"symplectic", info.symplectic},
             {"reversible", info.reversible},
             {"adaptive", info.adaptive},
+            {"implicit", info.implicit},
             {"curiosity", info.curiosity},
             {"conserves", info.conserves},
             {"source", info.source},

@@ -46,7 +46,7 @@ std::string settings(std::span<const ParameterInfo> parameters) {
 std::string limit_text(const MethodInfo& info) {
     if (info.linear_limit == 0) return "never";
     const double limit = linear_limit(info, ParameterValues(info.parameters));
-    return limit == infinity ? "always" : fmt::format("< {:.4g}", limit);
+    return limit == infinity ? "any dt" : fmt::format("< {:.4g}", limit);
 }
 
 std::string properties(const MethodInfo& info) {
@@ -57,6 +57,7 @@ std::string properties(const MethodInfo& info) {
     add(info.symplectic, "symplectic");
     add(info.reversible, "reversible");
     add(info.adaptive, "adaptive");
+    add(info.implicit, "implicit");
     add(info.curiosity, "curiosity");
     return text.empty() ? "-" : text;
 }

@@ -37,6 +37,10 @@ public:
     explicit(false) SingleLane(T number) : number_(number) {}
 
     static SingleLane load(const T* from) { return *from; }
+    template <class F>
+    static SingleLane each(F f) {
+        return SingleLane(f(std::size_t(0)));
+    }
     void store(T* to) const { *to = number_; }
     T operator[](std::size_t) const { return number_; }
     static bool first(std::size_t number) { return number > 0; }
@@ -77,6 +81,12 @@ public:
         return RegisterLanes(*static_cast<const Register*>(__builtin_assume_aligned(aligned, 64)));
     }
     void store(T* aligned) const { *static_cast<Register*>(__builtin_assume_aligned(aligned, 64)) = register_; }
+
+    /// f(lane) in every lane.
+    template <class F>
+    static RegisterLanes each(F f) {
+        return of_each(f, Indices{});
+    }
 
     T operator[](std::size_t lane) const { return register_[lane]; }
     Register lanes() const { return register_; }
@@ -120,6 +130,11 @@ public:
 
 private:
     using Indices = std::make_index_sequence<count>;
+
+    template <class F, std::size_t... I>
+    static RegisterLanes of_each(F f, std::index_sequence<I...>) {
+        return RegisterLanes(Register{f(I)...});
+    }
 
     template <std::size_t... I>
     static RegisterLanes places(std::index_sequence<I...>) {

@@ -16,5 +16,8 @@ set(STEPLAB_METHODS
     dopri5
     dop853
     rkn-12-10
+    implicit-midpoint
+    tr-bdf2
+    taylor
     verlet-2008
     stoermer-2008)

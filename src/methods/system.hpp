@@ -32,6 +32,20 @@ public:
     /// The vector from particle i to particle j at displacements x.
     auto separation(const Field<T>& x, std::size_t i, std::size_t j) const { return force_.separation(x, i, j); }
 
+    /// The same, and calls f(i, j, block) for every pair of particles that interact: block is how the acceleration of i
+    /// changes with the position of j (and of j with that of i), exactly. One evaluation.
+    template <class F>
+    void accelerations_and_blocks(const Field<T>& x, Field<T>& a, F f) {
+        accelerations(x, a);
+        each_block(force_, x, f);  // of the force's own header
+    }
+
+    /// What the force is made of: the layouts tell (coupling, each_interaction, external, moves).
+    Force& force() { return force_; }
+    const Force& force() const { return force_; }
+    /// For methods that compute accelerations in ways of their own.
+    void count_evaluations(std::uint64_t computed) { evaluations_ += computed; }
+
     T drag() const { return drag_; }
     T dt() const { return dt_; }
     std::uint64_t evaluations() const { return evaluations_; }

@@ -4,7 +4,10 @@
 #include "core/field.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 #include "models/spring.hpp"
+
+#include <array>
 
 namespace steplab {
 
@@ -34,6 +37,15 @@ public:
     template <class F>
     void passing_pairs(const Field<T>&, const Field<T>&, F) const {}
     Vector<T> separation(const Field<T>&, std::size_t, std::size_t) const { return {T(0), T(0), T(0)}; }
+
+    Coupling coupling() const { return {Coupling::Kind::none, count_}; }
+    bool moves(std::size_t) const { return true; }
+    Vector<T> external(std::size_t i) const { return {T(0), -(step_ * static_cast<T>(static_cast<int>(i))), T(0)}; }
+
+    std::array<SpringFormula<T>, 0> formulas() const { return {}; }
+
+    template <class F>
+    void each_interaction(const Field<T>&, F) const {}
 
 private:
     std::size_t count_;

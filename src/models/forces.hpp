@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/coupling.hpp"
 #include "core/field.hpp"
 
 #include <cstddef>
@@ -53,6 +54,13 @@ struct NearPairForces : PairForces {
 };
 
 using Forces = std::variant<ConstantForces, LineForces, GridForces, PairForces, NearPairForces>;
+
+/// Which particles act on which.
+inline Coupling coupling(const ConstantForces& forces) { return {Coupling::Kind::none, forces.count}; }
+inline Coupling coupling(const LineForces& forces) { return {Coupling::Kind::chain, forces.count}; }
+inline Coupling coupling(const GridForces& forces) { return {Coupling::Kind::sheet, forces.dim * forces.dim}; }
+inline Coupling coupling(const PairForces& forces) { return {Coupling::Kind::all, forces.count}; }
+inline Coupling coupling(const NearPairForces& forces) { return {Coupling::Kind::near, forces.count}; }
 
 /// Potential energy of a state in the parts that the tests of energy need.
 struct PotentialEnergy {

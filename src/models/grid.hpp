@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 #include "models/spring.hpp"
 
 #include <array>
@@ -71,6 +72,36 @@ public:
             }
         }
     }
+
+    Coupling coupling() const { return steplab::coupling(forces_); }
+    bool moves(std::size_t p) const {
+        const std::size_t last = forces_.dim - 1, row = p / forces_.dim, column = p % forces_.dim;
+        return row > 0 && row < last && column > 0 && column < last;
+    }
+    Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
+
+    std::array<SpringFormula<T>, 4> formulas() const {
+        const auto spring = [this](std::size_t d) {
+            const Direction way = direction(d);
+            return SpringFormula<T>{way.rest, way.length, stiffness_};
+        };
+        return {spring(east), spring(south), spring(south_east), spring(south_west)};
+    }
+
+    /// Springs between two particles of the border are left out.
+    template <class F>
+    void each_interaction(const Field<T>&, F f) const {
+        const std::size_t dim = forces_.dim;
+        for (std::size_t d = east; d <= south_west; ++d) {
+            const Direction way = direction(d);
+            for (std::size_t i = 0; i + way.rows < dim; ++i) {
+                for (std::size_t p = i * dim + way.first; p < i * dim + way.last; ++p) {
+                    if (moves(p) || moves(p + way.offset)) f(p, p + way.offset, d);
+                }
+            }
+        }
+    }
+
     /// The vector from particle i to particle j.
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
         const auto steps = [](std::size_t from, std::size_t to) { return static_cast<T>(to) - static_cast<T>(from); };

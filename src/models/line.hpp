@@ -5,8 +5,10 @@
 #include "core/lanes.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 #include "models/spring.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -69,6 +71,17 @@ public:
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
         const T rest = length_ * (static_cast<T>(j) - static_cast<T>(i));
         return {rest + (u.x()[j] - u.x()[i]), u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+    }
+
+    Coupling coupling() const { return steplab::coupling(forces_); }
+    bool moves(std::size_t i) const { return i >= first_moving_; }
+    Vector<T> external(std::size_t) const { return {T(0), T(0) - gravity_, T(0)}; }
+
+    std::array<SpringFormula<T>, 1> formulas() const { return {{{{length_, T(0), T(0)}, length_, stiffness_}}}; }
+
+    template <class F>
+    void each_interaction(const Field<T>&, F f) const {
+        for (std::size_t i = 0; i + 1 < forces_.count; ++i) f(i, i + 1, std::size_t(0));
     }
 
 private:

@@ -3,10 +3,12 @@
 #include "core/field.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 #include "models/morse_pair.hpp"
 #include "models/neighbours.hpp"
 #include "models/pairs.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace steplab {
@@ -77,6 +79,25 @@ public:
     /// The vector from particle i to particle j.
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
         return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+    }
+
+    Coupling coupling() const { return {Coupling::Kind::near, count_}; }
+    bool moves(std::size_t) const { return true; }
+    Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
+
+    std::array<MorseFormula<T>, 1> formulas() const { return {{{morse_}}}; }
+
+    /// The pairs nearer than the cut-off.
+    template <class F>
+    void each_interaction(const Field<T>& u, F f) {
+        neighbours_.follow(u);
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (const std::uint32_t j : neighbours_.of(i)) {
+                if (j < i) continue;
+                const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
+                if (dx * dx + dy * dy + dz * dz < cutoff_ * cutoff_) f(i, std::size_t(j), std::size_t(0));
+            }
+        }
     }
 
 private:

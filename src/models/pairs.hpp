@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
+#include "models/interactions.hpp"
 #include "models/morse_pair.hpp"
 
 #include <algorithm>
@@ -81,6 +82,19 @@ public:
     /// The vector from particle i to particle j.
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
         return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+    }
+
+    Coupling coupling() const { return {Coupling::Kind::all, count_}; }
+    bool moves(std::size_t) const { return true; }
+    Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
+
+    std::array<MorseFormula<T>, 1> formulas() const { return {{{morse_}}}; }
+
+    template <class F>
+    void each_interaction(const Field<T>&, F f) const {
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (std::size_t j = i + 1; j < count_; ++j) f(i, j, std::size_t(0));
+        }
     }
 
 private:

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/coupling.hpp"
 #include "models/model.hpp"
 #include "sim/stepper.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace steplab {
@@ -13,6 +16,8 @@ namespace steplab {
 struct Method {
     MethodInfo info;
     std::unique_ptr<Stepper> (*make)(const StepperSetup&);
+    /// Why the method cannot run scenes of this coupling, none if it can; null for methods that run any.
+    std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
 };
 
 /// All models and methods in the order of their lists (src/models/list.cmake, src/methods/list.cmake).

@@ -58,7 +58,8 @@ double first_growth(const Method& method, const ParameterValues& parameters, dou
 double linear_limit(const Method& method, const ParameterValues& parameters, double omega, double gamma) {
     const double phase = linear_limit(method.info, parameters);
     const double undamped = omega > 0 ? phase / omega : infinity;
-    if (gamma == 0 || method.info.curiosity || method.info.adaptive) return undamped;
+    const bool always = phase == infinity;  // drag takes nothing from a method that is stable everywhere
+    if (gamma == 0 || always || method.info.curiosity || method.info.adaptive) return undamped;
     return first_growth(method, parameters, omega, gamma);
 }
 

@@ -34,7 +34,7 @@ double bytes_per_particle(const RunDescription& description) {
     const double scene_and_state = 5 * 3 * 8.0, frame = 2 * 3 * 8.0;   // in double, whatever the precision
     const double kept = 3 * 3 * number;                                // the state to come back to
     const double shape = 3 * 8.0 + 1 + 4 * 16.0;                       // a particle has up to 4 springs of its own
-    return fields * 3 * number + scene_and_state + kept + frame + shape;
+    return (fields * 3 + info.numbers_of_interactions) * number + scene_and_state + kept + frame + shape;
 }
 
 }  // namespace steplab

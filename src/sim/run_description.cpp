@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 #include <vector>
 
 namespace steplab {
@@ -44,6 +45,15 @@ void check_memory(const RunDescription& description) {
                                  description.scene.contains("dim")    ? "dim"
                                  : description.scene.contains("edge") ? "edge"
                                                                       : "n"));
+}
+
+/// Methods that cannot run every scene look at its forces.
+void check_method(const RunDescription& description) {
+    const Method& entry = method(description.method);
+    if (!entry.refusal) return;
+    const Scene scene = model(description.model).scene(description.scene);
+    const auto refused = std::visit([&](const auto& forces) { return entry.refusal(coupling(forces)); }, scene.forces);
+    if (refused) throw UsageError(fmt::format("{} cannot run this scene: {}", description.method, *refused));
 }
 
 /// "--set name=value" for every parameter that is not at its default.
@@ -95,6 +105,7 @@ void check(const RunDescription& description) {
         }
     }
     check_memory(description);
+    check_method(description);
 }
 
 RunDescription as_held(RunDescription description) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/coupling.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
 #include "models/plain.hpp"
@@ -7,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,6 +44,16 @@ template <class Integrator>
 inline constexpr bool has_collisions = requires(const Integrator& integrator) {
     integrator.collisions();
 };
+
+/// The method's `refusal`, null if it runs every scene.
+template <class Method>
+constexpr auto refusal_of() -> std::optional<std::string> (*)(const Coupling&) {
+    if constexpr (requires(const Coupling& coupling) { Method::refusal(coupling); }) {
+        return &Method::refusal;
+    } else {
+        return nullptr;
+    }
+}
 
 /// A method in one precision on one layout of forces.
 template <class Method, class T, class Force>

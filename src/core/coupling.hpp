@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+namespace steplab {
+
+/// Which particles act on which: what a method that solves linear systems needs to know of a scene before it runs.
+struct Coupling {
+    enum class Kind {
+        none,   ///< no particle acts on another
+        chain,  ///< each on the next
+        sheet,  ///< each on its neighbours in a sheet
+        near,   ///< each on those near it in space
+        all,    ///< each on all others
+    };
+
+    Kind kind = Kind::none;
+    std::size_t particles = 0;
+};
+
+}  // namespace steplab

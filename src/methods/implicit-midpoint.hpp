@@ -1,0 +1,79 @@
+#pragma once
+
+#include "methods/halved_steps.hpp"
+#include "methods/implicit_stage.hpp"
+#include "methods/synchronised.hpp"
+
+#include <limits>
+
+namespace steplab {
+
+/// The implicit midpoint rule: x1 = x0 + h V, v1 = v0 + h (a(X) - gamma V) with X, V in the middle of the step.
+struct ImplicitMidpoint {
+    static constexpr ParameterInfo parameters[] = {compensated_sums};
+
+    static constexpr MethodInfo info{
+        .id = "implicit-midpoint",
+        .name = "Implicit midpoint",
+        .what = "Keeps the energy of linear scenes exactly at any dt; stiff springs that turn far in a step gain some.",
+        .order = 2,
+        .order_with_drag = 2,
+        .evaluations = 4,
+        .linear_limit = infinity,
+        .symplectic = true,
+        .reversible = true,
+        .implicit = true,
+        .conserves = "momentum, angular momentum, on linear scenes energy exactly",
+        .source = "Hairer, Lubich, Wanner, Geometric Numerical Integration, II.1.1, VI.4",
+        .parameters = parameters,
+    };
+
+    static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
+
+    template <class T>
+    class Integrator : public Synchronised<T> {
+    public:
+        explicit Integrator(const ParameterValues& values) : Synchronised<T>(values) {}
+
+        template <class System>
+        void start(System& system, const State<T>& state) {
+            this->begin(state);
+            stage_ = ImplicitStage<T>(system.force().coupling());
+            w_ = Field<T>(x_.count());
+        }
+
+        template <class System>
+        void step(System& system) {
+            const bool found = in_halves(system.dt(), [&](T h) { return attempt(system, h); });
+            if (!found) v_.flat()[0] = std::numeric_limits<T>::quiet_NaN();  // the run has diverged
+        }
+
+    private:
+        using Synchronised<T>::x_, Synchronised<T>::v_, Synchronised<T>::lost_;
+
+        template <class System>
+        bool attempt(System& system, T h) {
+            if (!stage_.solve(system, x_, v_, h / T(2), w_)) return false;
+            T *const x = x_.flat().data(), *const v = v_.flat().data();
+            const T* const w = w_.flat().data();
+            if (lost_.kept()) {
+                T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
+                elementwise(x_.flat().size(), [=](std::size_t k) {
+                    add_compensated(x[k], lost_x[k], h * (v[k] + w[k]));
+                    add_compensated(v[k], lost_v[k], T(2) * w[k]);
+                });
+                return true;
+            }
+            elementwise(x_.flat().size(), [=](std::size_t k) {
+                x[k] += h * (v[k] + w[k]);
+                v[k] += T(2) * w[k];
+            });
+            return true;
+        }
+
+        ImplicitStage<T> stage_;
+        Field<T> w_;  ///< change of velocity to the middle of the step
+    };
+};
+
+}  // namespace steplab

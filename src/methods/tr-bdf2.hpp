@@ -1,0 +1,137 @@
+#pragma once
+
+#include "methods/halved_steps.hpp"
+#include "methods/implicit_stage.hpp"
+#include "methods/synchronised.hpp"
+
+#include <limits>
+
+namespace steplab {
+
+/// The trapezoidal rule to t + gamma h, gamma = 2 - sqrt(2), then the second backward difference formula to t + h: one
+/// diagonally implicit Runge-Kutta method of two implicit stages (Hosea, Shampine 1996, table 1).
+struct TrBdf2 {
+    static constexpr ParameterInfo parameters[] = {compensated_sums};
+
+    static constexpr MethodInfo info{
+        .id = "tr-bdf2",
+        .name = "TR-BDF2",
+        .what = "For stiff scenes: stable at any dt, and motion that dt cannot resolve is damped away.",
+        .order = 2,
+        .order_with_drag = 2,
+        .evaluations = 8,
+        .start_evaluations = 1,
+        .linear_limit = infinity,
+        .implicit = true,
+        .conserves = "momentum",
+        .source =
+            "Bank et al., IEEE Trans. Electron Devices 32 (1985) 1992; Hosea, Shampine, Appl. Numer. Math. 20 (1996) "
+            "21",
+        .parameters = parameters,
+    };
+
+    static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
+
+    static constexpr double gamma = 0.58578643762690497;   // 2 - sqrt(2)
+    static constexpr double diagonal = gamma / 2;          // weight of a stage's own slope in it
+    static constexpr double before = 0.35355339059327379;  // sqrt(2) / 4: of the two earlier slopes at the end
+
+    template <class T>
+    class Integrator : public Synchronised<T> {
+    public:
+        explicit Integrator(const ParameterValues& values) : Synchronised<T>(values) {}
+
+        template <class System>
+        void start(System& system, const State<T>& state) {
+            this->begin(state);
+            const std::size_t count = x_.count();
+            stage_ = ImplicitStage<T>(system.force().coupling());
+            for (Field<T>* field : {&slope_, &first_, &second_, &from_x_, &from_v_}) *field = Field<T>(count);
+            system.accelerations(x_, slope_);
+            T* const slope = slope_.flat().data();
+            const T* const v = v_.flat().data();
+            elementwise(x_.flat().size(), [=, drag = system.drag()](std::size_t k) { slope[k] -= drag * v[k]; });
+        }
+
+        template <class System>
+        void step(System& system) {
+            const bool found = in_halves(system.dt(), [&](T h) { return attempt(system, h); });
+            if (!found) v_.flat()[0] = std::numeric_limits<T>::quiet_NaN();  // the run has diverged
+        }
+
+        template <class Self, class F>
+        static void each_part(Self& self, F f) {
+            Synchronised<T>::each_part(self, f);
+            f(self.slope_);
+        }
+
+    private:
+        using Synchronised<T>::x_, Synchronised<T>::v_, Synchronised<T>::lost_;
+
+        template <class System>
+        bool attempt(System& system, T h) {
+            const T tau = static_cast<T>(diagonal) * h;
+            begin_first_stage(tau);
+            if (!stage_.solve(system, from_x_, from_v_, tau, first_)) return false;
+            begin_second_stage(h, tau);
+            if (!stage_.solve(system, from_x_, from_v_, tau, second_)) return false;
+            finish(h, tau);
+            return true;
+        }
+
+        void begin_first_stage(T tau) {
+            const T *const x = x_.flat().data(), *const v = v_.flat().data(), *const slope = slope_.flat().data();
+            T *const from_x = from_x_.flat().data(), *const from_v = from_v_.flat().data();
+            elementwise(x_.flat().size(), [=](std::size_t k) {
+                from_x[k] = x[k] + tau * v[k];
+                from_v[k] = v[k] + tau * slope[k];
+            });
+        }
+
+        /// The velocity of the first stage is from_v + first, its slope first / tau.
+        void begin_second_stage(T h, T tau) {
+            const T *const x = x_.flat().data(), *const v = v_.flat().data(), *const slope = slope_.flat().data();
+            const T* const first = first_.flat().data();
+            T *const from_x = from_x_.flat().data(), *const from_v = from_v_.flat().data();
+            const T weight = static_cast<T>(before) * h, of_first = weight / tau;
+            elementwise(x_.flat().size(), [=](std::size_t k) {
+                from_x[k] = x[k] + weight * (v[k] + (from_v[k] + first[k]));
+                from_v[k] = v[k] + (weight * slope[k] + of_first * first[k]);
+            });
+        }
+
+        void finish(T h, T tau) {
+            T *const x = x_.flat().data(), *const v = v_.flat().data(), *const slope = slope_.flat().data();
+            const T *const first = first_.flat().data(), *const second = second_.flat().data();
+            const T weight = static_cast<T>(before) * h, of_first = weight / tau;
+            const auto change_of_x = [=](std::size_t k) {
+                const T first_v = (v[k] + tau * slope[k]) + first[k];
+                const T last_v = (v[k] + (weight * slope[k] + of_first * first[k])) + second[k];
+                return weight * (v[k] + first_v) + tau * last_v;
+            };
+            const auto change_of_v = [=](std::size_t k) {
+                return (weight * slope[k] + of_first * first[k]) + second[k];
+            };
+            if (lost_.kept()) {
+                T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
+                return elementwise(x_.flat().size(), [=](std::size_t k) {
+                    add_compensated(x[k], lost_x[k], change_of_x(k));
+                    add_compensated(v[k], lost_v[k], change_of_v(k));
+                    slope[k] = second[k] / tau;
+                });
+            }
+            elementwise(x_.flat().size(), [=](std::size_t k) {
+                x[k] += change_of_x(k);
+                v[k] += change_of_v(k);
+                slope[k] = second[k] / tau;
+            });
+        }
+
+        ImplicitStage<T> stage_;
+        Field<T> slope_;            ///< a - gamma v at x, v
+        Field<T> first_, second_;   ///< changes of velocity that the two stages find
+        Field<T> from_x_, from_v_;  ///< what a stage starts from
+    };
+};
+
+}  // namespace steplab

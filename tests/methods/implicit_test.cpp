@@ -1,0 +1,342 @@
+#include "core/error.hpp"
+#include "methods/implicit-midpoint.hpp"
+#include "methods/newton_matrix.hpp"
+#include "methods/system.hpp"
+#include "methods/tr-bdf2.hpp"
+#include "models/layouts.hpp"
+#include "sim/linear_limit.hpp"
+#include "sim/stepper_of.hpp"
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace steplab::test {
+namespace {
+
+constexpr const char* implicit_methods[] = {"implicit-midpoint", "tr-bdf2"};
+
+/// The scene with every particle that moves put off its place at random, so that nothing vanishes by symmetry.
+Scene shaken(std::string_view id, Settings settings) {
+    const RunDescription description = run_of(id, "rk4", Precision::double_, 0.1, settings);
+    Scene scene = model(id).scene(description.scene);
+    const auto roles = model(id).shape(description.scene).roles;
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> moved(-0.1, 0.1);
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+        const Vec3 shift{moved(random), moved(random), moved(random)};
+        if (roles[i] != Role::fixed) scene.start.displacement.set(i, scene.start.displacement.at(i) + shift);
+    }
+    return scene;
+}
+
+std::vector<Scene> shaken_scenes() {
+    std::vector<Scene> scenes;
+    for (const Model& model : models()) scenes.push_back(shaken(model.info.id, {}));
+    scenes.push_back(shaken("chain", {{"fixed", 0}, {"m", 2}}));
+    scenes.push_back(shaken("chain", {{"L", 0}}));
+    scenes.push_back(shaken("morse", {{"cutoff", 0.8}, {"spacing", 0.3}}));
+    return scenes;
+}
+
+/// J times a direction by the layout's blocks, these scaled by `strength`.
+Field<double> blocks_times(const Scene& scene, const Field<double>& direction, double strength) {
+    Field<double> product(direction.count());
+    std::visit(
+        [&](const auto& forces) {
+            auto force = engine<double>(forces);
+            each_block(force, scene.start.displacement, [&](std::size_t i, std::size_t j, const Block<double>& block) {
+                const Vec3 d = direction.at(j) - direction.at(i);
+                const auto change = (strength * block) * std::array<double, 3>{d.x, d.y, d.z};
+                const Vec3 slope{change[0], change[1], change[2]};
+                if (force.moves(i)) product.set(i, product.at(i) + slope);
+                if (force.moves(j)) product.set(j, product.at(j) - slope);
+            });
+        },
+        scene.forces);
+    return product;
+}
+
+Field<double> accelerations_at(const Scene& scene, const Field<double>& direction, double h) {
+    Field<double> x = scene.start.displacement, a(x.count());
+    for (std::size_t k = 0; k < x.flat().size(); ++k) x.flat()[k] += h * direction.flat()[k];
+    std::visit([&](const auto& forces) { engine<double>(forces).accelerations(x, a); }, scene.forces);
+    return a;
+}
+
+/// Largest difference of the blocks from central differences, relative to the largest product.
+double worst_block_error(const Scene& scene, double strength) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> number(-1, 1);
+    Field<double> direction(scene.start.displacement.count());
+    const Field<double> probe = accelerations_at(scene, direction, 0);
+    for (std::size_t i = 0; i < direction.count(); ++i)
+        direction.set(i, {number(random), number(random), number(random)});
+    std::visit(
+        [&](const auto& forces) {
+            const auto force = engine<double>(forces);
+            for (std::size_t i = 0; i < direction.count(); ++i) {
+                if (!force.moves(i)) direction.set(i, {});
+            }
+        },
+        scene.forces);
+    constexpr double h = 1e-6;
+    const Field<double> product = blocks_times(scene, direction, strength);
+    const Field<double> above = accelerations_at(scene, direction, h), below = accelerations_at(scene, direction, -h);
+    double worst = 0, most = 1e-300;
+    for (std::size_t i = 0; i < direction.count(); ++i) {
+        const Vec3 slope = (1 / (2 * h)) * (above.at(i) - below.at(i));
+        worst = std::max(worst, length(product.at(i) - slope));
+        most = std::max(most, length(product.at(i)));
+    }
+    return worst / most;
+}
+
+// Central differences with h = 1e-6: rounding 1e-16 / 1e-6, and h^2 times third derivatives of some hundred.
+TEST(Blocks, are_the_derivative_of_the_accelerations) {
+    for (const Scene& scene : shaken_scenes()) EXPECT_LT(worst_block_error(scene, 1), 1e-8);
+}
+
+TEST(Blocks, one_per_mille_too_large_are_not) {
+    for (const Scene& scene : shaken_scenes()) {
+        if (scene.forces.index() == 0) continue;  // constant forces have no derivative
+        EXPECT_GT(worst_block_error(scene, 1.001), 1e-8);
+    }
+}
+
+TEST(Blocks, of_coincident_particles_are_finite) {
+    const Vector<double> nothing{0, 0, 0};
+    const MorseFormula<double> morse{morse_constants<double>({.count = 2})};
+    const SpringFormula<double> spring{{0, 0, 0}, 1, 1}, loose{{0, 0, 0}, 0, 1};
+    for (const auto& block : {derivative(morse, nothing), derivative(spring, nothing), derivative(loose, nothing)}) {
+        for (const auto& row : block.at) {
+            for (const double number : row) EXPECT_TRUE(std::isfinite(number));
+        }
+    }
+}
+
+/// A chain of blocks as both kinds of matrix, solved for the same right-hand side.
+template <class Matrix>
+Field<double> solution_of_a_chain(std::size_t n, double coupling, bool& solvable) {
+    Matrix matrix(n);
+    matrix.reset(2);
+    Field<double> right(n), solution(n);
+    Block<double> block = Block<double>::diagonal(coupling);
+    block.at[0][1] = block.at[1][0] = 0.3 * coupling;
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        matrix.add_diagonal(i, block);
+        matrix.add_diagonal(i + 1, block);
+        matrix.add_beside(i, i + 1, -1.0 * block);
+    }
+    for (std::size_t i = 0; i < n; ++i) right.set(i, {1.0 + static_cast<double>(i), -2, 0.5});
+    solvable = matrix.factorise();
+    if (solvable) matrix.solve(right, solution);
+    return solution;
+}
+
+// Condition number below 10: the two eliminations agree to some roundings of solutions below 10.
+TEST(NewtonMatrix, block_tridiagonal_and_sparse_agree) {
+    bool first = false, second = false;
+    const auto a = solution_of_a_chain<BlockTridiagonal<double>>(7, 1.5, first);
+    const auto b = solution_of_a_chain<SparseSymmetric<double>>(7, 1.5, second);
+    ASSERT_TRUE(first && second);
+    for (std::size_t i = 0; i < 7; ++i) EXPECT_LT(length(a.at(i) - b.at(i)), 1e-14);
+}
+
+TEST(NewtonMatrix, says_that_a_singular_one_is) {
+    BlockTridiagonal<double> chain(1);
+    chain.reset(0);
+    EXPECT_FALSE(chain.factorise());
+    SparseSymmetric<double> sparse(1);
+    sparse.reset(0);
+    EXPECT_FALSE(sparse.factorise());
+}
+
+/// A chain whose blocks are `Error` per cent off.
+template <int Error>
+struct MisjudgedLine : Line<double> {
+    using Line<double>::Line;
+    std::array<SpringFormula<double>, 1> formulas() const { return {{{{1, 0, 0}, 1, 1 + Error / 100.0}}}; }
+};
+
+/// Evaluations of 10 steps over 5 particles that swing across their line.
+template <class Method, class Force>
+std::uint64_t evaluations_of_ten_steps() {
+    System<double, Force> system(Force({.count = 5, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 1}), 0, 1);
+    State<double> state{Field<double>(5), Field<double>(5)};
+    state.velocity.y()[4] = 0.5;
+    typename Method::template Integrator<double> integrator{ParameterValues(Method::parameters)};
+    integrator.start(system, state);
+    const std::uint64_t start = system.evaluations();
+    for (int i = 0; i < 10; ++i) integrator.step(system);
+    return system.evaluations() - start;
+}
+
+// Newton's method doubles its digits: from some 10 % to 16 digits in 5 or 6 evaluations a stage. With a Jacobian a
+// fifth off each evaluation gains less than a digit.
+TEST(Newton, converges_in_few_evaluations_with_the_exact_jacobian_alone) {
+    EXPECT_LE((evaluations_of_ten_steps<ImplicitMidpoint, MisjudgedLine<0>>()), 60u);
+    EXPECT_GE((evaluations_of_ten_steps<ImplicitMidpoint, MisjudgedLine<20>>()), 100u);
+    EXPECT_LE((evaluations_of_ten_steps<TrBdf2, MisjudgedLine<0>>()), 110u);
+    EXPECT_GE((evaluations_of_ten_steps<TrBdf2, MisjudgedLine<20>>()), 180u);
+}
+
+RunDescription at_100_times_the_limit(std::string_view model, std::string_view method, Settings settings) {
+    RunDescription description = run_of(model, method, Precision::double_, 1, settings);
+    description.dt = 100 * 2 / steplab::model(model).omega_max(description.scene).value();
+    return description;
+}
+
+bool diverges(RunDescription description, Precision precision) {
+    description.precision = precision;
+    Simulation simulation(description);
+    simulation.advance(1000);
+    return simulation.divergence().has_value();
+}
+
+TEST(Implicit, methods_are_stable_at_100_times_the_explicit_limit_and_explicit_ones_are_not) {
+    const Settings slow = {{"v0", 0.5}}, none = {};
+    const std::pair<std::string_view, Settings> scenes[] = {{"chain", slow}, {"oscillator", none}};
+    for (const auto& [scene, settings] : scenes) {
+        for (const Precision precision : precisions) {
+            for (const char* method : implicit_methods)
+                EXPECT_FALSE(diverges(at_100_times_the_limit(scene, method, settings), precision)) << scene << method;
+            for (const char* method : {"rk4", "velocity-verlet"})
+                EXPECT_TRUE(diverges(at_100_times_the_limit(scene, method, settings), precision)) << scene << method;
+        }
+    }
+}
+
+// A stiff spring that turns far in a step is not linear: there the midpoint rule gains energy (Gonzalez, Simo, Comput.
+// Methods Appl. Mech. Eng. 134 (1996) 197), and only a method that damps it stays.
+TEST(Implicit, of_the_two_only_tr_bdf2_holds_a_stiff_rope_that_whips_undamped) {
+    const Settings whip = {{"k", 2e5}, {"c", 0}}, damped = {{"k", 2e7}}, soft = {};
+    for (const Precision precision : precisions) {
+        for (const Settings& settings : {whip, damped, soft})
+            EXPECT_FALSE(diverges(at_100_times_the_limit("rope", "tr-bdf2", settings), precision));
+        EXPECT_TRUE(diverges(at_100_times_the_limit("rope", "implicit-midpoint", whip), precision));
+    }
+}
+
+/// Distance of the stiff rope's end from where it hangs at rest, after `time`.
+double distance_from_rest(std::string_view method, double k, double time) {
+    RunDescription description = at_100_times_the_limit("rope", method, {{"k", k}, {"c", 1}});
+    const ParameterValues& scene = description.scene;
+    const Frame frame = frame_after(description, steps_until(time, description.dt));
+    const double n = scene["n"];
+    const double end = -((n - 1) * scene["L"] + scene["g"] / scene["k"] * n * (n - 1) / 2);
+    return length(frame.positions.back() - Vec3{0, end, 0});
+}
+
+// The slowest motion, the pendulum, decays at the rate c / 2m = 1.67: after 20 time units e^-33 of it is left.
+TEST(TrBdf2, lets_a_stiff_rope_settle_at_its_exact_rest) {
+    for (const double k : {2e5, 2e7}) EXPECT_LT(distance_from_rest("tr-bdf2", k, 20), 1e-10) << k;
+    EXPECT_GT(distance_from_rest("tr-bdf2", 2e5, 1), 1e-3);  // the partner: not yet settled
+}
+
+/// Largest |E - E0| over the last half of 2000 steps of the longitudinal chain, whose springs are linear.
+double energy_error(std::string_view method, double dt, bool compensated = false) {
+    RunDescription description = run_of("chain", method, Precision::double_, dt);
+    description.method_parameters.set("compensated", compensated ? 1 : 0);
+    Simulation simulation(description);
+    double worst = 0;
+    for (int i = 0; i < 2000; ++i) {
+        simulation.advance(1);
+        worst = std::max(worst, std::abs(simulation.diagnostics().energy_error));
+    }
+    return worst;
+}
+
+// Energy 2: 2000 steps of some 10 roundings of 4e-16 each, were they all of one sign.
+TEST(ImplicitMidpoint, keeps_the_energy_of_linear_scenes_to_rounding) {
+    for (const double dt : {0.1, 1.0}) {
+        EXPECT_LT(energy_error("implicit-midpoint", dt), 1e-11) << dt;
+        EXPECT_GT(energy_error("tr-bdf2", dt), 1e-6) << dt;
+        EXPECT_GT(energy_error("velocity-verlet", dt), 1e-6) << dt;
+    }
+    EXPECT_LT(energy_error("implicit-midpoint", 0.1, true), energy_error("implicit-midpoint", 0.1));
+}
+
+TEST(TrBdf2, damps_what_it_cannot_resolve_and_implicit_midpoint_does_not) {
+    const auto energy_left = [](const char* method) {
+        Simulation simulation(at_100_times_the_limit("oscillator", method, {}));
+        const double start = simulation.diagnostics().energy;
+        simulation.advance(50);
+        return simulation.diagnostics().energy / start;
+    };
+    EXPECT_LT(energy_left("tr-bdf2"), 1e-3);
+    EXPECT_NEAR(energy_left("implicit-midpoint"), 1, 1e-9);
+}
+
+// A return over 2 x 200 steps leaves their roundings, some 1e-16 each, which the swinging rope magnifies little.
+TEST(ImplicitMidpoint, retraces_its_path) {
+    const RunDescription description = run_of("rope", "implicit-midpoint", Precision::double_, 0.01, {{"c", 0}});
+    const auto distance_after_return = [&](std::string_view id) {
+        const Scene scene = model("rope").scene(description.scene);
+        State<double> state = scene.start;
+        for (int half = 0; half < 2; ++half) {
+            const auto stepper =
+                method(id).make({scene, state, ParameterValues(method(id).info.parameters), Precision::double_, 0.01});
+            stepper->advance(200);
+            stepper->synchronised(state);
+            for (double& v : state.velocity.flat()) v = -v;
+        }
+        double largest = 0;
+        for (std::size_t i = 0; i < 10; ++i) largest = std::max(largest, length(state.displacement.at(i)));
+        return largest;
+    };
+    EXPECT_LT(distance_after_return("implicit-midpoint"), 1e-10);
+    EXPECT_GT(distance_after_return("tr-bdf2"), 1e-6);
+}
+
+TEST(Implicit, steps_far_too_large_for_a_violent_scene_end_in_numbers) {
+    for (const char* method : implicit_methods) {
+        for (const auto& description : {run_of("mesh", method, Precision::double_, 10, {{"v0", 1000}}),
+                                        run_of("morse", method, Precision::double_, 1),
+                                        run_of("morse", method, Precision::double_, 0.3, {{"cutoff", 1}}),
+                                        run_of("rope", method, Precision::float_, 1, {{"k", 2e5}})}) {
+            Simulation simulation(description);
+            simulation.advance(10);
+            for (const Vec3& x : simulation.frame().positions) EXPECT_TRUE(std::isfinite(length(x))) << method;
+        }
+    }
+}
+
+TEST(Implicit, coincident_particles_do_not_break_a_step) {
+    for (const char* id : implicit_methods) {
+        Scene scene = model("morse").scene(describe("morse").scene);
+        scene.start.displacement.set(1, scene.start.displacement.at(0));
+        const auto stepper =
+            method(id).make({scene, scene.start, ParameterValues(method(id).info.parameters), Precision::double_, 0.1});
+        stepper->advance(5);
+        EXPECT_TRUE(stepper->finite()) << id;
+    }
+}
+
+TEST(Implicit, methods_refuse_by_name_what_their_linear_solver_cannot_do) {
+    for (const char* method : implicit_methods) {
+        try {
+            check(run_of("morse", method, Precision::double_, 0.01, {{"edge", 20}}));
+            ADD_FAILURE() << method;
+        } catch (const UsageError& error) {
+            EXPECT_THAT(error.what(), testing::StartsWith(std::string(method) + " cannot run this scene: "));
+            EXPECT_THAT(error.what(), testing::HasSubstr("up to 600 particles, not for 8001"));
+        }
+        EXPECT_NO_THROW(check(run_of("morse", method, Precision::double_, 0.01)));
+        EXPECT_NO_THROW(check(run_of("chain", method, Precision::double_, 0.01, {{"n", 100000}})));
+    }
+    EXPECT_NO_THROW(check(run_of("morse", "rk4", Precision::double_, 0.01, {{"edge", 20}})));
+}
+
+TEST(Implicit, methods_have_no_limit_with_drag_either) {
+    for (const char* id : implicit_methods) {
+        EXPECT_EQ(linear_limit(method(id), ParameterValues(method(id).info.parameters), 3, 0.5), infinity);
+        EXPECT_EQ(stability_limit(run_of("rope", id, Precision::double_, 0.1))->limit, infinity);
+    }
+}
+
+}  // namespace
+}  // namespace steplab::test

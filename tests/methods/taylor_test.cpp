@@ -1,0 +1,313 @@
+#include "methods/taylor.hpp"
+
+#include "core/error.hpp"
+#include "methods/power_series.hpp"
+#include "methods/system.hpp"
+#include "models/layouts.hpp"
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace steplab::test {
+namespace {
+
+constexpr std::size_t length = 20;
+template <class T>
+using Coefficients = std::array<T, length>;
+
+/// The coefficients of f(series), x being the coefficients of its argument, computed order by order.
+template <class T, class F>
+Coefficients<T> series_of(const Coefficients<T>& x, F f) {
+    std::array<Lanes<T>, SeriesTape<T>::most_kept * length> memory;
+    Coefficients<T> result{};
+    for (std::size_t k = 0; k < length; ++k) {
+        SeriesTape<T> tape(memory.data(), length, k);
+        result[k] = f(Series<T>::variable(tape, Lanes<T>(x[k]))).coefficient()[0];
+    }
+    return result;
+}
+
+/// Coefficients of e^(rate t).
+template <class T>
+Coefficients<T> exponential_series(T rate) {
+    Coefficients<T> e{};
+    e[0] = T(1);
+    for (std::size_t k = 1; k < length; ++k) e[k] = e[k - 1] * rate / static_cast<T>(static_cast<int>(k));
+    return e;
+}
+
+template <class T>
+T largest_difference(const Coefficients<T>& a, const Coefficients<T>& b) {
+    T most = T(0);
+    for (std::size_t k = 0; k < length; ++k) most = std::max(most, std::abs(a[k] - b[k]));
+    return most;
+}
+
+// With x = e^t: every rule against the series in closed form. Sums of 20 products below 1.
+TEST(Series, of_every_operation_is_that_of_the_function) {
+    const auto x = exponential_series(1.0);
+    const Coefficients<double> time{0, 1};
+    const auto expect = [&](const char* what, const Coefficients<double>& got, const Coefficients<double>& right) {
+        EXPECT_LT(largest_difference(got, right), 1e-14) << what;
+    };
+    using S = Series<double>;
+    expect("square", series_of(x, [](S s) { return s * s; }), exponential_series(2.0));
+    expect("product", series_of(x, [](S s) { return s * (s * s); }), exponential_series(3.0));
+    expect("quotient", series_of(x, [](S s) { return s / (s * s * s); }), exponential_series(-2.0));
+    expect("reciprocal", series_of(x, [](S s) { return S(1) / s; }), exponential_series(-1.0));
+    expect("root", series_of(x, [](S s) { return square_root(s); }), exponential_series(0.5));
+    expect("exponential", series_of(time, [](S s) { return exponential(S(3) * s); }), exponential_series(3.0));
+    expect("shifted product", series_of(x, [](S s) { return (s + S(2)) * (s - S(2)) + S(4); }),
+           exponential_series(2.0));
+    expect("taken from a constant", series_of(x, [](S s) { return S(5) - (S(5) - s); }), x);
+    expect("choice", series_of(x, [](S s) { return where(s > S(0), s, S(1)); }), x);
+}
+
+TEST(Series, with_a_wrong_rule_is_not) {
+    const auto x = exponential_series(1.0);
+    const auto not_the_root = series_of(x, [](Series<double> s) { return square_root(s * Series<double>(1.001)); });
+    EXPECT_GT(largest_difference(not_the_root, exponential_series(0.5)), 1e-4);
+}
+
+TEST(Series, of_a_root_at_zero_is_zero) {
+    const auto root = series_of(Coefficients<double>{}, [](Series<double> s) { return square_root(s); });
+    EXPECT_EQ(largest_difference(root, Coefficients<double>{}), 0);
+}
+
+// The formulas of forces themselves: double against long double. Coefficients fall like those of their argument.
+TEST(Series, of_the_forces_in_double_are_those_of_long_double) {
+    const auto spring = [](auto number) {
+        using T = decltype(number);
+        const SpringFormula<T> formula{{T(1), T(0), T(0.5)}, T(1.25), T(2)};
+        return series_of(exponential_series(T(-0.5)),
+                         [&](Series<T> s) { return formula(s * Series<T>(T(0.25)), s, s * s).y; });
+    };
+    const auto morse = [](auto number) {
+        using T = decltype(number);
+        const MorseFormula<T> formula{morse_constants<T>({.count = 2})};
+        return series_of(exponential_series(T(-0.5)),
+                         [&](Series<T> s) { return formula(s, s * s, Series<T>(T(1))).x; });
+    };
+    const auto expect_equal = [](const Coefficients<double>& a, const Coefficients<long double>& b) {
+        for (std::size_t k = 0; k < length; ++k) EXPECT_NEAR(a[k], static_cast<double>(b[k]), 1e-14) << k;
+    };
+    expect_equal(spring(0.0), spring(0.0L));
+    expect_equal(morse(0.0), morse(0.0L));
+}
+
+/// The chain with its exact solution, in any number type, to one frame at `time`.
+template <class T>
+State<T> chain_at(double tolerance, T time, std::uint64_t* evaluations = nullptr) {
+    System<T, Line<T>> system(Line<T>({.count = 10, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 2}), T(0),
+                              time);
+    State<T> state{Field<T>(10), Field<T>(10)};
+    state.velocity.x()[9] = T(2);
+    ParameterValues values(Taylor::parameters);
+    values.set("tolerance", tolerance);
+    Taylor::Integrator<T> integrator(values);
+    integrator.start(system, state);
+    integrator.step(system);
+    integrator.synchronised(system, state);
+    if (evaluations) *evaluations = system.evaluations();
+    return state;
+}
+
+RunDescription chain(double tolerance, double dt = 0.1) {
+    RunDescription description = run_of("chain", "taylor", Precision::double_, dt);
+    description.method_parameters.set("tolerance", tolerance);
+    return description;
+}
+
+/// Largest distance from the exact solution.
+double chain_error(const RunDescription& description, std::uint64_t steps) {
+    Simulation simulation(description);
+    simulation.advance(steps);
+    const auto exact = model("chain").exact(description.scene);
+    State<double> state{Field<double>(10), Field<double>(10)};
+    const Scene scene = model("chain").scene(description.scene);
+    const Frame frame = simulation.frame();
+    double worst = 0;
+    for (std::size_t i = 0; i < 10; ++i) {
+        const Vec3 u = frame.positions[i] - scene.reference.at(i);
+        worst =
+            std::max(worst, steplab::length(u - exact->displacement(i, static_cast<double>(steps) * description.dt)));
+    }
+    return worst;
+}
+
+// The error at the end in proportion to the tolerance: the factor between them the same within 30.
+TEST(Taylor, errors_are_in_proportion_to_the_tolerance) {
+    double least = infinity, most = 0;
+    for (double tolerance = 1e-3; tolerance > 0.5e-12; tolerance /= 10) {
+        // positions near 18 have an ulp of 3.6e-15: far below
+        const double factor = chain_error(chain(tolerance), 681) / tolerance;
+        least = std::min(least, factor);
+        most = std::max(most, factor);
+    }
+    EXPECT_LT(most, 30 * least);
+    EXPECT_LT(most, 30);
+}
+
+TEST(Taylor, reaches_1e_14_on_the_chain) {
+    const State<double> state = chain_at<double>(1e-16, 68.1);
+    const State<long double> right = chain_at<long double>(1e-19, 68.1);
+    for (std::size_t i = 0; i < 10; ++i) {
+        EXPECT_NEAR(state.displacement.x()[i], static_cast<double>(right.displacement.x()[i]), 1e-14) << i;
+        EXPECT_NEAR(state.velocity.x()[i], static_cast<double>(right.velocity.x()[i]), 1e-14) << i;
+    }
+    const auto exact = model("chain").exact(describe("chain").scene);
+    for (std::size_t i = 0; i < 10; ++i)
+        EXPECT_NEAR(static_cast<double>(right.displacement.x()[i]), exact->displacement(i, 68.1).x, 1e-14) << i;
+    const State<double> coarse = chain_at<double>(1e-10, 68.1);  // the partner
+    EXPECT_GT(std::abs(coarse.displacement.x()[9] - static_cast<double>(right.displacement.x()[9])), 1e-14);
+}
+
+// Orders 1 to 19 of the oscillator x = sin t, seen through the sum at many times between the ends of one long step.
+TEST(Taylor, follows_sine_and_cosine_between_its_steps) {
+    System<double, Line<double>> system(
+        Line<double>({.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0}), 0, 0.01);
+    State<double> state{Field<double>(2), Field<double>(2)};
+    state.velocity.x()[1] = 1;
+    ParameterValues values(Taylor::parameters);
+    values.set("tolerance", 1e-15);
+    Taylor::Integrator<double> integrator(values);
+    integrator.start(system, state);
+    for (int frame = 1; frame <= 1000; ++frame) {
+        integrator.step(system);
+        integrator.synchronised(system, state);
+        ASSERT_NEAR(state.displacement.x()[1], std::sin(0.01 * frame), 5e-15) << frame;
+        ASSERT_NEAR(state.velocity.x()[1], std::cos(0.01 * frame), 5e-15) << frame;
+    }
+    EXPECT_LT(system.evaluations(), 400u);  // 1000 frames, not a step more than the motion asks for
+}
+
+TEST(Taylor, dense_frames_cost_nothing_and_show_the_same_motion) {
+    Simulation rare(chain(1e-9, 0.1)), dense(chain(1e-9, 0.0001));
+    rare.advance(200);
+    dense.advance(200000);
+    // a series or two more until the unit of time fits
+    EXPECT_LE(dense.evaluations(), rare.evaluations() + 3 * 19);
+    EXPECT_LT(distance(rare.frame(), dense.frame()), 1e-8);  // both within some times the tolerance
+    EXPECT_LT(chain_error(chain(1e-12, 0.0001), 20001), 1e-11);
+}
+
+/// Distance between runs of two tolerances, the scene everywhere smooth.
+double change_with_tolerance(RunDescription description, double coarse, std::uint64_t steps) {
+    description.method_parameters.set("tolerance", coarse);
+    const Frame a = frame_after(description, steps);
+    description.method_parameters.set("tolerance", 1e-15);
+    return distance(a, frame_after(description, steps));
+}
+
+TEST(Taylor, does_drag_gravity_meshes_and_morse) {
+    const std::pair<RunDescription, std::uint64_t> runs[] = {
+        {run_of("rope", "taylor", Precision::double_, 0.1), 10},
+        {run_of("chain", "taylor", Precision::double_, 0.1, {{"c", 0.3}, {"fixed", 0}}), 100},
+        {run_of("mesh", "taylor", Precision::double_, 0.5), 20},
+        {run_of("morse", "taylor", Precision::double_, 0.1, {{"spacing", 0.3}}), 10},
+        {run_of("free", "taylor", Precision::double_, 0.1), 100},
+    };
+    for (const auto& [description, steps] : runs) {
+        EXPECT_LT(change_with_tolerance(description, 1e-10, steps), 1e-7) << description.model;
+        RunDescription other = with_method(description, "kahan-li-8");
+        other.dt = description.dt / 128;
+        RunDescription fine = description;
+        fine.method_parameters.set("tolerance", 1e-13);
+        // order 8 at steps of 1/256 and less: below 1e-9 on these scenes, rounding of 2560 steps included
+        EXPECT_LT(distance(frame_after(fine, steps), frame_after(other, 128 * steps)), 1e-8) << description.model;
+    }
+}
+
+// Where pairs cross a cut-off the force jumps; steps end there. rk4 does not look and is of first order there: at a
+// thousandth of the step its error is below 1e-4.
+TEST(Taylor, ends_its_steps_where_pairs_cross_the_cut_off) {
+    const Settings settings = {{"spacing", 0.3}, {"cutoff", 0.8}};
+    EXPECT_LT(change_with_tolerance(run_of("morse", "taylor", Precision::double_, 0.1, settings), 1e-9, 5), 1e-6);
+    const Frame fine = frame_after(run_of("morse", "rk4", Precision::double_, 1e-4, settings), 5000);
+    EXPECT_LT(distance(frame_after(run_of("morse", "taylor", Precision::double_, 0.1, settings), 5), fine), 1e-4);
+}
+
+TEST(Taylor, with_drag_left_out_is_not_the_motion) {
+    RunDescription damped = run_of("chain", "taylor", Precision::double_, 0.1, {{"c", 0.3}});
+    RunDescription free = run_of("chain", "taylor", Precision::double_, 0.1, {{"c", 0.299}});
+    EXPECT_GT(distance(frame_after(damped, 50), frame_after(free, 50)), 1e-4);
+}
+
+TEST(Taylor, works_in_float) {
+    RunDescription description = chain(1e-6);
+    description.precision = Precision::float_;
+    // positions up to 18 as float holds them, and the tolerance over some 20 steps
+    EXPECT_LT(chain_error(description, 681), 1e-4);
+    RunDescription stiff = run_of("rope", "taylor", Precision::float_, 0.001, {{"k", 2e7}});
+    Simulation simulation(stiff);
+    simulation.advance(10);
+    EXPECT_FALSE(simulation.divergence());
+}
+
+TEST(Taylor, comes_back_to_the_same_bits) {
+    for (const char* id : {"chain", "rope", "mesh", "morse"}) {
+        Simulation simulation(run_of(id, "taylor", Precision::double_, 0.03));
+        simulation.advance(7);
+        const auto snapshot = simulation.save();
+        const Frame then = simulation.frame();
+        simulation.advance(11);
+        const std::string hash = simulation.hash();
+        simulation.restore(snapshot);
+        EXPECT_EQ(simulation.frame().positions, then.positions) << id;
+        simulation.advance(11);
+        EXPECT_EQ(simulation.hash(), hash) << id;
+    }
+}
+
+TEST(Taylor, counts_a_series_of_so_many_orders_as_so_many_evaluations) {
+    std::uint64_t evaluations = 0;
+    chain_at<double>(1e-9, 68.1, &evaluations);
+    EXPECT_EQ(evaluations % 19, 0u);  // x to order 20: accelerations to order 18, 19 of them
+    EXPECT_LT(evaluations, 1000u);
+}
+
+// A bullet so far away that its force is far below the tolerance: the step must not reach through the collision.
+TEST(Taylor, does_not_step_over_what_it_cannot_feel_yet) {
+    RunDescription description = run_of("morse", "taylor", Precision::double_, 1, {{"spacing", 0.3}, {"k", 5}});
+    EXPECT_LT(change_with_tolerance(description, 1e-8, 7), 1e-5);
+}
+
+TEST(Taylor, passes_through_a_head_on_collision_in_finite_time) {
+    RunDescription description = run_of("morse", "taylor", Precision::double_, 0.1);
+    Simulation simulation(description);
+    simulation.advance(15);  // particles pass through each other first at t = 0.94
+    EXPECT_FALSE(simulation.divergence());
+    EXPECT_LT(std::abs(simulation.diagnostics().energy_error), 1e-2);
+}
+
+// Two particles of a spring at one place: the force there is none, and a moment later it is all there.
+TEST(Taylor, begins_at_coincident_particles_with_a_short_step) {
+    System<double, Line<double>> system(
+        Line<double>({.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 1}), 0, 0.5);
+    State<double> state{Field<double>(2), Field<double>(2)};
+    state.displacement.x()[1] = -1;
+    state.velocity.x()[1] = 0.5;
+    Taylor::Integrator<double> integrator{ParameterValues(Taylor::parameters)};
+    integrator.start(system, state);
+    integrator.step(system);
+    integrator.synchronised(system, state);
+    // the first step is 1e-8 of a time unit, in which the force is not that of the formula
+    EXPECT_NEAR(state.displacement.x()[1], 0.5 * std::sin(0.5) - std::cos(0.5), 1e-7);
+}
+
+TEST(Taylor, refuses_more_pairs_than_memory_holds) {
+    try {
+        check(run_of("morse", "taylor", Precision::double_, 0.01, {{"edge", 20}}));
+        ADD_FAILURE();
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("taylor cannot run this scene: "));
+    }
+}
+
+}  // namespace
+}  // namespace steplab::test
