@@ -9,9 +9,10 @@
 
 namespace steplab {
 
-/// Calls f(k) for every place k in flat() that holds a particle's coordinate, padding left out.
+/// Calls f(k) for every place k in flat() that holds a particle's coordinate, padding left out. Inlined by order, so that
+/// what f keeps is kept in registers.
 template <class T, class F>
-void each_coordinate(const Field<T>& field, F f) {
+[[gnu::always_inline]] inline void each_coordinate(const Field<T>& field, F f) {
     const std::size_t stride = field.flat().size() / 3;
     for (std::size_t begin = 0; begin < 3 * stride; begin += stride) {
         for (std::size_t k = begin; k < begin + field.count(); ++k) f(k);
@@ -43,8 +44,10 @@ template <class T>
 class GaussStages {
 public:
     GaussStages() = default;
-    explicit GaussStages(std::size_t particles)
-        : x_(particles), f_(particles), fixed_(particles), weights_(T(0)), guess_(guess_columns(T(1), T(1))) {}
+    /// The iteration ends where an error of the stages of this size, relative to how far they are from the start, is
+    /// reached.
+    GaussStages(std::size_t particles, T error)
+        : error2_(error * error), x_(particles), f_(particles), fixed_(particles), gain_(particles), weights_(T(0)), guess_(guess_columns(T(1), T(1))) {}
 
     /// Forces f at the stages of an interval, eight numbers in a row for every coordinate: the first guess of those of
     /// another interval, which begins at `first` and is `ratio` times as long.
@@ -63,20 +66,23 @@ public:
         system.accelerations(x_, f_);
         const Sizes sizes = improve<true>(begin, h);
         T change = sizes.change, before = T(0);
-        for (std::size_t i = 1; i < most_iterations; ++i) {
+        for (iterations_ = 2; iterations_ <= most_iterations; ++iterations_) {
             system.accelerations(x_, f_);
-            if (settled(change, before, sizes)) return true;
+            if (settled(change, before, sizes)) return find_gains();
             before = change;
             change = improve<false>(begin, h).change;
         }
         return false;
     }
 
+    /// Evaluations of all stages that the last solve took.
+    std::size_t iterations() const { return iterations_; }
+
     /// To the end of the step.
     void advance(TwoPartState<T>& state, T h) const {
         const T loss = -weights_.kappa * weights_.end_reach, far = h * weights_.end_reach;
         each_coordinate(state.x, [&](std::size_t k) {
-            const Stages<T> gain = product(weights_.end, f_.flat()[k]);
+            const Stages<T>& gain = gain_.flat()[k];
             T &x = state.x.flat()[k], &v = state.v.flat()[k];
             T &lost_x = state.lost.x.flat()[k], &lost_v = state.lost.v.flat()[k];
             lost_x += far * lost_v + h * (h * gain[Weights::position_low]);
@@ -99,9 +105,8 @@ public:
     Spectrum spectrum() const {
         Stages<T> squares = T(0), ends = T(0);
         each_coordinate(f_, [&](std::size_t k) {
-            const Stages<T> f = f_.flat()[k], coefficients = product(weights_.end, f);
-            squares += f * f;
-            ends += coefficients * coefficients;
+            squares += f_.flat()[k] * f_.flat()[k];
+            ends += gain_.flat()[k] * gain_.flat()[k];
         });
         return {sum(squares) / T(stage_count), ends[Weights::coefficient_6], ends[Weights::coefficient_7]};
     }
@@ -147,46 +152,53 @@ private:
     /// part that stays, with what is below rounding.
     template <bool First>
     Sizes improve(const TwoPartState<T>& begin, T h) {
-        const Stages<T> h1 = h, reach = h1 * weights_.reach, h2 = Stages<T>(h * h);
-        Stages<T> change = T(0), stages = T(0);
-        T start = T(0);
+        const Stages<T> reach = Stages<T>(h) * weights_.reach, h2 = Stages<T>(h * h);
         const StageColumns<T> columns = weights_.stage;
+        const T* const start = begin.x.flat().data();
+        const Stages<T>* const f = f_.flat().data();
+        Stages<T> *const x = x_.flat().data(), *const fixed = fixed_.flat().data();
+        Stages<T> change = T(0), stages = T(0), starts = T(0);
         each_coordinate(begin.x, [&](std::size_t k) {
-            const Stages<T>& f = f_.flat()[k];
-            const T x = begin.x.flat()[k];
             if constexpr (First) {
-                const Stages<T> below = reach * Stages<T>(begin.lost.v.flat()[k]) + h2 * product(weights_.stage_low, f);
-                fixed_.flat()[k] =
-                    reach * Stages<T>(begin.v.flat()[k]) + (Stages<T>(begin.lost.x.flat()[k]) + below);
+                const Stages<T> below = reach * Stages<T>(begin.lost.v.flat()[k]) + h2 * product(weights_.stage_low, f[k]);
+                fixed[k] = reach * Stages<T>(begin.v.flat()[k]) + (Stages<T>(begin.lost.x.flat()[k]) + below);
             }
-            const Stages<T> moved = fixed_.flat()[k] + h2 * product(columns, f);
-            const Stages<T> next = Stages<T>(x) + moved, difference = next - x_.flat()[k];
-            x_.flat()[k] = next;
+            const Stages<T> moved = fixed[k] + h2 * product(columns, f[k]);
+            const Stages<T> next = Stages<T>(start[k]) + moved, difference = next - x[k];
+            x[k] = next;
             change += difference * difference;
             if constexpr (First) {
                 stages += moved * moved;
-                start += x * x;
+                starts += Stages<T>(start[k] * start[k]);
             }
         });
-        return {sum(change), First ? sum(stages) : T(0), T(stage_count) * start};
+        return {sum(change), sum(stages), sum(starts)};
     }
 
     /// True if another iteration would change nothing that matters: its change, told from the last two, is below the
-    /// rounding of the stages; or it is rounding alone, which falls no further.
-    static bool settled(T change, T before, const Sizes& sizes) {
-        constexpr T rounding = std::numeric_limits<T>::epsilon() / T(4), noise = rounding * T(256);
-        if (change <= rounding * rounding * sizes.stages) return true;
+    /// error; or what changes is rounding alone, which falls no further.
+    bool settled(T change, T before, const Sizes& sizes) const {
+        constexpr T noise = T(64) * std::numeric_limits<T>::epsilon();
+        if (change <= error2_ * sizes.stages) return true;
         if (before == T(0)) return false;
-        if (change < before) return change * (change / before) <= rounding * rounding * sizes.stages;
+        if (change < before) return change * (change / before) <= error2_ * sizes.stages;
         return change <= noise * noise * (sizes.stages + sizes.start);
+    }
+
+    bool find_gains() {
+        each_coordinate(f_, [&](std::size_t k) { gain_.flat()[k] = product(weights_.end, f_.flat()[k]); });
+        return true;
     }
 
     static T sum(const Stages<T>& lanes) {
         return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
     }
 
+    T error2_ = T(0);
+    std::size_t iterations_ = 0;
     Field<Stages<T>> x_, f_;
     Field<Stages<T>> fixed_;  ///< what of X - x0 does not depend on f, and what is below rounding
+    Field<Stages<T>> gain_;   ///< what f does to the end of the step
     Weights weights_{T(0)};
     T first_ = T(1), ratio_ = T(1);
     StageColumns<T> guess_;  ///< from known forces to h^-2 (X - x0)

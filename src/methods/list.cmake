@@ -13,5 +13,6 @@ set(STEPLAB_METHODS
     srkn-11b
     kahan-li-8
     euler-forward
+    gauss-16
     verlet-2008
     stoermer-2008)
