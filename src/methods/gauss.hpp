@@ -3,7 +3,7 @@
 #include "core/entry.hpp"
 #include "core/root.hpp"
 #include "methods/gauss_stages.hpp"
-#include "methods/inner_time.hpp"
+#include "methods/own_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +35,12 @@ public:
         known_ = GaussStages<T>::room_for_known(state.displacement);
         progress_ = {};
         progress_.last = progress_.next = system.dt();
-        start_forces(system);
-        if (tolerance_ > T(0)) progress_.next = first_step(system);
+        Field<T> a(end_.x.count());
+        system.accelerations(end_.x, a);
+        each_coordinate(a, [&](std::size_t k) {
+            std::fill_n(known_.flat().data() + stage_count * k, stage_count, a.flat()[k]);
+        });
+        if (tolerance_ > T(0)) progress_.next = T(2) * aim_ * time_scale(system, end_.x, end_.v, a);
     }
 
     template <class System>
@@ -83,22 +87,13 @@ private:
     /// Fewer iterations than this: pieces twice as long are tried next time.
     static constexpr std::size_t easy = 10;
     /// omega h / 2 at tolerance 1, and the longest that the iteration and the estimate are good for.
-    static constexpr double reach = 3.6, longest = 2.6;
+    static constexpr double reach = 4.6, longest = 2.9;
 
     /// Of the stages, relative: rounding, or well below the error allowed.
     T iteration_error() const {
         return std::max(std::numeric_limits<T>::epsilon() / T(4), tolerance_ * T(iteration_share));
     }
     static constexpr double iteration_share = 1e-3;
-
-    template <class System>
-    void start_forces(System& system) {
-        Field<T> a(end_.x.count());
-        system.accelerations(end_.x, a);
-        each_coordinate(a, [&](std::size_t k) {
-            std::fill_n(known_.flat().data() + stage_count * k, stage_count, a.flat()[k]);
-        });
-    }
 
     template <class System>
     void step_of_dt(System& system) {
@@ -144,9 +139,9 @@ private:
                 continue;
             }
             const T z = phase(stages_.spectrum());
-            const T factor = std::clamp(aim_ / z, T(0.25), T(4));
+            const T factor = step_factor(aim_, z);
             if (factor < T(0.94) || factor > T(1.06)) progress_.next = h * factor;  // an equal step is cheaper
-            if (factor < T(0.8)) continue;  // an error some thirty times too large
+            if (factor < T(smallest_accepted_factor)) continue;
             accept(h);
             progress_.time.inner_step(h);
             return;
@@ -163,31 +158,6 @@ private:
         const T part_7 = factor_7 * factor_7 * (spectrum.coefficient_7 / spectrum.force);
         if (!(part_6 + part_7 > T(0))) return smallest;
         return std::max({smallest, square_root(square_root(root(part_6, 3))), square_root(root(part_7, 7))});
-    }
-
-    /// 1 / omega along the motion from the start: omega^2 = |change of a| / |change of x| over a small time, found
-    /// again with that time itself.
-    template <class System>
-    T first_step(System& system) {
-        T h = system.dt() / T(1024);
-        for (int i = 0; i < 3; ++i) h = time_scale(system, h);
-        return T(2) * h * aim_;
-    }
-
-    template <class System>
-    T time_scale(System& system, T after) {
-        Field<T> x = end_.x, a(end_.x.count());
-        each_coordinate(x, [&](std::size_t k) {
-            x.flat()[k] += after * (end_.v.flat()[k] + after / T(2) * known_.flat()[stage_count * k]);
-        });
-        system.accelerations(x, a);
-        T moved = T(0), changed = T(0);
-        each_coordinate(x, [&](std::size_t k) {
-            const T dx = x.flat()[k] - end_.x.flat()[k], da = a.flat()[k] - known_.flat()[stage_count * k];
-            moved += dx * dx;
-            changed += da * da;
-        });
-        return changed > T(0) && moved > T(0) ? square_root(square_root(moved / changed)) : system.dt();
     }
 
     /// No step is short enough: never silently wrong.

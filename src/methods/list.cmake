@@ -14,5 +14,6 @@ set(STEPLAB_METHODS
     kahan-li-8
     euler-forward
     gauss-16
+    ias15
     verlet-2008
     stoermer-2008)
