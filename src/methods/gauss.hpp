@@ -37,9 +37,8 @@ public:
         progress_.last = progress_.next = system.dt();
         Field<T> a(end_.x.count());
         system.accelerations(end_.x, a);
-        each_coordinate(a, [&](std::size_t k) {
-            std::fill_n(known_.flat().data() + stage_count * k, stage_count, a.flat()[k]);
-        });
+        each_coordinate(
+            a, [&](std::size_t k) { std::fill_n(known_.flat().data() + stage_count * k, stage_count, a.flat()[k]); });
         if (tolerance_ > T(0)) progress_.next = T(2) * aim_ * time_scale(system, end_.x, end_.v, a);
     }
 
@@ -74,10 +73,10 @@ public:
     }
 
     struct Progress {
-        T last = T(0);          ///< length of the last step, to which the known forces belong
-        T next = T(0);          ///< of the next own step
-        int halvings = 0;       ///< a step of dt is taken in 2^halvings pieces
-        InnerTime<T> time;      ///< of own steps
+        T last = T(0);      ///< length of the last step, to which the known forces belong
+        T next = T(0);      ///< of the next own step
+        int halvings = 0;   ///< a step of dt is taken in 2^halvings pieces
+        InnerTime<T> time;  ///< of own steps
     };
     Progress progress() const { return progress_; }
     void progress(const Progress& saved) { progress_ = saved; }
@@ -161,9 +160,7 @@ private:
     }
 
     /// No step is short enough: never silently wrong.
-    void spoil() {
-        std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN());
-    }
+    void spoil() { std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN()); }
 
     T tolerance_;
     T aim_;                  ///< what z is kept at

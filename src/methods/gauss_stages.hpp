@@ -9,8 +9,8 @@
 
 namespace steplab {
 
-/// Calls f(k) for every place k in flat() that holds a particle's coordinate, padding left out. Inlined by order, so that
-/// what f keeps is kept in registers.
+/// Calls f(k) for every place k in flat() that holds a particle's coordinate, padding left out. Inlined by order, so
+/// that what f keeps is kept in registers.
 template <class T, class F>
 [[gnu::always_inline]] inline void each_coordinate(const Field<T>& field, F f) {
     const std::size_t stride = field.flat().size() / 3;
@@ -47,7 +47,13 @@ public:
     /// The iteration ends where an error of the stages of this size, relative to how far they are from the start, is
     /// reached.
     GaussStages(std::size_t particles, T error)
-        : error2_(error * error), x_(particles), f_(particles), fixed_(particles), gain_(particles), weights_(T(0)), guess_(guess_columns(T(1), T(1))) {}
+        : error2_(error * error),
+          x_(particles),
+          f_(particles),
+          fixed_(particles),
+          gain_(particles),
+          weights_(T(0)),
+          guess_(guess_columns(T(1), T(1))) {}
 
     /// Forces f at the stages of an interval, eight numbers in a row for every coordinate: the first guess of those of
     /// another interval, which begins at `first` and is `ratio` times as long.
@@ -62,6 +68,8 @@ public:
     template <class System>
     bool solve(System& system, const TwoPartState<T>& begin, T h, const Known& known) {
         prepare(system.drag() * h, known);
+        const auto length = static_cast<long double>(h);
+        square_low_ = static_cast<T>(length * length - static_cast<long double>(h * h));
         guess(begin, h, known.f);
         system.accelerations(x_, f_);
         const Sizes sizes = improve<true>(begin, h);
@@ -152,18 +160,16 @@ private:
     /// part that stays, with what is below rounding.
     template <bool First>
     Sizes improve(const TwoPartState<T>& begin, T h) {
-        const Stages<T> reach = Stages<T>(h) * weights_.reach, h2 = Stages<T>(h * h);
         const StageColumns<T> columns = weights_.stage;
+        const Stages<T> h1 = h, h2 = Stages<T>(h * h);
         const T* const start = begin.x.flat().data();
         const Stages<T>* const f = f_.flat().data();
-        Stages<T> *const x = x_.flat().data(), *const fixed = fixed_.flat().data();
+        Stages<T>*const x = x_.flat().data(), *const fixed = fixed_.flat().data();
         Stages<T> change = T(0), stages = T(0), starts = T(0);
         each_coordinate(begin.x, [&](std::size_t k) {
-            if constexpr (First) {
-                const Stages<T> below = reach * Stages<T>(begin.lost.v.flat()[k]) + h2 * product(weights_.stage_low, f[k]);
-                fixed[k] = reach * Stages<T>(begin.v.flat()[k]) + (Stages<T>(begin.lost.x.flat()[k]) + below);
-            }
-            const Stages<T> moved = fixed[k] + h2 * product(columns, f[k]);
+            const Stages<T> pull = product(columns, f[k]);
+            if constexpr (First) fixed[k] = fixed_part(begin, h1, k, pull);
+            const Stages<T> moved = fixed[k] + h2 * pull;
             const Stages<T> next = Stages<T>(start[k]) + moved, difference = next - x[k];
             x[k] = next;
             change += difference * difference;
@@ -173,6 +179,15 @@ private:
             }
         });
         return {sum(change), sum(stages), sum(starts)};
+    }
+
+    /// h A M 1 v0, and what is below rounding: of x0, of v0, of the weights, of h^2.
+    [[gnu::always_inline]] Stages<T> fixed_part(const TwoPartState<T>& begin, const Stages<T>& h, std::size_t k,
+                                                const Stages<T>& pull) const {
+        const Stages<T> v = begin.v.flat()[k], lost_v = begin.lost.v.flat()[k], lost_x = begin.lost.x.flat()[k];
+        const Stages<T> low = h * product(weights_.stage_low, f_.flat()[k]) + weights_.reach_low * v;
+        const Stages<T> below = h * (low + weights_.reach * lost_v) + Stages<T>(square_low_) * pull;
+        return h * (weights_.reach * v) + (lost_x + below);
     }
 
     /// True if another iteration would change nothing that matters: its change, told from the last two, is below the
@@ -195,6 +210,7 @@ private:
     }
 
     T error2_ = T(0);
+    T square_low_ = T(0);  ///< what rounding cuts off h^2
     std::size_t iterations_ = 0;
     Field<Stages<T>> x_, f_;
     Field<Stages<T>> fixed_;  ///< what of X - x0 does not depend on f, and what is below rounding

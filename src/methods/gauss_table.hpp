@@ -12,9 +12,9 @@ namespace steplab {
 struct GaussTable {
     using Row = std::array<long double, stage_count>;
 
-    Row c{};                             ///< nodes: the roots of the Legendre polynomial P_8
-    Row b{};                             ///< weights
-    std::array<Row, stage_count> a{};    ///< a[i][j] = integral of the j-th Lagrange polynomial from 0 to c_i
+    Row c{};                                  ///< nodes: the roots of the Legendre polynomial P_8
+    Row b{};                                  ///< weights
+    std::array<Row, stage_count> a{};         ///< a[i][j] = integral of the j-th Lagrange polynomial from 0 to c_i
     std::array<Row, stage_count> legendre{};  ///< legendre[k][j]: what f_j adds to the coefficient of P_k(2 s - 1) of f
 };
 
@@ -35,8 +35,8 @@ constexpr std::array<long double, stage_count + 1> legendre_polynomials(long dou
 /// (Hairer, Wanner, Solving Ordinary Differential Equations II, IV.5).
 constexpr GaussTable make_gauss_table() {
     constexpr std::array<long double, stage_count / 2> positive_roots{
-        0.18343464249564980493947614236018L, 0.52553240991632898581773904918925L,
-        0.79666647741362673959155393647583L, 0.96028985649753623168356086856947L};
+        0.18343464249564980493947614236018L, 0.52553240991632898581773904918925L, 0.79666647741362673959155393647583L,
+        0.96028985649753623168356086856947L};
     GaussTable table;
     std::array<std::array<long double, stage_count + 1>, stage_count> p{};
     for (std::size_t j = 0; j < stage_count; ++j) {

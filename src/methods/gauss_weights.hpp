@@ -24,7 +24,7 @@ N product(const std::array<N, stage_count>& columns, const Numbers& numbers) {
 /// M = (1 + kappa A)^-1 the stages and the end of a step of length h are
 ///     X  = x0 + h (A M 1 v0 + h A M A f),
 ///     x1 = x0 + h (b M 1 v0 + h b M A f),   v1 = v0 - kappa b M 1 v0 + h b M f.
-/// What rounding cuts off the weights of f is kept too ("low"): a method is symplectic only as far as its weights are
+/// What rounding cuts off the weights is kept too ("low"): a method is symplectic only as far as its weights are
 /// right, and an error of 1e-16 in them would add up over the steps.
 template <class T>
 struct GaussWeights {
@@ -32,10 +32,10 @@ struct GaussWeights {
     enum : std::size_t { velocity, position, velocity_low, position_low, coefficient_6, coefficient_7 };
 
     T kappa;
-    Stages<T> reach;                    ///< A M 1
-    StageColumns<T> stage, stage_low;   ///< A M A
-    T end_reach;                        ///< b M 1
-    StageColumns<T> end;                ///< b M, b M A, and what f's Legendre coefficients 6 and 7 are made of
+    Stages<T> reach, reach_low;        ///< A M 1
+    StageColumns<T> stage, stage_low;  ///< A M A
+    T end_reach;                       ///< b M 1
+    StageColumns<T> end;               ///< b M, b M A, and what f's Legendre coefficients 6 and 7 are made of
 
     explicit GaussWeights(T damping) : kappa(damping) {
         const auto [ma, m1] = solved(static_cast<long double>(damping));
@@ -49,6 +49,8 @@ struct GaussWeights {
             }
         }
         reach = in_lanes(lanes);
+        for (long double& weight : lanes) weight = rest(weight);
+        reach_low = in_lanes(lanes);
         end_reach = static_cast<T>(dot(gauss_table.b, m1));
         for (std::size_t j = 0; j < stage_count; ++j) {
             const long double x = dot(gauss_table.b, column(ma, j));

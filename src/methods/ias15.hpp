@@ -81,7 +81,7 @@ private:
     static constexpr int most_refused = 40;
     static constexpr int most_iterations = 16;
     /// omega h at tolerance 1, and the longest that the iteration is good for.
-    static constexpr double reach = 5.4, longest = 3.4;
+    static constexpr double reach = 6.2, longest = 4.4;
     /// Of the last coefficient, relative to the accelerations: rounding, or well below the error allowed.
     T iteration_error() const {
         return std::max(std::numeric_limits<T>::epsilon() / T(2), tolerance_ * T(iteration_share));
@@ -119,7 +119,8 @@ private:
         progress_.time.inner_step(h);
     }
 
-    /// First guess of b: the last step's polynomial carried on, corrected by what the last guess was off (eq. 13 to 15).
+    /// First guess of b: the last step's polynomial carried on, corrected by what the last guess was off (eq. 13 to
+    /// 15).
     void expect(T ratio) {
         std::array<T, terms> power;
         T p = T(1);
@@ -143,8 +144,7 @@ private:
             const T* const b = trial_[j].flat().data();
             elementwise(a_.flat().size(), [=, g = numbers(g_)](std::size_t k) {
                 T rest = b[k];
-                for (std::size_t i = j + 1; i < terms; ++i)
-                    rest -= static_cast<T>(Radau::from_newton[i][j]) * g[i][k];
+                for (std::size_t i = j + 1; i < terms; ++i) rest -= static_cast<T>(Radau::from_newton[i][j]) * g[i][k];
                 g[j][k] = rest;
             });
         }
@@ -239,15 +239,16 @@ private:
 
     void move_to(T h, T s) {
         const Weighted sum{weights_at(s).position, a_.flat().data(), numbers(std::as_const(trial_))};
-        const T *const x = end_.x.flat().data(), *const v = end_.v.flat().data(), *const lost = end_.lost.x.flat().data();
+        const T *const x = end_.x.flat().data(), *const v = end_.v.flat().data(),
+                       *const lost = end_.lost.x.flat().data();
         T* const out = x_.flat().data();
-        elementwise(a_.flat().size(),
-                    [=](std::size_t k) { out[k] = x[k] + (lost[k] + h * (s * v[k] + h * sum(k))); });
+        elementwise(a_.flat().size(), [=](std::size_t k) { out[k] = x[k] + (lost[k] + h * (s * v[k] + h * sum(k))); });
     }
 
     static void move(TwoPartState<T>& state, const Field<T>& a, const Terms& b, T h, T s) {
         const Weights at = weights_at(s);
-        const Weighted position{at.position, a.flat().data(), numbers(b)}, velocity{at.velocity, position.a, position.b};
+        const Weighted position{at.position, a.flat().data(), numbers(b)},
+            velocity{at.velocity, position.a, position.b};
         T *const x = state.x.flat().data(), *const v = state.v.flat().data();
         T *const lost_x = state.lost.x.flat().data(), *const lost_v = state.lost.v.flat().data();
         elementwise(a.flat().size(), [=](std::size_t k) {
@@ -287,11 +288,11 @@ private:
     }
 
     T tolerance_;
-    T aim_;                     ///< what omega h is kept at
-    TwoPartState<T> end_;       ///< of the last own step
-    TwoPartState<T> begin_;     ///< its beginning
-    Field<T> a_, begin_a_;      ///< accelerations there, drag included
-    Terms b_, expected_;        ///< of the last step, and what was expected of it
+    T aim_;                  ///< what omega h is kept at
+    TwoPartState<T> end_;    ///< of the last own step
+    TwoPartState<T> begin_;  ///< its beginning
+    Field<T> a_, begin_a_;   ///< accelerations there, drag included
+    Terms b_, expected_;     ///< of the last step, and what was expected of it
     Terms trial_, trial_expected_, g_;
     Field<T> x_, f_, last_a_;
     Progress progress_;

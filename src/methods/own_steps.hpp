@@ -13,8 +13,8 @@
 
 namespace steplab {
 
-/// Where the end of an adaptive method's last inner step lies, told from the frame that is to be shown, in two parts: it
-/// keeps its digits however many frames and steps there were.
+/// Where the end of an adaptive method's last inner step lies, told from the frame that is to be shown, in two parts:
+/// it keeps its digits however many frames and steps there were.
 template <class T>
 class InnerTime {
 public:

@@ -5,8 +5,8 @@
 
 namespace steplab {
 
-/// The Gauss-Radau rule of 8 nodes on [0, 1] whose first is 0, in the forms that the method of Everhart (in: Dynamics of
-/// Comets, 1985, 185; Rein, Spiegel, MNRAS 446 (2015) 1424) works with. The accelerations of a step are
+/// The Gauss-Radau rule of 8 nodes on [0, 1] whose first is 0, in the forms that the method of Everhart (in: Dynamics
+/// of Comets, 1985, 185; Rein, Spiegel, MNRAS 446 (2015) 1424) works with. The accelerations of a step are
 ///     a(s) = a0 + g_0 s + g_1 s (s - h_1) + ... + g_6 s (s - h_1) ... (s - h_6)      (Newton, eq. 5)
 ///          = a0 + b_0 s + b_1 s^2 + ... + b_6 s^7                                    (eq. 4)
 struct Radau {

@@ -58,7 +58,8 @@ private:
 //   void step(System&)                        one step of dt; an adaptive one takes steps of its own until dt is behind
 //   void synchronised(const System&, State<T>& out) const   x and v of one time, without changing anything
 //   static void each_part(self, f)             calls f(field) for every field of self's internal state
-//   Progress progress() const; void progress(const Progress&)   where its internal state is more than fields: plain data
+//   Progress progress() const; void progress(const Progress&)   where its internal state is more than fields: plain
+//   data
 // Everything else it holds is scratch: the internal state alone decides how the run goes on.
 
 }  // namespace steplab

@@ -83,8 +83,7 @@ private:
     template <class T>
     double spread(const Field<T>& positions) const {
         double farthest2 = 0;
-        for (std::size_t i = 0; i < made_at_.size(); ++i)
-            farthest2 = std::max(farthest2, farthest_lane2(positions, i));
+        for (std::size_t i = 0; i < made_at_.size(); ++i) farthest2 = std::max(farthest2, farthest_lane2(positions, i));
         return std::sqrt(farthest2);
     }
 
