@@ -61,18 +61,18 @@ double order_on_the_rope(Real drag) {
     return static_cast<double>(std::log2(apart(run(8), right) / apart(run(16), right)));
 }
 
-/// The same on x'' = -x against sin t, from 3 to 6 steps to t = 4.
+/// The same on x'' = -x against sin t, from 15 to 30 steps to t = 40.
 double order_on_the_oscillator(Real drag) {
     const LineForces forces{.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0};
     State<Real> start = at_rest<Real>(2);
     start.velocity.x()[1] = 1;
-    const Real rate = std::sqrt(1 - drag * drag / 4), right = std::exp(-2 * drag) * std::sin(4 * rate) / rate;
+    const Real rate = std::sqrt(1 - drag * drag / 4), right = std::exp(-20 * drag) * std::sin(40 * rate) / rate;
     const auto error = [&](std::size_t steps) {
         const auto end =
-            after<Gauss<Real>>(forces, start, drag, Real(4) / static_cast<Real>(steps), steps, with_tolerance(0));
+            after<Gauss<Real>>(forces, start, drag, Real(40) / static_cast<Real>(steps), steps, with_tolerance(0));
         return std::abs(end.displacement.x()[1] - right);
     };
-    return static_cast<double>(std::log2(error(3) / error(6)));
+    return static_cast<double>(std::log2(error(15) / error(30)));
 }
 
 // On the rope the error's next terms still count in steps of an eighth of a second, and nothing is left of it in
