@@ -141,7 +141,7 @@ private:
             const T factor = step_factor(aim_, z);
             if (factor < T(0.94) || factor > T(1.06)) progress_.next = h * factor;  // an equal step is cheaper
             if (factor < T(smallest_accepted_factor)) continue;
-            accept(h);
+            accept(h);  // from begin_ to end_: here one looks for collisions inside the step
             progress_.time.inner_step(h);
             return;
         }

@@ -112,7 +112,7 @@ private:
         std::swap(begin_a_, a_);
         std::swap(b_, trial_);
         std::swap(expected_, trial_expected_);
-        move(end_, begin_a_, b_, h, T(1));
+        move(end_, begin_a_, b_, h, T(1));  // from begin_ to end_: here one looks for collisions inside the step
         system.accelerations(end_.x, a_);
         add_drag(system.drag(), end_.v.flat().data(), a_);
         progress_.last = h;

@@ -267,8 +267,10 @@ std::pair<Field<N>, std::vector<Field<double>>> accelerations_at_stages(const Fo
 
 template <class Forces>
 void expect_the_same_bits(const Forces& forces, std::size_t particles) {
-    const auto [lanes, plain] = accelerations_at_stages<Stages<double>>(forces, particles);
-    const auto [arrays, same] = accelerations_at_stages<PlainLanes<double, stage_count>>(forces, particles);
+    const auto in_registers = accelerations_at_stages<Stages<double>>(forces, particles);
+    const auto& lanes = in_registers.first;
+    const auto& plain = in_registers.second;
+    const auto arrays = accelerations_at_stages<PlainLanes<double, stage_count>>(forces, particles).first;
     each_coordinate(lanes, [&](std::size_t k) {
         for (std::size_t stage = 0; stage < stage_count; ++stage) {
             EXPECT_EQ(lanes.flat()[k][stage], plain[stage].flat()[k]);
