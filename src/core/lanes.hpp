@@ -2,6 +2,7 @@
 
 #include "core/number.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -13,14 +14,18 @@ namespace steplab {
 namespace detail {
 
 // g++ drops the attribute where the element type is a template's parameter
-template <class T>
+template <class T, std::size_t Bytes>
 struct RegisterOf;
 template <>
-struct RegisterOf<float> {
+struct RegisterOf<float, 64> {
     using type = float __attribute__((vector_size(64)));
 };
 template <>
-struct RegisterOf<double> {
+struct RegisterOf<float, 32> {
+    using type = float __attribute__((vector_size(32)));
+};
+template <>
+struct RegisterOf<double, 64> {
     using type = double __attribute__((vector_size(64)));
 };
 
@@ -51,10 +56,15 @@ public:
     friend SingleLane operator-(SingleLane a, SingleLane b) { return a.number_ - b.number_; }
     friend SingleLane operator*(SingleLane a, SingleLane b) { return a.number_ * b.number_; }
     friend SingleLane operator/(SingleLane a, SingleLane b) { return a.number_ / b.number_; }
-    friend bool operator<(SingleLane a, SingleLane b) { return a.number_ < b.number_; }
-    friend bool operator>(SingleLane a, SingleLane b) { return a.number_ > b.number_; }
+    friend auto operator<(SingleLane a, SingleLane b) { return a.number_ < b.number_; }
+    friend auto operator>(SingleLane a, SingleLane b) { return a.number_ > b.number_; }
     friend SingleLane where(bool condition, SingleLane then, SingleLane otherwise) {
         return condition ? then : otherwise;
+    }
+    /// Of a number that has lanes itself.
+    template <class Mask>
+    friend SingleLane where(Mask condition, SingleLane then, SingleLane otherwise) {
+        return where(condition, then.number_, otherwise.number_);
     }
     friend SingleLane square_root(SingleLane x) { return square_root(x.number_); }
 
@@ -62,25 +72,31 @@ private:
     T number_;
 };
 
-/// So many numbers side by side as fill one widest vector register (64 bytes; the compiler splits it where registers
-/// are narrower): a number type for formulas, each lane computed exactly as a number by itself would be.
-template <class T>
+/// Numbers side by side in one vector register, by default as many as fill the widest (64 bytes; the compiler splits it
+/// where registers are narrower): a number type for formulas, each lane computed exactly as a number by itself would
+/// be.
+template <class T, std::size_t Count = 64 / sizeof(T)>
 class RegisterLanes {
 public:
-    static constexpr std::size_t count = 64 / sizeof(T);
-    using Register = typename detail::RegisterOf<T>::type;
+    static constexpr std::size_t count = Count;
+    using Register = typename detail::RegisterOf<T, Count * sizeof(T)>::type;
     /// All bits set in the lanes where a condition holds.
     using Mask = decltype(Register{} < Register{});
 
     RegisterLanes() = default;
     explicit(false) RegisterLanes(T number) : register_(number - Register{}) {}
+    template <class U>
+    requires std::is_arithmetic_v<U>
+    explicit RegisterLanes(U number) : RegisterLanes(static_cast<T>(number)) {}
     explicit RegisterLanes(Register lanes) : register_(lanes) {}
 
-    /// From and to memory that starts on a cache line.
+    /// From and to memory that is aligned as a register is (fields start on a cache line).
     static RegisterLanes load(const T* aligned) {
-        return RegisterLanes(*static_cast<const Register*>(__builtin_assume_aligned(aligned, 64)));
+        return RegisterLanes(*static_cast<const Register*>(__builtin_assume_aligned(aligned, sizeof(Register))));
     }
-    void store(T* aligned) const { *static_cast<Register*>(__builtin_assume_aligned(aligned, 64)) = register_; }
+    void store(T* aligned) const {
+        *static_cast<Register*>(__builtin_assume_aligned(aligned, sizeof(Register))) = register_;
+    }
 
     /// f(lane) in every lane.
     template <class F>
@@ -115,6 +131,9 @@ public:
     friend RegisterLanes operator/(RegisterLanes a, RegisterLanes b) {
         return RegisterLanes(a.register_ / b.register_);
     }
+    friend RegisterLanes operator-(RegisterLanes a) { return RegisterLanes(-a.register_); }
+    RegisterLanes& operator+=(RegisterLanes b) { return *this = *this + b; }
+    RegisterLanes& operator-=(RegisterLanes b) { return *this = *this - b; }
     friend Mask operator<(RegisterLanes a, RegisterLanes b) { return a.register_ < b.register_; }
     friend Mask operator>(RegisterLanes a, RegisterLanes b) { return a.register_ > b.register_; }
 
@@ -147,6 +166,68 @@ private:
     }
 
     Register register_;
+};
+
+/// The same without registers: for numbers that none holds, and to compare with.
+template <class T, std::size_t Count>
+class PlainLanes {
+public:
+    static constexpr std::size_t count = Count;
+    using Mask = std::array<bool, Count>;
+
+    PlainLanes() = default;
+    explicit(false) PlainLanes(T number) { numbers_.fill(number); }
+    template <class U>
+    requires std::is_arithmetic_v<U>
+    explicit PlainLanes(U number) : PlainLanes(static_cast<T>(number)) {}
+
+    static PlainLanes load(const T* from) {
+        return each([=](std::size_t lane) { return from[lane]; });
+    }
+    void store(T* to) const {
+        for (std::size_t lane = 0; lane < Count; ++lane) to[lane] = numbers_[lane];
+    }
+    T operator[](std::size_t lane) const { return numbers_[lane]; }
+
+    friend PlainLanes operator+(const PlainLanes& a, const PlainLanes& b) {
+        return each([&](std::size_t lane) { return a[lane] + b[lane]; });
+    }
+    friend PlainLanes operator-(const PlainLanes& a, const PlainLanes& b) {
+        return each([&](std::size_t lane) { return a[lane] - b[lane]; });
+    }
+    friend PlainLanes operator*(const PlainLanes& a, const PlainLanes& b) {
+        return each([&](std::size_t lane) { return a[lane] * b[lane]; });
+    }
+    friend PlainLanes operator/(const PlainLanes& a, const PlainLanes& b) {
+        return each([&](std::size_t lane) { return a[lane] / b[lane]; });
+    }
+    friend PlainLanes operator-(const PlainLanes& a) {
+        return each([&](std::size_t lane) { return -a[lane]; });
+    }
+    PlainLanes& operator+=(const PlainLanes& b) { return *this = *this + b; }
+    PlainLanes& operator-=(const PlainLanes& b) { return *this = *this - b; }
+    friend Mask operator<(const PlainLanes& a, const PlainLanes& b) { return b > a; }
+    friend Mask operator>(const PlainLanes& a, const PlainLanes& b) {
+        Mask mask{};
+        for (std::size_t lane = 0; lane < Count; ++lane) mask[lane] = a[lane] > b[lane];
+        return mask;
+    }
+    friend PlainLanes where(const Mask& condition, const PlainLanes& then, const PlainLanes& otherwise) {
+        return each([&](std::size_t lane) { return condition[lane] ? then[lane] : otherwise[lane]; });
+    }
+    friend PlainLanes square_root(const PlainLanes& x) {
+        return each([&](std::size_t lane) { return steplab::square_root(x[lane]); });
+    }
+
+private:
+    template <class F>
+    static PlainLanes each(F f) {
+        PlainLanes result;
+        for (std::size_t lane = 0; lane < Count; ++lane) result.numbers_[lane] = f(lane);
+        return result;
+    }
+
+    std::array<T, Count> numbers_;
 };
 
 /// The lanes of a number type.

@@ -19,5 +19,7 @@ set(STEPLAB_METHODS
     implicit-midpoint
     tr-bdf2
     taylor
+    gauss-16
+    ias15
     verlet-2008
     stoermer-2008)

@@ -16,7 +16,13 @@ template <class T>
 class Constant {
 public:
     explicit Constant(const ConstantForces& forces)
-        : count_(forces.count), mass_(forces.mass), step_(static_cast<T>(forces.step)) {}
+        : forces_(forces), count_(forces.count), mass_(forces.mass), step_(static_cast<T>(forces.step)) {}
+
+    /// The same forces in another number type.
+    template <class N>
+    Constant<N> in() const {
+        return Constant<N>(forces_);
+    }
 
     void accelerations(const Field<T>&, Field<T>& a) const {
         T* const ay = a.y();
@@ -48,6 +54,7 @@ public:
     void each_interaction(const Field<T>&, F) const {}
 
 private:
+    ConstantForces forces_;
     std::size_t count_;
     double mass_;
     T step_;

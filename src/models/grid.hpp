@@ -30,6 +30,12 @@ public:
         for (auto& buffer : pulls_) buffer.assign(3 * forces.dim, T(0));
     }
 
+    /// The same forces in another number type.
+    template <class N>
+    Grid<N> in() const {
+        return Grid<N>(forces_);
+    }
+
     void accelerations(const Field<T>& u, Field<T>& a) {
         const std::size_t dim = forces_.dim;
         southward_pulls(u, 0);

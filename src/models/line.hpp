@@ -24,7 +24,14 @@ public:
           first_moving_(forces.first_fixed ? 1 : 0),
           stiffness_(static_cast<T>(forces.k) / static_cast<T>(forces.mass)),
           length_(static_cast<T>(forces.rest_length)),
-          gravity_(static_cast<T>(forces.gravity)) {}
+          gravity_(static_cast<T>(forces.gravity)),
+          falls_(forces.gravity != 0) {}
+
+    /// The same forces in another number type.
+    template <class N>
+    Line<N> in() const {
+        return Line<N>(forces_);
+    }
 
     void accelerations(const Field<T>& u, Field<T>& a) const {
         const std::size_t springs = forces_.count - 1;
@@ -37,7 +44,7 @@ public:
             here = next;
             before = pull;
         }
-        if (gravity_ != T(0)) add_gravity(a);
+        if (falls_) add_gravity(a);
     }
 
     PotentialEnergy potential(const Field<T>& u) const {
@@ -47,7 +54,7 @@ public:
             const Vector<T> e{u.x()[i + 1] - u.x()[i], u.y()[i + 1] - u.y()[i], u.z()[i + 1] - u.z()[i]};
             springs.add(static_cast<double>(spring_energy(rest, length_, e)));
         }
-        if (gravity_ != T(0)) {
+        if (falls_) {
             for (std::size_t i = 0; i < forces_.count; ++i) heights.add(static_cast<double>(u.y()[i]));
         }
         const double elastic = forces_.k * springs.value();
@@ -137,6 +144,7 @@ private:
     T stiffness_;  ///< k / m
     T length_;
     T gravity_;
+    bool falls_;
 };
 
 }  // namespace steplab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/stages.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
@@ -20,12 +21,19 @@ template <class T>
 class NearPairs {
 public:
     explicit NearPairs(const NearPairForces& forces)
-        : count_(forces.count),
+        : forces_(forces),
+          count_(forces.count),
           morse_(morse_constants<T>(forces)),
           cutoff_(static_cast<T>(forces.cutoff)),
           shift_(morse_energy(morse_, cutoff_)),
           balance_(forces),
           neighbours_(forces.cutoff) {}
+
+    /// The same forces in another number type.
+    template <class N>
+    NearPairs<N> in() const {
+        return NearPairs<N>(forces_);
+    }
 
     void accelerations(const Field<T>& u, Field<T>& a) {
         neighbours_.follow(u);
@@ -34,8 +42,9 @@ public:
             Vector<T> sum{T(0), T(0), T(0)};
             for (const std::uint32_t j : neighbours_.of(i)) {
                 const Vector<T> d{x[i] - x[j], y[i] - y[j], z[i] - z[j]};
-                if (!(d.x * d.x + d.y * d.y + d.z * d.z < cutoff_ * cutoff_)) continue;
-                const Vector<T> pull = morse_pull(morse_, d);
+                const auto near = d.x * d.x + d.y * d.y + d.z * d.z < cutoff_ * cutoff_;
+                if (nowhere(near)) continue;
+                const Vector<T> pull = pull_where(near, d);
                 sum.x += pull.x;
                 sum.y += pull.y;
                 sum.z += pull.z;
@@ -101,6 +110,20 @@ public:
     }
 
 private:
+    static bool nowhere(bool near) { return !near; }
+    template <class Mask>
+    static bool nowhere(const Mask& near) {
+        return !any(near, T::count);
+    }
+
+    Vector<T> pull_where(bool, const Vector<T>& d) const { return morse_pull(morse_, d); }
+    template <class Mask>
+    Vector<T> pull_where(const Mask& near, const Vector<T>& d) const {
+        const Vector<T> pull = morse_pull(morse_, d);
+        return {where(near, pull.x, T(0)), where(near, pull.y, T(0)), where(near, pull.z, T(0))};
+    }
+
+    NearPairForces forces_;
     std::size_t count_;
     MorseConstants<T> morse_;
     T cutoff_;

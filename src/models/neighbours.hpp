@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/stages.hpp"
 #include "core/vec3.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,14 +16,19 @@ namespace steplab {
 /// (1967) 98). Reach is the cut-off and a skin, so that the list stays right until particles have moved half the skin.
 class Neighbours {
 public:
-    explicit Neighbours(double cutoff) : skin_(0.15 * cutoff), reach_(cutoff + skin_) {}
+    explicit Neighbours(double cutoff)
+        : cutoff_(cutoff), skin_(0.15 * cutoff), allowed_(0.45 * skin_), reach_(cutoff + skin_) {}
 
-    /// Renews the lists if a particle has moved too far since they were made.
+    /// Renews the lists if a particle has moved too far since they were made. Of numbers side by side, every lane is a
+    /// position that the lists must be right for: they reach further by what the lanes are apart.
     template <class T>
     void follow(const Field<T>& positions) {
         if (made_at_.size() == positions.count() && !moved_too_far(positions)) return;
         made_at_.resize(positions.count());
-        for (std::size_t i = 0; i < made_at_.size(); ++i) made_at_[i] = positions.at(i);
+        for (std::size_t i = 0; i < made_at_.size(); ++i) made_at_[i] = position(positions, i, lanes_of<T> / 2);
+        const double apart = lanes_of<T> > 1 ? spread(positions) : 0;
+        allowed_ = 0.45 * skin_ + apart;
+        reach_ = cutoff_ + skin_ + apart / 0.45;
         make_lists();
     }
 
@@ -36,19 +44,55 @@ private:
     };
 
     template <class T>
+    static constexpr std::size_t lanes_of = [] {
+        if constexpr (SideBySide<T>) return T::count;
+        return std::size_t{1};
+    }();
+
+    template <class T>
+    static Vec3 position(const Field<T>& positions, std::size_t i, std::size_t lane) {
+        if constexpr (SideBySide<T>) {
+            const auto number = [lane](const T& lanes) { return static_cast<double>(lanes[lane]); };
+            return {number(positions.x()[i]), number(positions.y()[i]), number(positions.z()[i])};
+        } else {
+            return positions.at(i);
+        }
+    }
+
+    template <class T>
     bool moved_too_far(const Field<T>& positions) const {
-        const double allowed = 0.45 * skin_;  // half the skin less what rounding may hide
         for (std::size_t i = 0; i < made_at_.size(); ++i) {
-            const Vec3 moved = positions.at(i) - made_at_[i];
-            if (!(dot(moved, moved) <= allowed * allowed)) return true;
+            if (!(farthest_lane2(positions, i) <= allowed_ * allowed_)) return true;
         }
         return false;
+    }
+
+    /// Square of the distance that a particle has, in its farthest lane, from where the lists were made.
+    template <class T>
+    double farthest_lane2(const Field<T>& positions, std::size_t i) const {
+        double farthest = 0;
+        for (std::size_t lane = 0; lane < lanes_of<T>; ++lane) {
+            const Vec3 moved = position(positions, i, lane) - made_at_[i];
+            const double distance2 = dot(moved, moved);
+            if (!(distance2 <= farthest)) farthest = distance2;
+        }
+        return farthest;
+    }
+
+    /// Largest distance of a lane from where the lists were made.
+    template <class T>
+    double spread(const Field<T>& positions) const {
+        double farthest2 = 0;
+        for (std::size_t i = 0; i < made_at_.size(); ++i) farthest2 = std::max(farthest2, farthest_lane2(positions, i));
+        return std::sqrt(farthest2);
     }
 
     void make_lists();
     void append_neighbours(std::size_t i, std::span<const Placed> placed);
 
+    double cutoff_;
     double skin_;
+    double allowed_;  ///< a particle may be that far from where it was: half the skin less what rounding may hide
     double reach_;
     std::vector<Vec3> made_at_;
     std::vector<std::uint32_t> list_;

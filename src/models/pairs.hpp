@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/stages.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
@@ -45,10 +46,20 @@ template <class T>
 class Pairs {
 public:
     explicit Pairs(const PairForces& forces)
-        : count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
+        : forces_(forces), count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
+
+    /// The same forces in another number type.
+    template <class N>
+    Pairs<N> in() const {
+        return Pairs<N>(forces_);
+    }
 
     void accelerations(const Field<T>& u, Field<T>& a) const {
-        for (std::size_t begin = 0; begin < count_; begin += lanes) accelerate_lanes(u, a, begin);
+        if constexpr (SideBySide<T>) {
+            accelerate_pairs(u, a);
+        } else {
+            for (std::size_t begin = 0; begin < count_; begin += lanes) accelerate_lanes(u, a, begin);
+        }
         balance_.take_off(a);
     }
 
@@ -121,6 +132,25 @@ private:
         std::copy_n(sz.data(), used, a.z() + begin);
     }
 
+    /// Numbers that fill registers by themselves: every pair once. The order of each particle's sum is the same.
+    void accelerate_pairs(const Field<T>& u, Field<T>& a) const {
+        std::fill(a.flat().begin(), a.flat().end(), T(0));
+        const T *const x = u.x(), *const y = u.y(), *const z = u.z();
+        T *const ax = a.x(), *const ay = a.y(), *const az = a.z();
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (std::size_t j = i + 1; j < count_; ++j) {
+                const Vector<T> pull = morse_pull(morse_, Vector<T>{x[i] - x[j], y[i] - y[j], z[i] - z[j]});
+                ax[i] += pull.x;
+                ay[i] += pull.y;
+                az[i] += pull.z;
+                ax[j] -= pull.x;
+                ay[j] -= pull.y;
+                az[j] -= pull.z;
+            }
+        }
+    }
+
+    PairForces forces_;
     std::size_t count_;
     MorseConstants<T> morse_;
     Balance<T> balance_;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/entry.hpp"
+#include "methods/gauss.hpp"
+
+namespace steplab {
+
+/// Gauss collocation of order 16 with its eight stages in the lanes of one register.
+struct Gauss16 {
+    static constexpr ParameterInfo parameters[] = {
+        {.name = "tolerance",
+         .kind = ParameterInfo::Kind::real,
+         .unit = "",
+         .minimum = 0,
+         .default_value = 0,
+         .what = "0: steps of dt; else error allowed, and the method chooses its steps",
+         .slider_high = 1e-2},
+    };
+
+    static constexpr MethodInfo info{
+        .id = "gauss-16",
+        .name = "Gauss 16",
+        .what = "Implicit, of order 16: right to the last digits at large dt, and keeps energy over any time.",
+        .order = 16,
+        .order_with_drag = 16,
+        .evaluations = 64,  // eight iterations of eight stages are usual
+        .start_evaluations = 1,
+        // The method itself is stable at any dt. Its iteration converges up to omega dt = 6.5 and a half step is taken
+        // beyond.
+        .linear_limit = infinity,
+        .symplectic = true,
+        .reversible = true,
+        .conserves = "momentum, angular momentum, energy within bounds",
+        .source = "Antoñana, Makazaga, Murua, arXiv:2511.03655; Butcher, Math. Comp. 18 (1964) 50",
+        .parameters = parameters,
+    };
+
+    template <class T>
+    using Integrator = Gauss<T>;
+};
+
+}  // namespace steplab

@@ -1,0 +1,174 @@
+#pragma once
+
+#include "core/entry.hpp"
+#include "core/root.hpp"
+#include "methods/gauss_stages.hpp"
+#include "methods/own_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace steplab {
+
+/// IRKGL16: the Gauss method of order 16 in steps of dt, or, if `tolerance` is not 0, in steps that it chooses.
+///
+/// Steps of dt: where the iteration does not converge a step is taken in two, four, ... equal pieces.
+///
+/// Own steps: the forces of a step are a polynomial in Legendre's form; if they vary as cos(omega t), its coefficient
+/// k is at most (2 k + 1) j_k(z) ~ z^k / (2 k - 1)!! of them, z = omega h / 2. The last two coefficients of all
+/// particles together so tell omega, and the error of order 16 is kept by keeping z at a size that goes with the 16th
+/// root of the tolerance.
+template <class T>
+class Gauss {
+public:
+    explicit Gauss(const ParameterValues& values)
+        : tolerance_(static_cast<T>(values["tolerance"])),
+          aim_(std::min(T(longest), T(reach) * root(tolerance_, 16))) {}
+
+    template <class System>
+    void start(System& system, const State<T>& state) {
+        end_ = TwoPartState<T>(state);
+        begin_ = end_;
+        stages_ = GaussStages<T>(state.displacement.count(), iteration_error());
+        known_ = GaussStages<T>::room_for_known(state.displacement);
+        progress_ = {};
+        progress_.last = progress_.next = system.dt();
+        Field<T> a(end_.x.count());
+        system.accelerations(end_.x, a);
+        each_coordinate(
+            a, [&](std::size_t k) { std::fill_n(known_.flat().data() + stage_count * k, stage_count, a.flat()[k]); });
+        if (tolerance_ > T(0)) progress_.next = T(2) * aim_ * time_scale(system, end_.x, end_.v, a);
+    }
+
+    template <class System>
+    void step(System& system) {
+        if (tolerance_ == T(0)) return step_of_dt(system);
+        progress_.time.next_frame(system.dt());
+        while (progress_.time.ahead() < 0) own_step(system);
+    }
+
+    /// Between the ends of an own step: a shorter step from its beginning, of full order.
+    template <class System>
+    void synchronised(const System& system, State<T>& out) const {
+        const T ahead = static_cast<T>(progress_.time.ahead());
+        TwoPartState<T> seen = ahead > T(0) ? begin_ : end_;
+        if (ahead > T(0)) {
+            System copy = system;
+            GaussStages<T> stages(seen.x.count(), iteration_error());
+            const T h = progress_.last - ahead;
+            stages.solve(copy, seen, h, {known_, T(0), h / progress_.last});
+            stages.advance(seen, h);
+        }
+        out.displacement = seen.x;
+        out.velocity = seen.v;
+    }
+
+    template <class Self, class F>
+    static void each_part(Self& self, F f) {
+        TwoPartState<T>::each_part(self.end_, f);
+        f(self.known_);
+        if (self.tolerance_ > T(0)) TwoPartState<T>::each_part(self.begin_, f);
+    }
+
+    struct Progress {
+        T last = T(0);      ///< length of the last step, to which the known forces belong
+        T next = T(0);      ///< of the next own step
+        int halvings = 0;   ///< a step of dt is taken in 2^halvings pieces
+        InnerTime<T> time;  ///< of own steps
+    };
+    Progress progress() const { return progress_; }
+    void progress(const Progress& saved) { progress_ = saved; }
+
+private:
+    static constexpr int most_halvings = 30;
+    /// Fewer iterations than this: pieces twice as long are tried next time.
+    static constexpr std::size_t easy = 10;
+    /// omega h / 2 at tolerance 1, and the longest that the iteration and the estimate are good for.
+    static constexpr double reach = 4.6, longest = 2.9;
+
+    /// Of the stages, relative: rounding, or well below the error allowed.
+    T iteration_error() const {
+        return std::max(std::numeric_limits<T>::epsilon() / T(4), tolerance_ * T(iteration_share));
+    }
+    static constexpr double iteration_share = 1e-3;
+
+    template <class System>
+    void step_of_dt(System& system) {
+        std::uint64_t pieces = std::uint64_t{1} << progress_.halvings;
+        std::size_t iterations = 0;
+        for (std::uint64_t i = 0; i < pieces;) {
+            const T h = system.dt() / static_cast<T>(pieces);
+            if (take(system, h)) {
+                iterations = std::max(iterations, stages_.iterations());
+                ++i;
+            } else if (progress_.halvings == most_halvings) {
+                return spoil();
+            } else {
+                ++progress_.halvings;
+                pieces *= 2;
+                i *= 2;
+            }
+        }
+        if (progress_.halvings > 0 && iterations < easy) --progress_.halvings;
+    }
+
+    /// One step of length h, unless its iteration does not converge.
+    template <class System>
+    bool take(System& system, T h) {
+        if (!stages_.solve(system, end_, h, {known_, T(1), h / progress_.last})) return false;
+        accept(h);
+        return true;
+    }
+
+    void accept(T h) {
+        stages_.advance(end_, h);
+        stages_.keep(known_);
+        progress_.last = h;
+    }
+
+    template <class System>
+    void own_step(System& system) {
+        begin_ = end_;
+        for (int refused = 0; refused < most_halvings; ++refused) {
+            const T h = progress_.next;
+            if (!stages_.solve(system, end_, h, {known_, T(1), h / progress_.last})) {
+                progress_.next = h / T(2);
+                continue;
+            }
+            const T z = phase(stages_.spectrum());
+            const T factor = step_factor(aim_, z);
+            if (factor < T(0.94) || factor > T(1.06)) progress_.next = h * factor;  // an equal step is cheaper
+            if (factor < T(smallest_accepted_factor)) continue;
+            accept(h);  // from begin_ to end_: here one looks for collisions inside the step
+            progress_.time.inner_step(h);
+            return;
+        }
+        spoil();
+        progress_.time.inner_step(system.dt());
+    }
+
+    /// z = omega h / 2 of the fastest motion.
+    static T phase(const typename GaussStages<T>::Spectrum& spectrum) {
+        constexpr T factor_6 = 10395, factor_7 = 135135;  // 11!!, 13!!
+        constexpr T smallest = T(1) / T(64);
+        const T part_6 = factor_6 * factor_6 * (spectrum.coefficient_6 / spectrum.force);
+        const T part_7 = factor_7 * factor_7 * (spectrum.coefficient_7 / spectrum.force);
+        if (!(part_6 + part_7 > T(0))) return smallest;
+        return std::max({smallest, square_root(square_root(root(part_6, 3))), square_root(root(part_7, 7))});
+    }
+
+    /// No step is short enough: never silently wrong.
+    void spoil() { std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN()); }
+
+    T tolerance_;
+    T aim_;                  ///< what z is kept at
+    TwoPartState<T> end_;    ///< of the last step
+    TwoPartState<T> begin_;  ///< of the last own step
+    Field<T> known_;         ///< forces at the stages of the last step
+    Progress progress_;
+    GaussStages<T> stages_;
+};
+
+}  // namespace steplab

@@ -1,0 +1,324 @@
+#pragma once
+
+#include "core/elementwise.hpp"
+#include "core/entry.hpp"
+#include "core/root.hpp"
+#include "methods/adaptive.hpp"
+#include "methods/gauss_stages.hpp"
+#include "methods/own_steps.hpp"
+#include "methods/radau.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace steplab {
+
+/// Gauss-Radau of order 15 with the steps chosen for the scene as a whole: the fastest motion in it, seen in the last
+/// coefficients of all accelerations together, covers a phase omega h that goes with the 15th root of the tolerance.
+template <class T>
+class GaussRadau {
+public:
+    explicit GaussRadau(const ParameterValues& values)
+        : tolerance_(static_cast<T>(values[tolerance_parameter.name])),
+          aim_(std::min(T(longest), T(reach) * root(tolerance_, 15))) {}
+
+    template <class System>
+    void start(System& system, const State<T>& state) {
+        end_ = TwoPartState<T>(state);
+        begin_ = end_;
+        const std::size_t count = end_.x.count();
+        for (Field<T>* field : {&a_, &begin_a_, &x_, &f_, &last_a_}) *field = Field<T>(count);
+        for (Terms* set : {&b_, &expected_, &trial_, &trial_expected_, &g_}) set->fill(Field<T>(count));
+        system.accelerations(end_.x, a_);
+        progress_ = {};
+        progress_.next = aim_ * time_scale(system, end_.x, end_.v, a_);
+        progress_.last = progress_.next;
+        add_drag(system.drag(), end_.v.flat().data(), a_);
+    }
+
+    template <class System>
+    void step(System& system) {
+        progress_.time.next_frame(system.dt());
+        while (progress_.time.ahead() < 0) own_step(system);
+    }
+
+    /// From the polynomial of the last own step.
+    template <class System>
+    void synchronised(const System&, State<T>& out) const {
+        const T ahead = static_cast<T>(progress_.time.ahead());
+        TwoPartState<T> seen = ahead > T(0) ? begin_ : end_;
+        if (ahead > T(0)) move(seen, begin_a_, b_, progress_.last, (progress_.last - ahead) / progress_.last);
+        out.displacement = seen.x;
+        out.velocity = seen.v;
+    }
+
+    template <class Self, class F>
+    static void each_part(Self& self, F f) {
+        TwoPartState<T>::each_part(self.end_, f);
+        TwoPartState<T>::each_part(self.begin_, f);
+        f(self.a_);
+        f(self.begin_a_);
+        for (auto& field : self.b_) f(field);
+        for (auto& field : self.expected_) f(field);
+    }
+
+    struct Progress {
+        T last = T(0);      ///< length of the last own step
+        T next = T(0);      ///< of the next one
+        InnerTime<T> time;  ///< of own steps
+    };
+    Progress progress() const { return progress_; }
+    void progress(const Progress& saved) { progress_ = saved; }
+
+private:
+    static constexpr std::size_t terms = Radau::terms;
+    using Terms = std::array<Field<T>, terms>;
+
+    static constexpr int most_refused = 40;
+    static constexpr int most_iterations = 16;
+    /// omega h at tolerance 1, and the longest that the iteration is good for.
+    static constexpr double reach = 6.2, longest = 4.4;
+    /// Of the last coefficient, relative to the accelerations: rounding, or well below the error allowed.
+    T iteration_error() const {
+        return std::max(std::numeric_limits<T>::epsilon() / T(2), tolerance_ * T(iteration_share));
+    }
+    static constexpr double iteration_share = 1e-2;
+
+    template <class System>
+    void own_step(System& system) {
+        for (int refused = 0; refused < most_refused; ++refused) {
+            const T h = progress_.next;
+            expect(h / progress_.last);
+            if (!converge(system, h)) {
+                progress_.next = h / T(2);
+                continue;
+            }
+            const T factor = step_factor(aim_, phase());
+            progress_.next = h * factor;
+            if (factor < T(smallest_accepted_factor)) continue;
+            return accept(system, h);
+        }
+        std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN());
+        progress_.time.inner_step(system.dt());
+    }
+
+    template <class System>
+    void accept(System& system, T h) {
+        begin_ = end_;
+        std::swap(begin_a_, a_);
+        std::swap(b_, trial_);
+        std::swap(expected_, trial_expected_);
+        move(end_, begin_a_, b_, h, T(1));  // from begin_ to end_: here one looks for collisions inside the step
+        system.accelerations(end_.x, a_);
+        add_drag(system.drag(), end_.v.flat().data(), a_);
+        progress_.last = h;
+        progress_.time.inner_step(h);
+    }
+
+    /// First guess of b: the last step's polynomial carried on, corrected by what the last guess was off (eq. 13 to
+    /// 15).
+    void expect(T ratio) {
+        std::array<T, terms> power;
+        T p = T(1);
+        for (T& value : power) value = p *= ratio;
+        for (std::size_t j = 0; j < terms; ++j) {
+            T *const expected = trial_expected_[j].flat().data(), *const b = trial_[j].flat().data();
+            const T *const last = b_[j].flat().data(), *const before = expected_[j].flat().data();
+            elementwise(a_.flat().size(), [=, factor = power[j], all = numbers(b_)](std::size_t k) {
+                T sum = T(0);
+                for (std::size_t i = j; i < terms; ++i) sum += static_cast<T>(Radau::shift[j][i]) * all[i][k];
+                expected[k] = factor * sum;
+                b[k] = expected[k] + (last[k] - before[k]);
+            });
+        }
+        newton_form();
+    }
+
+    /// g from b: b_j = sum over k of from_newton[k][j] g_k, solved from the last.
+    void newton_form() {
+        for (std::size_t j = terms; j-- > 0;) {
+            const T* const b = trial_[j].flat().data();
+            elementwise(a_.flat().size(), [=, g = numbers(g_)](std::size_t k) {
+                T rest = b[k];
+                for (std::size_t i = j + 1; i < terms; ++i) rest -= static_cast<T>(Radau::from_newton[i][j]) * g[i][k];
+                g[j][k] = rest;
+            });
+        }
+    }
+
+    /// Passes over the nodes until the last coefficient does not change; false if it does not settle.
+    template <class System>
+    bool converge(System& system, T h) {
+        const T error2 = iteration_error() * iteration_error();
+        constexpr T noise = T(64) * std::numeric_limits<T>::epsilon();
+        T before = T(0);
+        for (int i = 0; i < most_iterations; ++i) {
+            visit_first(system, h, std::make_index_sequence<terms - 1>{});
+            const T change = visit<terms - 1>(system, h);
+            const T forces = squares(a_) + squares(last_a_);
+            if (change <= error2 * forces) return true;
+            if (i > 1 && change >= before) return change <= noise * noise * forces;
+            if (i > 0 && change * (change / before) <= error2 * forces) return true;
+            before = change;
+        }
+        return false;
+    }
+
+    template <class System, std::size_t... N>
+    void visit_first(System& system, T h, std::index_sequence<N...>) {
+        (visit<N>(system, h), ...);
+    }
+
+    /// The accelerations at a node, and what they change in its coefficient g, squared.
+    template <std::size_t n, class System>
+    T visit(System& system, T h) {
+        const T s = static_cast<T>(Radau::nodes[n]);
+        move_to(h, s);
+        system.accelerations(x_, f_);
+        if (system.drag() != T(0)) add_drag_at(system.drag(), h, s);
+        T* const changes = x_.flat().data();
+        const T *const f = f_.flat().data(), *const a = a_.flat().data();
+        std::array<T, terms> gaps{}, weights{};
+        gaps[0] = T(1) / s;
+        for (std::size_t i = 0; i < n; ++i) gaps[i + 1] = static_cast<T>(1 / (Radau::nodes[n] - Radau::nodes[i]));
+        for (std::size_t j = 0; j <= n; ++j) weights[j] = static_cast<T>(Radau::from_newton[n][j]);
+        elementwise(a_.flat().size(), [=, g = numbers(g_), b = numbers(trial_)](std::size_t k) {
+            T newest = (f[k] - a[k]) * gaps[0];
+            for (std::size_t i = 0; i < n; ++i) newest = (newest - g[i][k]) * gaps[i + 1];
+            const T change = newest - g[n][k];
+            g[n][k] = newest;
+            for (std::size_t j = 0; j <= n; ++j) b[j][k] += weights[j] * change;
+            changes[k] = change;
+        });
+        if (n + 1 < terms) return T(0);
+        std::swap(last_a_, f_);
+        return squares(x_);
+    }
+
+    /// Moved by s of a step: eq. 9 and 10 without x0 and v0.
+    struct Weights {
+        std::array<T, terms + 1> position, velocity;
+    };
+    static Weights weights_at(T s) {
+        Weights at{};
+        T power = s;
+        for (std::size_t j = 0; j <= terms; ++j, power *= s) {
+            at.velocity[j] = power / static_cast<T>(j + 1);
+            at.position[j] = power * s / static_cast<T>((j + 1) * (j + 2));
+        }
+        return at;
+    }
+
+    /// weights[0] a + weights[1] b_0 + ..., the smallest first.
+    struct Weighted {
+        std::array<T, terms + 1> weights;
+        const T* a;
+        std::array<const T*, terms> b;
+
+        T operator()(std::size_t k) const {
+            T sum = weights[terms] * b[terms - 1][k];
+            for (std::size_t j = terms - 1; j > 0; --j) sum += weights[j] * b[j - 1][k];
+            return sum + weights[0] * a[k];
+        }
+    };
+
+    static std::array<T*, terms> numbers(Terms& fields) {
+        std::array<T*, terms> all;
+        std::transform(fields.begin(), fields.end(), all.begin(), [](Field<T>& f) { return f.flat().data(); });
+        return all;
+    }
+    static std::array<const T*, terms> numbers(const Terms& fields) {
+        std::array<const T*, terms> all;
+        std::transform(fields.begin(), fields.end(), all.begin(), [](const Field<T>& f) { return f.flat().data(); });
+        return all;
+    }
+
+    void move_to(T h, T s) {
+        const Weighted sum{weights_at(s).position, a_.flat().data(), numbers(std::as_const(trial_))};
+        const T *const x = end_.x.flat().data(), *const v = end_.v.flat().data(),
+                       *const lost = end_.lost.x.flat().data();
+        T* const out = x_.flat().data();
+        elementwise(a_.flat().size(), [=](std::size_t k) { out[k] = x[k] + (lost[k] + h * (s * v[k] + h * sum(k))); });
+    }
+
+    static void move(TwoPartState<T>& state, const Field<T>& a, const Terms& b, T h, T s) {
+        const Weights at = weights_at(s);
+        const Weighted position{at.position, a.flat().data(), numbers(b)},
+            velocity{at.velocity, position.a, position.b};
+        T *const x = state.x.flat().data(), *const v = state.v.flat().data();
+        T *const lost_x = state.lost.x.flat().data(), *const lost_v = state.lost.v.flat().data();
+        elementwise(a.flat().size(), [=](std::size_t k) {
+            lost_x[k] += s * h * lost_v[k];
+            add_compensated(x[k], lost_x[k], h * (s * v[k] + h * position(k)));
+            add_compensated(v[k], lost_v[k], h * velocity(k));
+        });
+    }
+
+    static void add_drag(T drag, const T* v, Field<T>& a) {
+        if (drag == T(0)) return;
+        T* const out = a.flat().data();
+        elementwise(a.flat().size(), [=](std::size_t k) { out[k] -= drag * v[k]; });
+    }
+
+    void add_drag_at(T drag, T h, T s) {
+        const Weighted sum{weights_at(s).velocity, a_.flat().data(), numbers(std::as_const(trial_))};
+        const T* const v = end_.v.flat().data();
+        T* const out = f_.flat().data();
+        elementwise(a_.flat().size(), [=](std::size_t k) { out[k] -= drag * (v[k] + h * sum(k)); });
+    }
+
+    /// omega h of the fastest motion: a motion cos(omega t) has b_6 = (omega h)^7 / 7! and b_5 = (omega h)^6 / 6! of a.
+    T phase() const {
+        constexpr T factor_5 = 720, factor_6 = 5040, smallest = T(1) / T(64);
+        const T forces = (squares(a_) + squares(last_a_)) / T(2);
+        const T part_5 = factor_5 * factor_5 * (squares(trial_[5]) / forces);
+        const T part_6 = factor_6 * factor_6 * (squares(trial_[6]) / forces);
+        if (!(part_5 + part_6 > T(0))) return smallest;
+        return std::max({smallest, square_root(square_root(root(part_5, 3))), square_root(root(part_6, 7))});
+    }
+
+    static T squares(const Field<T>& field) {
+        T sum = T(0);
+        for (const T number : field.flat()) sum += number * number;
+        return sum;
+    }
+
+    T tolerance_;
+    T aim_;                  ///< what omega h is kept at
+    TwoPartState<T> end_;    ///< of the last own step
+    TwoPartState<T> begin_;  ///< its beginning
+    Field<T> a_, begin_a_;   ///< accelerations there, drag included
+    Terms b_, expected_;     ///< of the last step, and what was expected of it
+    Terms trial_, trial_expected_, g_;
+    Field<T> x_, f_, last_a_;
+    Progress progress_;
+};
+
+/// IAS15, with a step rule of the scene as a whole.
+struct Ias15 {
+    static constexpr ParameterInfo parameters[] = {tolerance_parameter};
+
+    static constexpr MethodInfo info{
+        .id = "ias15",
+        .name = "IAS15",
+        .what = "Gauss-Radau of order 15 that chooses its steps: right to the last digits, for small scenes.",
+        .order = 15,
+        .order_with_drag = 15,
+        .evaluations = 15,  // two passes over seven nodes are usual
+        .start_evaluations = 1,
+        .linear_limit = infinity,  // the step follows the motion
+        .adaptive = true,
+        .conserves = "momentum",
+        .source = "Rein, Spiegel, MNRAS 446 (2015) 1424; Everhart, in Dynamics of Comets (1985) 185",
+        .parameters = parameters,
+    };
+
+    template <class T>
+    using Integrator = GaussRadau<T>;
+};
+
+}  // namespace steplab

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace steplab {
+
+/// The Gauss-Radau rule of 8 nodes on [0, 1] whose first is 0, in the forms that the method of Everhart (in: Dynamics
+/// of Comets, 1985, 185; Rein, Spiegel, MNRAS 446 (2015) 1424) works with. The accelerations of a step are
+///     a(s) = a0 + g_0 s + g_1 s (s - h_1) + ... + g_6 s (s - h_1) ... (s - h_6)      (Newton, eq. 5)
+///          = a0 + b_0 s + b_1 s^2 + ... + b_6 s^7                                    (eq. 4)
+struct Radau {
+    static constexpr std::size_t terms = 7;
+
+    /// The nodes after 0: roots of P_7 + P_8 on [-1, 1] but for -1, carried to [0, 1].
+    static constexpr std::array<long double, terms> nodes{
+        0.056262560536922146465652191032311L, 0.18024069173689236498757994280918L, 0.35262471711316963737390777017124L,
+        0.54715362633055538300144855765235L,  0.73421017721541053152321060830661L, 0.88532094683909576809035976293249L,
+        0.97752061356128750189117450042915L};
+
+    /// from_newton[k][j]: what g_k adds to b_j.
+    static constexpr auto from_newton = [] {
+        std::array<std::array<long double, terms>, terms> c{};
+        c[0][0] = 1;
+        for (std::size_t k = 1; k < terms; ++k) {
+            for (std::size_t j = 0; j <= k; ++j) {
+                c[k][j] = (j > 0 ? c[k - 1][j - 1] : 0) - nodes[k - 1] * c[k - 1][j];
+            }
+        }
+        return c;
+    }();
+
+    /// shift[j][k]: what b_k adds to b_j of the same polynomial told from s = 1, (k + 1 over j + 1).
+    static constexpr auto shift = [] {
+        std::array<std::array<long double, terms>, terms> binomial{};
+        for (std::size_t k = 0; k < terms; ++k) {
+            long double value = static_cast<long double>(k + 1);
+            for (std::size_t j = 0; j <= k; ++j) {
+                binomial[j][k] = value;
+                value = value * static_cast<long double>(k - j) / static_cast<long double>(j + 2);
+            }
+        }
+        return binomial;
+    }();
+};
+
+}  // namespace steplab

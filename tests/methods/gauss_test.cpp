@@ -1,0 +1,339 @@
+#include "core/sum.hpp"
+#include "methods/gauss-16.hpp"
+#include "methods/rk4.hpp"
+#include "methods/system.hpp"
+#include "models/layouts.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+ParameterValues with_tolerance(double tolerance) {
+    ParameterValues values(Gauss16::info.parameters);
+    values.set("tolerance", tolerance);
+    return values;
+}
+
+/// A soft rope that falls from the level: everything moves, nothing is linear.
+constexpr LineForces rope{.count = 5, .first_fixed = true, .mass = 1, .k = 20, .rest_length = 0.5, .gravity = 9.81};
+
+template <class T>
+State<T> at_rest(std::size_t particles) {
+    return {Field<T>(particles), Field<T>(particles)};
+}
+
+template <class T>
+T apart(const State<T>& a, const State<T>& b) {
+    T largest = 0;
+    for (std::size_t k = 0; k < a.displacement.flat().size(); ++k)
+        largest = std::max(largest, std::abs(a.displacement.flat()[k] - b.displacement.flat()[k]));
+    return largest;
+}
+
+/// The state after so many steps of dt from `state`.
+template <class Integrator, class T, class Forces>
+State<T> after(const Forces& forces, State<T> state, T drag, T dt, std::size_t steps, const ParameterValues& values) {
+    System system(engine<T>(forces), drag, dt);
+    Integrator integrator(values);
+    integrator.start(system, state);
+    for (std::size_t i = 0; i < steps; ++i) integrator.step(system);
+    integrator.synchronised(system, state);
+    return state;
+}
+
+using Real = long double;
+
+/// The order that going from 8 to 16 steps for two seconds shows: errors of 1e-11 and 1e-16, far above rounding. The
+/// reference, 64 steps of the method itself, is right to its rounding.
+double order_on_the_rope(Real drag) {
+    const auto run = [&](std::size_t steps) {
+        return after<Gauss<Real>>(rope, at_rest<Real>(5), drag, Real(2) / static_cast<Real>(steps), steps,
+                                  with_tolerance(0));
+    };
+    const State<Real> right = run(64);
+    return static_cast<double>(std::log2(apart(run(8), right) / apart(run(16), right)));
+}
+
+/// The same on x'' = -x against sin t, from 15 to 30 steps to t = 40.
+double order_on_the_oscillator(Real drag) {
+    const LineForces forces{.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0};
+    State<Real> start = at_rest<Real>(2);
+    start.velocity.x()[1] = 1;
+    const Real rate = std::sqrt(1 - drag * drag / 4), right = std::exp(-20 * drag) * std::sin(40 * rate) / rate;
+    const auto error = [&](std::size_t steps) {
+        const auto end =
+            after<Gauss<Real>>(forces, start, drag, Real(40) / static_cast<Real>(steps), steps, with_tolerance(0));
+        return std::abs(end.displacement.x()[1] - right);
+    };
+    return static_cast<double>(std::log2(error(15) / error(30)));
+}
+
+// On the rope the error's next terms still count in steps of an eighth of a second, and nothing is left of it in
+// shorter ones: within 1. On the oscillator they are (omega dt)^2 / 100 of it: within 0.2.
+TEST(Gauss16Order, is_16_with_and_without_drag) {
+    for (const Real drag : {0.0L, 0.3L}) {
+        EXPECT_NEAR(order_on_the_oscillator(drag), 16, 0.2) << static_cast<double>(drag);
+        EXPECT_NEAR(order_on_the_rope(drag), 16, 1) << static_cast<double>(drag);
+    }
+    EXPECT_NEAR(order_on_the_rope(5), 16, 1);
+}
+
+// The reference by a method of another family: kahan-li-8 in long double would do; rk4 at 20000 steps is right to
+// 1e-13.
+TEST(Gauss16Order, converges_to_what_another_method_finds) {
+    for (const Real drag : {0.0L, 0.3L, 5.0L}) {
+        const auto mine = after<Gauss<Real>>(rope, at_rest<Real>(5), drag, Real(0.5) / 16, 16, with_tolerance(0));
+        const auto other = after<RungeKutta<Real, Rk4>>(rope, at_rest<Real>(5), drag, Real(0.5) / 20000, 20000,
+                                                        ParameterValues(Rk4::info.parameters));
+        EXPECT_LT(apart(mine, other), 1e-12L) << static_cast<double>(drag);
+    }
+}
+
+// Gauss is symmetric: what is left after 100 steps there and 100 back is the rounding of sums kept in two parts, a few
+// ulp of displacements of 10. rk4 comes back to its own error.
+TEST(Gauss16, returns_to_its_start) {
+    const LineForces chain{.count = 10, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 2};
+    const auto off = [&]<class Integrator>(const ParameterValues& values) {
+        State<double> start = at_rest<double>(10);
+        start.displacement.set(9, {1, 0, 0});  // along the chain: it does not magnify errors
+        State<double> state = after<Integrator>(chain, start, 0.0, 0.5, 100, values);
+        for (double& v : state.velocity.flat()) v = -v;
+        return apart(after<Integrator>(chain, state, 0.0, 0.5, 100, values), start);
+    };
+    EXPECT_LT((off.operator()<Gauss<double>>(with_tolerance(0))), 2e-13);
+    EXPECT_GT((off.operator()<RungeKutta<double, Rk4>>(ParameterValues(Rk4::info.parameters))), 1e-6);
+}
+
+/// How the energy of an oscillator changes from the first to the last tenth of a long run, in the mean.
+/// After every step the state is multiplied with 1 + spoil.
+template <class Integrator>
+double energy_change(std::size_t periods, double dt, double spoil, const ParameterValues& values) {
+    const LineForces forces{.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0};
+    System system(engine<double>(forces), 0.0, dt);
+    State<double> state = at_rest<double>(2);
+    state.velocity.set(1, {1, 0, 0});
+    Integrator integrator(values);
+    integrator.start(system, state);
+    const auto steps = static_cast<std::size_t>(static_cast<double>(periods) * 6.283185307179586 / dt);
+    CompensatedSum first, last;
+    std::size_t in_first = 0, in_last = 0;
+    for (std::size_t i = 0; i < steps; ++i) {
+        integrator.step(system);
+        if (spoil != 0) Integrator::each_part(integrator, [&](Field<double>& part) { part.flat()[1] *= 1 + spoil; });
+        if (i >= steps / 10 && i < steps - steps / 10) continue;
+        integrator.synchronised(system, state);
+        const double x = state.displacement.x()[1], v = state.velocity.x()[1], error = (x * x + v * v) / 2 - 0.5;
+        (i < steps / 10 ? first : last).add(error);
+        ++(i < steps / 10 ? in_first : in_last);
+    }
+    return last.value() / static_cast<double>(in_last) - first.value() / static_cast<double>(in_first);
+}
+
+// 10^5 periods of the oscillator in 0.63 10^6 steps. The weights are right to 1e-19, some 1e-18 of the energy a step:
+// at most 1e-12 in so many. The partners: a state off by an ulp a step is seen; rk4 at a hundredth of the time loses
+// all.
+TEST(Gauss16, energy_has_no_trend_over_100000_periods) {
+    const double kept = energy_change<Gauss<double>>(100000, 1.0, 0, with_tolerance(0));
+    EXPECT_LT(std::abs(kept), 2e-12);
+    EXPECT_GT(std::abs(energy_change<Gauss<double>>(100000, 1.0, 2.3e-16, with_tolerance(0))), 2e-11);
+    const ParameterValues none(Rk4::info.parameters);
+    EXPECT_GT(std::abs((energy_change<RungeKutta<double, Rk4>>(1000, 0.1, 0, none))), 1e-5);
+}
+
+/// Error at t = 68.1 of the chain of 10, which the catalogue knows exactly.
+double chain_error(std::uint64_t steps, double tolerance, Precision precision = Precision::double_) {
+    RunDescription description = run_of("chain", "gauss-16", precision, 68.1 / static_cast<double>(steps));
+    description.method_parameters.set("tolerance", tolerance);
+    Simulation simulation(description);
+    simulation.advance(steps);
+    return simulation.diagnostics().error.value();
+}
+
+// The frame's positions stand near 38, where an ulp is 7e-15: the diagnostics' error contains half of that.
+TEST(Gauss16, chain_is_right_to_the_last_digits) {
+    EXPECT_LT(chain_error(100, 0), 1e-14);
+    EXPECT_GT(chain_error(40, 0), 1e-12);
+}
+
+TEST(Gauss16, float_is_right_to_its_digits) {
+    EXPECT_LT(chain_error(100, 0, Precision::float_), 1e-5);  // half an ulp of 38 is 2e-6
+    EXPECT_LT(chain_error(681, 1e-5, Precision::float_), 2e-5);
+}
+
+// In proportion within a factor 30 of the middle of what is seen, and never above the tolerance. 1 frame and 681.
+TEST(Gauss16, error_follows_the_tolerance) {
+    for (double tolerance = 1e-3; tolerance > 0.9e-12; tolerance /= 10) {
+        for (const std::uint64_t frames : {1u, 681u}) {
+            const double error = chain_error(frames, tolerance);
+            EXPECT_LT(error, tolerance) << tolerance;
+            EXPECT_GT(error, tolerance / 900) << tolerance;
+        }
+    }
+    EXPECT_GT(chain_error(1, 1e-3), 1e3 * chain_error(1, 1e-8));  // a step that no tolerance changes would not
+}
+
+TEST(Gauss16, dense_frames_cost_nothing_and_looking_changes_nothing) {
+    const auto run = [](std::uint64_t frames, bool look) {
+        RunDescription description =
+            run_of("chain", "gauss-16", Precision::double_, 64.0 / static_cast<double>(frames));
+        description.method_parameters.set("tolerance", 1e-9);
+        Simulation simulation(description);
+        for (std::uint64_t i = 0; i < frames; ++i) {
+            simulation.advance(1);
+            if (look) (void)simulation.frame();
+        }
+        return std::pair(simulation.frame(), simulation.evaluations());
+    };
+    const auto [plain, evaluations] = run(512, false);
+    const auto [seen, evaluations_seen] = run(512, true);
+    EXPECT_EQ(distance(plain, seen), 0);
+    EXPECT_EQ(evaluations, evaluations_seen);
+    EXPECT_LT(run(65536, false).second, evaluations * 11 / 10);  // other first steps, at most
+}
+
+/// All fields of an integrator's internal state.
+template <class Integrator>
+std::vector<Field<double>> parts(Integrator& integrator) {
+    std::vector<Field<double>> all;
+    Integrator::each_part(integrator, [&](const Field<double>& part) { all.push_back(part); });
+    return all;
+}
+
+// What is saved alone decides how a run goes on: another integrator takes it over and makes the same bits.
+TEST(Gauss16, saved_state_goes_on_with_the_same_bits) {
+    for (const double tolerance : {0.0, 1e-8}) {
+        System system(engine<double>(rope), 0.3, 0.07), other(engine<double>(rope), 0.3, 0.07);
+        Gauss<double> first(with_tolerance(tolerance)), second(with_tolerance(tolerance));
+        first.start(system, at_rest<double>(5));
+        for (int i = 0; i < 20; ++i) first.step(system);
+        State<double> elsewhere = at_rest<double>(5);
+        elsewhere.velocity.set(2, {1, 1, 1});
+        second.start(other, elsewhere);
+        for (int i = 0; i < 3; ++i) second.step(other);
+        const auto all = parts(first);
+        auto saved = all.begin();
+        Gauss<double>::each_part(second, [&](Field<double>& part) { part = *saved++; });
+        second.progress(first.progress());
+        for (int i = 0; i < 20; ++i) {
+            first.step(system);
+            second.step(other);
+        }
+        State<double> a, b;
+        first.synchronised(system, a);
+        second.synchronised(other, b);
+        EXPECT_EQ(apart(a, b), 0) << tolerance;
+    }
+}
+
+// omega dt = 40 and 400: the iteration does not converge, pieces of the step do. Nothing is silently wrong.
+TEST(Gauss16, steps_too_long_for_the_iteration_are_taken_in_pieces) {
+    for (const double dt : {40.0, 400.0}) {
+        Simulation simulation(run_of("oscillator", "gauss-16", Precision::double_, dt));
+        simulation.advance(10);
+        EXPECT_LT(simulation.diagnostics().error.value(), 1e-2) << dt;  // pieces of omega h = 6 over 4000
+        EXPECT_FALSE(simulation.divergence());
+    }
+}
+
+/// Every layout of forces at scattered positions, in this lanes type; and in plain numbers, stage by stage.
+template <class N, class Forces>
+std::pair<Field<N>, std::vector<Field<double>>> accelerations_at_stages(const Forces& forces, std::size_t particles) {
+    Field<N> x(particles), a(particles);
+    std::vector<Field<double>> plain;
+    for (std::size_t stage = 0; stage < stage_count; ++stage) {
+        Field<double> positions(particles), accelerations(particles);
+        each_coordinate(positions, [&](std::size_t k) {
+            positions.flat()[k] = static_cast<double>((k * 37 + stage * 11) % 101) / 29 + static_cast<double>(k) / 7;
+        });
+        engine<double>(forces).accelerations(positions, accelerations);
+        plain.push_back(accelerations);
+    }
+    each_coordinate(x, [&](std::size_t k) {
+        alignas(64) double numbers[stage_count];
+        for (std::size_t stage = 0; stage < stage_count; ++stage)
+            numbers[stage] = static_cast<double>((k * 37 + stage * 11) % 101) / 29 + static_cast<double>(k) / 7;
+        x.flat()[k] = N::load(numbers);
+    });
+    engine<double>(forces).template in<N>().accelerations(x, a);
+    return {a, plain};
+}
+
+template <class Forces>
+void expect_the_same_bits(const Forces& forces, std::size_t particles) {
+    const auto in_registers = accelerations_at_stages<Stages<double>>(forces, particles);
+    const auto& lanes = in_registers.first;
+    const auto& plain = in_registers.second;
+    const auto arrays = accelerations_at_stages<PlainLanes<double, stage_count>>(forces, particles).first;
+    each_coordinate(lanes, [&](std::size_t k) {
+        for (std::size_t stage = 0; stage < stage_count; ++stage) {
+            EXPECT_EQ(lanes.flat()[k][stage], plain[stage].flat()[k]);
+            EXPECT_EQ(arrays.flat()[k][stage], plain[stage].flat()[k]);
+        }
+    });
+}
+
+TEST(StageLanes, give_the_bits_of_plain_numbers_in_every_layout) {
+    expect_the_same_bits(ConstantForces{.count = 6}, 6);
+    expect_the_same_bits(rope, 5);
+    expect_the_same_bits(LineForces{.count = 19, .first_fixed = false, .mass = 2, .k = 3, .rest_length = 1}, 19);
+    expect_the_same_bits(GridForces{.dim = 4, .mass = 2, .k = 3, .rest_length = 1}, 16);
+    expect_the_same_bits(PairForces{.count = 7}, 7);
+    NearPairForces near;
+    near.count = 20;
+    near.cutoff = 3;
+    expect_the_same_bits(near, 20);
+}
+
+// The sums of a step have one order whatever the registers: products by lanes and by plain loops.
+TEST(StageLanes, products_do_not_depend_on_registers) {
+    const GaussWeights<double> weights(0.3);
+    std::array<PlainLanes<double, stage_count>, stage_count> columns;
+    alignas(64) double numbers[stage_count] = {1, -0.3, 0.7, 1e-3, 5, -2, 0.1, 1.7}, column[stage_count];
+    for (std::size_t j = 0; j < stage_count; ++j) {
+        weights.stage[j].store(column);
+        columns[j] = PlainLanes<double, stage_count>::load(column);
+    }
+    const auto lanes = product(weights.stage, numbers);
+    const auto plain = product(columns, numbers);
+    for (std::size_t i = 0; i < stage_count; ++i) EXPECT_EQ(lanes[i], plain[i]);
+}
+
+// Butcher's simplifying assumptions B(16), C(8) and the condition of symplecticity, to rounding of long double.
+TEST(GaussTable, holds_its_order_conditions) {
+    const GaussTable& t = gauss_table;
+    const auto power = [](long double x, std::size_t k) {
+        long double p = 1;
+        while (k-- > 0) p *= x;
+        return p;
+    };
+    for (std::size_t k = 0; k < 16; ++k) {
+        long double sum = 0;
+        for (std::size_t j = 0; j < stage_count; ++j) sum += t.b[j] * power(t.c[j], k);
+        EXPECT_NEAR(static_cast<double>(sum * static_cast<long double>(k + 1) - 1), 0, 1e-17) << k;
+    }
+    for (std::size_t i = 0; i < stage_count; ++i) {
+        for (std::size_t j = 0; j < stage_count; ++j) {
+            const long double defect = t.b[i] * t.a[i][j] + t.b[j] * t.a[j][i] - t.b[i] * t.b[j];
+            EXPECT_NEAR(static_cast<double>(defect), 0, 1e-18);
+        }
+        for (std::size_t k = 0; k < 8; ++k) {
+            long double sum = 0;
+            for (std::size_t j = 0; j < stage_count; ++j) sum += t.a[i][j] * power(t.c[j], k);
+            const auto degree = static_cast<long double>(k + 1);
+            EXPECT_NEAR(static_cast<double>(sum - power(t.c[i], k + 1) / degree), 0, 1e-17);
+        }
+    }
+    long double seventeenth = 0;  // B(17) must fail: 16 is the highest order of 8 stages
+    for (std::size_t j = 0; j < stage_count; ++j) seventeenth += t.b[j] * power(t.c[j], 16);
+    EXPECT_GT(std::abs(static_cast<double>(seventeenth * 17 - 1)), 1e-10);
+}
+
+}  // namespace
+}  // namespace steplab::test
