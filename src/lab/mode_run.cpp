@@ -2,7 +2,7 @@
 
 #include "core/flush_subnormals.hpp"
 #include "io/interruption.hpp"
-#include "models/layouts.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <algorithm>
 #include <cmath>
