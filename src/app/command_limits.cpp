@@ -41,7 +41,7 @@ public:
         Progress progress(runs.size(), isatty(STDERR_FILENO) != 0);
         for (const RunDescription& run : runs) {
             progress.at(limits.size());
-            limits.push_back(lab.limit(run));
+            limits.push_back(runs.size() == 1 ? lab.limit(run) : limit_or_refusal(lab, run));
         }
         progress.clear();
         if (json_) {
@@ -54,6 +54,16 @@ public:
     }
 
 private:
+    /// A method that cannot do the scene is no reason to tell nothing of the others.
+    static Limit limit_or_refusal(const StabilityLab& lab, const RunDescription& run) {
+        try {
+            return lab.limit(run);
+        } catch (const UsageError& refusal) {
+            return {
+                .description = run, .omega_max = lab.omega_max(), .theory = {}, .measured = {}, .note = refusal.what()};
+        }
+    }
+
     SceneOptions scene_{SceneOptions::Methods::one_or_all};
     bool json_ = false;
 };

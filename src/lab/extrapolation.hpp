@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/field.hpp"
-#include "methods/system.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include "lab/linearised.hpp"
 
-#include "models/layouts.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <algorithm>
 #include <cmath>

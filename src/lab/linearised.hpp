@@ -3,7 +3,7 @@
 #include "core/dual.hpp"
 #include "core/field.hpp"
 #include "core/shape.hpp"
-#include "models/model.hpp"
+#include "sim/catalogue.hpp"
 
 #include <Eigen/Dense>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "core/flush_subnormals.hpp"
 #include "io/interruption.hpp"
-#include "models/layouts.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +17,8 @@ constexpr std::uint64_t longest_block = 32;
 /// What departs by itself may grow by e^3 between two looks.
 constexpr double departed = 3;
 /// Logarithms of sizes: a hundredfold is unstable. (Just below a limit a bounded vibration swells too, by
-/// (8 (1 - dt / limit))^(-1/2): a hundredfold only within 2e-5 of it.) What has become nothing stays so.
-constexpr double grown = 4.6, died = -20;
+/// (8 (1 - dt / limit))^(-1/2): a hundredfold only within 2e-5 of it.)
+constexpr double grown = 4.6;
 
 double dot(const Field<double>& a, const Field<double>& b) {
     return std::inner_product(a.flat().begin(), a.flat().end(), b.flat().begin(), 0.0);
@@ -55,7 +55,9 @@ Scene balanced(Scene scene) {
 
 /// Displacement and velocity along the mode, in units of its shape.
 struct ModeRun::Motion {
-    double x = 1, v = 0;
+    double x = 0, v = 0;
+
+    double size(double rate) const { return std::hypot(x, v / rate); }
 };
 
 ModeRun::ModeRun(const Method& method, const ParameterValues& parameters, Precision precision, const Scene& scene,
@@ -73,8 +75,9 @@ ModeRun::ModeRun(const Method& method, const ParameterValues& parameters, Precis
     for (double& number : shape_.flat()) number *= size / largest;
 }
 
-double ModeRun::log_factor(Motion& motion, double dt, std::uint64_t steps) const {
-    const double before = std::hypot(motion.x, motion.v / rate_);
+template <class Look>
+double ModeRun::take(Motion& motion, double dt, std::uint64_t steps, Look look) const {
+    const double before = motion.size(rate_), norm = dot(shape_, shape_);
     const Field<double>& start = scene_.start.displacement;
     State<double> state{start, Field<double>(start.count())};
     for (std::size_t k = 0; k < shape_.flat().size(); ++k) {
@@ -82,27 +85,32 @@ double ModeRun::log_factor(Motion& motion, double dt, std::uint64_t steps) const
         state.velocity.flat()[k] = motion.v / before * shape_.flat()[k];
     }
     const auto stepper = method_.make({scene_, state, parameters_, precision_, dt});
-    stepper->advance(steps);
-    stepper->synchronised(state);
-    for (std::size_t k = 0; k < shape_.flat().size(); ++k) state.displacement.flat()[k] -= start.flat()[k];
-    const double norm = dot(shape_, shape_);
-    motion = {dot(shape_, state.displacement) / norm, dot(shape_, state.velocity) / norm};
-    return std::log(std::hypot(motion.x, motion.v / rate_));
+    for (std::uint64_t step = 0; step < steps; ++step) {
+        stepper->advance(1);
+        stepper->synchronised(state);
+        for (std::size_t k = 0; k < shape_.flat().size(); ++k) state.displacement.flat()[k] -= start.flat()[k];
+        motion = {dot(shape_, state.displacement) / norm, dot(shape_, state.velocity) / norm};
+        look(std::log(motion.size(rate_)));
+    }
+    return std::log(motion.size(rate_));
 }
 
 bool ModeRun::grows(double dt, std::uint64_t steps, double allowed) const {
     const FlushSubnormals flush;
-    const double block = std::clamp(departed / (departure_ * dt), 1.0, static_cast<double>(longest_block));
-    Motion motion;
+    const auto block =
+        static_cast<std::uint64_t>(std::clamp(departed / (departure_ * dt), 1.0, static_cast<double>(longest_block)));
+    Motion motion{1, rate_};
     double size = 0, early = -infinity, late = -infinity;
-    for (std::uint64_t step = 0; step < steps && size < grown && size > died;) {
+    std::uint64_t step = 0;
+    const auto look = [&](double factor) {
+        ++step;
+        if (step > steps / 8 && step <= steps / 8 * 3) early = std::max(early, size + factor);
+        if (step > steps / 8 * 6) late = std::max(late, size + factor);
+    };
+    while (step < steps && size < grown) {
         check_interruption();
-        const auto taken = static_cast<std::uint64_t>(block);
-        size += log_factor(motion, dt, taken);
-        step += taken;
+        size += take(motion, dt, block, look);
         if (!(size < infinity)) return true;  // beyond all numbers
-        if (step <= steps / 4) early = std::max(early, size);
-        if (step > steps / 4 * 3) late = std::max(late, size);
     }
     return size >= grown || late > early + allowed;
 }

@@ -20,17 +20,20 @@ public:
     /// The time in which the mode does something: 1 / max(omega, gamma).
     double time_scale() const { return 1 / rate_; }
     /// True if the vibration grows in so many steps of dt: a hundredfold at some time, or to a size in the last quarter
-    /// of the run whose logarithm exceeds that in the first quarter by more than `allowed`, the ups and downs of a
-    /// bounded one. Every few steps all that is not of the mode (what other modes made of rounding) is dropped and the
-    /// vibration made as small as it was, so that the run stays in the linear range however long it is.
+    /// of the run whose logarithm exceeds that in an earlier quarter by more than `allowed`, the ups and downs of a
+    /// bounded one; the first eighth is left for what dies out. Every few steps all that is not of the mode (what other
+    /// modes made of rounding) is dropped and the vibration made as small as it was, so that the run stays in the
+    /// linear range however long it is.
     bool grows(double dt, std::uint64_t steps, double allowed = 0.1) const;
     /// How far the force is from linear for a vibration of this size: |a(x0 + u) - a(x0) + omega^2 u| / (omega^2 |u|).
     double nonlinearity() const;
 
 private:
     struct Motion;
-    /// Logarithm of the factor by which so many steps change the size.
-    double log_factor(Motion& motion, double dt, std::uint64_t steps) const;
+    /// Takes so many steps, made small first; `look` gets the logarithm of the size after each, in units of that at the
+    /// start of the call, and the last one is returned.
+    template <class Look>
+    double take(Motion& motion, double dt, std::uint64_t steps, Look look) const;
 
     const Method& method_;
     ParameterValues parameters_;

@@ -3,8 +3,8 @@
 #include "io/interruption.hpp"
 #include "lab/extrapolation.hpp"
 #include "lab/linearised.hpp"
-#include "models/layouts.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <fmt/format.h>
 
@@ -154,6 +154,7 @@ ReferenceMoment exact_moment(const ExactSolution& exact, std::size_t particles, 
         moment.state.displacement.set(i, exact.displacement(i, time));
         moment.state.velocity.set(i, exact.velocity(i, time));
     }
+    moment.error += half_ulp * largest_number(moment.state.displacement);
     return moment;
 }
 

@@ -43,10 +43,10 @@ private:
     }
 };
 
-/// Bound of the rounding in v0 g(t), made a double: half an ulp of its largest value, and of the phase omega t.
+/// Bound of the rounding in v0 g(t), of its phase omega t most of all.
 inline double mode_rounding(long double v0, long double omega, double t) {
     const long double size = std::abs(v0) * (omega * t > 1 ? 1 / omega : t);
-    return static_cast<double>(size * (1.2e-16L + 2e-19L * (1 + omega * t)));
+    return static_cast<double>(size * 2e-19L * (4 + omega * t));
 }
 
 inline double kick_response(double omega2, double gamma, double t) {

@@ -25,7 +25,7 @@ public:
     }
     /// Until this time it is the motion; not beyond.
     virtual double valid_until() const { return infinity; }
-    /// Bound of what rounding adds to a displacement at time t, from the sizes that it is a sum of.
+    /// Bound of what rounding adds to a displacement at time t beside half an ulp of its largest number.
     virtual double rounding(double t) const = 0;
 };
 
