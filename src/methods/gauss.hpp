@@ -24,7 +24,7 @@ template <class T>
 class Gauss {
 public:
     explicit Gauss(const ParameterValues& values)
-        : tolerance_(static_cast<T>(values["tolerance"])),
+        : tolerance_(values["tolerance"] > 0 ? kept_tolerance(static_cast<T>(values["tolerance"])) : T(0)),
           aim_(std::min(T(longest), T(reach) * root(tolerance_, 16))) {}
 
     template <class System>
@@ -137,7 +137,7 @@ private:
                 progress_.next = h / T(2);
                 continue;
             }
-            const T z = phase(stages_.spectrum());
+            const T z = phase(stages_.spectrum(), h);
             const T factor = step_factor(aim_, z);
             if (factor < T(0.94) || factor > T(1.06)) progress_.next = h * factor;  // an equal step is cheaper
             if (factor < T(smallest_accepted_factor)) continue;
@@ -150,11 +150,15 @@ private:
     }
 
     /// z = omega h / 2 of the fastest motion.
-    static T phase(const typename GaussStages<T>::Spectrum& spectrum) {
+    T phase(const typename GaussStages<T>::Spectrum& spectrum, T h) const {
         constexpr T factor_6 = 10395, factor_7 = 135135;  // 11!!, 13!!
         constexpr T smallest = T(1) / T(64);
-        const T part_6 = factor_6 * factor_6 * (spectrum.coefficient_6 / spectrum.force);
-        const T part_7 = factor_7 * factor_7 * (spectrum.coefficient_7 / spectrum.force);
+        T x = T(0);
+        each_coordinate(end_.x, [&](std::size_t k) { x += end_.x.flat()[k] * end_.x.flat()[k]; });
+        const T error = std::max(tolerance_, T(1024) * std::numeric_limits<T>::epsilon());
+        const T forces = spectrum.force + idle_accelerations(error, x, h);
+        const T part_6 = factor_6 * factor_6 * (spectrum.coefficient_6 / forces);
+        const T part_7 = factor_7 * factor_7 * (spectrum.coefficient_7 / forces);
         if (!(part_6 + part_7 > T(0))) return smallest;
         return std::max({smallest, square_root(square_root(root(part_6, 3))), square_root(root(part_7, 7))});
     }

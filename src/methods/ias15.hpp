@@ -23,7 +23,7 @@ template <class T>
 class GaussRadau {
 public:
     explicit GaussRadau(const ParameterValues& values)
-        : tolerance_(static_cast<T>(values[tolerance_parameter.name])),
+        : tolerance_(kept_tolerance(static_cast<T>(values[tolerance_parameter.name]))),
           aim_(std::min(T(longest), T(reach) * root(tolerance_, 15))) {}
 
     template <class System>
@@ -81,7 +81,7 @@ private:
     static constexpr int most_refused = 40;
     static constexpr int most_iterations = 16;
     /// omega h at tolerance 1, and the longest that the iteration is good for.
-    static constexpr double reach = 6.2, longest = 4.4;
+    static constexpr double reach = 5.9, longest = 4.4;
     /// Of the last coefficient, relative to the accelerations: rounding, or well below the error allowed.
     T iteration_error() const {
         return std::max(std::numeric_limits<T>::epsilon() / T(2), tolerance_ * T(iteration_share));
@@ -97,7 +97,7 @@ private:
                 progress_.next = h / T(2);
                 continue;
             }
-            const T factor = step_factor(aim_, phase());
+            const T factor = step_factor(aim_, phase(h));
             progress_.next = h * factor;
             if (factor < T(smallest_accepted_factor)) continue;
             return accept(system, h);
@@ -155,12 +155,13 @@ private:
     bool converge(System& system, T h) {
         const T error2 = iteration_error() * iteration_error();
         constexpr T noise = T(64) * std::numeric_limits<T>::epsilon();
+        const T idle = idle_accelerations(T(16) * std::numeric_limits<T>::epsilon(), squares(end_.x), h);
         T before = T(0);
         for (int i = 0; i < most_iterations; ++i) {
             visit_first(system, h, std::make_index_sequence<terms - 1>{});
             const T change = visit<terms - 1>(system, h);
             const T forces = squares(a_) + squares(last_a_);
-            if (change <= error2 * forces) return true;
+            if (change <= error2 * forces || change <= idle) return true;
             if (i > 1 && change >= before) return change <= noise * noise * forces;
             if (i > 0 && change * (change / before) <= error2 * forces) return true;
             before = change;
@@ -272,9 +273,10 @@ private:
     }
 
     /// omega h of the fastest motion: a motion cos(omega t) has b_6 = (omega h)^7 / 7! and b_5 = (omega h)^6 / 6! of a.
-    T phase() const {
+    T phase(T h) const {
         constexpr T factor_5 = 720, factor_6 = 5040, smallest = T(1) / T(64);
-        const T forces = (squares(a_) + squares(last_a_)) / T(2);
+        const T error = std::max(tolerance_, T(1024) * std::numeric_limits<T>::epsilon());
+        const T forces = (squares(a_) + squares(last_a_)) / T(2) + idle_accelerations(error, squares(end_.x), h);
         const T part_5 = factor_5 * factor_5 * (squares(trial_[5]) / forces);
         const T part_6 = factor_6 * factor_6 * (squares(trial_[6]) / forces);
         if (!(part_5 + part_6 > T(0))) return smallest;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 // What methods share that choose their own steps by the time scale of the motion.
@@ -50,6 +51,21 @@ T time_scale(System& system, const Field<T>& x, const Field<T>& v, const Field<T
         scale = after = square_root(square_root(moved / changed));
     }
     return system.drag() > T(0) ? std::min(scale, T(1) / system.drag()) : scale;
+}
+
+/// The tolerance that a precision can keep.
+template <class T>
+T kept_tolerance(T tolerance) {
+    return std::max(tolerance, T(64) * std::numeric_limits<T>::epsilon());
+}
+
+/// Square of the accelerations that move nothing in a step of length h: by less than the error allowed, absolute and
+/// relative alike. `x` is the sum of the squares of all displacements. A scene at rest, whose accelerations are
+/// rounding alone, so does not shorten the steps.
+template <class T>
+T idle_accelerations(T error, T x, T h) {
+    const T smallest = error / (h * h);
+    return smallest * smallest * (T(1) + x);
 }
 
 /// What to multiply a step with whose motion has covered the phase z, so that the next one covers `aim`.

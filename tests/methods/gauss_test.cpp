@@ -335,5 +335,18 @@ TEST(GaussTable, holds_its_order_conditions) {
     EXPECT_GT(std::abs(static_cast<double>(seventeenth * 17 - 1)), 1e-10);
 }
 
+// Where drag has brought a rope to rest, accelerations are rounding alone, which must not shorten the steps: a hundred
+// seconds cost no more than its stiffest motion asks for, in float too, whose rounding is above this tolerance.
+TEST(Gauss16, rests_at_no_cost) {
+    for (const Precision precision : precisions) {
+        RunDescription description = run_of("rope", "gauss-16", precision, 1, {{"c", 3}});
+        description.method_parameters.set("tolerance", 1e-9);
+        Simulation simulation(description);
+        simulation.advance(100);
+        EXPECT_NEAR(simulation.frame().positions[9].y, -6.70725, precision == Precision::float_ ? 1e-3 : 1e-6);
+        EXPECT_LT(simulation.evaluations(), 400000u) << id(precision);
+    }
+}
+
 }  // namespace
 }  // namespace steplab::test

@@ -174,5 +174,18 @@ TEST(RadauTable, shifts_polynomials) {
     EXPECT_NEAR(value(shifted, 0.3), value(b, 1.3) - value(b, 1), 1e-13);
 }
 
+// Where drag has brought a rope to rest, accelerations are rounding alone, which must not shorten the steps: a hundred
+// seconds cost no more than its stiffest motion asks for, in float too, whose rounding is above this tolerance.
+TEST(Ias15, rests_at_no_cost) {
+    for (const Precision precision : precisions) {
+        RunDescription description = run_of("rope", "ias15", precision, 1, {{"c", 3}});
+        description.method_parameters.set("tolerance", 1e-9);
+        Simulation simulation(description);
+        simulation.advance(100);
+        EXPECT_NEAR(simulation.frame().positions[9].y, -6.70725, precision == Precision::float_ ? 1e-3 : 1e-6);
+        EXPECT_LT(simulation.evaluations(), 400000u) << id(precision);
+    }
+}
+
 }  // namespace
 }  // namespace steplab::test
