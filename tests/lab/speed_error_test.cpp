@@ -1,3 +1,4 @@
+#include "core/error.hpp"
 #include "lab/advice.hpp"
 #include "lab/answers.hpp"
 #include "lab/report_page.hpp"

@@ -23,6 +23,12 @@ protected:
         return simulation.diagnostics().error.value();
     }
     const MethodInfo& info() const { return *GetParam().info; }
+    /// What truncation may add up to in time t where an error of order p is bounded by t omega^(p+1) dt^p; adaptive
+    /// methods keep it to some ten times their tolerance a unit of time.
+    double truncation(double t, double dt, double omega = 1) const {
+        if (info().adaptive) return 10 * ParameterValues(info().parameters)["tolerance"] * t;
+        return t * std::pow(omega, info().order + 1) * std::pow(dt, info().order);
+    }
     Precision precision() const { return GetParam().precision; }
 };
 
@@ -34,11 +40,10 @@ TEST_P(ExactAnswers, free_fall) {
     EXPECT_NEAR(error("free", steps, dt), expected, rounding(precision(), 0.45 * t * t, steps));
 }
 
-// An error of order p is bounded by C dt^p; for these linear scenes C = t omega^(p+1) bounds it for every method here.
 TEST_P(ExactAnswers, oscillator_with_and_without_drag) {
     constexpr std::uint64_t steps = 256;
     constexpr double dt = 1.0 / 64, t = dt * steps;
-    const double bound = t * std::pow(dt, info().order) + rounding(precision(), 1, steps);
+    const double bound = truncation(t, dt) + rounding(precision(), 1, steps);
     EXPECT_LT(error("oscillator", steps, dt), bound);
     EXPECT_LT(error("oscillator", steps, dt, {{"c", 0.5}}), bound);
     EXPECT_LT(error("oscillator", steps, dt, {{"c", 4.0}}),
@@ -48,7 +53,7 @@ TEST_P(ExactAnswers, oscillator_with_and_without_drag) {
 TEST_P(ExactAnswers, chain_fixed_and_free) {
     constexpr std::uint64_t steps = 256;
     constexpr double dt = 1.0 / 64, t = dt * steps;
-    const double omega = 2, bound = 2 * t * std::pow(omega, info().order + 1) * std::pow(dt, info().order);
+    const double bound = 2 * truncation(t, dt, 2);
     EXPECT_LT(error("chain", steps, dt), bound + rounding(precision(), 2, steps));
     EXPECT_LT(error("chain", steps, dt, {{"fixed", 0}}), bound + rounding(precision(), 8, steps));
     EXPECT_LT(error("chain", steps, dt, {{"c", 0.3}}), bound + rounding(precision(), 2, steps));
@@ -70,7 +75,9 @@ TEST_P(ExactAnswers, hanging_rope) {
     Simulation simulation(run_of("rope", GetParam().id(), precision(), dt, {{"c", 3}}));
     simulation.advance(20000);
     const Frame frame = simulation.frame();
-    const double tolerance = precision() == Precision::float_ ? 2e-3 : 4e-12;
+    // an adaptive method at rest goes on with steps whose errors balance the drag, here some hundred times its
+    // tolerance
+    const double tolerance = precision() == Precision::float_ ? 2e-3 : info().adaptive ? 1e-7 : 4e-12;
     double y = 0;
     for (std::size_t j = 1; j < 10; ++j) {
         y -= 0.5 + static_cast<double>(10 - j) * 9.81 / 200;
