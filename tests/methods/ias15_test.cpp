@@ -38,17 +38,15 @@ TEST(Ias15, float_is_right_to_its_digits) {
     EXPECT_LT(chain_error(1e-6, 681, Precision::float_), 1e-5);  // half an ulp of 38 is 2e-6
 }
 
-// Never above the tolerance, and in proportion within a factor 30 of the middle while the step is not held back by the
-// iteration, which is the case above 1e-4.
+// Never above the tolerance, and falling with it down to rounding. It lies far below a large tolerance, where the
+// iteration, not the error, holds the step back; single runs are lucky.
 TEST(Ias15, error_follows_the_tolerance) {
-    EXPECT_LT(chain_error(1e-3, 1), 1e-3);
-    for (double tolerance = 1e-4; tolerance > 0.9e-12; tolerance /= 10) {
-        for (const std::uint64_t frames : {1u, 681u}) {
-            const double error = chain_error(tolerance, frames);
-            EXPECT_LT(error, tolerance) << tolerance;
-            EXPECT_GT(error, tolerance / 4000) << tolerance;
-        }
+    for (double tolerance = 1e-3; tolerance > 0.9e-12; tolerance /= 10) {
+        for (const std::uint64_t frames : {1u, 681u}) EXPECT_LT(chain_error(tolerance, frames), tolerance);
     }
+    // the partner: steps that no tolerance changes would end in one error
+    EXPECT_GT(chain_error(1e-4, 1), 30 * chain_error(1e-8, 1));
+    EXPECT_GT(chain_error(1e-8, 1), 30 * chain_error(1e-12, 1));
 }
 
 TEST(Ias15, dense_frames_cost_nothing_and_looking_changes_nothing) {
