@@ -30,6 +30,7 @@ struct Gauss16 {
         .linear_limit = infinity,
         .symplectic = true,
         .reversible = true,
+        .implicit = true,
         .conserves = "momentum, angular momentum, energy within bounds",
         .source = "Antoñana, Makazaga, Murua, arXiv:2511.03655; Butcher, Math. Comp. 18 (1964) 50",
         .parameters = parameters,

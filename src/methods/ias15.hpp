@@ -90,6 +90,7 @@ private:
 
     template <class System>
     void own_step(System& system) {
+        T before = std::numeric_limits<T>::max();
         for (int refused = 0; refused < most_refused; ++refused) {
             const T h = progress_.next;
             expect(h / progress_.last);
@@ -97,10 +98,11 @@ private:
                 progress_.next = h / T(2);
                 continue;
             }
-            const T factor = step_factor(aim_, phase(h));
+            const T covered = phase(h), factor = step_factor(aim_, covered);
             progress_.next = h * factor;
-            if (factor < T(smallest_accepted_factor)) continue;
-            return accept(system, h);
+            // a phase that does not fall with the step is rounding: no shorter step is better
+            const bool better_shorter = covered < T(0.95) * std::exchange(before, covered);
+            if (!(factor < T(smallest_accepted_factor) && better_shorter)) return accept(system, h);
         }
         std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN());
         progress_.time.inner_step(system.dt());
@@ -161,6 +163,7 @@ private:
             visit_first(system, h, std::make_index_sequence<terms - 1>{});
             const T change = visit<terms - 1>(system, h);
             const T forces = squares(a_) + squares(last_a_);
+            if (!std::isfinite(change + forces + squares(trial_[terms - 1]))) return false;
             if (change <= error2 * forces || change <= idle) return true;
             if (i > 1 && change >= before) return change <= noise * noise * forces;
             if (i > 0 && change * (change / before) <= error2 * forces) return true;

@@ -109,8 +109,8 @@ public:
             advance();
             // here a step has been accepted: what looks for collisions in it finds its end in x_[0] and v_
             expand(system);
-            const Time least = target * (4 * std::numeric_limits<Time>::epsilon());
-            if (!(progress_.length > static_cast<T>(least))) progress_.length = static_cast<T>(least);
+            const T least = std::max(static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon())), shortest());
+            if (!(progress_.length > least)) progress_.length = least;
         }
     }
 
@@ -155,6 +155,12 @@ private:
         return static_cast<std::size_t>(std::ceil(14 - log_tolerance / 4));
     }
     static constexpr double order_per_digit = 0.6;
+
+    /// A time in which nothing moves by more than rounding: steps need not be shorter, nor can they.
+    T shortest() const {
+        const T fastest = largest(v_);
+        return fastest > T(0) ? std::numeric_limits<T>::epsilon() * (T(1) + largest(x_[0])) / fastest : T(0);
+    }
 
     template <class System>
     Time frame_time(const System& system) const {
@@ -207,7 +213,9 @@ private:
             if (axes_ == 2) compute_series<2>(system);
             if (axes_ == 3) compute_series<3>(system);
             const T share = reach();
-            const bool fits = share > T(1) / T(64) && share < T(64);
+            // in too small a unit all coefficients vanish, and the series seems to end
+            const bool too_small = share >= longest && progress_.unit < system.dt() / longest;
+            const bool fits = share > T(1) / T(64) && share < T(64) && !too_small;
             progress_.length = progress_.unit * (std::isfinite(share) ? share : T(1) / T(4096));
             if (fits || singular_) break;
             progress_.unit = detail::power_of_two_below(progress_.length);
