@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -38,7 +39,9 @@ public:
 
 private:
     Measurement measured(const RunDescription& run, std::uint64_t steps) {
+        const auto begin = std::chrono::steady_clock::now();
         Measurement result = measure(run, steps, reference_);
+        result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         if (!result.diverged && result.error < least_error_) {
             least_error_ = result.error;
             most_accurate_ = result.run.method;
@@ -49,35 +52,33 @@ private:
     bool kept(const Measurement& run) const { return !run.diverged && run.error <= error_; }
 
     bool too_costly(const Measurement& run) const {
-        return static_cast<double>(run.evaluations) > hopeless * least_evaluations_;
+        return static_cast<double>(run.evaluations) > hopeless * least_evaluations_ ||
+               run.wall_seconds.value_or(0) > plan_.most_seconds_a_run;
     }
 
     /// Halves dt until the error is kept, then closes in on the largest dt that keeps it.
     std::optional<Measurement> over_dt(const std::string& method, Precision precision) {
-        const auto at = [&](double steps) {
-            const auto whole = static_cast<std::uint64_t>(std::ceil(steps));
-            return measured(run_over(plan_, method, precision, whole), whole);
-        };
-        double steps = static_cast<double>(fewest_steps(plan_, method)), failed = 0;
-        Measurement run = at(steps);
-        for (double best = infinity; !kept(run); steps *= 2) {
+        const auto at = [&](std::uint64_t steps) { return measured(run_over(plan_, method, precision, steps), steps); };
+        std::uint64_t failed = 0;
+        Measurement run = at(fewest_steps(plan_, method));
+        for (double best = infinity; !kept(run);) {
             if (too_costly(run) || (!run.diverged && run.error > 0.9 * best && run.error < 1e-3 * plan_.time))
                 return std::nullopt;
             best = run.diverged ? best : std::min(best, run.error);
-            failed = steps;
-            run = at(2 * steps);
+            failed = run.steps;
+            run = at(2 * failed);
         }
-        if (failed > 0) close_in(at, failed, static_cast<double>(run.steps), run);
+        if (failed > 0) close_in(at, failed, run);
         return run;
     }
 
     template <class At>
-    void close_in(const At& at, double failed, double good, Measurement& run) {
-        while (good / failed > fine_ratio && good - failed > 1) {
-            const double middle = std::sqrt(failed * good);
+    void close_in(const At& at, std::uint64_t failed, Measurement& run) {
+        while (run.steps > failed + 1 && static_cast<double>(run.steps) > fine_ratio * static_cast<double>(failed)) {
+            const double between = std::sqrt(static_cast<double>(failed) * static_cast<double>(run.steps));
+            const std::uint64_t middle = std::clamp(static_cast<std::uint64_t>(between), failed + 1, run.steps - 1);
             Measurement tried = at(middle);
             if (kept(tried)) {
-                good = static_cast<double>(tried.steps);
                 run = std::move(tried);
             } else {
                 failed = middle;
@@ -106,11 +107,19 @@ private:
     std::string most_accurate_;
 };
 
+/// A cheap run found early tells sooner which searches are hopeless.
+std::vector<std::string> most_accurate_first(std::vector<std::string> methods) {
+    std::stable_sort(methods.begin(), methods.end(), [](const std::string& a, const std::string& b) {
+        return method(a).info.order > method(b).info.order;
+    });
+    return methods;
+}
+
 std::vector<Measurement> candidates(const StudyPlan& plan, Search& search, const StudyProgress& progress) {
     std::vector<Measurement> found;
     const double all = static_cast<double>(plan.methods.size() * plan.precisions.size());
     double done = 0;
-    for (const std::string& method : plan.methods) {
+    for (const std::string& method : most_accurate_first(plan.methods)) {
         for (const Precision precision : plan.precisions) {
             if (auto run = search.cheapest(method, precision)) found.push_back(std::move(*run));
             progress(++done / all * 0.8);
@@ -133,6 +142,7 @@ Advice advise(const StudyPlan& plan, double error, const Reference& reference, c
         throw UsageError(fmt::format("no method keeps an error of {} here: the least was {:.1e}, by {}",
                                      number_text(error), search.least_error(), search.most_accurate()));
     }
+    for (Measurement& run : runs) run.wall_seconds.reset();  // looks were within the clock
     time_interleaved(runs, plan.rounds, [&](double part) { progress(0.8 + 0.2 * part); });
     std::sort(runs.begin(), runs.end(), [](const Measurement& a, const Measurement& b) {
         return a.wall_seconds.value_or(infinity) < b.wall_seconds.value_or(infinity);
