@@ -192,6 +192,12 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
         limit.note = "kept to show a mistake: not measured";
         return;
     }
+    if (std::isinf(first.limit) &&
+        (held.precision == Precision::float_ || held.method_parameters.contains("tolerance"))) {
+        limit.note = held.precision == Precision::float_ ? "stable at any dt: in float not measured"
+                                                         : "cuts its steps where it must: not measured";
+        return;
+    }
     // float keeps 7 digits of a pair's distance: its vibrations are larger
     const double size = (held.precision == Precision::float_ ? 1e-3 : 1e-6) * spacing_;
     const ModeRun run(method, held.method_parameters, held.precision, scene_,

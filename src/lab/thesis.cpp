@@ -3,9 +3,9 @@
 #include "lab/measurement.hpp"
 #include "lab/page.hpp"
 #include "lab/study.hpp"
-#include "models/morse_pair.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,7 @@ struct Rkn1210 {
 
     static constexpr MethodInfo info{
         .id = "rkn-12-10",
-        .name = "Dormand-El-Mikkawy-Prince 12(10)",
+        .name = "Runge-Kutta-Nyström 12(10)",
         .what = "Chooses its own steps, of high order, for forces of position: many digits for little work.",
         .order = 12,
         .order_with_drag = 12,

@@ -6,7 +6,7 @@
 #include "core/power.hpp"
 #include "methods/adaptive.hpp"
 #include "methods/compensated.hpp"
-#include "methods/power_series.hpp"
+#include "methods/series_forces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -63,13 +63,6 @@ T power_of_two_below(T x) {
     return std::ldexp(T(1), exponent - 1);
 }
 
-/// Interactions of one kind whose series are computed side by side.
-template <std::size_t Width>
-struct InteractionGroup {
-    std::size_t kind = 0, count = 0;
-    std::array<std::uint32_t, Width> first{}, second{};  ///< beyond `count` the first pair again
-};
-
 }  // namespace detail
 
 /// Coefficient k of a displacement is held as x_k unit^k, unit being a power of two near the step's length: exact, and
@@ -92,10 +85,7 @@ public:
         a_ = Field<T>(state.displacement.count());
         x_[0] = state.displacement;
         v_ = state.velocity;
-        axes_ = axes_that_move(system);
-        fixed_ = fixed_particles(system);
-        kept_ = kept_by_formulas(system);
-        groups_.clear();
+        forces_ = SeriesForces<T>(system, state, last_ - 1);
         progress_ = {};
         progress_.unit = detail::power_of_two_below(system.dt());
         expand(system);
@@ -146,7 +136,6 @@ public:
 
 private:
     using N = Lanes<T>;
-    using Group = detail::InteractionGroup<N::count>;
 
     /// -ln(tolerance) / 2 + 1 is best where the work of a step grows with the square of the order (Jorba, Zou,
     /// proposition 3.1). Here most of it grows with the order itself, up to some 25: the best orders, as measured, are
@@ -191,7 +180,7 @@ private:
     void each_change(T t, F f) const {
         const T scaled = t / progress_.unit;
         const N time(scaled), rate(t / (progress_.unit * progress_.unit));
-        const std::size_t size = x_[0].flat().size() / 3 * axes_;
+        const std::size_t size = x_[0].flat().size() / 3 * forces_.axes();
         for (std::size_t p = 0; p < size; p += N::count) {
             N x(T(0)), v(T(0));
             for (std::size_t k = last_; k >= 2; --k) {
@@ -209,15 +198,15 @@ private:
     template <class System>
     void expand(System& system) {
         for (int attempt = 0; attempt < 40; ++attempt) {
-            if (axes_ == 1) compute_series<1>(system);
-            if (axes_ == 2) compute_series<2>(system);
-            if (axes_ == 3) compute_series<3>(system);
+            if (forces_.axes() == 1) compute_series<1>(system);
+            if (forces_.axes() == 2) compute_series<2>(system);
+            if (forces_.axes() == 3) compute_series<3>(system);
             const T share = reach();
             // in too small a unit all coefficients vanish, and the series seems to end
             const bool too_small = share >= longest && progress_.unit < system.dt() / longest;
             const bool fits = share > T(1) / T(64) && share < T(64) && !too_small;
             progress_.length = progress_.unit * (std::isfinite(share) ? share : T(1) / T(4096));
-            if (fits || singular_) break;
+            if (fits || forces_.singular()) break;
             progress_.unit = detail::power_of_two_below(progress_.length);
         }
         if (system.force().coupling().kind == Coupling::Kind::near) end_at_jump(system);
@@ -260,7 +249,7 @@ private:
     /// (Jorba, Zou, section 3.2). Where forces are so weak that the terms need not fall to be below the tolerance, they
     /// must.
     T reach() const {
-        if (singular_) return square_root(std::numeric_limits<T>::epsilon());
+        if (forces_.singular()) return square_root(std::numeric_limits<T>::epsilon());
         const T of_x = T(1) / (T(1) + largest(x_[0])), of_v = T(1) / (T(1) + largest(v_)) / progress_.unit;
         double log_radius = infinity;
         T high = T(0), low = T(0);
@@ -290,7 +279,7 @@ private:
     T largest(const Field<T>& field) const {
         N most(T(0)), invalid(T(0));
         const T* const components = field.flat().data();
-        for (std::size_t p = 0; p < field.flat().size() / 3 * axes_; p += N::count) {
+        for (std::size_t p = 0; p < field.flat().size() / 3 * forces_.axes(); p += N::count) {
             const N component = N::load(components + p);
             const N size = where(component < N(T(0)), N(T(0)) - component, component);
             most = where(size > most, size, most);
@@ -305,11 +294,10 @@ private:
     /// All coefficients, order by order: (k + 1) (k + 2) x_(k+2) = a_k - gamma (k + 1) x_(k+1).
     template <std::size_t Axes, class System>
     void compute_series(System& system) {
-        find_groups(system);
-        singular_ = false;
+        forces_.find_groups(system, x_[0]);
         multiply(v_, progress_.unit, x_[1]);
         for (std::size_t k = 0; k + 2 <= last_; ++k) {
-            accelerations<Axes>(system, k);
+            forces_.template accelerations<Axes>(system, x_[k], k, a_);
             const T scale = T(1) / number((k + 1) * (k + 2));
             const T of_a = progress_.unit * progress_.unit, of_v = system.drag() * progress_.unit * number(k + 1);
             const T *const a = a_.flat().data(), *const v = x_[k + 1].flat().data();
@@ -326,125 +314,6 @@ private:
         elementwise(from.flat().size(), [=](std::size_t p) { products[p] = factor * numbers[p]; });
     }
 
-    static std::array<T*, 3> components(Field<T>& field) { return {field.x(), field.y(), field.z()}; }
-    static std::array<const T*, 3> components(const Field<T>& field) { return {field.x(), field.y(), field.z()}; }
-
-    /// Coefficient k of the accelerations, into a_.
-    template <std::size_t Axes, class System>
-    void accelerations(System& system, std::size_t k) {
-        const auto a = components(a_);
-        std::fill_n(a_.flat().data(), a_.flat().size() / 3 * Axes, T(0));
-        if (k == 0) add_external(system);
-        const auto formulas = system.force().formulas();
-        const std::size_t length = last_ - 1;
-        for (std::size_t g = 0; g < groups_.size(); ++g) {
-            const Group& group = groups_[g];
-            SeriesTape<T> tape(tapes_.data() + g * kept_ * length, length, k);
-            const auto pull = pulls<Axes>(tape, group, formulas[group.kind], x_[k]);
-            singular_ = singular_ || tape.singular();
-            for (std::size_t axis = 0; axis < Axes; ++axis) scatter(group, pull[axis], a[axis]);
-        }
-        for (const std::size_t i : fixed_) {
-            for (T* const component : a) component[i] = T(0);
-        }
-    }
-
-    /// Coefficient k of the pulls of a group. Flattened, so that the formula's intermediate results stay in registers.
-    template <std::size_t Axes, class Formula>
-    [[gnu::flatten]] static std::array<N, Axes> pulls(SeriesTape<T>& tape, const Group& group, const Formula& formula,
-                                                      const Field<T>& field) {
-        const std::array<const T*, 3> u = components(field);
-        const auto variable = [&](std::size_t axis) {
-            if (axis >= Axes) return Series<T>(T(0));
-            const T* const along = u[axis];
-            return Series<T>::variable(
-                tape, N::each([&](std::size_t lane) { return along[group.second[lane]] - along[group.first[lane]]; }));
-        };
-        const Series<T> x = variable(0), y = variable(1), z = variable(2);
-        const auto pull = formula(x, y, z);
-        std::array<N, Axes> coefficients;
-        coefficients[0] = pull.x.coefficient();
-        if constexpr (Axes > 1) coefficients[1] = pull.y.coefficient();
-        if constexpr (Axes > 2) coefficients[2] = pull.z.coefficient();
-        return coefficients;
-    }
-
-    static void scatter(const Group& group, N pull, T* a) {
-        for (std::size_t lane = 0; lane < group.count; ++lane) {
-            a[group.first[lane]] += pull[lane];
-            a[group.second[lane]] -= pull[lane];
-        }
-    }
-
-    template <class System>
-    void add_external(const System& system) {
-        for (std::size_t i = 0; i < a_.count(); ++i) {
-            const auto external = system.force().external(i);
-            a_.x()[i] = external.x;
-            a_.y()[i] = external.y;
-            a_.z()[i] = external.z;
-        }
-    }
-
-    /// The interactions at the beginning of the series, in groups of one kind.
-    template <class System>
-    void find_groups(System& system) {
-        if (!groups_.empty() && system.force().coupling().kind != Coupling::Kind::near) return;
-        groups_.clear();
-        system.force().each_interaction(x_[0], [this](std::size_t i, std::size_t j, std::size_t kind) {
-            if (groups_.empty() || groups_.back().kind != kind || groups_.back().count == N::count) {
-                groups_.push_back({.kind = kind, .count = 0});
-                groups_.back().first.fill(static_cast<std::uint32_t>(i));
-                groups_.back().second.fill(static_cast<std::uint32_t>(j));
-            }
-            Group& group = groups_.back();
-            group.first[group.count] = static_cast<std::uint32_t>(i);
-            group.second[group.count] = static_cast<std::uint32_t>(j);
-            ++group.count;
-        });
-        tapes_.resize(groups_.size() * kept_ * (last_ - 1));
-    }
-
-    /// Axes along which nothing moves nor pulls are left out: 1 if all happens along x, 2 if in the plane of x and y.
-    template <class System>
-    std::size_t axes_that_move(const System& system) const {
-        const auto x = components(x_[0]), v = components(v_);
-        std::size_t axes = 1;
-        const auto take = [&axes](std::size_t axis, T along) {
-            if (along != T(0)) axes = std::max(axes, axis + 1);
-        };
-        for (std::size_t i = 0; i < a_.count(); ++i) {
-            const auto external = system.force().external(i);
-            take(1, external.y), take(2, external.z);
-            for (std::size_t axis = 1; axis < 3; ++axis) take(axis, x[axis][i]), take(axis, v[axis][i]);
-        }
-        for (const auto& formula : system.force().formulas()) take(1, formula.rest.y), take(2, formula.rest.z);
-        return axes;
-    }
-
-    template <class System>
-    std::vector<std::size_t> fixed_particles(const System& system) const {
-        std::vector<std::size_t> fixed;
-        for (std::size_t i = 0; i < a_.count(); ++i) {
-            if (!system.force().moves(i)) fixed.push_back(i);
-        }
-        return fixed;
-    }
-
-    /// Series that the formulas keep for each group.
-    template <class System>
-    static std::size_t kept_by_formulas(const System& system) {
-        std::array<N, SeriesTape<T>::most_kept> memory;
-        std::size_t kept = 0;
-        for (const auto& formula : system.force().formulas()) {
-            SeriesTape<T> tape(memory.data(), 1, 0);
-            const auto e = [&tape] { return Series<T>::variable(tape, N(T(1))); };
-            formula(e(), e(), e());
-            kept = std::max(kept, tape.kept());
-        }
-        return kept;
-    }
-
     double log_tolerance_;
     std::size_t last_;         ///< order of the last coefficient, K
     std::vector<Field<T>> x_;  ///< coefficients of the displacements
@@ -453,12 +322,7 @@ private:
     Progress progress_;
 
     Field<T> a_;
-    bool singular_ = false;  ///< two particles are at one place
-    std::size_t axes_ = 3;
-    std::vector<std::size_t> fixed_;
-    std::size_t kept_ = 0;
-    std::vector<Group> groups_;
-    std::vector<N, CacheLineAllocator<N>> tapes_;  ///< of each group: the series it keeps, one after the other
+    SeriesForces<T> forces_;
 };
 
 }  // namespace steplab

@@ -28,7 +28,9 @@ std::optional<RunDescription> stable_method(const RunDescription& description) {
     std::optional<RunDescription> best;
     double best_cost = infinity;
     for (const Method& entry : methods()) {
-        if (entry.info.curiosity || entry.info.id == description.method) continue;
+        // a remedy keeps the kind of method: explicit, in steps of dt
+        if (entry.info.curiosity || entry.info.implicit || entry.info.adaptive || entry.info.id == description.method)
+            continue;
         const RunDescription candidate = with_method(description, entry.info.id);
         const double cost = evaluations_per_step(entry.info, candidate.method_parameters);
         if (cost >= best_cost || !keeps_stable(candidate)) continue;

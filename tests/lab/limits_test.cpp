@@ -19,7 +19,10 @@ Limit limit_of(std::string_view id, std::string_view method, Precision precision
 /// Linear scenes agree to 0.1 %, the others to 1 %; or the output says why not.
 void expect_agreement(const Limit& limit, double tolerance) {
     ASSERT_TRUE(limit.theory.has_value());
-    ASSERT_TRUE(limit.measured.has_value());
+    if (!limit.measured) {  // what is stable at any dt is not always measured, and says so
+        EXPECT_TRUE(std::isinf(*limit.theory) && !limit.note.empty());
+        return;
+    }
     if (const auto ratio = limit.ratio()) {
         EXPECT_TRUE(!limit.note.empty() || std::abs(*ratio - 1) <= tolerance) << *ratio;
         EXPECT_NEAR(*ratio, 1, 0.01);  // no note excuses more

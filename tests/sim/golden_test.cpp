@@ -61,9 +61,11 @@ TEST(GoldenHashes, are_those_of_every_compiler) {
     ADD_FAILURE() << "what was computed is in " << path << "; if the change is meant, copy it to assets/golden/";
 }
 
+// But in free fall, where several methods are exact.
 TEST(GoldenHashes, tell_every_run_from_every_other) {
     std::map<std::string, std::string> runs;
     for (const auto& [run, hash] : golden_hashes()) {
+        if (run.starts_with("free ")) continue;
         EXPECT_TRUE(runs.emplace(hash, run).second) << run << " has the hash of " << runs[hash];
     }
 }
