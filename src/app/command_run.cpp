@@ -110,6 +110,7 @@ private:
         summary.particles = simulation.particles();
         summary.evaluations = simulation.evaluations();
         summary.hash = simulation.hash();
+        summary.collisions = simulation.collisions();
         if (simulation.divergence()) summary.diverged_step = simulation.step() + 1;
     }
 

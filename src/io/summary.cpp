@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace steplab {
@@ -15,6 +16,25 @@ namespace {
 double shortest(Precision precision, double dt) {
     if (precision == Precision::double_) return dt;
     return parse_number(number_text(static_cast<float>(dt))).value_or(dt);
+}
+
+nlohmann::ordered_json collisions_json(const CollisionRecord& collisions) {
+    nlohmann::ordered_json kept = nlohmann::ordered_json::array();
+    for (const Collision& collision : collisions.kept())
+        kept.push_back({{"time", collision.time}, {"particles", {collision.first, collision.second}}});
+    return {{"count", collisions.count()}, {"first", kept}};
+}
+
+/// "6: particles 6 and 18 at t = 0.937855, 8 and 20 at 0.938226, ..."
+std::string collisions_text(const CollisionRecord& collisions) {
+    constexpr std::size_t most = 4;
+    std::string text = fmt::format("{}", collisions.count());
+    for (std::size_t i = 0; i < std::min(most, collisions.kept().size()); ++i) {
+        const Collision& collision = collisions.kept()[i];
+        text += fmt::format("{}{} and {} at {}{:.6g}", i == 0 ? ": particles " : ", ", collision.first,
+                            collision.second, i == 0 ? "t = " : "", collision.time);
+    }
+    return text + (collisions.count() > most ? ", ..." : "");
 }
 
 /// Seconds as one reads them.
@@ -42,6 +62,7 @@ std::string summary_json(const RunSummary& summary) {
                                 {"hash", summary.hash},
                                 {"status", summary.diverged_step ? "diverged" : "ok"}};
     if (summary.diverged_step) json["diverged_step"] = *summary.diverged_step;
+    if (summary.collisions.count() > 0) json["collisions"] = collisions_json(summary.collisions);
     return json.dump(2) + "\n";
 }
 
@@ -58,6 +79,7 @@ std::string summary_text(const RunSummary& s) {
     line("evaluations", fmt::format("{}", s.evaluations));
     line("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", s.energy_start, s.energy_end));
     line("energy error", fmt::format("{:.3g} at most, over the steps looked at (--every)", s.energy_error));
+    if (s.collisions.count() > 0) line("collisions", collisions_text(s.collisions));
     line("wall time", duration_text(s.wall_seconds));
     line("hash", s.hash);
     line("status", status);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/collision.hpp"
 #include "core/precision.hpp"
 
 #include <cstdint>
@@ -24,9 +25,11 @@ struct RunSummary {
     double wall_seconds = 0;
     std::string hash;
     std::optional<std::uint64_t> diverged_step;
+    CollisionRecord collisions;  ///< that an adaptive method found and restarted from
 };
 
-/// One JSON object with exactly these fields; numbers that are not finite are null.
+/// One JSON object with exactly these fields; numbers that are not finite are null. Collisions stand in it if there
+/// were any: their number, and time and particles of the first hundred.
 std::string summary_json(const RunSummary& summary);
 /// A few aligned lines for a person.
 std::string summary_text(const RunSummary& summary);

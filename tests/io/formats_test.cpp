@@ -165,5 +165,18 @@ TEST(Formats, do_not_depend_on_the_locale) {
     EXPECT_THAT(plain, HasSubstr("1234567"));
 }
 
+TEST(Summary, names_collisions_where_there_were_any) {
+    RunSummary summary;
+    EXPECT_EQ(summary_json(summary).find("collisions"), std::string::npos);
+    EXPECT_EQ(summary_text(summary).find("collisions"), std::string::npos);
+    for (std::uint32_t i = 0; i < 150; ++i) summary.collisions.add({0.5 * i, i, i + 1});
+    const nlohmann::json json = nlohmann::json::parse(summary_json(summary)).at("collisions");
+    EXPECT_EQ(json.at("count"), 150);
+    ASSERT_EQ(json.at("first").size(), 100u);
+    EXPECT_EQ(json["first"][3]["time"], 1.5);
+    EXPECT_EQ(json["first"][3]["particles"], nlohmann::json({3, 4}));
+    EXPECT_NE(summary_text(summary).find("150: particles 0 and 1 at t = 0, 1 and 2 at 0.5"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace steplab
