@@ -216,6 +216,7 @@ std::vector<ThesisChart> thesis_charts() {
 std::string thesis_page() {
     std::vector<Figure> figures;
     const std::vector<ThesisChart> charts = thesis_charts();
+    figures.reserve(charts.size());
     for (const ThesisChart& chart : charts) figures.push_back(chart.figure);
     const std::vector<std::string> svg = svg_figures(figures);
     std::string page = page_head("The thesis, recomputed", circumstances());
