@@ -73,7 +73,7 @@ function(steplab_tests folder)
                                                     STEPLAB_BINARY_DIR="${PROJECT_BINARY_DIR}")
   include(GoogleTest)
   gtest_discover_tests(test_${folder} TEST_PREFIX ${folder}. DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 300 LABELS "${folder};${ARG_LABELS}")
+                       PROPERTIES TIMEOUT 1500 LABELS "${folder};${ARG_LABELS}")
 endfunction()
 
 # The class of a method: rk4 -> Rk4, verlet-2008 -> Verlet2008.

@@ -118,8 +118,9 @@ TEST(Divergence, is_not_claimed_of_usable_runs) {
               run_of("rope", c.id(), c.precision, 0.01, {{"g", 0}}),
               run_of("morse", c.id(), c.precision, 0.02, {{"edge", 1}, {"v0", 0}})}) {
             Simulation simulation(description);
-            simulation.advance(5000);
-            EXPECT_EQ(simulation.step(), 5000u) << c << " " << description.model << " " << description.dt;
+            const std::uint64_t steps = c.info->implicit ? 300 : 5000;  // which cost as much
+            simulation.advance(steps);
+            EXPECT_EQ(simulation.step(), steps) << c << " " << description.model << " " << description.dt;
         }
     }
 }
