@@ -120,8 +120,8 @@ std::vector<RunDescription> SceneOptions::descriptions() const {
         for (const Setting& setting : settings) {
             if (has_parameter(run, setting.name)) set_parameter(run, setting.name, setting.text);
         }
-        check(run);
     }
+    check(runs.front());
     return runs;
 }
 

@@ -36,7 +36,8 @@ public:
     /// The run they describe, checked. Throws UsageError.
     RunDescription description() const;
     /// The runs they describe, checked: one, or one for each method, which takes those of the settings that are its
-    /// own. Throws UsageError, also for a setting that is nobody's.
+    /// own; a method among all that refuses the scene is left to who runs it. Throws UsageError, also for a setting
+    /// that is nobody's.
     std::vector<RunDescription> descriptions() const;
 
 private:

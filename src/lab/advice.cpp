@@ -119,7 +119,7 @@ std::vector<Measurement> candidates(const StudyPlan& plan, Search& search, const
     std::vector<Measurement> found;
     const double all = static_cast<double>(plan.methods.size() * plan.precisions.size());
     double done = 0;
-    for (const std::string& method : most_accurate_first(plan.methods)) {
+    for (const std::string& method : most_accurate_first(possible_methods(plan))) {
         for (const Precision precision : plan.precisions) {
             if (auto run = search.cheapest(method, precision)) found.push_back(std::move(*run));
             progress(++done / all * 0.8);

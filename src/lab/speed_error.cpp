@@ -1,5 +1,6 @@
 #include "lab/speed_error.hpp"
 
+#include "core/error.hpp"
 #include "lab/linearised.hpp"
 #include "sim/catalogue.hpp"
 
@@ -120,6 +121,18 @@ std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method) {
     return static_cast<std::uint64_t>(std::max(1.0, std::ceil(plan.time * frequency(plan) / phase)));
 }
 
+std::vector<std::string> possible_methods(const StudyPlan& plan) {
+    std::vector<std::string> possible;
+    for (const std::string& id : plan.methods) {
+        try {
+            check(run_over(plan, id, Precision::double_, 1));
+            possible.push_back(id);
+        } catch (const UsageError&) {
+        }
+    }
+    return possible;
+}
+
 void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyProgress& progress) {
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -135,8 +148,9 @@ std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& 
     std::vector<Measurement> runs;
     Series series(plan, reference, runs);
     double done = 0;
-    const double all = static_cast<double>(plan.methods.size() * plan.precisions.size());
-    for (const std::string& id : plan.methods) {
+    const std::vector<std::string> methods = possible_methods(plan);
+    const double all = static_cast<double>(methods.size() * plan.precisions.size());
+    for (const std::string& id : methods) {
         for (const Precision precision : plan.precisions) {
             if (method(id).info.adaptive) {
                 series.over_tolerance(id, precision);

@@ -39,6 +39,9 @@ RunDescription run_over(const StudyPlan& plan, const std::string& method, Precis
 /// Steps over the time at the method's largest sensible dt: just below the stability limit where there is one.
 std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method);
 
+/// The methods of the plan that can run its scene: others refuse it by name.
+std::vector<std::string> possible_methods(const StudyPlan& plan);
+
 /// Times these runs in interleaved rounds and stores the least of each.
 void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyProgress& progress);
 

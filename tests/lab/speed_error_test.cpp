@@ -48,6 +48,15 @@ TEST(SpeedError, ends_where_the_run_was_asked_to_end) {
         EXPECT_NEAR(run.run.dt * static_cast<double>(run.steps), plan.time, 1e-12);
 }
 
+// 9^3 + 1 particles of which every pair acts on each other: too many for the linear solver of tr-bdf2.
+TEST(SpeedError, leaves_out_methods_that_refuse_the_scene) {
+    StudyPlan plan = small_plan({"verlet", "tr-bdf2"});
+    EXPECT_EQ(possible_methods(plan), plan.methods);
+    plan.scene = describe("morse", "verlet");
+    plan.scene.scene.set("edge", 9);
+    EXPECT_EQ(possible_methods(plan), std::vector<std::string>{"verlet"});
+}
+
 // A wrong scene has an error that no dt takes away: the partner of the orders above.
 TEST(SpeedError, of_a_wrong_scene_does_not_fall) {
     const StudyPlan right = small_plan({"pefrl"});
