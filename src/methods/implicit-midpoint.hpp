@@ -4,8 +4,6 @@
 #include "methods/implicit_stage.hpp"
 #include "methods/synchronised.hpp"
 
-#include <limits>
-
 namespace steplab {
 
 /// The implicit midpoint rule: x1 = x0 + h V, v1 = v0 + h (a(X) - gamma V) with X, V in the middle of the step.
@@ -44,8 +42,7 @@ struct ImplicitMidpoint {
 
         template <class System>
         void step(System& system) {
-            const bool found = in_halves(system.dt(), [&](T h) { return attempt(system, h); });
-            if (!found) v_.flat()[0] = std::numeric_limits<T>::quiet_NaN();  // the run has diverged
+            step_in_halves(system.dt(), v_, [&](T h) { return attempt(system, h); });
         }
 
     private:

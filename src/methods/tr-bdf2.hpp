@@ -4,8 +4,6 @@
 #include "methods/implicit_stage.hpp"
 #include "methods/synchronised.hpp"
 
-#include <limits>
-
 namespace steplab {
 
 /// The trapezoidal rule to t + gamma h, gamma = 2 - sqrt(2), then the second backward difference formula to t + h: one
@@ -55,8 +53,7 @@ struct TrBdf2 {
 
         template <class System>
         void step(System& system) {
-            const bool found = in_halves(system.dt(), [&](T h) { return attempt(system, h); });
-            if (!found) v_.flat()[0] = std::numeric_limits<T>::quiet_NaN();  // the run has diverged
+            step_in_halves(system.dt(), v_, [&](T h) { return attempt(system, h); });
         }
 
         template <class Self, class F>
