@@ -101,10 +101,14 @@ void Sketch::shaded_box(PixelPoint top_left, PixelPoint bottom_right, Rgb top, R
 }
 
 void Sketch::finish(const Tile& tile, PictureSize part) {
-    ImDrawList* lists[] = {&body_->list};
     ImDrawData data;
     data.Valid = true;
+#if IMGUI_VERSION_NUM >= 18980
+    data.CmdLists.push_back(&body_->list);
+#else
+    ImDrawList* lists[] = {&body_->list};
     data.CmdLists = lists;
+#endif
     data.CmdListsCount = 1;
     data.DisplayPos = {static_cast<float>(tile.left), static_cast<float>(tile.top)};
     data.DisplaySize = {static_cast<float>(part.width), static_cast<float>(part.height)};
