@@ -111,6 +111,7 @@ private:
         summary.evaluations = simulation.evaluations();
         summary.hash = simulation.hash();
         summary.collisions = simulation.collisions();
+        summary.drag = has_drag(description);
         if (simulation.divergence()) summary.diverged_step = simulation.step() + 1;
     }
 

@@ -78,7 +78,8 @@ std::string summary_text(const RunSummary& s) {
     line("time", number_text(s.time));
     line("evaluations", fmt::format("{}", s.evaluations));
     line("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", s.energy_start, s.energy_end));
-    line("energy error", fmt::format("{:.3g} at most, over the steps looked at (--every)", s.energy_error));
+    line(s.drag ? "energy change" : "energy error",
+         fmt::format("{:.3g} at most, over the steps looked at (--every)", s.energy_error));
     if (s.collisions.count() > 0) line("collisions", collisions_text(s.collisions));
     line("wall time", duration_text(s.wall_seconds));
     line("hash", s.hash);

@@ -22,6 +22,7 @@ struct RunSummary {
     double energy_start = 0;
     double energy_end = 0;
     double energy_error = 0;  ///< largest |E - E0| over the written steps
+    bool drag = false;        ///< takes energy: it then changes without any error
     double wall_seconds = 0;
     std::string hash;
     std::optional<std::uint64_t> diverged_step;

@@ -128,12 +128,15 @@ std::optional<StabilityLimit> stability_limit(const RunDescription& description)
     const Model& scene = model(description.model);
     const auto omega = scene.omega_max(description.scene);
     if (!omega) return std::nullopt;
-    const bool damped = description.scene.contains("c") && description.scene["c"] > 0;
-    const double gamma = damped ? description.scene["c"] / description.scene["m"] : 0;
+    const double gamma = has_drag(description) ? description.scene["c"] / description.scene["m"] : 0;
     const auto limit = [&](double frequency) {
         return linear_limit(method(description.method), description.method_parameters, frequency, gamma);
     };
     return StabilityLimit{std::min(limit(*omega), limit(0)), *omega};
+}
+
+bool has_drag(const RunDescription& description) {
+    return description.scene.contains("c") && description.scene["c"] > 0;
 }
 
 std::uint64_t steps_until(double duration, double dt) {

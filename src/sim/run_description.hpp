@@ -52,6 +52,9 @@ struct StabilityLimit {
 };
 std::optional<StabilityLimit> stability_limit(const RunDescription& description);
 
+/// True if the scene takes energy out of the motion: the energy then changes without any error.
+bool has_drag(const RunDescription& description);
+
 /// ceil(duration / dt * (1 - 1e-12)): the steps that reach `duration`.
 std::uint64_t steps_until(double duration, double dt);
 

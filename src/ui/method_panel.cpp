@@ -2,7 +2,6 @@
 #include "ui/format.hpp"
 #include "ui/panels.hpp"
 #include "ui/parameter_rows.hpp"
-#include "ui/remedy.hpp"
 #include "ui/widgets.hpp"
 
 #include <fmt/format.h>

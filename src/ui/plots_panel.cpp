@@ -1,6 +1,5 @@
 #include "ui/panels.hpp"
 #include "ui/plot.hpp"
-#include "ui/remedy.hpp"
 
 #include <fmt/format.h>
 

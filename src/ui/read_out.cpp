@@ -1,6 +1,5 @@
 #include "ui/format.hpp"
 #include "ui/panels.hpp"
-#include "ui/remedy.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +28,8 @@ std::vector<Line> lines_of(const Context& context) {
     std::vector<Line> lines;
     lines.push_back(
         {fmt::format("t = {} s   step {}", time_text(view.frame.time, view.dt), view.frame.step), colour::text, true});
-    lines.push_back({"energy error " + with_unit(scientific(view.diagnostics.energy_error), "J")});
+    const std::string energy = has_drag(view.description) ? "energy change " : "energy error ";  // drag takes it
+    lines.push_back({energy + with_unit(scientific(view.diagnostics.energy_error), "J")});
     if (view.baseline_step > 0) lines.push_back({fmt::format("counted from step {}", view.baseline_step)});
     if (const auto error = view.diagnostics.error) {
         const double scale =

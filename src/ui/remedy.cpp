@@ -15,10 +15,6 @@ bool keeps_stable(const RunDescription& description) {
 
 }  // namespace
 
-bool has_drag(const RunDescription& description) {
-    return description.scene.contains("c") && description.scene["c"] > 0;
-}
-
 RunDescription with_dt(RunDescription description, double dt) {
     description.dt = dt;
     return description;

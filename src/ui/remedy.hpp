@@ -6,9 +6,6 @@
 
 namespace steplab::ui {
 
-/// True if the scene takes energy out of the motion: the energy then changes without any error.
-bool has_drag(const RunDescription& description);
-
 /// The description with another time step.
 RunDescription with_dt(RunDescription description, double dt);
 

@@ -296,6 +296,14 @@ TEST(Run, summary_for_people_leaves_standard_output_to_the_data) {
     EXPECT_THAT(with({"--summary", "-"}).out, testing::StartsWith("{"));
 }
 
+TEST(Run, energy_that_drag_takes_is_no_error) {
+    const auto summary = [](const char* drag) {
+        return run_program({"run", "--model", "rope", "--steps", "5", "--set", drag}).out;
+    };
+    EXPECT_THAT(summary("c=0.3"), testing::AllOf(HasSubstr("energy change"), testing::Not(HasSubstr("energy error"))));
+    EXPECT_THAT(summary("c=0"), testing::AllOf(HasSubstr("energy error"), testing::Not(HasSubstr("energy change"))));
+}
+
 TEST(Run, memory_does_not_grow_with_the_number_of_steps) {
     const auto kilobytes = [](const char* steps) {
         const Outcome outcome =
