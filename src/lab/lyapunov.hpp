@@ -26,8 +26,8 @@ struct LyapunovExponent {
 LyapunovExponent lyapunov_exponent(const Scene& scene, const Shape& shape, double time);
 
 /// Why the end of the described scene cannot be known, in a sentence with the measured exponent, to be shown instead of
-/// errors that mean nothing. Empty where the reference is known to a thousandth of the scene's spacing, or where motions
-/// do not part exponentially. Throws Interrupted.
+/// errors that mean nothing. Empty where the reference is known to a thousandth of the scene's spacing, or where
+/// motions do not part exponentially. Throws Interrupted.
 std::string chaos_note(const RunDescription& description, const Reference& reference);
 
 }  // namespace steplab
