@@ -213,11 +213,11 @@ Figure resonance_figure() {
     Figure figure{.x_label = "ω dt",
                   .y_label = "growth of the motion in a step",
                   .log_x = false,
-                  .y_range = {{1e-5, 100}},
+                  .y_range = {{1e-5, 1}},
                   .curves = {}};
-    for (const char* id : {"velocity-verlet", "forest-ruth", "pefrl", "mclachlan-atela-5", "srkn-11b", "kahan-li-8"}) {
+    for (const char* id : {"pefrl", "mclachlan-atela-5", "kahan-li-8", "srkn-11b"}) {
         Curve curve{.name = id, .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
-        for (double phase = 1.4; phase<6.6; phase += phase> 3.13 && phase < 3.15 ? 4e-4 : 0.02)
+        for (double phase = 2.95; phase<3.55; phase += phase> 3.14 && phase < 3.144 ? 4e-5 : 2e-3)
             curve.points.emplace_back(phase, std::max(growth_at(method(id), phase), 1e-9));
         figure.curves.push_back(std::move(curve));
     }

@@ -69,14 +69,15 @@ private:
         const Real half = growth(t / 2);
         return 2 * half * half;
     }
+    bool is_far(Real t) const { return energy_ > 0 && std::sqrt(kappa_) * t > 1; }
     /// With energy to part, y = nearest + swing (cosh(s (t - turn)) - 1) counted from where they turn: the sum of what
     /// the start gives would lose as many digits as cosh has grown by.
     Real y(Real t) const {
-        if (energy_ > 0) return nearest_ + swing_ * kappa_ * lifted(t - turn_);
+        if (is_far(t)) return nearest_ + swing_ * kappa_ * lifted(t - turn_);
         return y0_ + rate0_ * growth(t) + (kappa_ * y0_ + lift_) * lifted(t);
     }
     Real y_rate(Real t) const {
-        if (energy_ > 0) return swing_ * kappa_ * growth(t - turn_);
+        if (is_far(t)) return swing_ * kappa_ * growth(t - turn_);
         return rate0_ * (1 + kappa_ * lifted(t)) + (kappa_ * y0_ + lift_) * growth(t);
     }
 
