@@ -172,7 +172,7 @@ Figure escape_figure() {
     const auto add = [&](Precision precision, std::string_view method) {
         const bool in_float = precision == Precision::float_;
         Curve curve =
-            curve_over_time(escape(precision), method, static_cast<int>(figure.curves.size()), separation, 300);
+            curve_over_time(escape(precision), method, static_cast<int>(figure.curves.size()), separation, 200);
         if (in_float) curve.name += ", float";
         curve.dashed = in_float;
         figure.curves.push_back(std::move(curve));
