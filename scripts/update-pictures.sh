@@ -17,8 +17,9 @@ picture() {
     "$root/build/release/bin/steplab" snapshot "$@" --out "$images/$name.png" || (($? == diverged))
 }
 
-build release --target programs
+build release --target programs draw_diagrams
 mkdir -p "$images"
+"$root/build/release/docs/draw_diagrams" "$images"
 picture window --model mesh --set dim=17 --set v0=7 --steps 158 --colour displacement --ui on --size 1280x800 \
     --view 25,22,54,16,0,-16
 picture free --model free --steps 40 --colour speed --size 800x500

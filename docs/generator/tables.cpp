@@ -117,6 +117,13 @@ std::string help_of(const std::string& command, const std::string& folder) {
     return text.substr(0, text.find("\nModels (--model)")) + "```\n";
 }
 
+std::string picture_name(const HardCase& it) { return fmt::format("hard-{}.svg", it.id); }
+
+std::string hard_case_in_full(const std::string& id) {
+    const HardCase it = hard_case(id);
+    return fmt::format("![{0}](images/{1})\n\n*{0}.*\n\n{2}", it.caption, picture_name(it), markdown(it.table()));
+}
+
 std::string section(const std::string& name, const std::string& folder) {
     if (name == "models") return models_table();
     if (name == "methods") return methods_table();
@@ -125,6 +132,7 @@ std::string section(const std::string& name, const std::string& folder) {
     if (name == "keys") return ui::key_table();
     if (name == "thesis table 1") return markdown(thesis_table_1());
     if (name == "thesis table 2") return markdown(thesis_table_2());
+    if (name.starts_with("hard case ")) return hard_case_in_full(name.substr(10));
     if (name == "help") return help_of("", folder);
     if (name.starts_with("help ")) return help_of(name.substr(5), folder);
     if (name.starts_with("$ ")) return command_and_output(name.substr(2), folder);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lab/hard_case.hpp"
+
 #include <string>
 
 namespace steplab::docs {
@@ -20,8 +22,14 @@ std::string command_and_output(const std::string& command, const std::string& fo
 /// What `steplab COMMAND --help` prints, without the models and methods at its foot.
 std::string help_of(const std::string& command, const std::string& folder);
 
-/// The section of that name: "models", "methods", "models in full", "methods in full", "thesis table N", "keys",
-/// "help", "help COMMAND", or "$ any shell command". Throws std::runtime_error if the name is unknown. unknown.
+/// The file of a hard case's diagram in docs/images.
+std::string picture_name(const HardCase& it);
+/// The diagram of a hard case, its caption and its table of every method.
+std::string hard_case_in_full(const std::string& id);
+
+/// The section of that name: "models", "methods", "models in full", "methods in full", "thesis table N",
+/// "hard case ID", "keys", "help", "help COMMAND", or "$ any shell command". Throws std::runtime_error if the name is
+/// unknown.
 std::string section(const std::string& name, const std::string& folder);
 
 }  // namespace steplab::docs

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "lab/answers.hpp"
+#include "lab/lyapunov.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -133,8 +134,10 @@ std::vector<Measurement> candidates(const StudyPlan& plan, Search& search, const
 Advice advise(const StudyPlan& plan, double error, const Reference& reference, const StudyProgress& progress) {
     const double certain = reference.moments.back().error;
     if (error < certain) {
-        throw UsageError(fmt::format("an error of {} cannot be told here: the reference ({}) is itself known to {:.1e}",
-                                     number_text(error), reference.how, certain));
+        const std::string chaos = chaos_note(plan.scene, reference);
+        throw UsageError(
+            fmt::format("an error of {} cannot be told here: the reference ({}) is itself known to {:.1e}{}",
+                        number_text(error), reference.how, certain, chaos.empty() ? "" : ". " + chaos));
     }
     Search search(plan, error, reference);
     std::vector<Measurement> runs = candidates(plan, search, progress);

@@ -12,7 +12,7 @@ namespace steplab {
 /// Differential Equations I, II.9) on x'' = a(x) - gamma v, in steps of one size. A step is taken with 2, 4, ... 16
 /// substeps, whose errors are series in h^2; eight of them make order 16. For references: no method of the catalogue is
 /// of this family.
-template <class T, class Force>
+template <class T>
 class Extrapolation {
 public:
     static constexpr std::size_t columns = 8, order = 2 * columns;
@@ -21,8 +21,10 @@ public:
         for (State<T>& entry : table_) entry = zero(particles);
     }
 
-    /// One step of system.dt(), from and to `state`.
-    void step(System<T, Force>& system, State<T>& state) {
+    /// One step of system.dt(), from and to `state`. A System<T, Force> (methods/system.hpp), or what has its
+    /// accelerations(x, a), drag() and dt().
+    template <class Equations>
+    void step(Equations& system, State<T>& state) {
         slope(system, state, slope_);
         for (std::size_t row = 0; row < columns; ++row) {
             midpoint_rule(system, state, substeps(row), table_[row]);
@@ -32,11 +34,12 @@ public:
     }
 
 private:
-    static constexpr std::size_t substeps(std::size_t row) { return 2 * (row + 1); }
+    static constexpr int substeps(std::size_t row) { return 2 * (static_cast<int>(row) + 1); }
     static State<T> zero(std::size_t particles) { return {Field<T>(particles), Field<T>(particles)}; }
 
     /// (x, v)' = (v, a(x) - gamma v).
-    static void slope(System<T, Force>& system, const State<T>& y, State<T>& out) {
+    template <class Equations>
+    static void slope(Equations& system, const State<T>& y, State<T>& out) {
         system.accelerations(y.displacement, out.velocity);
         out.displacement = y.velocity;
         for (std::size_t k = 0; k < out.velocity.flat().size(); ++k)
@@ -52,11 +55,12 @@ private:
     }
 
     /// y(1) = y(0) + h f(y(0)), y(m+1) = y(m-1) + 2 h f(y(m)), up to y(n), n even.
-    void midpoint_rule(System<T, Force>& system, const State<T>& start, std::size_t n, State<T>& end) {
+    template <class Equations>
+    void midpoint_rule(Equations& system, const State<T>& start, int n, State<T>& end) {
         const T h = system.dt() / static_cast<T>(n);
         before_ = start;
         add(start, h, slope_, end);
-        for (std::size_t m = 1; m < n; ++m) {
+        for (int m = 1; m < n; ++m) {
             slope(system, end, middle_);
             add(before_, T(2) * h, middle_, before_);
             std::swap(before_, end);

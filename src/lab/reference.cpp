@@ -57,7 +57,7 @@ ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const do
     using Force = decltype(engine<Real>(forces));
     ReferenceRun run;
     State<Real> state{converted<Real>(scene.start.displacement), converted<Real>(scene.start.velocity)};
-    Extrapolation<Real, Force> method(state.displacement.count());
+    Extrapolation<Real> method(state.displacement.count());
     double now = 0;
     for (const double time : times) {
         const Real stretch = static_cast<Real>(time) - now;
@@ -108,7 +108,7 @@ Reference as_reference(const ReferenceRun& run, const std::vector<double>& error
         reference.moments.push_back(std::move(moment));
     }
     reference.how = fmt::format("extrapolation of order {} in long double, {} steps; its error from half as many",
-                                Extrapolation<Real, Line<Real>>::order, run.steps);
+                                Extrapolation<Real>::order, run.steps);
     return reference;
 }
 

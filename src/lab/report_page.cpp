@@ -2,6 +2,7 @@
 
 #include "core/text.hpp"
 #include "lab/answers.hpp"
+#include "lab/lyapunov.hpp"
 #include "lab/page.hpp"
 #include "sim/catalogue.hpp"
 
@@ -143,6 +144,8 @@ std::string study_section(const Study& study, std::span<const double> errors, st
             captioned("Error against evaluations (dashed: float)", svg[1]) + "</div>\n";
     text += fmt::format("<p class=\"quiet\">Reference: {}; its own error is {:.1e}. No error is given below it.</p>\n",
                         study.reference.how, study.reference.moments.back().error);
+    if (const std::string chaos = chaos_note(scene, study.reference); !chaos.empty())
+        text += fmt::format("<p><strong>{}</strong></p>\n", chaos);
     text += "<h3>Nothing measured is both faster and more accurate</h3>\n" + pareto_table(study);
     text += "<div class=\"row\">\n" + captioned("Energy error over time, at about equal cost, double", svg[2]) +
             "<div><h3>Orders as this scene shows them</h3>\n" + methods_table(study) + "</div></div>\n";

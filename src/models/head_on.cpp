@@ -27,6 +27,13 @@ public:
         energy_ = mu * v0_ * v0_ / 2 + depth_ * (1 / y0_ - 2) / y0_;
         kappa_ = 2 * b_ * b_ * energy_ / mu;
         lift_ = 2 * b_ * b_ * depth_ / mu;
+        if (energy_ > 0) {
+            const Real root = std::sqrt(depth_ * depth_ + energy_ * depth_);
+            nearest_ = depth_ / (depth_ + root);
+            swing_ = root / energy_;
+            const Real s = std::sqrt(kappa_);
+            turn_ = -std::asinh(rate0_ / (swing_ * s)) / s;
+        }
         touch_ = time_of_touch();
     }
 
@@ -42,18 +49,19 @@ public:
 
     double valid_until() const override { return touch_; }
 
-    /// y is a sum of terms up to y(0) cosh, of which y(t) may be a small part.
+    /// Bound, or at the threshold, y is a sum of terms of which y(t) may be a small part; else its phase is rounded.
     double rounding(double t) const override {
+        const Real s = std::sqrt(std::abs(kappa_));
         const Real terms = std::abs(y0_) + std::abs(y_rate(t)) / b_ + std::abs(rate0_) * std::abs(growth(t));
-        const Real lost = 1e-18L * (terms / y(t) + std::sqrt(std::abs(kappa_)) * t) / b_;
-        return static_cast<double>(lost + 1.2e-16L * (std::abs(start_) + std::abs(v0_) * t));
+        const Real lost = energy_ > 0 ? s * std::abs(turn_) : terms / y(t);
+        return static_cast<double>(1e-18L * (lost + s * t) / b_ + 1.2e-16L * (std::abs(start_) + std::abs(v0_) * t));
     }
 
 private:
     /// sinh(s t) / s with s^2 = kappa, or sin where kappa < 0.
     Real growth(Real t) const {
         const Real s = std::sqrt(std::abs(kappa_)), phase = s * t;
-        if (phase < 1e-9L) return t;
+        if (std::abs(phase) < 1e-9L) return t;
         return (kappa_ > 0 ? std::sinh(phase) : std::sin(phase)) / s;
     }
     /// cosh(s t) - 1 over kappa.
@@ -61,8 +69,17 @@ private:
         const Real half = growth(t / 2);
         return 2 * half * half;
     }
-    Real y(Real t) const { return y0_ + rate0_ * growth(t) + (kappa_ * y0_ + lift_) * lifted(t); }
-    Real y_rate(Real t) const { return rate0_ * (1 + kappa_ * lifted(t)) + (kappa_ * y0_ + lift_) * growth(t); }
+    bool is_far(Real t) const { return energy_ > 0 && std::sqrt(kappa_) * t > 1; }
+    /// With energy to part, y = nearest + swing (cosh(s (t - turn)) - 1) counted from where they turn: the sum of what
+    /// the start gives would lose as many digits as cosh has grown by.
+    Real y(Real t) const {
+        if (is_far(t)) return nearest_ + swing_ * kappa_ * lifted(t - turn_);
+        return y0_ + rate0_ * growth(t) + (kappa_ * y0_ + lift_) * lifted(t);
+    }
+    Real y_rate(Real t) const {
+        if (is_far(t)) return swing_ * kappa_ * growth(t - turn_);
+        return rate0_ * (1 + kappa_ * lifted(t)) + (kappa_ * y0_ + lift_) * growth(t);
+    }
 
     /// Infinite if they never touch. y falls towards its value at r = 0 while it is convex, so that Newton's steps
     /// approach that moment from before.
@@ -90,6 +107,7 @@ private:
     Real y0_, rate0_;  ///< y and y' at the start
     Real energy_ = 0;  ///< of the distance, E
     Real kappa_ = 0, lift_ = 0;
+    Real nearest_ = 0, swing_ = 0, turn_ = 0;  ///< with energy > 0: least y, how it swings, and when it is least
     double touch_ = 0;
 };
 

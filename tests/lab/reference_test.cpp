@@ -144,12 +144,13 @@ TEST_P(HeadOnMotion, is_that_of_a_fine_run) {
     EXPECT_LT(distance(pair.run.moments[1].state.velocity, pair.exact.moments[1].state.velocity), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, HeadOnMotion,
-                         testing::Values(HeadOn{"published_until_they_touch", 1, 0.5, 0.5, 1, 6.5},
-                                         HeadOn{"hard_core_scatters", 1, 50, 2, 1, 20},
-                                         HeadOn{"hard_core_bound", 1, 0.5, 4, 0, 60},
-                                         HeadOn{"escapes", 1, 0.5, 0.5, -3, 20}),
-                         [](const auto& test) { return std::string(test.param.what); });
+INSTANTIATE_TEST_SUITE_P(
+    Cases, HeadOnMotion,
+    testing::Values(HeadOn{"published_until_they_touch", 1, 0.5, 0.5, 1, 6.5},
+                    HeadOn{"hard_core_scatters", 1, 50, 2, 1, 20},
+                    HeadOn{"hard_core_scatters_from_a_thousand_times_the_depth", 1, 50, 2, 60, 0.3},
+                    HeadOn{"hard_core_bound", 1, 0.5, 4, 0, 60}, HeadOn{"escapes", 1, 0.5, 0.5, -3, 20}),
+    [](const auto& test) { return std::string(test.param.what); });
 
 TEST(HeadOn, touches_where_the_distance_reaches_zero) {
     const auto exact = model("morse").exact(scene_of("morse", {{"edge", 1}}).scene);

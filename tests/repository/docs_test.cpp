@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <regex>
+#include <sstream>
 #include <stdexcept>
 
 namespace steplab::repository {
@@ -67,6 +69,24 @@ TEST(Docs, units_of_all_parameters_are_in_the_table_of_units) {
             EXPECT_THAT(units, HasSubstr("| " + unit + " |")) << model.info.id << ' ' << info.name;
         }
     }
+}
+
+/// The diagram stands on white, so that it can be read on dark pages too, and is light to load.
+bool is_fit_for_a_page(const std::string& svg) {
+    return svg.find("fill=\"#ffffff\"") != std::string::npos && svg.find("<path") != std::string::npos &&
+           svg.size() < 64000;
+}
+
+TEST(Docs, every_hard_case_has_its_table_and_diagram) {
+    const std::string hard_cases = page("docs/hard-cases.md");
+    for (const HardCase& each : steplab::hard_cases()) {
+        EXPECT_THAT(hard_cases, HasSubstr(fmt::format("<!-- made: hard case {} -->", each.id)));
+        std::ostringstream svg;
+        svg << std::ifstream(std::filesystem::path(STEPLAB_SOURCE_DIR) / "docs/images" / docs::picture_name(each))
+                   .rdbuf();
+        EXPECT_TRUE(is_fit_for_a_page(svg.str())) << each.id << ": run scripts/update-pictures.sh";
+    }
+    EXPECT_FALSE(is_fit_for_a_page("<svg><path/></svg>"));
 }
 
 TEST(Docs, links_lead_to_files) {

@@ -1,0 +1,93 @@
+#include "lab/lyapunov.hpp"
+
+#include "core/error.hpp"
+#include "lab/advice.hpp"
+#include "lab/linearised.hpp"
+#include "lab/mode_run.hpp"
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace steplab::test {
+namespace {
+
+RunDescription scene_of(std::string_view id, Settings settings = {}) {
+    return run_of(id, "rk4", Precision::double_, 0.1, settings);
+}
+
+LyapunovExponent exponent_of(const RunDescription& run, double time) {
+    return lyapunov_exponent(model(run.model).scene(run.scene), model(run.model).shape(run.scene), time);
+}
+
+/// A Morse cube, balanced at its start, from where it departs as e^(rate t): its rate by the eigenvalues of the
+/// linearised scene, and as runs beside each other show it.
+std::pair<double, double> departure(double stretched) {
+    const RunDescription run = scene_of("morse", {{"edge", 2}, {"spacing", 2.5 * stretched}, {"k", 8}, {"v0", 0}});
+    const Shape shape = model("morse").shape(run.scene);
+    const Scene scene = balanced(model("morse").scene(run.scene));
+    const double least = modes(LinearisedScene(scene, shape)).values[0];
+    return {std::sqrt(std::max(0.0, -least)), lyapunov_exponent(scene, shape, 400).exponent};
+}
+
+// The tangent has turned into the fastest direction long before the first quarter of the time is over.
+TEST(Lyapunov, exponent_of_a_linear_departure_is_the_rate_of_its_eigenvalue) {
+    const auto [rate, measured] = departure(1);
+    EXPECT_GT(rate, 0.05);
+    EXPECT_NEAR(measured / rate, 1, 1e-3);
+    EXPECT_GT(std::abs(departure(1.02).second / rate - 1), 1e-2);  // the partner: a scene 2 % wider
+}
+
+// Distances of a regular motion grow in proportion to time at most.
+TEST(Lyapunov, exponent_of_regular_motion_is_zero) {
+    EXPECT_NEAR(exponent_of(scene_of("oscillator"), 1000).exponent, 0, 1e-12);
+    EXPECT_LT(exponent_of(scene_of("free"), 1000).exponent, 1e-2);
+    EXPECT_FALSE(exponent_of(scene_of("free"), 1000).chaotic());
+    EXPECT_FALSE(exponent_of(scene_of("mesh"), 20).chaotic());
+}
+
+// With drag c / m = 1 the motion dies out as e^(-t/2).
+TEST(Lyapunov, exponent_of_damped_motion_is_negative) {
+    EXPECT_NEAR(exponent_of(scene_of("oscillator", {{"c", 1}}), 100).exponent, -0.5, 1e-2);
+    EXPECT_LT(exponent_of(scene_of("rope"), 20).exponent, 0);
+}
+
+// The same rope with and without drag. Between stretches of 2 s the exponent differs by some 1.
+TEST(Lyapunov, exponent_of_a_whipping_rope_stands_clear_of_zero) {
+    const LyapunovExponent whip = exponent_of(scene_of("rope", {{"c", 0}}), 20),
+                           damped = exponent_of(scene_of("rope"), 20);
+    EXPECT_TRUE(whip.chaotic());
+    EXPECT_NEAR(whip.exponent, 2.7, 3 * whip.spread);
+    EXPECT_FALSE(damped.chaotic());
+}
+
+TEST(Chaos, is_told_where_the_reference_is_lost_and_nowhere_else) {
+    const ReferenceEffort effort{.most_particle_evaluations = 5e6};
+    const RunDescription whip = scene_of("rope", {{"c", 0}}), calm = scene_of("rope");
+    const Reference lost = reference(whip, std::vector<double>{20}, effort);
+    EXPECT_THAT(chaos_note(whip, lost), testing::HasSubstr("its Lyapunov exponent is "));
+    EXPECT_EQ(chaos_note(calm, reference(calm, std::vector<double>{20}, effort)), "");
+    EXPECT_EQ(chaos_note(whip, reference(whip, std::vector<double>{2}, effort)), "");
+    // the partner: a reference that is lost for want of effort only
+    Reference poor = reference(calm, std::vector<double>{5}, effort);
+    poor.moments.back().error = 1;
+    EXPECT_EQ(chaos_note(calm, poor), "");
+}
+
+TEST(Chaos, is_told_to_who_asks_for_advice) {
+    StudyPlan plan;
+    plan.scene = scene_of("rope", {{"c", 0}});
+    plan.time = 20;
+    const Reference lost = reference(plan.scene, std::vector<double>{plan.time}, {.most_particle_evaluations = 5e6});
+    try {
+        advise(plan, 1e-6, lost, [](double) {});
+        ADD_FAILURE();
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("The motion is chaotic"));
+    }
+}
+
+}  // namespace
+}  // namespace steplab::test
