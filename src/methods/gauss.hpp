@@ -3,6 +3,7 @@
 #include "core/entry.hpp"
 #include "core/root.hpp"
 #include "methods/gauss_stages.hpp"
+#include "methods/moving_axes.hpp"
 #include "methods/own_steps.hpp"
 
 #include <algorithm>
@@ -31,9 +32,10 @@ public:
     void start(System& system, const State<T>& state) {
         end_ = TwoPartState<T>(state);
         begin_ = end_;
-        stages_ = GaussStages<T>(state.displacement.count(), iteration_error());
-        known_ = GaussStages<T>::room_for_known(state.displacement);
         progress_ = {};
+        progress_.axes = moving_axes(system, state);
+        stages_ = stages(state.displacement.count());
+        known_ = GaussStages<T>::room_for_known(state.displacement);
         progress_.last = progress_.next = system.dt();
         Field<T> a(end_.x.count());
         system.accelerations(end_.x, a);
@@ -56,10 +58,10 @@ public:
         TwoPartState<T> seen = ahead > T(0) ? begin_ : end_;
         if (ahead > T(0)) {
             System copy = system;
-            GaussStages<T> stages(seen.x.count(), iteration_error());
+            GaussStages<T> inside = stages(seen.x.count());
             const T h = progress_.last - ahead;
-            stages.solve(copy, seen, h, {known_, T(0), h / progress_.last});
-            stages.advance(seen, h);
+            inside.solve(copy, seen, h, {known_, T(0), h / progress_.last});
+            inside.advance(seen, h);
         }
         out.displacement = seen.x;
         out.velocity = seen.v;
@@ -76,12 +78,20 @@ public:
         T last = T(0);      ///< length of the last step, to which the known forces belong
         T next = T(0);      ///< of the next own step
         int halvings = 0;   ///< a step of dt is taken in 2^halvings pieces
+        std::size_t axes = 3;
         InnerTime<T> time;  ///< of own steps
     };
     Progress progress() const { return progress_; }
-    void progress(const Progress& saved) { progress_ = saved; }
+    void progress(const Progress& saved) {
+        progress_ = saved;
+        stages_ = stages(end_.x.count());
+    }
 
 private:
+    GaussStages<T> stages(std::size_t particles) const {
+        return GaussStages<T>(particles, progress_.axes, iteration_error());
+    }
+
     static constexpr int most_halvings = 30;
     /// Fewer iterations than this: pieces twice as long are tried next time.
     static constexpr std::size_t easy = 10;
@@ -154,7 +164,7 @@ private:
         constexpr T factor_6 = 10395, factor_7 = 135135;  // 11!!, 13!!
         constexpr T smallest = T(1) / T(64);
         T x = T(0);
-        each_coordinate(end_.x, [&](std::size_t k) { x += end_.x.flat()[k] * end_.x.flat()[k]; });
+        each_coordinate(end_.x, progress_.axes, [&](std::size_t k) { x += end_.x.flat()[k] * end_.x.flat()[k]; });
         const T error = std::max(tolerance_, T(1024) * std::numeric_limits<T>::epsilon());
         const T forces = spectrum.force + idle_accelerations(error, x, h);
         const T part_6 = factor_6 * factor_6 * (spectrum.coefficient_6 / forces);
