@@ -70,7 +70,8 @@ public:
         for (const Solver& solver : plain_solvers(problem)) enter(solver, 1);
         for (const Solver& solver : gather_solvers(problem)) enter(solver, 2);
         for (const std::string& id : possible_methods(plan_)) {
-            if (run_over(plan_, id, Precision::double_, 1).method_parameters.contains("tolerance")) enter_tolerances(id);
+            if (run_over(plan_, id, Precision::double_, 1).method_parameters.contains("tolerance"))
+                enter_tolerances(id);
         }
         std::erase_if(plan_.methods, [](const std::string& id) { return method(id).info.adaptive; });
         for (const Measurement& run : measure_series(plan_, reference_, [](double) {})) enter(run);

@@ -82,27 +82,32 @@ public:
         T change = sizes.change, before = T(0);
         for (iterations_ = 2; iterations_ <= most_iterations; ++iterations_) {
             system.accelerations(x_, f_, axes_);
-            if (settled(change, before, sizes)) return find_gains();
+            if (settled(change, before, sizes)) break;
             before = change;
             change = improve<false>(begin, h).change;
         }
-        return false;
+        find_gains();
+        return iterations_ <= most_iterations;
     }
 
     /// Evaluations of all stages that the last solve took.
     std::size_t iterations() const { return iterations_; }
 
-    /// To the end of the step.
-    void advance(TwoPartState<T>& state, T h) const {
+    /// From the beginning of the step to its end, which may be the same object. Coordinates that do not move are left.
+    void advance(const TwoPartState<T>& from, TwoPartState<T>& to, T h) const {
         const T loss = -weights_.kappa * weights_.end_reach, far = h * weights_.end_reach;
-        each_coordinate(state.x, axes_, [&](std::size_t k) {
+        each_coordinate(from.x, axes_, [&](std::size_t k) {
             const Stages<T>& gain = gain_.flat()[k];
-            T &x = state.x.flat()[k], &v = state.v.flat()[k];
-            T &lost_x = state.lost.x.flat()[k], &lost_v = state.lost.v.flat()[k];
-            lost_x += far * lost_v + h * (h * gain[Weights::position_low]);
-            lost_v += h * gain[Weights::velocity_low];
-            add_compensated(x, lost_x, far * v + h * (h * gain[Weights::position]));
-            add_compensated(v, lost_v, loss * v + h * gain[Weights::velocity]);
+            T x = from.x.flat()[k], v = from.v.flat()[k];
+            const T start_v = v, below_v = from.lost.v.flat()[k];
+            T lost_x = from.lost.x.flat()[k] + (far * below_v + h * (h * gain[Weights::position_low]));
+            T lost_v = below_v + h * gain[Weights::velocity_low];
+            add_compensated(x, lost_x, far * start_v + h * (h * gain[Weights::position]));
+            add_compensated(v, lost_v, loss * start_v + h * gain[Weights::velocity]);
+            to.x.flat()[k] = x;
+            to.v.flat()[k] = v;
+            to.lost.x.flat()[k] = lost_x;
+            to.lost.v.flat()[k] = lost_v;
         });
     }
 
@@ -206,9 +211,8 @@ private:
         return change <= noise * noise * (sizes.stages + sizes.start);
     }
 
-    bool find_gains() {
+    void find_gains() {
         each_coordinate(f_, axes_, [&](std::size_t k) { gain_.flat()[k] = product(weights_.end, f_.flat()[k]); });
-        return true;
     }
 
     static T sum(const Stages<T>& lanes) {

@@ -59,8 +59,8 @@ public:
     /// For methods that compute accelerations in ways of their own.
     void count_evaluations(std::uint64_t computed) { evaluations_ += computed; }
 
-    /// a(x) at the eight stages of a step at once: eight evaluations. With `axes` 1 all moves along x alone; the rest of
-    /// `a` may be left as it is.
+    /// a(x) at the eight stages of a step at once: eight evaluations. With `axes` 1 all moves along x alone; the rest
+    /// of `a` may be left as it is.
     void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a, std::size_t axes = 3) {
         if (!force_at_stages_) force_at_stages_.emplace(force_in<Stages<T>>(force_));
         evaluations_ += stage_count;

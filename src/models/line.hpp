@@ -50,9 +50,9 @@ public:
     }
 
     /// The same where all particles move along x alone: the components along x of `a`.
-    void accelerations_along_x(const Field<T>& u, Field<T>& a) const
-    requires SideBySide<T>
-    { accelerate_in_turn<1>(u, a); }
+    void accelerations_along_x(const Field<T>& u, Field<T>& a) const requires SideBySide<T> {
+        accelerate_in_turn<1>(u, a);
+    }
 
     PotentialEnergy potential(const Field<T>& u) const {
         CompensatedSum springs, heights;
