@@ -69,12 +69,12 @@ public:
         const Problem problem = problem_of(plan_);
         for (const Solver& solver : plain_solvers(problem)) enter(solver, 1);
         for (const Solver& solver : gather_solvers(problem)) enter(solver, 2);
-        for (const Measurement& run : measure_series(plan_, reference_, [](double) {})) {
-            if (run.diverged) continue;
-            entries_.push_back({fmt::format("{} {}", run.run.method, setting(run.run)), 0, run.error,
-                                [run] { return stepping_seconds(run.run, run.steps); },
-                                run.wall_seconds.value_or(1e300)});
+        for (const std::string& id : possible_methods(plan_)) {
+            if (run_over(plan_, id, Precision::double_, 1).method_parameters.contains("tolerance"))
+                enter_tolerances(id);
         }
+        std::erase_if(plan_.methods, [](const std::string& id) { return method(id).info.adaptive; });
+        for (const Measurement& run : measure_series(plan_, reference_, [](double) {})) enter(run);
     }
 
     void hold(int rounds) {
@@ -103,7 +103,25 @@ private:
         return fmt::format("dt {:.3g}", run.dt);
     }
 
-    /// A series from loose to tight, until a run is too long or two gain nothing.
+    void enter(const Measurement& run) {
+        if (run.diverged) return;
+        entries_.push_back({fmt::format("{} {}", run.run.method, setting(run.run)), 0, run.error,
+                            [run] { return stepping_seconds(run.run, run.steps); }, run.wall_seconds.value_or(1e300)});
+    }
+
+    /// The same series as those of the libraries' adaptive methods.
+    void enter_tolerances(const std::string& id) {
+        RunDescription run = run_over(plan_, id, Precision::double_, 1);
+        for (double tolerance = 0.3; tolerance > 1e-16; tolerance *= 0.5) {
+            run.method_parameters.set("tolerance", tolerance);
+            Measurement measured = measure(run, 1, reference_);
+            measured.wall_seconds = stepping_seconds(run, 1);
+            enter(measured);
+            if (*measured.wall_seconds > most_seconds) return;
+        }
+    }
+
+    /// A series from loose to tight, until a run is too long or six gain nothing.
     void enter(const Solver& solver, int group) {
         double best_error = 1e300;
         int useless = 0;

@@ -64,11 +64,10 @@ private:
 template <class Force>
 struct TangentEquations {
     Force force;
-    double gamma, step;
+    double gamma;
 
     void accelerations(const Field<Number>& x, Field<Number>& a) { force.accelerations(x, a); }
     Number drag() const { return gamma; }
-    Number dt() const { return step; }
 };
 
 /// Logarithms of what the tangent grows by in each of the stretches of the time.
@@ -78,13 +77,12 @@ std::vector<double> growths(const Scene& scene, TangentRun run, double time, dou
         [&](const auto& forces) {
             const double stretch = time / static_cast<double>(stretches);
             const double steps = std::max(1.0, std::ceil(stretch / step));
-            TangentEquations<decltype(engine<Number>(forces))> system{engine<Number>(forces), scene.drag,
-                                                                      stretch / steps};
+            TangentEquations<decltype(engine<Number>(forces))> system{engine<Number>(forces), scene.drag};
             Extrapolation<Number> method(run.state().displacement.count());
             for (double& growth : all) {
                 for (double i = 0; i < steps; ++i) {
                     check_interruption();
-                    method.step(system, run.state());
+                    method.step(system, run.state(), stretch / steps);
                     growth += run.normalise();
                 }
             }

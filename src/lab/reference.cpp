@@ -3,6 +3,7 @@
 #include "io/interruption.hpp"
 #include "lab/extrapolation.hpp"
 #include "lab/linearised.hpp"
+#include "methods/adaptive_steps.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/stepper_of.hpp"
 
@@ -49,34 +50,70 @@ double largest_distance(const Field<double>& a, const Field<double>& b) {
 struct ReferenceRun {
     std::vector<State<Real>> states;
     std::uint64_t steps = 0;
+    std::uint64_t evaluations = 0;
+    std::uint64_t collisions = 0;
 };
 
-/// `step` is the longest step; every stretch between two times is cut into equal ones.
+/// How far a run goes in a step: a length, or what the error of a step of its own length may be.
+struct Fineness {
+    double step = 0;
+    double tolerance = 0;  ///< if not 0
+
+    Fineness finer() const { return {step / 2, tolerance / 1000}; }
+    /// The next tolerance would be below the rounding of long double.
+    bool is_finest() const { return tolerance > 0 && tolerance < 1e-16; }
+};
+
+/// Steps of one length, every stretch between two times cut into equal ones. Counts those in which particles pass each
+/// other, where the order is lost.
+template <class Force>
+void equal_steps(System<Real, Force>& system, std::uint64_t steps, State<Real>& state, ReferenceRun& run) {
+    Extrapolation<Real> method(state.displacement.count());
+    for (std::uint64_t i = 0; i < steps; ++i) {
+        check_interruption();
+        const Field<Real> before = state.displacement;
+        method.step(system, state, system.dt());
+        if (any_pass(system, before, state.displacement)) ++run.collisions;
+    }
+    run.steps += steps;
+}
+
+/// Steps of the run's own choice over the system's dt, with collisions crossed.
+template <class Force>
+void own_steps(System<Real, Force>& system, double tolerance, State<Real>& state, ReferenceRun& run) {
+    ParameterValues values(std::span(&tolerance_parameter, 1));
+    values.set(tolerance_parameter.name, tolerance);
+    AdaptiveSteps<Real, ExtrapolationRule<Real>> integrator(values);
+    integrator.start(system, state);
+    check_interruption();
+    integrator.step(system);
+    integrator.synchronised(system, state);
+    run.collisions += integrator.collisions().count();
+}
+
 template <class Layout>
-ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const double> times, double step) {
+ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const double> times, const Fineness& fineness) {
     using Force = decltype(engine<Real>(forces));
     ReferenceRun run;
     State<Real> state{converted<Real>(scene.start.displacement), converted<Real>(scene.start.velocity)};
-    Extrapolation<Real> method(state.displacement.count());
     double now = 0;
     for (const double time : times) {
         const Real stretch = static_cast<Real>(time) - now;
-        const auto steps = static_cast<std::uint64_t>(std::ceil((time - now) / step));
+        const auto steps = static_cast<std::uint64_t>(std::ceil((time - now) / fineness.step));
+        const bool own = fineness.tolerance > 0;
         System<Real, Force> system(engine<Real>(forces), scene.drag,
-                                   stretch / static_cast<Real>(std::max<std::uint64_t>(1, steps)));
-        for (std::uint64_t i = 0; i < steps; ++i) {
-            check_interruption();
-            method.step(system, state);
-        }
+                                   own ? stretch : stretch / static_cast<Real>(std::max<std::uint64_t>(1, steps)));
+        if (!own) equal_steps(system, steps, state, run);
+        if (own && stretch > 0) own_steps(system, fineness.tolerance, state, run);
         run.states.push_back(state);
-        run.steps += steps;
+        run.evaluations += system.evaluations();
         now = time;
     }
     return run;
 }
 
-ReferenceRun run(const Scene& scene, std::span<const double> times, double step) {
-    return std::visit([&](const auto& forces) { return run_on(forces, scene, times, step); }, scene.forces);
+ReferenceRun run(const Scene& scene, std::span<const double> times, const Fineness& fineness) {
+    return std::visit([&](const auto& forces) { return run_on(forces, scene, times, fineness); }, scene.forces);
 }
 
 /// Largest distance between two runs at one time, taken before anything is rounded to double.
@@ -97,7 +134,19 @@ double largest(const std::vector<double>& numbers) {
     return numbers.empty() ? 0 : *std::max_element(numbers.begin(), numbers.end());
 }
 
-Reference as_reference(const ReferenceRun& run, const std::vector<double>& errors, std::span<const double> times) {
+std::string description_of(const ReferenceRun& run, const Fineness& fineness) {
+    constexpr std::size_t order = Extrapolation<Real>::order;
+    if (fineness.tolerance == 0)
+        return fmt::format("extrapolation of order {} in long double, {} steps; its error from half as many", order,
+                           run.steps);
+    return fmt::format(
+        "extrapolation of order {} in long double at tolerance {:.0e}, {} collisions crossed; its error from a "
+        "thousand times the tolerance",
+        order, fineness.tolerance, run.collisions);
+}
+
+Reference as_reference(const ReferenceRun& run, const std::vector<double>& errors, std::span<const double> times,
+                       std::string how) {
     Reference reference;
     for (std::size_t i = 0; i < times.size(); ++i) {
         ReferenceMoment moment{
@@ -107,8 +156,7 @@ Reference as_reference(const ReferenceRun& run, const std::vector<double>& error
         moment.error += half_ulp * largest_number(moment.state.displacement);
         reference.moments.push_back(std::move(moment));
     }
-    reference.how = fmt::format("extrapolation of order {} in long double, {} steps; its error from half as many",
-                                Extrapolation<Real>::order, run.steps);
+    reference.how = std::move(how);
     return reference;
 }
 
@@ -120,27 +168,34 @@ double rate_of(const RunDescription& held, const Scene& scene) {
     return std::max(omega, scene.drag);
 }
 
-/// Halves the steps until the runs agree, the cost is too high, or nothing is gained any more.
+/// The longest step of the coarsest run.
+double longest_step(const RunDescription& held, const Scene& scene, std::span<const double> times,
+                    const ReferenceEffort& effort) {
+    const double rate = rate_of(held, scene), step = rate > 0 ? effort.first_phase / rate : infinity;
+    return times.empty() ? step : std::min(step, std::max(times.back(), 1e-300) / 2);
+}
+
+/// Refines until the runs agree, the cost is too high, or nothing is gained any more.
 Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
-    const Model& entry = model(held.model);
-    const Scene scene = entry.scene(held.scene);
-    const double wanted = effort.error * entry.shape(held.scene).spacing, rate = rate_of(held, scene);
-    const double evaluations_a_step = 65 * static_cast<double>(scene.reference.count());
-    double step = rate > 0 ? effort.first_phase / rate : infinity;
-    if (!times.empty()) step = std::min(step, std::max(times.back(), 1e-300) / 2);
-    ReferenceRun coarse = run(scene, times, step), fine = run(scene, times, step /= 2);
+    const Scene scene = model(held.model).scene(held.scene);
+    const double spacing = model(held.model).shape(held.scene).spacing, wanted = effort.error * spacing;
+    const auto particles = static_cast<double>(scene.reference.count());
+    Fineness fineness{.step = longest_step(held, scene, times, effort)};
+    ReferenceRun coarse = run(scene, times, fineness);
+    if (coarse.collisions > 0) coarse = run(scene, times, fineness = {.step = fineness.step, .tolerance = 1e-9});
+    ReferenceRun fine = run(scene, times, fineness = fineness.finer());
     std::vector<double> errors = differences(coarse, fine);
     for (int i = 0; i < effort.most_refinements && !(largest(errors) <= wanted); ++i) {
-        if (2 * static_cast<double>(fine.steps) * evaluations_a_step > effort.most_particle_evaluations) break;
+        const double cost = 2 * static_cast<double>(fine.evaluations) * particles;
+        if (fineness.is_finest() || cost > effort.most_particle_evaluations) break;
         coarse = std::move(fine);
-        fine = run(scene, times, step /= 2);
+        fine = run(scene, times, fineness = fineness.finer());
         const std::vector<double> finer = differences(coarse, fine);
-        const bool stalled =
-            largest(errors) < 1e-6 * entry.shape(held.scene).spacing && largest(finer) > largest(errors) / 2;
+        const bool stalled = largest(errors) < 1e-6 * spacing && largest(finer) > largest(errors) / 2;
         errors = finer;
         if (stalled) break;  // down to the rounding of long double
     }
-    return as_reference(fine, errors, times);
+    return as_reference(fine, errors, times, description_of(fine, fineness));
 }
 
 std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {

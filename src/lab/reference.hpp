@@ -36,7 +36,9 @@ struct ReferenceEffort {
 /// The motion of the described scene, in its precision's parameters, at these ascending times from 0 on. Exact where a
 /// closed form holds until the last of them. Elsewhere a run in long double by extrapolation of order 16, whose family
 /// no method of the catalogue is of, refined by halving its steps; the difference to the run before is the error
-/// estimate. The description's method and dt do not matter. Throws UsageError, Interrupted.
+/// estimate. Where particles pass each other the steps are chosen by the errors, collisions located and crossed as
+/// methods/collisions.hpp does it, and the tolerance refined. The description's method and dt do not matter. Throws
+/// UsageError, Interrupted.
 Reference reference(const RunDescription& description, std::span<const double> times,
                     const ReferenceEffort& effort = {});
 

@@ -4,6 +4,7 @@
 #include "core/entry.hpp"
 #include "core/field.hpp"
 #include "core/lanes.hpp"
+#include "methods/accelerate.hpp"
 #include "methods/adaptive.hpp"
 #include "methods/collisions.hpp"
 #include "methods/compensated.hpp"
@@ -48,32 +49,6 @@ public:
 private:
     const T *from_, *lost_;
     T *to_, *left_;
-};
-
-/// a(x) - gamma v.
-template <class T, class System>
-void accelerate(System& system, const Field<T>& x, const Field<T>& v, Field<T>& a) {
-    system.accelerations(x, a);
-    if (const T drag = system.drag(); drag != T(0)) {
-        T* const out = a.flat().data();
-        const T* const velocity = v.flat().data();
-        elementwise(a.flat().size(), [=](std::size_t k) { out[k] -= drag * velocity[k]; });
-    }
-}
-
-/// A system for evaluations that do not count because somebody only looks.
-template <class System>
-class Looking {
-public:
-    explicit Looking(const System& system) : system_(system) {}
-    template <class Field>
-    void accelerations(const Field& x, Field& a) {
-        system_.uncounted_accelerations(x, a);
-    }
-    auto drag() const { return system_.drag(); }
-
-private:
-    const System& system_;
 };
 
 /// Runs a method that chooses its own steps, from frame to frame. A step may reach beyond the frame: what is between
@@ -125,7 +100,7 @@ public:
             out.displacement = next_.x;
             out.velocity = next_.v;
         } else if (progress_.across > T(0)) {
-            between_collision(system, progress_.length - before_end, out);
+            within_crossing(from_, next_, progress_.across, progress_.length - before_end, out);
         } else {
             Looking<System> looking(system);
             rule_.between(looking, from_, next_, progress_.length, (progress_.length - before_end) / progress_.length,
@@ -140,7 +115,7 @@ public:
         moment(self.next_);
     }
 
-    const CollisionRecord& collisions() const { return progress_.collisions; }
+    const CollisionRecord& collisions() const { return guard_.record(); }
 
 private:
     /// Times have the digits of double at least.
@@ -155,7 +130,6 @@ public:
         T across = T(0);          ///< if it went across a collision: the time from its beginning to there
         typename StepControl<T>::State control{};
         typename CollisionGuard<T>::State guard{};
-        CollisionRecord collisions{};
     };
 
     Progress progress() const {
@@ -182,7 +156,7 @@ private:
     void inner_step(System& system, Time target) {
         std::swap(from_, next_);
         const T shortest = static_cast<T>(target) * std::numeric_limits<T>::epsilon();
-        T h = guard_.before(system, from_, control_.length());
+        T h = guard_.before(system, from_, control_.length(), static_cast<double>(progress_.time));
         while (!guard_.at_hand()) {
             const double error = rule_.attempt(system, from_, h, next_, tolerance_);
             if (std::isfinite(error) && guard_.passes(system, from_, next_.x, h)) continue;
@@ -207,27 +181,11 @@ private:
     template <class System>
     void cross_collision(System& system) {
         control_.length(guard_.scale());
-        progress_.across =
-            guard_.cross(system, from_, next_, static_cast<double>(progress_.time), progress_.collisions);
+        progress_.across = guard_.cross(system, from_, next_, static_cast<double>(progress_.time));
         progress_.length = T(2) * progress_.across;
         std::swap(next_.lost, from_.lost);
         add_compensated(progress_.time, progress_.lost, static_cast<Time>(progress_.length));
         rule_.forget();
-    }
-
-    /// The motion on both sides of a collision, each with its own acceleration.
-    template <class System>
-    void between_collision(const System&, T time, State<T>& out) const {
-        const bool behind = time > progress_.across;
-        const Moment<T>& near = behind ? next_ : from_;
-        const T from_there = behind ? time - progress_.length : time;
-        out = {near.x, near.v};
-        T *const x = out.displacement.flat().data(), *const v = out.velocity.flat().data();
-        const T* const a = near.a.flat().data();
-        elementwise(near.x.flat().size(), [=](std::size_t k) {
-            x[k] += from_there * (v[k] + from_there / T(2) * a[k]);
-            v[k] += from_there * a[k];
-        });
     }
 
     /// Norms of a pair of fields as the first step's choice takes them: root of the sum over all components, each

@@ -12,11 +12,16 @@ namespace steplab {
 /// Calls f(k) for every place k in flat() that holds a particle's coordinate, padding left out. Inlined by order, so
 /// that what f keeps is kept in registers.
 template <class T, class F>
-[[gnu::always_inline]] inline void each_coordinate(const Field<T>& field, F f) {
+[[gnu::always_inline]] inline void each_coordinate(const Field<T>& field, std::size_t axes, F f) {
     const std::size_t stride = field.flat().size() / 3;
-    for (std::size_t begin = 0; begin < 3 * stride; begin += stride) {
+    for (std::size_t begin = 0; begin < axes * stride; begin += stride) {
         for (std::size_t k = begin; k < begin + field.count(); ++k) f(k);
     }
+}
+
+template <class T, class F>
+[[gnu::always_inline]] inline void each_coordinate(const Field<T>& field, F f) {
+    each_coordinate(field, 3, f);
 }
 
 /// Positions and velocities of one time in two parts: what they are, and what rounding has cut off them.
@@ -45,9 +50,10 @@ class GaussStages {
 public:
     GaussStages() = default;
     /// The iteration ends where an error of the stages of this size, relative to how far they are from the start, is
-    /// reached.
-    GaussStages(std::size_t particles, T error)
-        : error2_(error * error),
+    /// reached. Along further axes than `axes` nothing moves.
+    GaussStages(std::size_t particles, std::size_t axes, T error)
+        : axes_(axes),
+          error2_(error * error),
           x_(particles),
           f_(particles),
           fixed_(particles),
@@ -71,38 +77,43 @@ public:
         const auto length = static_cast<long double>(h);
         square_low_ = static_cast<T>(length * length - static_cast<long double>(h * h));
         guess(begin, h, known.f);
-        system.accelerations(x_, f_);
+        system.accelerations(x_, f_, axes_);
         const Sizes sizes = improve<true>(begin, h);
         T change = sizes.change, before = T(0);
         for (iterations_ = 2; iterations_ <= most_iterations; ++iterations_) {
-            system.accelerations(x_, f_);
-            if (settled(change, before, sizes)) return find_gains();
+            system.accelerations(x_, f_, axes_);
+            if (settled(change, before, sizes)) break;
             before = change;
             change = improve<false>(begin, h).change;
         }
-        return false;
+        find_gains();
+        return iterations_ <= most_iterations;
     }
 
     /// Evaluations of all stages that the last solve took.
     std::size_t iterations() const { return iterations_; }
 
-    /// To the end of the step.
-    void advance(TwoPartState<T>& state, T h) const {
+    /// From the beginning of the step to its end, which may be the same object. Coordinates that do not move are left.
+    void advance(const TwoPartState<T>& from, TwoPartState<T>& to, T h) const {
         const T loss = -weights_.kappa * weights_.end_reach, far = h * weights_.end_reach;
-        each_coordinate(state.x, [&](std::size_t k) {
+        each_coordinate(from.x, axes_, [&](std::size_t k) {
             const Stages<T>& gain = gain_.flat()[k];
-            T &x = state.x.flat()[k], &v = state.v.flat()[k];
-            T &lost_x = state.lost.x.flat()[k], &lost_v = state.lost.v.flat()[k];
-            lost_x += far * lost_v + h * (h * gain[Weights::position_low]);
-            lost_v += h * gain[Weights::velocity_low];
-            add_compensated(x, lost_x, far * v + h * (h * gain[Weights::position]));
-            add_compensated(v, lost_v, loss * v + h * gain[Weights::velocity]);
+            T x = from.x.flat()[k], v = from.v.flat()[k];
+            const T start_v = v, below_v = from.lost.v.flat()[k];
+            T lost_x = from.lost.x.flat()[k] + (far * below_v + h * (h * gain[Weights::position_low]));
+            T lost_v = below_v + h * gain[Weights::velocity_low];
+            add_compensated(x, lost_x, far * start_v + h * (h * gain[Weights::position]));
+            add_compensated(v, lost_v, loss * start_v + h * gain[Weights::velocity]);
+            to.x.flat()[k] = x;
+            to.v.flat()[k] = v;
+            to.lost.x.flat()[k] = lost_x;
+            to.lost.v.flat()[k] = lost_v;
         });
     }
 
     /// Keeps the forces, to guess from.
     void keep(Field<T>& known) const {
-        each_coordinate(f_, [&](std::size_t k) { f_.flat()[k].store(known.flat().data() + stage_count * k); });
+        each_coordinate(f_, axes_, [&](std::size_t k) { f_.flat()[k].store(known.flat().data() + stage_count * k); });
     }
 
     /// Sums over all coordinates of squares: of the forces (their mean over the stages) and of their last two Legendre
@@ -112,7 +123,7 @@ public:
     };
     Spectrum spectrum() const {
         Stages<T> squares = T(0), ends = T(0);
-        each_coordinate(f_, [&](std::size_t k) {
+        each_coordinate(f_, axes_, [&](std::size_t k) {
             squares += f_.flat()[k] * f_.flat()[k];
             ends += gain_.flat()[k] * gain_.flat()[k];
         });
@@ -149,7 +160,7 @@ private:
 
     void guess(const TwoPartState<T>& begin, T h, const Field<T>& known) {
         const Stages<T> reach = Stages<T>(h) * weights_.reach, h2 = Stages<T>(h * h);
-        each_coordinate(begin.x, [&](std::size_t k) {
+        each_coordinate(begin.x, axes_, [&](std::size_t k) {
             const T x = begin.x.flat()[k], v = begin.v.flat()[k];
             const Stages<T> pull = product(guess_, known.flat().data() + stage_count * k);
             x_.flat()[k] = Stages<T>(x) + (reach * Stages<T>(v) + h2 * pull);
@@ -166,7 +177,7 @@ private:
         const Stages<T>* const f = f_.flat().data();
         Stages<T>*const x = x_.flat().data(), *const fixed = fixed_.flat().data();
         Stages<T> change = T(0), stages = T(0), starts = T(0);
-        each_coordinate(begin.x, [&](std::size_t k) {
+        each_coordinate(begin.x, axes_, [&](std::size_t k) {
             const Stages<T> pull = product(columns, f[k]);
             if constexpr (First) fixed[k] = fixed_part(begin, h1, k, pull);
             const Stages<T> moved = fixed[k] + h2 * pull;
@@ -200,15 +211,15 @@ private:
         return change <= noise * noise * (sizes.stages + sizes.start);
     }
 
-    bool find_gains() {
-        each_coordinate(f_, [&](std::size_t k) { gain_.flat()[k] = product(weights_.end, f_.flat()[k]); });
-        return true;
+    void find_gains() {
+        each_coordinate(f_, axes_, [&](std::size_t k) { gain_.flat()[k] = product(weights_.end, f_.flat()[k]); });
     }
 
     static T sum(const Stages<T>& lanes) {
         return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) + ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
     }
 
+    std::size_t axes_ = 3;
     T error2_ = T(0);
     T square_low_ = T(0);  ///< what rounding cuts off h^2
     std::size_t iterations_ = 0;

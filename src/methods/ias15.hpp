@@ -3,7 +3,9 @@
 #include "core/elementwise.hpp"
 #include "core/entry.hpp"
 #include "core/root.hpp"
+#include "methods/accelerate.hpp"
 #include "methods/adaptive.hpp"
+#include "methods/collisions.hpp"
 #include "methods/gauss_stages.hpp"
 #include "methods/own_steps.hpp"
 #include "methods/radau.hpp"
@@ -24,7 +26,8 @@ class GaussRadau {
 public:
     explicit GaussRadau(const ParameterValues& values)
         : tolerance_(kept_tolerance(static_cast<T>(values[tolerance_parameter.name]))),
-          aim_(std::min(T(longest), T(reach) * root(tolerance_, 15))) {}
+          aim_(std::min(T(longest), T(reach) * root(tolerance_, 15))),
+          guard_(tolerance_) {}
 
     template <class System>
     void start(System& system, const State<T>& state) {
@@ -37,7 +40,8 @@ public:
         progress_ = {};
         progress_.next = aim_ * time_scale(system, end_.x, end_.v, a_);
         progress_.last = progress_.next;
-        add_drag(system.drag(), end_.v.flat().data(), a_);
+        guard_.state({});
+        add_drag(system.drag(), end_.v, a_);
     }
 
     template <class System>
@@ -49,12 +53,17 @@ public:
     /// From the polynomial of the last own step.
     template <class System>
     void synchronised(const System&, State<T>& out) const {
-        const T ahead = static_cast<T>(progress_.time.ahead());
+        const T ahead = static_cast<T>(progress_.time.ahead()), across = progress_.across;
+        if (ahead > T(0) && across > T(0)) {
+            return within_crossing(MotionOf<T>{begin_.x, begin_.v, begin_a_}, MotionOf<T>{end_.x, end_.v, a_}, across,
+                                   T(2) * across - ahead, out);
+        }
         TwoPartState<T> seen = ahead > T(0) ? begin_ : end_;
         if (ahead > T(0)) move(seen, begin_a_, b_, progress_.last, (progress_.last - ahead) / progress_.last);
-        out.displacement = seen.x;
-        out.velocity = seen.v;
+        out = {seen.x, seen.v};
     }
+
+    const CollisionRecord& collisions() const { return guard_.record(); }
 
     template <class Self, class F>
     static void each_part(Self& self, F f) {
@@ -69,10 +78,19 @@ public:
     struct Progress {
         T last = T(0);      ///< length of the last own step
         T next = T(0);      ///< of the next one
+        T across = T(0);    ///< if the last one went across a collision: the time from its beginning to there
         InnerTime<T> time;  ///< of own steps
+        typename CollisionGuard<T>::State guard{};
     };
-    Progress progress() const { return progress_; }
-    void progress(const Progress& saved) { progress_ = saved; }
+    Progress progress() const {
+        Progress now = progress_;
+        now.guard = guard_.state();
+        return now;
+    }
+    void progress(const Progress& saved) {
+        progress_ = saved;
+        guard_.state(saved.guard);
+    }
 
 private:
     static constexpr std::size_t terms = Radau::terms;
@@ -90,22 +108,55 @@ private:
 
     template <class System>
     void own_step(System& system) {
-        T before = std::numeric_limits<T>::max();
+        T h = progress_.next, before = std::numeric_limits<T>::max();
+        if (guard_.approaching()) {
+            h = guard_.before(system, now(), h, progress_.time.since_start(system.dt()));
+            if (!guard_.approaching()) progress_.next = h;
+        }
         for (int refused = 0; refused < most_refused; ++refused) {
-            const T h = progress_.next;
-            expect(h / progress_.last);
-            if (!converge(system, h)) {
-                progress_.next = h / T(2);
-                continue;
-            }
-            const T covered = phase(h), factor = step_factor(aim_, covered);
-            progress_.next = h * factor;
-            // a phase that does not fall with the step is rounding: no shorter step is better
-            const bool better_shorter = covered < T(0.95) * std::exchange(before, covered);
-            if (!(factor < T(smallest_accepted_factor) && better_shorter)) return accept(system, h);
+            if (guard_.at_hand()) return cross_collision(system);
+            expect(guess_ratio(h, progress_.last));
+            const bool converged = converge(system, h);
+            if (straddles(system, h)) continue;
+            if (converged && fits(h, before)) return accept(system, h);
+            if (!converged) progress_.next = h / T(2);
+            h = progress_.next;
         }
         std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN());
         progress_.time.inner_step(system.dt());
+    }
+
+    /// True if the trial step is good; the next one has a better length. A step cut short says nothing about longer
+    /// ones, and a phase that does not fall with the step is rounding: no shorter step is better.
+    bool fits(T h, T& before) {
+        const T covered = phase(h), factor = step_factor(aim_, covered);
+        const bool better_shorter = covered < T(0.95) * std::exchange(before, covered);
+        const bool refused = factor < T(smallest_accepted_factor) && better_shorter;
+        if (refused || !(h < progress_.next)) progress_.next = h * factor;
+        return !refused;
+    }
+
+    template <class System>
+    bool straddles(System& system, T& h) {
+        move_to(h, T(1));
+        return any_pass(system, end_.x, x_) && std::isfinite(squares(x_)) && guard_.passes(system, now(), x_, h);
+    }
+
+    MotionOf<T> now() const { return {end_.x, end_.v, a_}; }
+
+    template <class System>
+    void cross_collision(System& system) {
+        Motion<T> behind(a_.count());
+        const T length = guard_.scale();
+        progress_.across = guard_.cross(system, now(), behind, progress_.time.since_start(system.dt()));
+        begin_ = end_;
+        std::swap(begin_a_, a_);
+        end_.x = behind.x;
+        end_.v = behind.v;
+        a_ = behind.a;
+        for (Terms* set : {&b_, &expected_}) set->fill(Field<T>(a_.count()));
+        progress_.last = progress_.next = length;
+        progress_.time.inner_step(T(2) * progress_.across);
     }
 
     template <class System>
@@ -114,10 +165,10 @@ private:
         std::swap(begin_a_, a_);
         std::swap(b_, trial_);
         std::swap(expected_, trial_expected_);
-        move(end_, begin_a_, b_, h, T(1));  // from begin_ to end_: here one looks for collisions inside the step
-        system.accelerations(end_.x, a_);
-        add_drag(system.drag(), end_.v.flat().data(), a_);
+        move(end_, begin_a_, b_, h, T(1));
+        accelerate(system, end_.x, end_.v, a_);
         progress_.last = h;
+        progress_.across = T(0);
         progress_.time.inner_step(h);
     }
 
@@ -203,33 +254,6 @@ private:
         return squares(x_);
     }
 
-    /// Moved by s of a step: eq. 9 and 10 without x0 and v0.
-    struct Weights {
-        std::array<T, terms + 1> position, velocity;
-    };
-    static Weights weights_at(T s) {
-        Weights at{};
-        T power = s;
-        for (std::size_t j = 0; j <= terms; ++j, power *= s) {
-            at.velocity[j] = power / static_cast<T>(j + 1);
-            at.position[j] = power * s / static_cast<T>((j + 1) * (j + 2));
-        }
-        return at;
-    }
-
-    /// weights[0] a + weights[1] b_0 + ..., the smallest first.
-    struct Weighted {
-        std::array<T, terms + 1> weights;
-        const T* a;
-        std::array<const T*, terms> b;
-
-        T operator()(std::size_t k) const {
-            T sum = weights[terms] * b[terms - 1][k];
-            for (std::size_t j = terms - 1; j > 0; --j) sum += weights[j] * b[j - 1][k];
-            return sum + weights[0] * a[k];
-        }
-    };
-
     static std::array<T*, terms> numbers(Terms& fields) {
         std::array<T*, terms> all;
         std::transform(fields.begin(), fields.end(), all.begin(), [](Field<T>& f) { return f.flat().data(); });
@@ -242,7 +266,7 @@ private:
     }
 
     void move_to(T h, T s) {
-        const Weighted sum{weights_at(s).position, a_.flat().data(), numbers(std::as_const(trial_))};
+        const RadauSum<T> sum{RadauWeights<T>(s).position, a_.flat().data(), numbers(std::as_const(trial_))};
         const T *const x = end_.x.flat().data(), *const v = end_.v.flat().data(),
                        *const lost = end_.lost.x.flat().data();
         T* const out = x_.flat().data();
@@ -250,8 +274,8 @@ private:
     }
 
     static void move(TwoPartState<T>& state, const Field<T>& a, const Terms& b, T h, T s) {
-        const Weights at = weights_at(s);
-        const Weighted position{at.position, a.flat().data(), numbers(b)},
+        const RadauWeights<T> at(s);
+        const RadauSum<T> position{at.position, a.flat().data(), numbers(b)},
             velocity{at.velocity, position.a, position.b};
         T *const x = state.x.flat().data(), *const v = state.v.flat().data();
         T *const lost_x = state.lost.x.flat().data(), *const lost_v = state.lost.v.flat().data();
@@ -262,14 +286,8 @@ private:
         });
     }
 
-    static void add_drag(T drag, const T* v, Field<T>& a) {
-        if (drag == T(0)) return;
-        T* const out = a.flat().data();
-        elementwise(a.flat().size(), [=](std::size_t k) { out[k] -= drag * v[k]; });
-    }
-
     void add_drag_at(T drag, T h, T s) {
-        const Weighted sum{weights_at(s).velocity, a_.flat().data(), numbers(std::as_const(trial_))};
+        const RadauSum<T> sum{RadauWeights<T>(s).velocity, a_.flat().data(), numbers(std::as_const(trial_))};
         const T* const v = end_.v.flat().data();
         T* const out = f_.flat().data();
         elementwise(a_.flat().size(), [=](std::size_t k) { out[k] -= drag * (v[k] + h * sum(k)); });
@@ -299,6 +317,7 @@ private:
     Field<T> a_, begin_a_;   ///< accelerations there, drag included
     Terms b_, expected_;     ///< of the last step, and what was expected of it
     Terms trial_, trial_expected_, g_;
+    CollisionGuard<T> guard_;
     Field<T> x_, f_, last_a_;
     Progress progress_;
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 
@@ -21,12 +22,20 @@ class InnerTime {
 public:
     using Time = std::conditional_t<std::is_same_v<T, float>, double, T>;
 
-    void next_frame(T dt) { add_compensated(ahead_, lost_, -static_cast<Time>(dt)); }
+    void next_frame(T dt) {
+        ++frames_;
+        add_compensated(ahead_, lost_, -static_cast<Time>(dt));
+    }
     void inner_step(T h) { add_compensated(ahead_, lost_, static_cast<Time>(h)); }
     /// How far the end of the last inner step is after the frame; below zero while another step is needed.
     Time ahead() const { return ahead_ + lost_; }
+    /// The same, told from the start of the segment.
+    double since_start(T dt) const {
+        return static_cast<double>(frames_) * static_cast<double>(dt) + static_cast<double>(ahead());
+    }
 
 private:
+    std::uint64_t frames_ = 0;
     Time ahead_ = 0, lost_ = 0;
 };
 
@@ -75,5 +84,12 @@ T step_factor(T aim, T z) {
 }
 /// A step after which the factor is smaller than this has an error some thirty times too large: it is taken again.
 inline constexpr double smallest_accepted_factor = 0.8;
+
+/// How far a polynomial of the last step, of this length, is carried on to guess a step of length h. After steps cut
+/// short before a collision the guess is of what is near.
+template <class T>
+T guess_ratio(T h, T last) {
+    return std::min(h / last, T(4));
+}
 
 }  // namespace steplab

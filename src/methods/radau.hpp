@@ -44,4 +44,32 @@ struct Radau {
     }();
 };
 
+/// What a and b_0 ... b_6 add to a motion after s of a step, x0 and v0 left out: eq. 9 and 10.
+template <class T>
+struct RadauWeights {
+    std::array<T, Radau::terms + 1> position{}, velocity{};
+
+    explicit RadauWeights(T s) {
+        T power = s;
+        for (std::size_t j = 0; j <= Radau::terms; ++j, power *= s) {
+            velocity[j] = power / static_cast<T>(j + 1);
+            position[j] = power * s / static_cast<T>((j + 1) * (j + 2));
+        }
+    }
+};
+
+/// weights[0] a + weights[1] b_0 + ..., the smallest first.
+template <class T>
+struct RadauSum {
+    std::array<T, Radau::terms + 1> weights;
+    const T* a;
+    std::array<const T*, Radau::terms> b;
+
+    T operator()(std::size_t k) const {
+        T sum = weights[Radau::terms] * b[Radau::terms - 1][k];
+        for (std::size_t j = Radau::terms - 1; j > 0; --j) sum += weights[j] * b[j - 1][k];
+        return sum + weights[0] * a[k];
+    }
+};
+
 }  // namespace steplab

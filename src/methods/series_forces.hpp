@@ -3,6 +3,7 @@
 #include "core/coupling.hpp"
 #include "core/field.hpp"
 #include "core/lanes.hpp"
+#include "methods/moving_axes.hpp"
 #include "methods/power_series.hpp"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ public:
     template <class System>
     SeriesForces(const System& system, const State<T>& state, std::size_t length)
         : length_(length),
-          axes_(axes_that_move(system, state)),
+          axes_(moving_axes(system, state)),
           fixed_(fixed_particles(system, state.displacement.count())),
           kept_(kept_by_formulas(system)) {}
 
@@ -119,23 +120,6 @@ private:
             a.y()[i] = external.y;
             a.z()[i] = external.z;
         }
-    }
-
-    /// Axes along which nothing moves nor pulls are left out: 1 if all happens along x, 2 if in the plane of x and y.
-    template <class System>
-    static std::size_t axes_that_move(const System& system, const State<T>& state) {
-        const auto x = components(state.displacement), v = components(state.velocity);
-        std::size_t axes = 1;
-        const auto take = [&axes](std::size_t axis, T along) {
-            if (along != T(0)) axes = std::max(axes, axis + 1);
-        };
-        for (std::size_t i = 0; i < state.displacement.count(); ++i) {
-            const auto external = system.force().external(i);
-            take(1, external.y), take(2, external.z);
-            for (std::size_t axis = 1; axis < 3; ++axis) take(axis, x[axis][i]), take(axis, v[axis][i]);
-        }
-        for (const auto& formula : system.force().formulas()) take(1, formula.rest.y), take(2, formula.rest.z);
-        return axes;
     }
 
     template <class System>

@@ -3,6 +3,7 @@
 #include "core/field.hpp"
 #include "core/stages.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -58,11 +59,15 @@ public:
     /// For methods that compute accelerations in ways of their own.
     void count_evaluations(std::uint64_t computed) { evaluations_ += computed; }
 
-    /// a(x) at the eight stages of a step at once: eight evaluations.
-    void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a) {
+    /// a(x) at the eight stages of a step at once: eight evaluations. With `axes` 1 all moves along x alone; the rest
+    /// of `a` may be left as it is.
+    void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a, std::size_t axes = 3) {
         if (!force_at_stages_) force_at_stages_.emplace(force_in<Stages<T>>(force_));
-        force_at_stages_->accelerations(x, a);
         evaluations_ += stage_count;
+        if constexpr (requires { force_at_stages_->accelerations_along_x(x, a); }) {
+            if (axes == 1) return force_at_stages_->accelerations_along_x(x, a);
+        }
+        force_at_stages_->accelerations(x, a);
     }
 
     T drag() const { return drag_; }

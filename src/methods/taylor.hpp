@@ -4,9 +4,12 @@
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/power.hpp"
+#include "methods/accelerate.hpp"
 #include "methods/adaptive.hpp"
+#include "methods/collisions.hpp"
 #include "methods/compensated.hpp"
 #include "methods/series_forces.hpp"
+#include "methods/series_motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -53,18 +57,6 @@ struct Taylor {
     class Integrator;
 };
 
-namespace detail {
-
-/// 2^n nearest below or at a positive number.
-template <class T>
-T power_of_two_below(T x) {
-    int exponent = 0;
-    std::frexp(x, &exponent);
-    return std::ldexp(T(1), exponent - 1);
-}
-
-}  // namespace detail
-
 /// Coefficient k of a displacement is held as x_k unit^k, unit being a power of two near the step's length: exact, and
 /// far from the ends of the range of numbers.
 template <class T>
@@ -76,18 +68,20 @@ public:
     explicit Integrator(const ParameterValues& values)
         : log_tolerance_(logarithm(std::clamp(values[tolerance_parameter.name],
                                               2 * static_cast<double>(std::numeric_limits<T>::epsilon()), 0.1))),
-          last_(highest_order(log_tolerance_)) {}
+          last_(highest_order(log_tolerance_)),
+          guard_(static_cast<T>(values[tolerance_parameter.name])) {}
 
     template <class System>
     void start(System& system, const State<T>& state) {
         x_.assign(last_ + 1, Field<T>(state.displacement.count()));
         lost_ = Lost<T>(true, state.displacement.count());
-        a_ = Field<T>(state.displacement.count());
+        a_ = end_ = Field<T>(state.displacement.count());
         x_[0] = state.displacement;
         v_ = state.velocity;
         forces_ = SeriesForces<T>(system, state, last_ - 1);
         progress_ = {};
-        progress_.unit = detail::power_of_two_below(system.dt());
+        progress_.unit = power_of_two_below(system.dt());
+        guard_.state({});
         expand(system);
     }
 
@@ -96,21 +90,21 @@ public:
         ++progress_.frames;
         const Time target = frame_time(system);
         while (target - progress_.begin - progress_.begin_lost > static_cast<Time>(progress_.length)) {
-            advance();
-            // here a step has been accepted: what looks for collisions in it finds its end in x_[0] and v_
+            advance(system);
             expand(system);
             const T least = std::max(static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon())), shortest());
-            if (!(progress_.length > least)) progress_.length = least;
+            if (!(progress_.length > least)) set_length(least);
         }
     }
 
     template <class System>
     void synchronised(const System& system, State<T>& out) const {
+        const T since = static_cast<T>(frame_time(system) - progress_.begin - progress_.begin_lost);
+        if (progress_.across > T(0) && since > progress_.across) return behind_collision(system, since, out);
         out.displacement = x_[0];
         out.velocity = v_;
         T *const x = out.displacement.flat().data(), *const v = out.velocity.flat().data();
-        const Time since = frame_time(system) - progress_.begin - progress_.begin_lost;
-        each_change(static_cast<T>(since), [=](std::size_t p, N change_of_x, N change_of_v) {
+        each_change(since, [=](std::size_t p, N change_of_x, N change_of_v) {
             (N::load(x + p) + change_of_x).store(x + p);
             (N::load(v + p) + change_of_v).store(v + p);
         });
@@ -129,10 +123,21 @@ public:
         std::uint64_t frames = 0;
         Time begin = 0, begin_lost = 0;  ///< time at which the series begins, and what rounding has cut off it
         T length = T(0);                 ///< how far the series reaches
+        T across = T(0);                 ///< if it reaches across a collision: the time from its beginning to there
         T unit = T(1);
+        typename CollisionGuard<T>::State guard{};
     };
-    Progress progress() const { return progress_; }
-    void progress(const Progress& progress) { progress_ = progress; }
+    Progress progress() const {
+        Progress now = progress_;
+        now.guard = guard_.state();
+        return now;
+    }
+    void progress(const Progress& progress) {
+        progress_ = progress;
+        guard_.state(progress.guard);
+    }
+
+    const CollisionRecord& collisions() const { return guard_.record(); }
 
 private:
     using N = Lanes<T>;
@@ -147,8 +152,10 @@ private:
 
     /// A time in which nothing moves by more than rounding: steps need not be shorter, nor can they.
     T shortest() const {
-        const T fastest = largest(v_);
-        return fastest > T(0) ? std::numeric_limits<T>::epsilon() * (T(1) + largest(x_[0])) / fastest : T(0);
+        const T fastest = largest_component(v_, forces_.axes());
+        return fastest > T(0)
+                   ? std::numeric_limits<T>::epsilon() * (T(1) + largest_component(x_[0], forces_.axes())) / fastest
+                   : T(0);
     }
 
     template <class System>
@@ -157,14 +164,26 @@ private:
     }
 
     /// To the end of the series, which becomes the next one's beginning.
-    void advance() {
+    template <class System>
+    void advance(System& system) {
+        if (progress_.across > T(0)) {
+            Motion<T> behind(v_.count());
+            guard_.cross(system, now(a_), behind, static_cast<double>(progress_.begin));
+            x_[0] = behind.x;
+            v_ = behind.v;
+        } else {
+            move_to_end();
+        }
+        add_compensated(progress_.begin, progress_.begin_lost, static_cast<Time>(progress_.length));
+    }
+
+    void move_to_end() {
         T *const x = x_[0].flat().data(), *const v = v_.flat().data();
         T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
         each_change(progress_.length, [=](std::size_t p, N change_of_x, N change_of_v) {
             add_lanes(x + p, lost_x + p, change_of_x);
             add_lanes(v + p, lost_v + p, change_of_v);
         });
-        add_compensated(progress_.begin, progress_.begin_lost, static_cast<Time>(progress_.length));
     }
 
     static void add_lanes(T* to, T* left, N increment) {
@@ -174,22 +193,9 @@ private:
         lost.store(left);
     }
 
-    /// Calls f(p, change of x, change of v) for the places p of the axes that move, a register at a time: the sums of
-    /// the series at time t after their beginning, from the highest order down.
     template <class F>
     void each_change(T t, F f) const {
-        const T scaled = t / progress_.unit;
-        const N time(scaled), rate(t / (progress_.unit * progress_.unit));
-        const std::size_t size = x_[0].flat().size() / 3 * forces_.axes();
-        for (std::size_t p = 0; p < size; p += N::count) {
-            N x(T(0)), v(T(0));
-            for (std::size_t k = last_; k >= 2; --k) {
-                const N coefficient = N::load(x_[k].flat().data() + p);
-                x = x * time + coefficient;
-                v = v * time + N(number(k)) * coefficient;
-            }
-            f(p, time * (N::load(x_[1].flat().data() + p) + time * x), rate * v);
-        }
+        each_series_sum(std::span<const Field<T>>(x_), progress_.unit, t, forces_.axes(), f);
     }
 
     static T number(std::size_t k) { return static_cast<T>(static_cast<int>(k)); }
@@ -203,13 +209,77 @@ private:
             if (forces_.axes() == 3) compute_series<3>(system);
             const T share = reach();
             // in too small a unit all coefficients vanish, and the series seems to end
-            const bool too_small = share >= longest && progress_.unit < system.dt() / longest;
+            const bool too_small = share >= longest_series<T> && progress_.unit < system.dt() / longest_series<T>;
             const bool fits = share > T(1) / T(64) && share < T(64) && !too_small;
             progress_.length = progress_.unit * (std::isfinite(share) ? share : T(1) / T(4096));
             if (fits || forces_.singular()) break;
-            progress_.unit = detail::power_of_two_below(progress_.length);
+            progress_.unit = power_of_two_below(progress_.length);
         }
         if (system.force().coupling().kind == Coupling::Kind::near) end_at_jump(system);
+        if (!forces_.singular()) end_at_collision(system);
+    }
+
+    /// On its way to a collision the series ends before it, with the collision at hand as far behind it. A series does
+    /// not reach far beyond the moment when a distance is zero: collisions are foreseen at several times its length.
+    template <class System>
+    void end_at_collision(System& system) {
+        const MotionOf<T> begin = now(a_);
+        T length = guard_.before(system, begin, progress_.length, static_cast<double>(progress_.begin));
+        if (!guard_.approaching()) {
+            T ahead = foresight * progress_.length;
+            foresee(begin, ahead);
+            if (any_pass(system, x_[0], end_) && guard_.passes(system, begin, end_, ahead))
+                length = std::min(length, ahead);
+        }
+        set_length(length);
+        while (guard_.approaching()) {
+            if (guard_.at_hand()) return reach_across();
+            displacements_at(progress_.length, end_);
+            if (!guard_.passes(system, begin, end_, length)) return;
+            set_length(length);
+        }
+    }
+    static constexpr T foresight = T(4);
+
+    void foresee(const MotionOf<T>& begin, T ahead) {
+        const T *const x = begin.x.flat().data(), *const v = begin.v.flat().data(), *const a = begin.a.flat().data();
+        T* const then = end_.flat().data();
+        elementwise(end_.flat().size(), [=](std::size_t k) { then[k] = x[k] + ahead * (v[k] + ahead / T(2) * a[k]); });
+    }
+
+    void set_length(T length) {
+        progress_.length = length;
+        progress_.across = T(0);
+    }
+
+    void reach_across() {
+        set_length(T(2) * guard_.time());
+        progress_.across = guard_.time();
+    }
+
+    void displacements_at(T t, Field<T>& then) const {
+        then = x_[0];
+        T* const x = then.flat().data();
+        each_change(t, [=](std::size_t p, N change, N) { (N::load(x + p) + change).store(x + p); });
+    }
+
+    /// The beginning of the series; its accelerations, drag included, go into `a`.
+    MotionOf<T> now(Field<T>& a) const {
+        const T of_x = T(2) / (progress_.unit * progress_.unit);
+        const T* const second = x_[2].flat().data();
+        T* const out = a.flat().data();
+        elementwise(a.flat().size(), [=](std::size_t p) { out[p] = of_x * second[p]; });
+        return {x_[0], v_, a};
+    }
+
+    template <class System>
+    void behind_collision(const System& system, T since, State<T>& out) const {
+        Field<T> a(v_.count());
+        Motion<T> behind(v_.count());
+        Looking<System> looking(system);
+        const MotionOf<T> before = now(a);
+        go_across(looking, before, progress_.across, behind);
+        within_crossing(before, behind, progress_.across, since, out);
     }
 
     /// Where a pair comes in or goes out of the cut-off the force jumps: the series ends just behind the first such
@@ -233,69 +303,26 @@ private:
     /// A number that tells the set of pairs that interact at time t of the series from others.
     template <class System>
     std::uint64_t pairs_at(System& system, T t) {
-        const T* const x = x_[0].flat().data();
-        T* const then = a_.flat().data();
-        std::copy_n(x, a_.flat().size(), then);
-        each_change(t, [=](std::size_t p, N change, N) { (N::load(x + p) + change).store(then + p); });
+        displacements_at(t, end_);
         std::uint64_t digest = 0;
-        system.force().each_interaction(a_, [&](std::size_t i, std::size_t j, std::size_t) {
+        system.force().each_interaction(end_, [&](std::size_t i, std::size_t j, std::size_t) {
             digest = (digest ^ (std::uint64_t(i) << 32 | j)) * 0x9E3779B97F4A7C15;
         });
         return digest;
     }
 
-    /// How far the series is good, in its unit of time. Its radius of convergence follows from the last coefficients
-    /// relative to 1 + |x| and 1 + |v|, and the share of it that leaves terms below the tolerance, from the order
-    /// (Jorba, Zou, section 3.2). Where forces are so weak that the terms need not fall to be below the tolerance, they
-    /// must.
     T reach() const {
         if (forces_.singular()) return square_root(std::numeric_limits<T>::epsilon());
-        const T of_x = T(1) / (T(1) + largest(x_[0])), of_v = T(1) / (T(1) + largest(v_)) / progress_.unit;
-        double log_radius = infinity;
-        T high = T(0), low = T(0);
-        for (std::size_t k = last_ - 3; k <= last_; ++k) {
-            const T size = largest(x_[k]);
-            if (!std::isfinite(size)) return size;
-            high = std::max(high, size);
-            low = std::max(low, largest(x_[k - 4]));
-            const double order = static_cast<double>(k);
-            log_radius =
-                std::min({log_radius, log_root(of_x * size, order), log_root(of_v * number(k) * size, order - 1)});
-        }
-        if (log_radius == infinity) return longest;
-        const double order = static_cast<double>(last_);
-        const T share = static_cast<T>(exponential(log_radius + (log_tolerance_ - 0.7) / order));
-        const T falling = T(0.8) * square_root(square_root(low / high));
-        return std::min({share, falling > T(0) ? falling : share});
-    }
-    /// ln of the time at which a term of this coefficient is 1.
-    static double log_root(T coefficient, double order) {
-        const double size = static_cast<double>(coefficient);
-        return size > std::numeric_limits<double>::min() ? -logarithm(size) / order : infinity;
-    }
-    static constexpr T longest = T(16);  ///< of a series that ends, in its unit
-
-    /// The largest component, not a number if one is none.
-    T largest(const Field<T>& field) const {
-        N most(T(0)), invalid(T(0));
-        const T* const components = field.flat().data();
-        for (std::size_t p = 0; p < field.flat().size() / 3 * forces_.axes(); p += N::count) {
-            const N component = N::load(components + p);
-            const N size = where(component < N(T(0)), N(T(0)) - component, component);
-            most = where(size > most, size, most);
-            invalid = invalid + (component - component);
-        }
-        T result = T(0);
-        for (std::size_t lane = 0; lane < N::count; ++lane) result = std::max(result, most[lane]);
-        for (std::size_t lane = 0; lane < N::count; ++lane) result += invalid[lane];
-        return result;
+        return series_reach(std::span<const Field<T>>(x_), v_, progress_.unit, log_tolerance_, forces_.axes());
     }
 
     /// All coefficients, order by order: (k + 1) (k + 2) x_(k+2) = a_k - gamma (k + 1) x_(k+1).
     template <std::size_t Axes, class System>
     void compute_series(System& system) {
         forces_.find_groups(system, x_[0]);
-        multiply(v_, progress_.unit, x_[1]);
+        const T* const velocity = v_.flat().data();
+        T* const first = x_[1].flat().data();
+        elementwise(v_.flat().size(), [=, unit = progress_.unit](std::size_t p) { first[p] = unit * velocity[p]; });
         for (std::size_t k = 0; k + 2 <= last_; ++k) {
             forces_.template accelerations<Axes>(system, x_[k], k, a_);
             const T scale = T(1) / number((k + 1) * (k + 2));
@@ -308,12 +335,6 @@ private:
         system.count_evaluations(last_ - 1);
     }
 
-    static void multiply(const Field<T>& from, T factor, Field<T>& to) {
-        const T* const numbers = from.flat().data();
-        T* const products = to.flat().data();
-        elementwise(from.flat().size(), [=](std::size_t p) { products[p] = factor * numbers[p]; });
-    }
-
     double log_tolerance_;
     std::size_t last_;         ///< order of the last coefficient, K
     std::vector<Field<T>> x_;  ///< coefficients of the displacements
@@ -321,7 +342,8 @@ private:
     Lost<T> lost_;
     Progress progress_;
 
-    Field<T> a_;
+    CollisionGuard<T> guard_;
+    Field<T> a_, end_;
     SeriesForces<T> forces_;
 };
 

@@ -3,6 +3,7 @@
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/lanes.hpp"
+#include "core/stages.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
@@ -34,6 +35,7 @@ public:
     }
 
     void accelerations(const Field<T>& u, Field<T>& a) const {
+        if constexpr (SideBySide<T>) return accelerate_in_turn<3>(u, a);
         const std::size_t springs = forces_.count - 1;
         Vec here = load(u, 0), before = Vec{N(T(0)), N(T(0)), N(T(0))};
         for (std::size_t p = 0; p < forces_.count; p += width) {
@@ -45,6 +47,11 @@ public:
             before = pull;
         }
         if (falls_) add_gravity(a);
+    }
+
+    /// The same where all particles move along x alone: the components along x of `a`.
+    void accelerations_along_x(const Field<T>& u, Field<T>& a) const requires SideBySide<T> {
+        accelerate_in_turn<1>(u, a);
     }
 
     PotentialEnergy potential(const Field<T>& u) const {
@@ -111,6 +118,33 @@ private:
                     N::shifted_down(here.z, next.z) - here.z};
         const Vec pull = spring_pull(Vec{N(length_), N(T(0)), N(T(0))}, N(length_), e);
         return {N(stiffness_) * pull.x, N(stiffness_) * pull.y, N(stiffness_) * pull.z};
+    }
+
+    /// Numbers that fill registers by themselves: spring after spring, whose pull stays in registers for the next. The
+    /// components of further axes, all zero, are neither read nor written.
+    template <std::size_t Axes>
+    void accelerate_in_turn(const Field<T>& u, Field<T>& a) const {
+        const T zero(0);
+        const auto at = [&](std::size_t i) {
+            return Vector<T>{u.x()[i], Axes > 1 ? u.y()[i] : zero, Axes > 2 ? u.z()[i] : zero};
+        };
+        Vector<T> here = at(0), before{zero, zero, zero};
+        for (std::size_t i = 0; i < forces_.count; ++i) {
+            Vector<T> pull{zero, zero, zero};
+            if (i + 1 < forces_.count) {
+                const Vector<T> next = at(i + 1);
+                pull = spring_pull(Vector<T>{length_, zero, zero}, length_,
+                                   Vector<T>{next.x - here.x, next.y - here.y, next.z - here.z});
+                pull = {stiffness_ * pull.x, stiffness_ * pull.y, stiffness_ * pull.z};
+                here = next;
+            }
+            const bool moves = i >= first_moving_;
+            a.x()[i] = moves ? pull.x - before.x : zero;
+            if constexpr (Axes > 1) a.y()[i] = moves ? pull.y - before.y : zero;
+            if constexpr (Axes > 2) a.z()[i] = moves ? pull.z - before.z : zero;
+            before = pull;
+        }
+        if (Axes > 1 && falls_) add_gravity(a);
     }
 
     /// Keeps the lanes of springs that exist: the last particle has none behind it.

@@ -263,7 +263,7 @@ double chain_error(std::string_view id, double tolerance) {
 // The errors over tolerances 1e-3 ... 1e-12 are the same multiple of the tolerance within a factor 30 between largest
 // and smallest.
 TEST(Tolerance, is_what_the_end_error_is_proportional_to) {
-    for (const std::string_view id : ids) {
+    for (const std::string_view id : {"dopri5", "dop853", "rkn-12-10", "taylor", "gauss-16"}) {
         double least = infinity, most = 0;
         for (int k = 3; k <= 12; ++k) {
             const double tolerance = std::pow(10, -k), ratio = chain_error(id, tolerance) / tolerance;

@@ -1,0 +1,105 @@
+#pragma once
+
+#include "core/entry.hpp"
+#include "core/field.hpp"
+#include "core/lanes.hpp"
+#include "core/power.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+namespace steplab {
+
+// The motion of a scene as power series in time: x[k] is coefficient k of the displacements times unit^k, unit being a
+// time near the step's length.
+
+/// 2^n nearest below or at a positive number.
+template <class T>
+T power_of_two_below(T x) {
+    int exponent = 0;
+    std::frexp(x, &exponent);
+    return std::ldexp(T(1), exponent - 1);
+}
+
+/// Calls f(p, change of x, change of v) for the places p of the first `axes` axes, a register at a time: the sums of
+/// the series at time t after their beginning, from the highest order down.
+template <class T, class F>
+void each_series_sum(std::span<const Field<T>> x, T unit, T t, std::size_t axes, F f) {
+    using N = Lanes<T>;
+    const T scaled = t / unit;
+    const N time(scaled), rate(t / (unit * unit));
+    const std::size_t size = x[0].flat().size() / 3 * axes;
+    for (std::size_t p = 0; p < size; p += N::count) {
+        N of_x(T(0)), of_v(T(0));
+        for (std::size_t k = x.size() - 1; k >= 2; --k) {
+            const N coefficient = N::load(x[k].flat().data() + p);
+            of_x = of_x * time + coefficient;
+            of_v = of_v * time + N(static_cast<T>(static_cast<int>(k))) * coefficient;
+        }
+        f(p, time * (N::load(x[1].flat().data() + p) + time * of_x), rate * of_v);
+    }
+}
+
+/// The largest component along the first `axes` axes, not a number if one is none.
+template <class T>
+T largest_component(const Field<T>& field, std::size_t axes) {
+    using N = Lanes<T>;
+    N most(T(0)), invalid(T(0));
+    const T* const components = field.flat().data();
+    for (std::size_t p = 0; p < field.flat().size() / 3 * axes; p += N::count) {
+        const N component = N::load(components + p);
+        const N size = magnitude(component);
+        most = where(size > most, size, most);
+        invalid = invalid + (component - component);
+    }
+    T result = T(0);
+    for (std::size_t lane = 0; lane < N::count; ++lane) result = std::max(result, most[lane]);
+    for (std::size_t lane = 0; lane < N::count; ++lane) result += invalid[lane];
+    return result;
+}
+
+namespace detail {
+
+/// ln of the time at which a term of this coefficient is 1.
+template <class T>
+double log_root(T coefficient, double order) {
+    const double size = static_cast<double>(coefficient);
+    return size > std::numeric_limits<double>::min() ? -logarithm(size) / order : infinity;
+}
+
+}  // namespace detail
+
+/// Of a series that ends, in its unit.
+template <class T>
+inline constexpr T longest_series = T(16);
+
+/// How far the series is good, in its unit of time; v are the velocities at its beginning. Its radius of convergence
+/// follows from the last coefficients relative to 1 + |x| and 1 + |v|, and the share of it that leaves terms below the
+/// tolerance, from the order (Jorba, Zou, Experimental Mathematics 14 (2005) 99, section 3.2). Where forces are so weak
+/// that the terms need not fall to be below the tolerance, they must.
+template <class T>
+T series_reach(std::span<const Field<T>> x, const Field<T>& v, T unit, double log_tolerance, std::size_t axes) {
+    const std::size_t last = x.size() - 1;
+    const T of_x = T(1) / (T(1) + largest_component(x[0], axes)),
+            of_v = T(1) / (T(1) + largest_component(v, axes)) / unit;
+    double log_radius = infinity;
+    T high = T(0), low = T(0);
+    for (std::size_t k = last - 3; k <= last; ++k) {
+        const T size = largest_component(x[k], axes);
+        if (!std::isfinite(size)) return size;
+        high = std::max(high, size);
+        low = std::max(low, largest_component(x[k - 4], axes));
+        const auto order = static_cast<double>(k);
+        log_radius = std::min({log_radius, detail::log_root(of_x * size, order),
+                               detail::log_root(of_v * static_cast<T>(static_cast<int>(k)) * size, order - 1)});
+    }
+    if (log_radius == infinity) return longest_series<T>;
+    const T share = static_cast<T>(exponential(log_radius + (log_tolerance - 0.7) / static_cast<double>(last)));
+    const T falling = T(0.8) * square_root(square_root(low / high));
+    return std::min({share, falling > T(0) ? falling : share});
+}
+
+}  // namespace steplab
