@@ -1,7 +1,7 @@
 #include "tables.hpp"
 
+#include "io/temporary_folder.hpp"
 #include "lab/thesis.hpp"
-#include "scratch_folder.hpp"
 #include "shell.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/keys.hpp"
@@ -105,7 +105,7 @@ std::string methods_in_full() {
 }
 
 std::string command_and_output(const std::string& command, const std::string& folder) {
-    const ScratchFolder scratch;
+    const TemporaryFolder scratch;
     const Outcome outcome = run(fmt::format("{{ {}; }} 2>/dev/null", command), scratch.path(), folder);
     if (outcome.code != 0) throw std::runtime_error("the documentation's command failed: " + command);
     return fmt::format("```console\n$ {}\n{}```\n", command, outcome.output);

@@ -3,11 +3,14 @@
 #include "app/command_line.hpp"
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
+#include "app/text_table.hpp"
+#include "core/duration.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "io/interruption.hpp"
 #include "lab/advice.hpp"
 #include "lab/answers.hpp"
+#include "lab/readable_number.hpp"
 #include "lab/study.hpp"
 
 #include <CLI/CLI.hpp>
@@ -25,6 +28,41 @@ constexpr ParameterInfo error_info{
 
 /// A person reads no more than a few.
 constexpr std::size_t most_others = 5;
+
+/// "12 times as fast as rk4 at dt 0.0021".
+std::string against_rk4(const Advice& advice) {
+    if (advice.best.run.method == "rk4") return "";
+    for (const Measurement& other : advice.others) {
+        if (other.run.method != "rk4") continue;
+        return fmt::format("  {} times as fast as rk4, which needs {} and {}\n",
+                           readable(*other.wall_seconds / *advice.best.wall_seconds), step_text(other.run),
+                           duration_text(*other.wall_seconds));
+    }
+    return "  rk4 was not found to get there\n";
+}
+
+std::string others_table(const Advice& advice) {
+    if (advice.others.empty()) return "";
+    std::vector<Row> rows{{"NEXT BEST", "STEP", "PRECISION", "TIME", "TIMES AS LONG"}};
+    for (std::size_t i = 0; i < std::min(advice.others.size(), most_others); ++i) {
+        const Measurement& other = advice.others[i];
+        rows.push_back({other.run.method, step_text(other.run), std::string(id(other.run.precision)),
+                        duration_text(*other.wall_seconds), readable(*other.wall_seconds / *advice.best.wall_seconds)});
+    }
+    return "\n" + aligned(rows, 2);
+}
+
+std::string advice_text(const StudyPlan& plan, double error, const Reference& reference, const Advice& advice) {
+    const Measurement& best = advice.best;
+    std::string text =
+        fmt::format("{} to t = {} with an error of at most {}: {}, {}, {}\n\n", plan.scene.model,
+                    number_text(plan.time), typed(error), best.run.method, step_text(best.run), id(best.run.precision));
+    text += fmt::format("  steplab run {} --steps {}\n\n", command_line(best.run), best.steps);
+    text += fmt::format("  takes about {} ({} evaluations)\n", duration_text(*best.wall_seconds), best.evaluations);
+    text += fmt::format("  verified: run once more, its error is {} (judged by: {}, known to {})\n", typed(best.error),
+                        reference.how, typed(reference.moments.back().error));
+    return text + against_rk4(advice) + others_table(advice);
+}
 
 class AdviseCommand final : public Command {
 public:
@@ -49,7 +87,7 @@ public:
             bar.at(static_cast<std::uint64_t>(part * 1000));
         });
         bar.clear();
-        print(text_of(plan, error, reference, advice));
+        print(advice_text(plan, error, reference, advice));
         return static_cast<int>(ExitCode::done);
     }
 
@@ -58,34 +96,13 @@ private:
         StudyPlan plan = default_plans(false).front();
         plan.scene = scene;
         plan.time = time_.duration(scene);
+        if (scene_.names_method()) plan.methods = {scene.method};
+        if (scene_.names_precision()) plan.precisions = {scene.precision};
         for (const auto& info : scene.method_parameters.infos()) {
             if (scene.method_parameters[info.name] != info.default_value)
                 plan.method_settings[std::string(info.name)] = scene.method_parameters[info.name];
         }
         return plan;
-    }
-
-    static std::string milliseconds(const Measurement& run) {
-        return fmt::format("{:.3g} ms", 1e3 * run.wall_seconds.value_or(0));
-    }
-
-    static std::string text_of(const StudyPlan& plan, double error, const Reference& reference, const Advice& advice) {
-        const Measurement& best = advice.best;
-        std::string text = fmt::format("For an error of {} of {} at t = {}:\n", number_text(error), plan.scene.model,
-                                       number_text(plan.time));
-        text += fmt::format("  {} at {} in {}: {} evaluations, about {}\n", best.run.method, step_text(best.run),
-                            id(best.run.precision), best.evaluations, milliseconds(best));
-        text += fmt::format("  steplab run {} --steps {}\n", command_line(best.run), best.steps);
-        text += fmt::format("  run once more: its error is {:.2e} (reference: {}, known to {:.0e})\n", best.error,
-                            reference.how, reference.moments.back().error);
-        const std::size_t shown = std::min(advice.others.size(), most_others);
-        for (std::size_t i = 0; i < shown; ++i) {
-            const Measurement& other = advice.others[i];
-            text += fmt::format("  {} {} at {} in {} takes {:.2g} times as long\n", i == 0 ? "next:" : "     ",
-                                other.run.method, step_text(other.run), id(other.run.precision),
-                                *other.wall_seconds / *best.wall_seconds);
-        }
-        return text;
     }
 
     SceneOptions scene_;

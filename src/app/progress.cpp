@@ -1,5 +1,7 @@
 #include "app/progress.hpp"
 
+#include "core/duration.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,24 +10,12 @@
 
 namespace steplab {
 
-namespace {
-
-std::string time_left(double seconds) {
-    if (!std::isfinite(seconds) || seconds > 99 * 3600.0) return "days left";
-    const auto whole = static_cast<long>(std::ceil(seconds));
-    if (whole < 60) return fmt::format("{} s left", whole);
-    if (whole < 3600) return fmt::format("{} min {:02} s left", whole / 60, whole % 60);
-    return fmt::format("{} h {:02} min left", whole / 3600, whole % 3600 / 60);
-}
-
-}  // namespace
-
 std::string progress_text(double fraction, double elapsed_seconds) {
     constexpr int width = 30;
     const int filled = std::clamp(static_cast<int>(fraction * width), 0, width);
-    return fmt::format("[{}{}] {:3.0f} %  {}", std::string(static_cast<std::size_t>(filled), '#'),
+    return fmt::format("[{}{}] {:3.0f} %  {} left", std::string(static_cast<std::size_t>(filled), '#'),
                        std::string(static_cast<std::size_t>(width - filled), '-'), std::floor(fraction * 100),
-                       time_left(elapsed_seconds * (1 - fraction) / fraction));
+                       duration_text(std::ceil(elapsed_seconds * (1 - fraction) / fraction)));
 }
 
 Progress::Progress(std::uint64_t total, bool watched) : total_(total), watched_(watched) {}

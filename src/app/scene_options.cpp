@@ -89,15 +89,18 @@ void SceneOptions::declare(CLI::App& app) {
     repeated_option(app, "--set", settings_, "name=value", "A parameter of the model or method; repeatable")
         ->group(group);
     const std::string_view many = methods_ == Methods::one_or_all ? "; all: every method" : "";
-    text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
-                fmt::format("How it is integrated (default {}{})", method_, many))
-        ->group(group);
-    text_option(app, "--precision", precision_, "float|double",
-                fmt::format("Of the whole run (default {})", precision_))
-        ->group(group);
+    method_option_ = text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
+                                 fmt::format("How it is integrated (default {}{})", method_, many))
+                         ->group(group);
+    precision_option_ = text_option(app, "--precision", precision_, "float|double",
+                                    fmt::format("Of the whole run (default {})", precision_))
+                            ->group(group);
     text_option(app, "--dt", dt_, "X", fmt::format("Time step (default {})", dt_))->group(group);
     app.footer(catalogue_help);
 }
+
+bool SceneOptions::names_method() const { return method_option_->count() > 0; }
+bool SceneOptions::names_precision() const { return precision_option_->count() > 0; }
 
 RunDescription SceneOptions::description() const {
     RunDescription description = describe(model_, method_);

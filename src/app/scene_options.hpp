@@ -9,7 +9,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace steplab {
 
@@ -39,6 +40,9 @@ public:
     /// own; a method among all that refuses the scene is left to who runs it. Throws UsageError, also for a setting
     /// that is nobody's.
     std::vector<RunDescription> descriptions() const;
+    /// Whether the command line names a method, a precision: where none is, a command may take all.
+    bool names_method() const;
+    bool names_precision() const;
 
 private:
     Methods methods_;
@@ -47,6 +51,8 @@ private:
     std::string method_;
     std::string precision_;
     std::string dt_;
+    const CLI::Option* method_option_ = nullptr;
+    const CLI::Option* precision_option_ = nullptr;
 };
 
 /// The options TIME: --steps or --until.

@@ -1,5 +1,6 @@
 #include "io/summary.hpp"
 
+#include "core/duration.hpp"
 #include "core/text.hpp"
 
 #include <fmt/format.h>
@@ -35,13 +36,6 @@ std::string collisions_text(const CollisionRecord& collisions) {
                             collision.second, i == 0 ? "t = " : "", collision.time);
     }
     return text + (collisions.count() > most ? ", ..." : "");
-}
-
-/// Seconds as one reads them.
-std::string duration_text(double seconds) {
-    if (seconds < 1e-3) return fmt::format("{:.0f} us", seconds * 1e6);
-    if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
-    return fmt::format("{:.3g} s", seconds);
 }
 
 }  // namespace

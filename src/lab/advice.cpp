@@ -1,9 +1,11 @@
 #include "lab/advice.hpp"
 
 #include "core/error.hpp"
-#include "core/text.hpp"
+#include "io/interruption.hpp"
 #include "lab/answers.hpp"
+#include "lab/gain_watch.hpp"
 #include "lab/lyapunov.hpp"
+#include "lab/readable_number.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +14,8 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
+#include <string_view>
 
 namespace steplab {
 
@@ -22,16 +26,19 @@ constexpr double fine_ratio = 1.03;
 /// A search is given up when it costs so many times the evaluations of the best run found so far.
 constexpr double hopeless = 8;
 
+/// The method everyone knows: looked for however dear it is, to compare with.
+constexpr std::string_view classic = "rk4";
+
 class Search {
 public:
     Search(const StudyPlan& plan, double error, const Reference& reference)
         : plan_(plan), error_(error), reference_(reference) {}
 
-    /// The cheapest run found that keeps the error.
-    std::optional<Measurement> cheapest(const std::string& method, Precision precision) {
-        auto found =
-            steplab::method(method).info.adaptive ? over_tolerance(method, precision) : over_dt(method, precision);
-        if (found) least_evaluations_ = std::min(least_evaluations_, static_cast<double>(found->evaluations));
+    /// The cheapest runs found that keep the error: by dt, by tolerance.
+    std::vector<Measurement> cheapest(const std::string& method, Precision precision) {
+        std::vector<Measurement> found;
+        if (takes_tolerance(method)) add(found, over_tolerance(method, precision));
+        if (takes_dt(method)) add(found, over_dt(method, precision));
         return found;
     }
 
@@ -39,7 +46,15 @@ public:
     const std::string& most_accurate() const { return most_accurate_; }
 
 private:
+    void add(std::vector<Measurement>& found, std::optional<Measurement> run) {
+        if (!run) return;
+        least_evaluations_ = std::min(least_evaluations_, static_cast<double>(run->evaluations));
+        least_seconds_ = std::min(least_seconds_, *run->wall_seconds);
+        found.push_back(std::move(*run));
+    }
+
     Measurement measured(const RunDescription& run, std::uint64_t steps) {
+        check_interruption();
         const auto begin = std::chrono::steady_clock::now();
         Measurement result = measure(run, steps, reference_);
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -52,9 +67,12 @@ private:
 
     bool kept(const Measurement& run) const { return !run.diverged && run.error <= error_; }
 
+    /// By evaluations and by the clock, as an evaluation of one method may be cheaper than another's.
     bool too_costly(const Measurement& run) const {
-        return static_cast<double>(run.evaluations) > hopeless * least_evaluations_ ||
-               run.wall_seconds.value_or(0) > plan_.most_seconds_a_run;
+        const double seconds = run.wall_seconds.value_or(0);
+        if (seconds > plan_.most_seconds_a_run) return true;
+        return run.run.method != classic && static_cast<double>(run.evaluations) > hopeless * least_evaluations_ &&
+               seconds > hopeless * least_seconds_;
     }
 
     /// Halves dt until the error is kept, then closes in on the largest dt that keeps it.
@@ -62,10 +80,8 @@ private:
         const auto at = [&](std::uint64_t steps) { return measured(run_over(plan_, method, precision, steps), steps); };
         std::uint64_t failed = 0;
         Measurement run = at(fewest_steps(plan_, method));
-        for (double best = infinity; !kept(run);) {
-            if (too_costly(run) || (!run.diverged && run.error > 0.9 * best && run.error < 1e-3 * plan_.time))
-                return std::nullopt;
-            best = run.diverged ? best : std::min(best, run.error);
+        for (GainWatch gain; !kept(run);) {
+            if (too_costly(run) || (gain.gains_no_more(run) && run.error < 1e-3 * plan_.time)) return std::nullopt;
             failed = run.steps;
             run = at(2 * failed);
         }
@@ -87,15 +103,19 @@ private:
         }
     }
 
-    /// From a loose tolerance down in steps of a factor 2 until the error is kept.
+    /// From a loose tolerance down, 5, 2 and 1 in each decade, until the error is kept.
     std::optional<Measurement> over_tolerance(const std::string& method, Precision precision) {
-        const double least = precision == Precision::float_ ? 1e-8 : 1e-17;
-        for (double tolerance = std::min(0.1, 100 * error_); tolerance > least; tolerance /= 2) {
-            RunDescription run = run_over(plan_, method, precision, 1);
-            run.method_parameters.set("tolerance", tolerance);
-            Measurement result = measured(run, 1);
-            if (kept(result)) return result;
-            if (too_costly(result)) return std::nullopt;
+        const int least = precision == Precision::float_ ? -8 : -17;
+        const int first = std::min(-2, static_cast<int>(std::ceil(std::log10(error_))) + 1);
+        GainWatch gain;
+        for (int decade = first; decade >= least; --decade) {
+            for (const char* digit : {"5", "2", "1"}) {
+                RunDescription run = run_over(plan_, method, precision, 1);
+                set_parameter(run, "tolerance", fmt::format("{}e{}", digit, decade));
+                Measurement result = measured(run, 1);
+                if (kept(result)) return result;
+                if (too_costly(result) || gain.gains_no_more(result)) return std::nullopt;
+            }
         }
         return std::nullopt;
     }
@@ -103,7 +123,7 @@ private:
     const StudyPlan& plan_;
     double error_;
     const Reference& reference_;
-    double least_evaluations_ = infinity;
+    double least_evaluations_ = infinity, least_seconds_ = infinity;
     double least_error_ = infinity;
     std::string most_accurate_;
 };
@@ -122,38 +142,21 @@ std::vector<Measurement> candidates(const StudyPlan& plan, Search& search, const
     double done = 0;
     for (const std::string& method : most_accurate_first(possible_methods(plan))) {
         for (const Precision precision : plan.precisions) {
-            if (auto run = search.cheapest(method, precision)) found.push_back(std::move(*run));
+            for (Measurement& run : search.cheapest(method, precision)) found.push_back(std::move(run));
             progress(++done / all * 0.8);
         }
     }
     return found;
 }
 
-}  // namespace
-
-Advice advise(const StudyPlan& plan, double error, const Reference& reference, const StudyProgress& progress) {
-    const double certain = reference.moments.back().error;
-    if (error < certain) {
-        const std::string chaos = chaos_note(plan.scene, reference);
-        throw UsageError(
-            fmt::format("an error of {} cannot be told here: the reference ({}) is itself known to {:.1e}{}",
-                        number_text(error), reference.how, certain, chaos.empty() ? "" : ". " + chaos));
-    }
-    Search search(plan, error, reference);
-    std::vector<Measurement> runs = candidates(plan, search, progress);
-    if (runs.empty()) {
-        throw UsageError(fmt::format("no method keeps an error of {} here: the least was {:.1e}, by {}",
-                                     number_text(error), search.least_error(), search.most_accurate()));
-    }
-    for (Measurement& run : runs) run.wall_seconds.reset();  // looks were within the clock
-    time_interleaved(runs, plan.rounds, [&](double part) { progress(0.8 + 0.2 * part); });
-    std::sort(runs.begin(), runs.end(), [](const Measurement& a, const Measurement& b) {
-        return a.wall_seconds.value_or(infinity) < b.wall_seconds.value_or(infinity);
-    });
+/// The fastest of the runs, made once more as its command line says, and the best run of every other method.
+Advice verified(std::vector<Measurement> runs, double error, const Reference& reference) {
     Advice advice{runs.front(), {}};
     const auto seconds = advice.best.wall_seconds;
     advice.best = measure(advice.best.run, advice.best.steps, reference);
     advice.best.wall_seconds = seconds;
+    if (advice.best.diverged || advice.best.error > error)
+        throw std::logic_error("a run gave another error the second time");
     for (Measurement& run : runs) {
         const bool known = run.run.method == advice.best.run.method ||
                            std::any_of(advice.others.begin(), advice.others.end(),
@@ -161,6 +164,30 @@ Advice advise(const StudyPlan& plan, double error, const Reference& reference, c
         if (!known) advice.others.push_back(std::move(run));
     }
     return advice;
+}
+
+}  // namespace
+
+Advice advise(const StudyPlan& plan, double error, const Reference& reference, const StudyProgress& progress) {
+    const double certain = reference.moments.back().error;
+    if (error < certain) {
+        const std::string chaos = chaos_note(plan.scene, plan.time, certain);
+        throw UsageError(
+            fmt::format("an error of {} cannot be told here: what runs are judged by ({}) is itself known to {}{}",
+                        typed(error), reference.how, typed(certain), chaos.empty() ? "" : ". " + chaos));
+    }
+    Search search(plan, error, reference);
+    std::vector<Measurement> runs = candidates(plan, search, progress);
+    if (runs.empty()) {
+        throw UsageError(fmt::format("no method keeps an error of {} here: the least was {}, by {}", typed(error),
+                                     typed(search.least_error()), search.most_accurate()));
+    }
+    for (Measurement& run : runs) run.wall_seconds.reset();  // looks were within the clock
+    time_interleaved(runs, plan.rounds, [&](double part) { progress(0.8 + 0.2 * part); });
+    std::sort(runs.begin(), runs.end(), [](const Measurement& a, const Measurement& b) {
+        return a.wall_seconds.value_or(infinity) < b.wall_seconds.value_or(infinity);
+    });
+    return verified(std::move(runs), error, reference);
 }
 
 }  // namespace steplab

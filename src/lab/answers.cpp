@@ -1,6 +1,6 @@
 #include "lab/answers.hpp"
 
-#include "core/text.hpp"
+#include "lab/readable_number.hpp"
 
 #include <fmt/format.h>
 
@@ -41,10 +41,13 @@ std::vector<const Measurement*> pareto_front(std::span<const Measurement> runs) 
     return front;
 }
 
+bool chooses_its_steps(const RunDescription& run) {
+    return run.method_parameters.contains("tolerance") && run.method_parameters["tolerance"] > 0;
+}
+
 std::string step_text(const RunDescription& run) {
-    if (run.method_parameters.contains("tolerance") && run.method_parameters["tolerance"] > 0)
-        return fmt::format("tolerance {:.0e}", run.method_parameters["tolerance"]);
-    return fmt::format("dt {:.3g}", run.dt);
+    if (chooses_its_steps(run)) return "tolerance " + typed(run.method_parameters["tolerance"]);
+    return "dt " + typed(run.dt, 3);
 }
 
 std::string answer(std::span<const Measurement> runs, double error) {
@@ -54,13 +57,14 @@ std::string answer(std::span<const Measurement> runs, double error) {
     const Measurement* classic = fastest(runs, error, "rk4");
     if (best->run.method == "rk4") return text;
     if (!classic) return text + "; rk4 does not reach it";
-    return text + fmt::format(", {:.2g} times faster than rk4", *classic->wall_seconds / *best->wall_seconds);
+    return text + fmt::format(", {} times faster than rk4", readable(*classic->wall_seconds / *best->wall_seconds));
 }
 
 std::optional<double> measured_order(std::span<const Measurement> runs, std::string_view method, Precision precision) {
     std::vector<const Measurement*> series;
     for (const Measurement& run : runs) {
-        if (run.run.method == method && run.run.precision == precision && !run.diverged) series.push_back(&run);
+        if (run.run.method == method && run.run.precision == precision && !run.diverged && !chooses_its_steps(run.run))
+            series.push_back(&run);
     }
     if (series.size() < 3) return std::nullopt;
     const auto by_error = [](const Measurement* a, const Measurement* b) { return a->error < b->error; };

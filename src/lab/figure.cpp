@@ -1,14 +1,20 @@
 #include "lab/figure.hpp"
 
+#include "core/entry.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "io/interruption.hpp"
+#include "io/temporary_folder.hpp"
+#include "lab/curve_labels.hpp"
+#include "lab/svg.hpp"
+#include "lab/ticks.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
+#include <fcntl.h>
 #include <fstream>
 #include <spawn.h>
 #include <sstream>
@@ -19,121 +25,166 @@ namespace steplab {
 
 namespace {
 
-/// Paul Tol's "bright" and "muted" colours, which colour-blind people tell apart.
-constexpr std::array palette{"#4477aa", "#ee6677", "#228833", "#b8a400", "#44aacc", "#aa3377", "#777777",
-                             "#332288", "#88ccee", "#117733", "#999933", "#cc6677", "#882255", "#aa4499"};
+bool can_stand(double value, bool logarithmic) { return std::isfinite(value) && (!logarithmic || value > 0); }
 
-/// A folder that is gone when this object is.
-class TemporaryFolder {
+std::string file_text(const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(name).rdbuf();
+    return text.str();
+}
+
+/// A figure on its way through gnuplot.
+class Drawing {
 public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "steplab-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw FileError(fmt::format("no temporary folder can be made as '{}'", name));
-        path_ = name;
+    Drawing(const Figure& figure, std::size_t number) : figure_(figure), number_(number) {
+        x_range_ = figure.x.range ? figure.x.range : range_of(figure.curves, true, figure.x.logarithmic);
+        y_range_ = figure.y.range ? figure.y.range : range_of(figure.curves, false, figure.y.logarithmic);
+        for (const bool coloured : {false, true}) {  // the coloured curves in front
+            for (const Curve& curve : figure.curves) {
+                if (curve.colour.has_value() == coloured && has_points(curve)) curves_.push_back(&curve);
+            }
+        }
     }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
+
+    /// Gnuplot refuses to draw a diagram without a point.
+    bool drawable() const { return x_range_ && y_range_ && !curves_.empty(); }
+
+    std::string commands(const std::string& file) const {
+        std::string text = fmt::format("set output '{}'\n", file);
+        for (std::size_t c = 0; c < curves_.size(); ++c) text += data_block(*curves_[c], c);
+        text += axis("x", figure_.x, *x_range_) + axis("y", figure_.y, *y_range_) + labels() + "plot ";
+        for (std::size_t c = 0; c < curves_.size(); ++c) text += (c ? ", \\\n" : "") + curve_command(*curves_[c], c);
+        return text + "\nset output\n";
     }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+    std::vector<std::string> names() const {
+        std::vector<std::string> names;
+        for (const Curve* curve : curves_) names.push_back(curve->name);
+        return names;
+    }
 
 private:
-    std::filesystem::path path_;
+    bool shown(const std::pair<double, double>& point) const {
+        return can_stand(point.first, figure_.x.logarithmic) && can_stand(point.second, figure_.y.logarithmic);
+    }
+
+    bool has_points(const Curve& curve) const {
+        return std::any_of(curve.points.begin(), curve.points.end(), [&](const auto& point) { return shown(point); });
+    }
+
+    std::string data_block(const Curve& curve, std::size_t c) const {
+        std::string text = fmt::format("$f{}c{} << END\n", number_, c);
+        for (const auto& point : curve.points) {
+            if (shown(point)) text += fmt::format("{:.6g} {:.6g}\n", point.first, point.second);
+        }
+        return text + "END\n";
+    }
+
+    std::string curve_command(const Curve& curve, std::size_t c) const {
+        const int colour = curve.colour ? first_of_palette + *curve.colour : background_curve;
+        const bool marks = curve.marks && curve.colour;
+        return fmt::format("$f{}c{} using 1:2 with {} lc rgb '{}' lw {} dt {}{} notitle", number_, c,
+                           marks ? "linespoints" : "lines", placeholder(colour), curve.colour ? "1.7" : "0.8",
+                           curve.dashed ? 2 : 1, marks ? " pt 7 ps 0.4" : "");
+    }
+
+    static std::string axis(const char* name, const Axis& axis, std::pair<double, double> range) {
+        std::string text = fmt::format("set {0}label '{1}'\nset {0}range [{2:.9g}:{3:.9g}]\n", name, axis.label,
+                                       range.first, range.second);
+        if (!axis.logarithmic) return text + fmt::format("unset logscale {0}\nset {0}tics auto\n", name);
+        text += fmt::format("set logscale {0}\nset {0}tics (", name);
+        const char* comma = "";
+        for (const Tick& tick : decades(range, axis.quantity)) {
+            text += fmt::format("{}'{}' {:.9g} {}", comma, tick.text, tick.value, tick.text.empty() ? 1 : 0);
+            comma = ", ";
+        }
+        return text + ")\n";
+    }
+
+    std::string labels() const {
+        std::string text = "unset label\n";
+        for (const CurveLabel& label : curve_labels(figure_, *x_range_, *y_range_)) {
+            text += fmt::format("set label '{}' at screen {:.4f},{:.4f} left tc rgb '{}' front\n", label.text,
+                                label.x / FigureArea::width, 1 - label.y / FigureArea::height,
+                                placeholder(first_of_palette + label.colour));
+        }
+        return text;
+    }
+
+    const Figure& figure_;
+    std::size_t number_;
+    std::optional<std::pair<double, double>> x_range_, y_range_;
+    std::vector<const Curve*> curves_;
 };
 
-std::string data_block(const Figure& figure, std::size_t number) {
-    std::string text;
-    for (std::size_t c = 0; c < figure.curves.size(); ++c) {
-        text += fmt::format("$f{}c{} << END\n", number, c);
-        for (const auto& [x, y] : figure.curves[c].points) {
-            const bool shown =
-                std::isfinite(x) && std::isfinite(y) && (!figure.log_x || x > 0) && (!figure.log_y || y > 0);
-            if (shown) text += number_text(x) + " " + number_text(y) + "\n";
-        }
-        text += "END\n";
-    }
-    return text;
+std::string style() {
+    std::string text = fmt::format(
+        "set encoding utf8\nset terminal svg size {},{} dynamic noenhanced font 'sans-serif,12' name 'f'\n"
+        "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n"
+        "set bmargin at screen {:.5f}\n",
+        FigureArea::width, FigureArea::height, FigureArea::left / FigureArea::width,
+        FigureArea::right / FigureArea::width, 1 - FigureArea::top / FigureArea::height,
+        1 - FigureArea::bottom / FigureArea::height);
+    text += fmt::format("set border 3 lc rgb '{}'\nset tics nomirror out scale 0.5,0.3 textcolor rgb '{}'\n",
+                        placeholder(quiet), placeholder(ink));
+    text += fmt::format("set grid lc rgb '{}' lt 1 lw 0.6\nset xlabel textcolor rgb '{}' offset 0,0.3\n",
+                        placeholder(grid), placeholder(ink));
+    return text + fmt::format("set ylabel textcolor rgb '{}' offset 0.5,0\nunset key\n", placeholder(ink));
 }
 
-std::string curve_command(const Figure& figure, std::size_t number, std::size_t c) {
-    const Curve& curve = figure.curves[c];
-    const std::size_t colour = static_cast<std::size_t>(curve.colour) % palette.size();
-    const std::string marks = fmt::format(" pt {} ps 0.45", curve.dashed ? 6 : 7);
-    return fmt::format("$f{}c{} using 1:2 with {} lc rgb '{}' lw 1.6 dt {}{} title '{}'", number, c,
-                       curve.marks ? "linespoints" : "lines", palette[colour], curve.dashed ? 2 : 1,
-                       curve.marks ? marks : "", curve.name);
-}
-
-/// Gnuplot refuses to draw a diagram without a point.
-bool has_points(const Figure& figure) {
-    for (const Curve& curve : figure.curves) {
-        for (const auto& [x, y] : curve.points) {
-            if (std::isfinite(x) && std::isfinite(y) && (!figure.log_x || x > 0) && (!figure.log_y || y > 0))
-                return true;
-        }
-    }
-    return false;
-}
-
-std::string commands(const Figure& figure, std::size_t number, const std::string& file) {
-    std::string text = data_block(figure, number);
-    text += fmt::format("set terminal svg size 620,430 dynamic font 'sans-serif,12' name 'f{}'\n", number);
-    text += fmt::format("set output '{}'\nset xlabel '{}'\nset ylabel '{}'\n", file, figure.x_label, figure.y_label);
-    text += figure.log_x ? "set logscale x\nset format x '10^{%T}'\n" : "unset logscale x\nset format x '%g'\n";
-    text += figure.log_y ? "set logscale y\nset format y '10^{%T}'\n" : "unset logscale y\nset format y '%g'\n";
-    text += figure.y_range ? fmt::format("set yrange [{}:{}]\n", figure.y_range->first, figure.y_range->second)
-                           : std::string("set yrange [*:*]\n");
-    text += "plot ";
-    for (std::size_t c = 0; c < figure.curves.size(); ++c)
-        text += (c ? ", \\\n" : "") + curve_command(figure, number, c);
-    return text + "\nset output\n";
-}
-
-constexpr const char* style = R"(set encoding utf8
-set border 3 lc rgb '#888888'
-set tics nomirror textcolor rgb '#555555'
-set grid lc rgb '#e0e0e0' lt 1 lw 0.6
-set xlabel textcolor rgb '#333333'
-set ylabel textcolor rgb '#333333'
-set key outside right top textcolor rgb '#333333' samplen 1.2 width -2 font ',10'
-)";
-
-void run_gnuplot(const std::string& script) {
+/// What gnuplot says is kept from the person's terminal: warnings are nobody's business, an error is quoted.
+void run_gnuplot(const std::string& script, const std::string& said) {
     const std::array<const char*, 3> arguments{"gnuplot", script.c_str(), nullptr};
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT, 0600);
     pid_t child = 0;
     const int error =
-        posix_spawnp(&child, arguments[0], nullptr, nullptr, const_cast<char**>(arguments.data()), environ);
+        posix_spawnp(&child, arguments[0], &files, nullptr, const_cast<char**>(arguments.data()), environ);
+    posix_spawn_file_actions_destroy(&files);
     int status = 0;
-    if (error == 0) waitpid(child, &status, 0);
+    while (error == 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    check_interruption();  // a key that interrupts reaches gnuplot too
     if (error == 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-    throw FileError("gnuplot, which draws the diagrams of the report, cannot be run: install the package gnuplot-nox");
-}
-
-/// The <svg> element alone, without the prologue of a file of its own.
-std::string svg_element(const std::string& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    const std::string all = text.str();
-    const std::size_t begin = all.find("<svg");
-    return begin == std::string::npos ? std::string() : all.substr(begin);
+    const bool missing = error != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127);
+    throw FileError(missing ? "gnuplot, which draws the diagrams, cannot be run: install the package gnuplot-nox"
+                            : fmt::format("gnuplot, which draws the diagrams, failed: {}", file_text(said)));
 }
 
 }  // namespace
 
+std::optional<std::pair<double, double>> range_of(std::span<const Curve> curves, bool of_x, bool logarithmic) {
+    double low = infinity, high = -infinity;
+    for (const Curve& curve : curves) {
+        for (const auto& [x, y] : curve.points) {
+            const double value = of_x ? x : y;
+            if (!can_stand(value, logarithmic)) continue;
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    }
+    if (!(low <= high)) return std::nullopt;
+    if (logarithmic) return std::pair(low / 1.5, high * 1.5);
+    const double room = high > low ? 0 : std::max(1.0, std::abs(low));
+    return std::pair(low - room, high + room);
+}
+
 std::vector<std::string> svg_figures(std::span<const Figure> figures) {
     const TemporaryFolder folder;
-    std::string script = style;
+    const auto picture = [&](std::size_t i) { return folder.file(fmt::format("{}.svg", i)); };
+    std::vector<Drawing> drawings;
+    std::string script = style();
     for (std::size_t i = 0; i < figures.size(); ++i) {
-        if (has_points(figures[i])) script += commands(figures[i], i, folder.file(fmt::format("{}.svg", i)));
+        drawings.emplace_back(figures[i], i);
+        if (drawings[i].drawable()) script += drawings[i].commands(picture(i));
     }
-    const std::string file = folder.file("figures.gp");
-    std::ofstream(file) << script;
-    run_gnuplot(file);
+    std::ofstream(folder.file("figures.gp")) << script;
+    run_gnuplot(folder.file("figures.gp"), folder.file("said"));
     std::vector<std::string> elements;
     for (std::size_t i = 0; i < figures.size(); ++i)
-        elements.push_back(svg_element(folder.file(fmt::format("{}.svg", i))));
+        elements.push_back(page_svg(file_text(picture(i)), drawings[i].names()));
     return elements;
 }
 

@@ -112,12 +112,11 @@ LyapunovExponent lyapunov_exponent(const Scene& scene, const Shape& shape, doubl
     return result;
 }
 
-std::string chaos_note(const RunDescription& description, const Reference& reference) {
+std::string chaos_note(const RunDescription& description, double time, double error) {
     const RunDescription held = as_held(description);
     const Model& entry = model(held.model);
     const Shape shape = entry.shape(held.scene);
-    if (reference.moments.empty() || reference.moments.back().error < meaningless * shape.spacing) return {};
-    const double time = reference.moments.back().time;
+    if (error < meaningless * shape.spacing) return {};
     const LyapunovExponent lyapunov = lyapunov_exponent(entry.scene(held.scene), shape, time);
     if (!lyapunov.chaotic()) return {};
     const double tenfold = std::log(10.0) / lyapunov.exponent;

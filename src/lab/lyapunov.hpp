@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/shape.hpp"
-#include "lab/reference.hpp"
 #include "models/model.hpp"
+#include "sim/run_description.hpp"
 
 #include <string>
 
@@ -25,9 +25,9 @@ struct LyapunovExponent {
 /// the direction that grows most, does not count for exponent and spread. Throws Interrupted.
 LyapunovExponent lyapunov_exponent(const Scene& scene, const Shape& shape, double time);
 
-/// Why the end of the described scene cannot be known, in a sentence with the measured exponent, to be shown instead of
-/// errors that mean nothing. Empty where the reference is known to a thousandth of the scene's spacing, or where
-/// motions do not part exponentially. Throws Interrupted.
-std::string chaos_note(const RunDescription& description, const Reference& reference);
+/// Why the described scene cannot be known at this time, in a sentence with the measured exponent, to be shown instead
+/// of errors that mean nothing. Empty where its reference's error is below a thousandth of the scene's spacing, or
+/// where motions do not part exponentially. Throws Interrupted.
+std::string chaos_note(const RunDescription& description, double time, double error);
 
 }  // namespace steplab

@@ -2,70 +2,58 @@
 
 #include "core/error.hpp"
 #include "io/output_file.hpp"
+#include "lab/kept_study.hpp"
 #include "lab/report_page.hpp"
 #include "lab/speed_error_csv.hpp"
 #include "lab/thesis.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <fstream>
-#include <optional>
-#include <sstream>
-#include <system_error>
+#include <utility>
 
 namespace steplab {
 
 namespace {
 
-void make_folder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
+/// The part of a study's time that its series take; the limits take the rest.
+constexpr double share_of_series = 0.85;
+
+/// The limits of all methods of the plan, in its first precision; of one that refuses the scene, why.
+std::vector<Limit> limits_of(const StudyPlan& plan, const StudyProgress& progress) {
+    const Precision precision = plan.precisions.front();
+    const StabilityLab lab(run_over(plan, "rk4", precision, 1));
+    std::vector<Limit> limits;
+    for (const std::string& id : plan.methods) {
+        progress(static_cast<double>(limits.size()) / static_cast<double>(plan.methods.size()));
+        RunDescription run = run_over(plan, id, precision, 1);
+        run.dt = plan.scene.dt;
+        try {
+            limits.push_back(lab.limit(run));
+        } catch (const UsageError& refusal) {
+            limits.push_back({.description = run,
+                              .omega_max = lab.omega_max(),
+                              .theory = {},
+                              .measured = {},
+                              .note = refusal.what()});
+        }
+    }
+    return limits;
 }
 
-/// Measurements of the scenes that are done, each in a file of its own until the whole report is.
-class DoneScenes {
-public:
-    explicit DoneScenes(const std::string& folder) : folder_(std::filesystem::path(folder) / ".measured") {
-        make_folder(folder_);
+Study measured(const StudyPlan& plan, const KeptStudies& kept, const StudyProgress& progress) {
+    StudyState state = kept.find(plan).value_or(StudyState{});
+    const auto keep = [&] { kept.keep(plan, state); };
+    if (!state.series.timed) {
+        const Reference reference = reference_for(plan);
+        state.reference = reference.how;
+        state.reference_error = reference.moments.back().error;
+        go_on_with_series(plan, reference, state.series, keep, [&](double part) { progress(share_of_series * part); });
     }
-
-    std::optional<std::vector<Measurement>> find(const StudyPlan& plan) const {
-        std::ifstream file(file_of(plan));
-        std::string first;
-        if (!file || !std::getline(file, first) || first != key(plan)) return std::nullopt;
-        std::ostringstream rest;
-        rest << file.rdbuf();
-        return parse_speed_error_csv(rest.str());
+    if (!state.limits) {
+        state.limits = limits_of(plan, [&](double part) { progress(share_of_series + (1 - share_of_series) * part); });
+        keep();
     }
-
-    void keep(const StudyPlan& plan, const std::vector<Measurement>& runs) const {
-        OutputFile file(file_of(plan));
-        file.write(key(plan) + "\n" + speed_error_csv(runs));
-        file.commit();
-    }
-
-    void forget() const {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-
-private:
-    std::string file_of(const StudyPlan& plan) const { return (folder_ / (plan.scene.model + ".csv")).string(); }
-
-    /// Everything that makes measurements comparable: the plan, the program and the machine.
-    static std::string key(const StudyPlan& plan) {
-        const Circumstances made = circumstances();
-        std::string text = fmt::format("{} to {} with", command_line(plan.scene), plan.time);
-        for (const std::string& method : plan.methods) text += " " + method;
-        for (const Precision precision : plan.precisions) text += fmt::format(" {}", id(precision));
-        return text + fmt::format(" {} {} {} by {} {} on {}", plan.most_seconds_a_run, plan.ratio, plan.rounds,
-                                  made.commit, made.compiler, made.processor);
-    }
-
-    std::filesystem::path folder_;
-};
+    return {plan, state.reference, state.reference_error, std::move(state.series.runs), std::move(*state.limits)};
+}
 
 void write_file(const std::string& folder, const char* name, const std::string& text) {
     OutputFile file((std::filesystem::path(folder) / name).string());
@@ -76,24 +64,22 @@ void write_file(const std::string& folder, const char* name, const std::string& 
 }  // namespace
 
 void write_report(const ReportRequest& request, const ReportProgress& progress) {
-    const DoneScenes done(request.folder);
+    const KeptStudies kept(request.folder);
     std::vector<Study> studies;
     std::vector<Measurement> all;
-    const double parts = static_cast<double>(request.plans.size());
+    double work = 0, done = 0;
+    for (const StudyPlan& plan : request.plans) work += share_of_work(plan);
     for (const StudyPlan& plan : request.plans) {
-        const double before = static_cast<double>(studies.size());
-        const auto tell = [&](double part) { progress((before + part) / parts, plan.scene.model); };
+        const double share = share_of_work(plan);
+        const auto tell = [&](double part) { progress((done + share * part) / work, plan.scene.model); };
         tell(0);
-        Study study{plan, reference_for(plan), {}};
-        auto known = done.find(plan);
-        study.runs = known ? std::move(*known) : measure_series(plan, study.reference, tell);
-        if (!known) done.keep(plan, study.runs);
-        all.insert(all.end(), study.runs.begin(), study.runs.end());
-        studies.push_back(std::move(study));
+        studies.push_back(measured(plan, kept, tell));
+        all.insert(all.end(), studies.back().runs.begin(), studies.back().runs.end());
+        done += share;
     }
     write_file(request.folder, "speed_error.csv", speed_error_csv(all));
     write_file(request.folder, "report.html", report_page(studies, request.errors, circumstances()));
-    done.forget();
+    kept.forget();
 }
 
 void write_thesis_page(const std::string& folder) {

@@ -1,6 +1,7 @@
 #include "lab/speed_error.hpp"
 
 #include "core/error.hpp"
+#include "lab/gain_watch.hpp"
 #include "lab/linearised.hpp"
 #include "sim/catalogue.hpp"
 
@@ -13,21 +14,6 @@ namespace {
 
 /// Runs shorter than this are repeated within a round until they have taken as long together.
 constexpr double least_seconds = 2e-4;
-
-/// A series ends when halving dt has gained nothing twice: rounding has taken over, or the reference's own error.
-class GainWatch {
-public:
-    bool gains_no_more(const Measurement& last) {
-        if (last.diverged) return false;
-        useless_ = last.error > 0.7 * best_ ? useless_ + 1 : 0;
-        best_ = std::min(best_, last.error);
-        return useless_ == 2;
-    }
-
-private:
-    double best_ = infinity;
-    int useless_ = 0;
-};
 
 /// What one run costs before it is made, from the one made last.
 class CostWatch {
@@ -114,6 +100,12 @@ RunDescription run_over(const StudyPlan& plan, const std::string& method, Precis
     return run;
 }
 
+bool takes_dt(const std::string& method) { return !steplab::method(method).info.adaptive; }
+
+bool takes_tolerance(const std::string& method) {
+    return ParameterValues(steplab::method(method).info.parameters).contains("tolerance");
+}
+
 std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method) {
     const RunDescription run = run_over(plan, method, Precision::double_, 1);
     const double limit = linear_limit(steplab::method(method).info, run.method_parameters);
@@ -143,25 +135,33 @@ void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyPro
     }
 }
 
+void go_on_with_series(const StudyPlan& plan, const Reference& reference, SeriesState& state,
+                       const std::function<void()>& keep, const StudyProgress& progress) {
+    Series series(plan, reference, state.runs);
+    const std::vector<std::string> methods = possible_methods(plan);
+    const std::size_t all = methods.size() * plan.precisions.size();
+    const double share = 2.0 / (2 + plan.rounds);  // a run is made twice, then once a round
+    while (state.series < all) {
+        const std::string& id = methods[state.series / plan.precisions.size()];
+        const Precision precision = plan.precisions[state.series % plan.precisions.size()];
+        progress(share * static_cast<double>(state.series) / static_cast<double>(all));
+        if (takes_dt(id)) series.over_dt(id, precision);
+        if (takes_tolerance(id)) series.over_tolerance(id, precision);
+        ++state.series;
+        keep();
+    }
+    if (!state.timed)
+        time_interleaved(state.runs, plan.rounds, [&](double part) { progress(share + (1 - share) * part); });
+    state.timed = true;
+    keep();
+}
+
 std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& reference,
                                         const StudyProgress& progress) {
-    std::vector<Measurement> runs;
-    Series series(plan, reference, runs);
-    double done = 0;
-    const std::vector<std::string> methods = possible_methods(plan);
-    const double all = static_cast<double>(methods.size() * plan.precisions.size());
-    for (const std::string& id : methods) {
-        for (const Precision precision : plan.precisions) {
-            if (method(id).info.adaptive) {
-                series.over_tolerance(id, precision);
-            } else {
-                series.over_dt(id, precision);
-            }
-            progress(++done / all / 2);
-        }
-    }
-    time_interleaved(runs, plan.rounds, [&](double part) { progress(0.5 + part / 2); });
-    return runs;
+    SeriesState state;
+    go_on_with_series(
+        plan, reference, state, [] {}, progress);
+    return std::move(state.runs);
 }
 
 }  // namespace steplab

@@ -24,17 +24,32 @@ struct StudyPlan {
 /// Called between runs with the part of the work that is done, 0 .. 1; may throw to end it.
 using StudyProgress = std::function<void(double)>;
 
+/// How far the measuring of a plan is: enough to go on from there.
+struct SeriesState {
+    std::vector<Measurement> runs;
+    std::size_t series = 0;  ///< of a method in a precision, in the plan's order, that are complete in `runs`
+    bool timed = false;
+};
+
 /// Measures every method and precision of the plan over a series of dt, largest first, down to where rounding or the
 /// reference ends the gain; adaptive methods over a series of tolerances. All runs that did not diverge are then timed
 /// in interleaved rounds, so that a disturbance of the machine hits all alike, and the least of each is kept.
 std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& reference,
                                         const StudyProgress& progress);
 
+/// The same from where `state` is; `keep` is called when there is more of it to keep.
+void go_on_with_series(const StudyPlan& plan, const Reference& reference, SeriesState& state,
+                       const std::function<void()>& keep, const StudyProgress& progress);
+
 /// What the runs of a plan are judged by: the scene at its time.
 Reference reference_for(const StudyPlan& plan);
 
 /// The run of this method with this many steps over the time: dt = time / steps.
 RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps);
+
+/// Whether a method is asked over a series of dt, of tolerances, or (gauss-16) over both.
+bool takes_dt(const std::string& method);
+bool takes_tolerance(const std::string& method);
 
 /// Steps over the time at the method's largest sensible dt: just below the stability limit where there is one.
 std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method);

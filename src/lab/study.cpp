@@ -1,5 +1,6 @@
 #include "lab/study.hpp"
 
+#include "io/interruption.hpp"
 #include "lab/commit.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
@@ -20,10 +21,11 @@ namespace {
 struct DefaultScene {
     const char* model;
     double time;
+    double work;  ///< processor seconds of a report in full, as measured once
 };
 
-constexpr DefaultScene default_scenes[] = {{"free", 10}, {"oscillator", 62}, {"chain", 68.1},
-                                           {"mesh", 20}, {"rope", 5},        {"morse", 2}};
+constexpr DefaultScene default_scenes[] = {{"free", 10, 8},  {"oscillator", 62, 14}, {"chain", 68.1, 20},
+                                           {"mesh", 20, 70}, {"rope", 5, 42},        {"morse", 2, 60}};
 
 /// The run of this method in double whose cost comes nearest; null if there is none.
 const Measurement* at_cost(const Study& study, const std::string& method, double evaluations) {
@@ -38,14 +40,21 @@ const Measurement* at_cost(const Study& study, const std::string& method, double
     return nearest;
 }
 
-Curve energy_curve(const Measurement& run, int colour) {
-    constexpr std::uint64_t moments = 300;
-    Curve curve{.name = run.run.method, .points = {}, .colour = colour, .marks = false};
+/// Moments at which the energy is looked at, and spans of which the largest error is drawn.
+constexpr std::uint64_t moments = 600, spans = 60;
+
+Curve energy_curve(const Measurement& run) {
+    Curve curve{.name = run.run.method, .points = {}, .marks = false};
     Simulation simulation(run.run);
-    const std::uint64_t points = std::min(moments, run.steps);
-    for (std::uint64_t i = 1; i <= points; ++i) {
-        simulation.advance(run.steps * i / points - simulation.step());
-        curve.points.emplace_back(simulation.time(), std::abs(simulation.diagnostics().energy_error));
+    const std::uint64_t looks = std::min(moments, run.steps), looks_a_span = std::max<std::uint64_t>(1, looks / spans);
+    double largest = 0;
+    for (std::uint64_t i = 1; i <= looks; ++i) {
+        check_interruption();
+        simulation.advance(run.steps * i / looks - simulation.step());
+        largest = std::max(largest, std::abs(simulation.diagnostics().energy_error));
+        if (i % looks_a_span != 0) continue;
+        curve.points.emplace_back(simulation.time(), largest);
+        largest = 0;
     }
     return curve;
 }
@@ -63,7 +72,7 @@ std::string processor_name() {
 
 std::vector<StudyPlan> default_plans(bool quick) {
     std::vector<StudyPlan> plans;
-    for (const auto& [id, time] : default_scenes) {
+    for (const auto& [id, time, work] : default_scenes) {
         StudyPlan plan{
             .scene = describe(id, "rk4"), .time = time, .methods = {}, .method_settings = {}, .precisions = {}};
         if (plan.scene.model == "morse") plan.scene.scene.set("spacing", 0.3);
@@ -79,12 +88,18 @@ std::vector<StudyPlan> default_plans(bool quick) {
     return plans;
 }
 
+double share_of_work(const StudyPlan& plan) {
+    for (const DefaultScene& scene : default_scenes) {
+        if (plan.scene.model == scene.model) return scene.work;
+    }
+    return 1;
+}
+
 std::vector<Curve> energy_curves(const Study& study, double evaluations) {
     std::vector<Curve> curves;
-    for (std::size_t i = 0; i < study.plan.methods.size(); ++i) {
-        const std::string& id = study.plan.methods[i];
+    for (const std::string& id : study.plan.methods) {
         const Measurement* run = method(id).info.adaptive ? nullptr : at_cost(study, id, evaluations);
-        if (run) curves.push_back(energy_curve(*run, static_cast<int>(i)));
+        if (run) curves.push_back(energy_curve(*run));
     }
     return curves;
 }

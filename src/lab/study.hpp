@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/figure.hpp"
+#include "lab/limits.hpp"
 #include "lab/speed_error.hpp"
 
 #include <string>
@@ -11,15 +12,21 @@ namespace steplab {
 /// One scene of a report, measured.
 struct Study {
     StudyPlan plan;
-    Reference reference;
+    std::string reference;       ///< in words: what the runs are judged by
+    double reference_error = 0;  ///< how far that may be from the truth; no error is given below it
     std::vector<Measurement> runs;
+    std::vector<Limit> limits;  ///< stability limits of the plan's methods, in the plan's first precision
 };
 
 /// The scenes a report takes if nobody names any: every model at its defaults over a time in which it shows what it
 /// does; morse with spacing 0.3, because at its default particles pass through each other, where no order holds.
 std::vector<StudyPlan> default_plans(bool quick);
 
-/// Energy error over time of each method of fixed steps in double, at the run that comes nearest to this cost.
+/// The part of a whole report's work that this model takes, about.
+double share_of_work(const StudyPlan& plan);
+
+/// Energy error over time of each method of fixed steps in double, at the run that comes nearest to this cost: the
+/// largest within each of sixty spans of the time, so that a trend shows and not every swing. Throws Interrupted.
 std::vector<Curve> energy_curves(const Study& study, double evaluations);
 
 /// What the measurements were made on.

@@ -4,20 +4,6 @@ namespace steplab {
 
 namespace {
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<') {
-            out += "&lt;";
-        } else if (c == '&') {
-            out += "&amp;";
-        } else {
-            out += c;
-        }
-    }
-    return out;
-}
-
 std::string markdown_row(const std::vector<std::string>& cells) {
     std::string row = "|";
     for (const std::string& cell : cells) row += " " + cell + " |";
@@ -26,7 +12,7 @@ std::string markdown_row(const std::vector<std::string>& cells) {
 
 std::string html_row(const std::vector<std::string>& cells, const char* tag) {
     std::string row = "<tr>";
-    for (const std::string& cell : cells) row += std::string("<") + tag + ">" + escaped(cell) + "</" + tag + ">";
+    for (const std::string& cell : cells) row += std::string("<") + tag + ">" + cell + "</" + tag + ">";
     return row + "</tr>\n";
 }
 
@@ -41,9 +27,38 @@ std::string markdown(const Table& table) {
 }
 
 std::string html(const Table& table) {
-    std::string text = "<table>" + html_row(table.head, "th");
+    Table safe = table;
+    for (std::string& cell : safe.head) cell = escaped(cell);
+    for (auto& row : safe.rows) {
+        for (std::string& cell : row) cell = escaped(cell);
+    }
+    return html_of_markup(safe);
+}
+
+std::string html_of_markup(const Table& table) {
+    std::string text = "<div class=\"wide\"><table>\n<thead>" + html_row(table.head, "th") + "</thead>\n<tbody>\n";
     for (const auto& row : table.rows) text += html_row(row, "td");
-    return text + "</table>\n";
+    return text + "</tbody></table></div>\n";
+}
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '<':
+                out += "&lt;";
+                break;
+            case '&':
+                out += "&amp;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
 }
 
 }  // namespace steplab

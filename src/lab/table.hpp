@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace steplab {
@@ -12,6 +13,12 @@ struct Table {
 };
 
 std::string markdown(const Table& table);
+/// As HTML, in a box of its own that scrolls where the page is narrower.
 std::string html(const Table& table);
+/// The same for cells that are HTML already.
+std::string html_of_markup(const Table& table);
+
+/// Text as it stands in HTML, also within an attribute.
+std::string escaped(std::string_view text);
 
 }  // namespace steplab

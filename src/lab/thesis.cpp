@@ -104,7 +104,7 @@ Curve displacement_curve(const RunDescription& run, std::size_t particle, std::u
 }
 
 Curve exact_curve(const RunDescription& run, std::size_t particle, double time) {
-    Curve curve{.name = "exact", .points = {}, .colour = 6, .dashed = true, .marks = false};
+    Curve curve{.name = "exact", .points = {}, .colour = 0, .dashed = true, .marks = false};
     const auto exact = model(run.model).exact(run.scene);
     for (int i = 0; i <= 400; ++i) {
         const double t = time * i / 400;
@@ -121,9 +121,11 @@ double largest(const Curve& curve) {
 
 /// What blows up leaves the chart, which keeps to the size of the exact motion.
 ThesisChart displacement_chart(std::string title, std::string_view model_id, double dt, double time) {
-    Figure figure{.x_label = "time [s]", .y_label = "displacement [m]", .log_x = false, .log_y = false, .curves = {}};
+    Figure figure{.x = {.label = "time [s]", .logarithmic = false},
+                  .y = {.label = "displacement [m]", .logarithmic = false},
+                  .curves = {}};
     const std::size_t particle = model_id == "chain" ? 9 : 1;
-    int colour = 0;
+    int colour = 1;
     for (const Published& row : published) {
         RunDescription run = describe(model_id, row.method);
         run.dt = dt;
@@ -131,17 +133,15 @@ ThesisChart displacement_chart(std::string title, std::string_view model_id, dou
             displacement_curve(run, particle, static_cast<std::uint64_t>(time / dt), row.method, colour++));
     }
     figure.curves.push_back(exact_curve(describe(model_id, "rk4"), particle, time));
-    figure.y_range = std::pair(-1.6 * largest(figure.curves.back()), 1.6 * largest(figure.curves.back()));
+    figure.y.range = std::pair(-1.6 * largest(figure.curves.back()), 1.6 * largest(figure.curves.back()));
     return {std::move(title), std::move(figure)};
 }
 
 ThesisChart morse_chart() {
-    Figure figure{.x_label = "distance [m]",
-                  .y_label = "potential [J], force [N]",
-                  .log_x = false,
-                  .log_y = false,
-                  .curves = {{.name = "potential", .points = {}, .colour = 0, .marks = false},
-                             {.name = "force", .points = {}, .colour = 1, .marks = false}}};
+    Figure figure{.x = {.label = "distance [m]", .logarithmic = false},
+                  .y = {.label = "potential [J], force [N]", .logarithmic = false},
+                  .curves = {{.name = "potential", .points = {}, .colour = 1, .marks = false},
+                             {.name = "force", .points = {}, .colour = 2, .marks = false}}};
     const double b = std::sqrt(0.5);
     const MorseConstants<double> morse{1, b, 2, 2 * b};
     for (int i = 0; i <= 200; ++i) {
@@ -219,7 +219,9 @@ std::string thesis_page() {
     figures.reserve(charts.size());
     for (const ThesisChart& chart : charts) figures.push_back(chart.figure);
     const std::vector<std::string> svg = svg_figures(figures);
-    std::string page = page_head("The thesis, recomputed", circumstances());
+    std::string page =
+        page_head("The thesis, recomputed",
+                  "The tables and charts of the thesis of 2008 beside what the right formulas give.", circumstances());
     page += "<h2>Table 1: the tenth particle after 681 steps of 0.1; exact 25.78620</h2>\n" + html(thesis_table_1());
     page += "<h2>Table 2: the largest dt</h2>\n" + html(thesis_table_2());
     page += "<h2>Table 3: 1000 steps of ten points</h2>\n" + html(thesis_table_3());

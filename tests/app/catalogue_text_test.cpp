@@ -1,7 +1,7 @@
 #include "app/program.hpp"
 #include "app/tables.hpp"
 #include "core/precision.hpp"
-#include "io/temporary_folder.hpp"
+#include "io/files.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run_description.hpp"
 

@@ -1,6 +1,7 @@
+#include "io/files.hpp"
+
 #include "app/program.hpp"
 #include "app/tables.hpp"
-#include "io/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 

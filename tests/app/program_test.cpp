@@ -1,7 +1,7 @@
 #include "app/program.hpp"
 
 #include "app/commands.hpp"
-#include "io/temporary_folder.hpp"
+#include "io/files.hpp"
 
 #include <gmock/gmock.h>
 

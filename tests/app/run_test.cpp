@@ -1,6 +1,6 @@
 #include "app/program.hpp"
 #include "app/tables.hpp"
-#include "io/temporary_folder.hpp"
+#include "io/files.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
 

@@ -1,5 +1,5 @@
 #include "app/program.hpp"
-#include "io/temporary_folder.hpp"
+#include "io/files.hpp"
 
 #include <gmock/gmock.h>
 

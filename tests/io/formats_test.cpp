@@ -1,8 +1,8 @@
 #include "core/error.hpp"
+#include "io/files.hpp"
 #include "io/ordered_writer.hpp"
 #include "io/series.hpp"
 #include "io/summary.hpp"
-#include "io/temporary_folder.hpp"
 #include "io/trajectory.hpp"
 
 #include <gmock/gmock.h>

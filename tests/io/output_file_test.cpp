@@ -1,7 +1,7 @@
 #include "io/output_file.hpp"
 
 #include "core/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "io/files.hpp"
 
 #include <gmock/gmock.h>
 

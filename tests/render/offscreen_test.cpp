@@ -1,7 +1,7 @@
 #include "app/offscreen.hpp"
 
 #include "core/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "io/files.hpp"
 #include "sim/simulation.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 #include "core/error.hpp"
-#include "io/temporary_folder.hpp"
+#include "io/files.hpp"
 #include "render/shader_program.hpp"
 #include "studio.hpp"
 

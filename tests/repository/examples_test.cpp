@@ -1,5 +1,5 @@
+#include "io/temporary_folder.hpp"
 #include "repository/files.hpp"
-#include "scratch_folder.hpp"
 #include "sections.hpp"
 #include "shell.hpp"
 
@@ -26,7 +26,7 @@ int expected_code(const std::string& command) {
 }
 
 TEST(Examples, of_the_documentation_do_what_they_say) {
-    const docs::ScratchFolder folder;
+    const TemporaryFolder folder;
     std::size_t count = 0;
     for (const TextFile& file : text_files(STEPLAB_SOURCE_DIR)) {
         if (file.path.extension() != ".md") continue;
@@ -40,7 +40,7 @@ TEST(Examples, of_the_documentation_do_what_they_say) {
 }
 
 TEST(Examples, wrong_example_fails) {
-    const docs::ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto outcome =
         docs::run("steplab run --model no-such 2>&1", folder.path(), std::string(STEPLAB_BINARY_DIR) + "/bin");
     EXPECT_EQ(outcome.code, 2) << outcome.output;

@@ -1,4 +1,4 @@
-#include "scratch_folder.hpp"
+#include "io/temporary_folder.hpp"
 #include "shell.hpp"
 
 #include <fmt/format.h>
@@ -17,13 +17,13 @@ protected:
         ASSERT_EQ(outcome.code, 0) << outcome.output;
     }
 
-    std::string prefix() const { return (folder_.path() / "prefix").string(); }
-    std::filesystem::path file(const std::string& name) const { return folder_.path() / "prefix" / name; }
+    std::string prefix() const { return folder_.file("prefix"); }
+    std::filesystem::path file(const std::string& name) const { return std::filesystem::path(prefix()) / name; }
     /// Runs a command from another working directory, with the installed programs first in PATH.
     docs::Outcome run(const std::string& command) const { return docs::run(command, folder_.path(), file("bin")); }
 
 private:
-    docs::ScratchFolder folder_;
+    TemporaryFolder folder_;
 };
 
 TEST_F(Installed, program_lists_models_from_anywhere) {

@@ -1,4 +1,4 @@
-#include "scratch_folder.hpp"
+#include "io/temporary_folder.hpp"
 #include "shell.hpp"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ class Scripts : public testing::Test {
 protected:
     /// A program in PATH that writes its name and arguments to the file `calls`, prints `output` and ends with `code`.
     void put_recorder(const std::string& name, int code, const std::string& output = {}) const {
-        std::ofstream(programs() / name) << "#!/bin/bash\necho \"" << name << " $*\" >> " << folder_.path() / "calls"
+        std::ofstream(programs() / name) << "#!/bin/bash\necho \"" << name << " $*\" >> " << folder_.file("calls")
                                          << "\necho '" << output << "'\nexit " << code << '\n';
         fs::permissions(programs() / name, fs::perms::owner_all);
     }
@@ -30,7 +30,7 @@ protected:
     }
 
     bool was_called(const std::string& name) const {
-        std::ifstream calls(folder_.path() / "calls");
+        std::ifstream calls(folder_.file("calls"));
         for (std::string line; std::getline(calls, line);) {
             if (line.starts_with(name)) return true;
         }
@@ -38,12 +38,12 @@ protected:
     }
 
     fs::path programs() const {
-        fs::create_directories(folder_.path() / "programs");
-        return folder_.path() / "programs";
+        fs::create_directories(folder_.file("programs"));
+        return folder_.file("programs");
     }
 
 private:
-    docs::ScratchFolder folder_;
+    TemporaryFolder folder_;
 };
 
 TEST_F(Scripts, list_of_packages_is_read_by_section) {

@@ -1,22 +1,22 @@
 #pragma once
 
+#include "core/error.hpp"
+
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 namespace steplab {
 
-/// A new empty folder that goes with this object.
+/// A new empty folder that goes with this object, and all that is in it.
 class TemporaryFolder {
 public:
+    /// Throws FileError if none can be made.
     TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "steplab-test-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder can be made as " + name);
+        std::string name = (std::filesystem::temp_directory_path() / "steplab-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw FileError("no temporary folder can be made as '" + name + "'");
         path_ = name;
     }
     ~TemporaryFolder() {
@@ -33,14 +33,5 @@ public:
 private:
     std::string path_;
 };
-
-/// All bytes of a file.
-inline std::string text_of(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw std::runtime_error("no file " + file);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-inline void put_text(const std::string& file, std::string_view text) { std::ofstream(file, std::ios::binary) << text; }
 
 }  // namespace steplab
