@@ -1,5 +1,6 @@
 /// Draws the diagrams of docs/hard-cases.md: draw_diagrams FOLDER [ID...]
 
+#include "lab/page.hpp"
 #include "tables.hpp"
 
 #include <fmt/format.h>
@@ -14,19 +15,12 @@
 
 namespace {
 
-/// A file of its own, on white: pages are read on dark ground too.
-std::string svg_file(std::string element) {
-    const std::size_t inside = element.find('>') + 1;
-    element.insert(inside, "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
-    return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + element;
-}
-
 void draw(const std::string& folder, const std::vector<std::string>& wanted) {
     for (const steplab::HardCase& each : steplab::hard_cases()) {
         if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), each.id) == wanted.end()) continue;
         const steplab::Figure figure = each.figure();
         const std::string path = folder + "/" + steplab::docs::picture_name(each);
-        std::ofstream(path) << svg_file(steplab::svg_figures(std::span(&figure, 1)).front());
+        std::ofstream(path) << steplab::svg_file(steplab::svg_figures(std::span(&figure, 1)).front());
         fmt::print("{}\n", path);
     }
 }

@@ -22,6 +22,11 @@ struct Axis {
     std::optional<std::pair<double, double>> range = {};  ///< none: as the points need
 };
 
+/// One whose numbers stand at equal distances.
+inline Axis linear_axis(std::string label, std::optional<std::pair<double, double>> range = {}) {
+    return {.label = std::move(label), .logarithmic = false, .range = range};
+}
+
 /// Points of one line of a figure.
 struct Curve {
     std::string name;  ///< written beside the line if it has a colour, shown on pointing at it in any case

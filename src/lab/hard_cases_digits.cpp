@@ -71,7 +71,7 @@ Table stiff_table() {
 }
 
 Figure stiff_figure() {
-    Figure figure{.x_label = "time [s]", .y_label = "distance from rest [m]", .log_x = false, .curves = {}};
+    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "distance from rest [m]"}, .curves = {}};
     for (const char* method : {"dop853", "tr-bdf2", "implicit-midpoint"})
         figure.curves.push_back(
             curve_over_time(settling(), method, static_cast<int>(figure.curves.size()), distance_from_rest));
@@ -142,8 +142,9 @@ Curve float_phase_curve(std::string_view method, bool compensated, int colour) {
 }
 
 Figure long_figure() {
-    Figure figure{
-        .x_label = "steps", .y_label = "phase of float, from double [rad]", .y_range = {{1e-8, 1}}, .curves = {}};
+    Figure figure{.x = {.label = "steps"},
+                  .y = {.label = "phase of float, from double [rad]", .range = {{1e-8, 1}}},
+                  .curves = {}};
     int colour = 0;
     for (const char* method : {"velocity-verlet", "rk4", "pefrl", "stoermer"}) {
         for (const bool compensated : {false, true})
@@ -186,8 +187,7 @@ Table stagnation_table() {
 
 /// Where the bullet is after two seconds in steps of every dt.
 Figure stagnation_figure() {
-    Figure figure{
-        .x_label = "dt [s]", .y_label = "part of the way gone", .log_y = false, .y_range = {{0, 2.2}}, .curves = {}};
+    Figure figure{.x = {.label = "dt [s]"}, .y = linear_axis("part of the way gone", std::pair(0, 2.2)), .curves = {}};
     const auto add = [&](const char* method, bool compensated) {
         Curve curve{.name = std::string(method) + (compensated ? ", comp." : ""),
                     .points = {},
@@ -242,10 +242,8 @@ Table decay_table() {
 }
 
 Figure decay_figure() {
-    Figure figure{.x_label = "time [s]",
-                  .y_label = "size of the motion, |(x, v)| [m, m/s]",
-                  .log_x = false,
-                  .y_range = {{1e-320, 1}},
+    Figure figure{.x = linear_axis("time [s]"),
+                  .y = {.label = "size of the motion, |(x, v)| [m, m/s]", .range = {{1e-320, 1}}},
                   .curves = {}};
     for (const char* method : {"velocity-verlet", "rk4", "tr-bdf2", "dopri5", "gauss-16"}) {
         figure.curves.push_back(curve_over_time(
@@ -300,11 +298,8 @@ Figure chaos_figure() {
     std::vector<double> times;
     for (int i = 1; i <= 30; ++i) times.push_back(0.6 * i);
     const Reference right = chaos_reference(times);
-    Figure figure{.x_label = "time [s]",
-                  .y_label = "error of a position [m]",
-                  .log_x = false,
-                  .y_range = {{1e-16, 100}},
-                  .curves = {}};
+    Figure figure{
+        .x = linear_axis("time [s]"), .y = {.label = "error of a position [m]", .range = {{1e-16, 100}}}, .curves = {}};
     const auto add = [&](std::string name, const std::vector<double>& values) {
         Curve curve{
             .name = std::move(name), .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};

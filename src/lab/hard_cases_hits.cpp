@@ -13,9 +13,8 @@ constexpr std::string_view of_each_kind[] = {"velocity-verlet", "pefrl",  "srkn-
                                              "dopri5",          "dop853", "rkn-12-10", "gauss-16"};
 
 Figure energy_figure(const Trial& trial, double scale = 1) {
-    return {.x_label = "time [s]",
-            .y_label = "largest |energy error| so far [J]",
-            .log_x = false,
+    return {.x = linear_axis("time [s]"),
+            .y = {.label = "largest |energy error| so far [J]"},
             .curves = energy_curves_of(trial, of_each_kind, scale)};
 }
 
@@ -41,7 +40,7 @@ Curve error_curve(const Trial& trial, std::string_view method, int colour) {
 }
 
 Figure error_figure(const Trial& trial) {
-    Figure figure{.x_label = "time [s]", .y_label = "error of a position [m]", .log_x = false, .curves = {}};
+    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "error of a position [m]"}, .curves = {}};
     for (const std::string_view method : of_each_kind)
         figure.curves.push_back(error_curve(trial, method, static_cast<int>(figure.curves.size())));
     return figure;
@@ -109,8 +108,9 @@ Table grazing_table() {
 }
 
 Figure grazing_figure() {
-    Figure figure{
-        .x_label = "how far the bullet aims aside [m]", .y_label = "largest |energy error| [J]", .curves = {}};
+    Figure figure{.x = {.label = "how far the bullet aims aside [m]"},
+                  .y = {.label = "largest |energy error| [J]"},
+                  .curves = {}};
     for (const std::string_view method : of_each_kind) {
         Curve curve{.name = std::string(method), .points = {}, .colour = static_cast<int>(figure.curves.size())};
         for (double aside = 1; aside > 1e-7; aside /= 10) {
@@ -163,11 +163,8 @@ Table escape_table() {
 }
 
 Figure escape_figure() {
-    Figure figure{.x_label = "time [s]",
-                  .y_label = "distance of the particles [m]",
-                  .log_x = false,
-                  .log_y = false,
-                  .y_range = {{0, 45}},
+    Figure figure{.x = linear_axis("time [s]"),
+                  .y = linear_axis("distance of the particles [m]", std::pair(0, 45)),
                   .curves = {}};
     const auto add = [&](Precision precision, std::string_view method) {
         const bool in_float = precision == Precision::float_;

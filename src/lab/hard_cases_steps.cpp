@@ -92,8 +92,9 @@ Curve swing_curve(const std::string& id, double factor, int colour) {
 }
 
 Figure marginal_figure() {
-    Figure figure{
-        .x_label = "steps", .y_label = "largest displacement [m], exact: 1", .y_range = {{1e-4, 1e4}}, .curves = {}};
+    Figure figure{.x = {.label = "steps"},
+                  .y = {.label = "largest displacement [m], exact: 1", .range = {{1e-4, 1e4}}},
+                  .curves = {}};
     int colour = 0;
     for (const char* id : {"verlet", "pefrl", "kahan-li-8", "rk4"}) {
         for (const double factor : {0.999, 1.001}) figure.curves.push_back(swing_curve(id, factor, colour));
@@ -145,7 +146,7 @@ Table change_table() {
 }
 
 Figure change_figure() {
-    Figure figure{.x_label = "periods", .y_label = "|energy error| / energy", .log_x = false, .curves = {}};
+    Figure figure{.x = linear_axis("periods"), .y = {.label = "|energy error| / energy"}, .curves = {}};
     int colour = 0;
     for (const char* id : {"velocity-verlet", "pefrl", "srkn-11b", "rk4", "implicit-midpoint"}) {
         for (const Changes changes : {Changes::none, Changes::always}) {
@@ -218,11 +219,8 @@ Table resonance_table() {
 }
 
 Figure resonance_figure() {
-    Figure figure{.x_label = "ω dt",
-                  .y_label = "growth of the motion in a step",
-                  .log_x = false,
-                  .y_range = {{1e-5, 1}},
-                  .curves = {}};
+    Figure figure{
+        .x = linear_axis("ω dt"), .y = {.label = "growth of the motion in a step", .range = {{1e-5, 1}}}, .curves = {}};
     for (const char* id : {"pefrl", "mclachlan-atela-5", "kahan-li-8", "srkn-11b"}) {
         Curve curve{.name = id, .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
         for (double phase = 2.95; phase<3.55; phase += phase> 3.14 && phase < 3.144 ? 4e-5 : 2e-3)
@@ -248,7 +246,7 @@ Table drag_table() {
 }
 
 Figure drag_figure() {
-    Figure figure{.x_label = "damping γ/ω", .y_label = "limit of ω dt", .curves = {}};
+    Figure figure{.x = {.label = "damping γ/ω"}, .y = {.label = "limit of ω dt"}, .curves = {}};
     for (const char* id : {"euler", "rk4", "verlet", "velocity-verlet", "forest-ruth", "pefrl", "mclachlan-atela-5",
                            "srkn-11b", "kahan-li-8"}) {
         Curve curve{.name = id, .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};

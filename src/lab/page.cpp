@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <vector>
 
 namespace steplab {
 
@@ -82,20 +83,42 @@ constexpr std::array palette{
     Shades{"", "#6b7a12", "#bccb55"}, Shades{"", "#44509c", "#a0acff"}, Shades{"", "#d9691e", "#ff9c55"},
 };
 
+/// Of a colour of figures (lab/svg.hpp).
+Shades shades_of(int colour) {
+    switch (colour) {
+        case ink:
+            return shades[3];
+        case quiet:
+            return shades[5];
+        case grid:
+            return shades[4];
+        case background_curve:
+            return {"", "#c3c8cd", "#474e57"};
+        default:
+            const int i = colour - first_of_palette;
+            return palette[i == 0 ? 0 : 1 + static_cast<std::size_t>(i - 1) % (palette.size() - 1)];
+    }
+}
+
+std::vector<int> figure_colours() {
+    std::vector<int> all{ink, quiet, grid, background_curve};
+    for (int i = 0; i < most_colours; ++i) all.push_back(first_of_palette + i);
+    return all;
+}
+
 std::string variables(bool dark) {
     std::string text;
     const auto add = [&](const std::string& name, const Shades& shade) {
         text += fmt::format("--{}:{};", name, dark ? shade.dark : shade.light);
     };
     for (const Shades& shade : shades) add(shade.name, shade);
-    add(fmt::format("c{}", static_cast<int>(ink)), shades[3]);
-    add(fmt::format("c{}", static_cast<int>(quiet)), shades[5]);
-    add(fmt::format("c{}", static_cast<int>(grid)), shades[4]);
-    add(fmt::format("c{}", static_cast<int>(background_curve)), {"", "#c3c8cd", "#474e57"});
-    for (int i = 0; i < most_colours; ++i)
-        add(fmt::format("c{}", first_of_palette + i),
-            palette[i == 0 ? 0 : 1 + static_cast<std::size_t>(i - 1) % (palette.size() - 1)]);
+    for (const int colour : figure_colours()) add(fmt::format("c{}", colour), shades_of(colour));
     return text;
+}
+
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
 }
 
 }  // namespace
@@ -105,13 +128,22 @@ const char* const page_end = "</body></html>\n";
 std::string page_head(const std::string& title, const std::string& what, const Circumstances& made) {
     std::string page = before_title + title + " – steplab</title>\n<style>\n:root{color-scheme:light dark;" +
                        variables(false) + "}\n@media (prefers-color-scheme: dark){:root{" + variables(true) + "}}" +
-                       style + "</style>\n" + script + "</head><body>\n" + svg_marks;
+                       style + "</style>\n" + script + "</head><body>\n" + svg_marks();
     page += fmt::format("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n<dl class=\"made\">", title, what);
     for (const auto& [name, value] :
          {std::pair("machine", made.processor), std::pair("compiler", made.compiler),
           std::pair("steplab", made.version), std::pair("commit", made.commit), std::pair("measured", made.date)})
         page += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, escaped(value));
     return page + "</dl>\n";
+}
+
+std::string svg_file(std::string svg) {
+    for (const int colour : figure_colours())
+        replace_all(svg, fmt::format("var(--c{})", colour), shades_of(colour).light);
+    svg.insert(svg.find('>') + 1, fmt::format("\n<style>text {{ font-family: sans-serif; }}</style>\n<defs>{}</defs>\n"
+                                              "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>",
+                                              svg_mark));
+    return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + svg;
 }
 
 std::string captioned(const std::string& caption, const std::string& svg) {

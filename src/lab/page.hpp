@@ -12,6 +12,8 @@ namespace steplab {
 std::string page_head(const std::string& title, const std::string& what, const Circumstances& made);
 /// A diagram with its caption.
 std::string captioned(const std::string& caption, const std::string& svg);
+/// A diagram as a file of its own, in the light colours on white.
+std::string svg_file(std::string svg);
 /// The name of a method; pointing at it brings its curves forward. `colour`: its number in the page's palette, for a
 /// dot before it.
 std::string method_name(const std::string& id, std::optional<int> colour = {});

@@ -50,9 +50,11 @@ void remove_all(std::string& text, std::string_view what) {
 
 }  // namespace
 
-const char* const svg_marks =
-    "<svg width=\"0\" height=\"0\" style=\"position:absolute\"><circle id=\"gpPt6\" r=\"1\" fill=\"currentColor\" "
-    "stroke=\"none\"/></svg>\n";
+const char* const svg_mark = "<circle id=\"gpPt6\" r=\"1\" fill=\"currentColor\" stroke=\"none\"/>";
+
+std::string svg_marks() {
+    return fmt::format("<svg width=\"0\" height=\"0\" style=\"position:absolute\">{}</svg>\n", svg_mark);
+}
 
 std::string placeholder(int colour) { return fmt::format("#0000{:02x}", colour); }
 

@@ -21,7 +21,9 @@ std::string placeholder(int colour);
 /// a curve is <g class="curve" data-method="name"> with its name as title. Empty if there is none.
 std::string page_svg(std::string_view file, std::span<const std::string> names);
 
-/// What the elements refer to: to stand once in a page that has any.
-extern const char* const svg_marks;
+/// What the elements refer to: the mark of their points.
+extern const char* const svg_mark;
+/// The same, to stand once in a page.
+std::string svg_marks();
 
 }  // namespace steplab
