@@ -4,6 +4,7 @@
 #include "lab/extrapolation.hpp"
 #include "lab/linearised.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <fmt/format.h>
 
