@@ -80,7 +80,7 @@ TYPED_TEST_SUITE(SizesTest, Numbers);
 TYPED_TEST(SizesTest, of_grids_agree_with_the_plain_loop) {
     for (std::size_t dim = 3; dim <= 20; ++dim) EXPECT_LT(this->worst_of_grid(dim, 3), this->tolerance) << dim;
     // in several chunks, the last of them not full
-    for (const std::size_t dim : {40, 45, 71}) EXPECT_LT(this->worst_of_grid(dim, 3), 3 * this->tolerance) << dim;
+    for (const std::size_t dim : {40u, 45u, 71u}) EXPECT_LT(this->worst_of_grid(dim, 3), 3 * this->tolerance) << dim;
 }
 
 TYPED_TEST(SizesTest, of_grids_with_springs_one_per_mille_stiffer_do_not) {
@@ -118,7 +118,7 @@ TYPED_TEST(SizesTest, of_clusters_do_not_matter_beyond_the_order_of_sums) {
 // Every pair is computed once and pulls at both: the same formula in numbers one by one gives the same bits.
 TYPED_TEST(SizesTest, of_clusters_have_the_bits_of_the_documented_sum) {
     using T = TypeParam;
-    for (const std::size_t n : {2, 3, 7, 8, 16, 17, 28, 33}) {
+    for (const std::size_t n : {2u, 3u, 7u, 8u, 16u, 17u, 28u, 33u}) {
         const PairForces forces{.count = n};
         const Field<T> u = scattered<T>(n, 1);
         const MorseFormula<T> formula = Pairs<T>(forces).formulas()[0];
