@@ -1,6 +1,6 @@
 #pragma once
 
-#include "loops.hpp"
+#include "../loops.hpp"
 #include "solver.hpp"
 
 #include <boost/numeric/odeint.hpp>
@@ -88,12 +88,13 @@ Solver odeint_adaptive(std::string name, const Case<Loop>& c) {
             }};
 }
 
+/// `relative`: the tolerance is also one relative to the state and its slope.
 template <class Loop>
-Solver odeint_bulirsch_stoer(const Case<Loop>& c) {
-    return {"odeint bulirsch_stoer", true, [c](double tolerance) {
+Solver odeint_bulirsch_stoer(std::string name, bool relative, const Case<Loop>& c) {
+    return {"odeint " + std::move(name), true, [c, relative](double tolerance) {
                 Numbers state = c.state();
-                odeint::bulirsch_stoer<Numbers> stepper(tolerance, tolerance, 1.0, 1.0);
-                odeint::integrate_adaptive(stepper, Force<Loop>{c.n}, state, 0.0, c.time, 0.01);
+                odeint::bulirsch_stoer<Numbers> stepper(tolerance, relative ? tolerance : 0.0, 1.0, 1.0);
+                odeint::integrate_adaptive(stepper, Force<Loop>{c.n}, state, 0.0, c.time, 0.1);
                 return c.points(state.data());
             }};
 }
@@ -177,6 +178,7 @@ Solver sundials_erk(int order, const Case<Loop>& c) {
                 succeeded(ERKStepSetOrder(memory, order));
                 succeeded(ERKStepSStolerances(memory, tolerance, tolerance));
                 succeeded(ERKStepSetUserData(memory, &force));
+                succeeded(ERKStepSetErrFile(memory, nullptr));
                 succeeded(ERKStepSetMaxNumSteps(memory, 10000000));
                 succeeded(ERKStepSetStopTime(memory, c.time));
                 realtype t = 0;
@@ -199,6 +201,7 @@ Solver sundials_adams(const Case<Loop>& c) {
                 succeeded(CVodeInit(memory, sundials_rates<Loop>, 0, y));
                 succeeded(CVodeSStolerances(memory, tolerance, tolerance));
                 succeeded(CVodeSetUserData(memory, &force));
+                succeeded(CVodeSetErrFile(memory, nullptr));
                 succeeded(CVodeSetMaxNumSteps(memory, 10000000));
                 SUNNonlinearSolver solver = SUNNonlinSol_FixedPoint(y, 0, context.context);
                 succeeded(CVodeSetNonlinearSolver(memory, solver));
@@ -214,23 +217,42 @@ Solver sundials_adams(const Case<Loop>& c) {
 }
 
 template <class Loop>
+std::vector<Solver> odeint_solvers(const Case<Loop>& c) {
+    using Fehlberg = odeint::runge_kutta_fehlberg78<Numbers>;
+    using CashKarp = odeint::runge_kutta_cash_karp54<Numbers>;
+    using Dopri = odeint::runge_kutta_dopri5<Numbers>;
+    return {odeint_fixed<Loop, Fehlberg>("fehlberg78 fixed", c),
+            odeint_adaptive<Loop, Fehlberg>("fehlberg78", c),
+            odeint_fixed<Loop, CashKarp>("cash_karp54 fixed", c),
+            odeint_adaptive<Loop, CashKarp>("cash_karp54", c),
+            odeint_adaptive<Loop, Dopri>("dopri5", c),
+            odeint_fixed<Loop, odeint::runge_kutta4<Numbers>>("rk4", c),
+            odeint_fixed<Loop, odeint::adams_bashforth_moulton<5, Numbers>>("adams 5", c),
+            odeint_fixed<Loop, odeint::adams_bashforth_moulton<8, Numbers>>("adams 8", c),
+            odeint_bulirsch_stoer("bulirsch_stoer", true, c),
+            odeint_bulirsch_stoer("bulirsch_stoer absolute", false, c),
+            odeint_pair<Loop, odeint::velocity_verlet<Numbers>>("velocity_verlet", c),
+            odeint_pair<Loop, odeint::symplectic_rkn_sb3a_mclachlan<Numbers>>("sb3a", c)};
+}
+
+/// Without those that ask for the Jacobian, which are for stiff systems.
+template <class Loop>
+std::vector<Solver> gsl_solvers(const Case<Loop>& c) {
+    gsl_set_error_handler_off();
+    return {gsl_adaptive<Loop>("rk8pd", gsl_odeiv2_step_rk8pd, c),
+            gsl_adaptive<Loop>("rkf45", gsl_odeiv2_step_rkf45, c),
+            gsl_adaptive<Loop>("rkck", gsl_odeiv2_step_rkck, c),
+            gsl_adaptive<Loop>("rk4", gsl_odeiv2_step_rk4, c),
+            gsl_adaptive<Loop>("rk2", gsl_odeiv2_step_rk2, c),
+            gsl_adaptive<Loop>("msadams", gsl_odeiv2_step_msadams, c)};
+}
+
+template <class Loop>
 std::vector<Solver> solvers_with(const Problem& problem) {
     const Case<Loop> c(problem);
-    gsl_set_error_handler_off();
-    using Fehlberg = odeint::runge_kutta_fehlberg78<Numbers>;
-    std::vector<Solver> all{odeint_fixed<Loop, Fehlberg>("fehlberg78 fixed", c),
-                            odeint_adaptive<Loop, Fehlberg>("fehlberg78", c),
-                            odeint_adaptive<Loop, odeint::runge_kutta_cash_karp54<Numbers>>("cash_karp54", c),
-                            odeint_adaptive<Loop, odeint::runge_kutta_dopri5<Numbers>>("dopri5", c),
-                            odeint_fixed<Loop, odeint::runge_kutta4<Numbers>>("rk4", c),
-                            odeint_bulirsch_stoer<Loop>(c),
-                            odeint_pair<Loop, odeint::velocity_verlet<Numbers>>("velocity_verlet", c),
-                            odeint_pair<Loop, odeint::symplectic_rkn_sb3a_mclachlan<Numbers>>("sb3a", c),
-                            gsl_adaptive<Loop>("rk8pd", gsl_odeiv2_step_rk8pd, c),
-                            gsl_adaptive<Loop>("rkf45", gsl_odeiv2_step_rkf45, c),
-                            gsl_adaptive<Loop>("rkck", gsl_odeiv2_step_rkck, c),
-                            gsl_adaptive<Loop>("msadams", gsl_odeiv2_step_msadams, c)};
-    for (const int order : {4, 5, 6, 8}) all.push_back(sundials_erk<Loop>(order, c));
+    std::vector<Solver> all = odeint_solvers(c);
+    for (Solver& solver : gsl_solvers(c)) all.push_back(std::move(solver));
+    for (const int order : {2, 3, 4, 5, 6, 8}) all.push_back(sundials_erk<Loop>(order, c));
     all.push_back(sundials_adams<Loop>(c));
     return all;
 }

@@ -31,6 +31,8 @@ struct Entry {
 };
 
 constexpr double targets[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
+/// Settings in a row that may gain nothing before a series ends.
+constexpr int patience = 20;
 /// Runs beyond this are of no use to anybody here.
 constexpr double most_seconds = 0.1;
 
@@ -121,21 +123,21 @@ private:
         }
     }
 
-    /// A series from loose to tight, until a run is too long or six gain nothing.
+    /// A series from loose to tight, until a run is too long or many gain nothing.
     void enter(const Solver& solver, int group) {
         double best_error = 1e300;
         int useless = 0;
-        for (double setting = solver.adaptive ? 0.3 : 20; useless < 6; setting *= solver.adaptive ? 0.5 : 1.15) {
+        for (double setting = solver.adaptive ? 1 : 4; useless < patience; setting *= solver.adaptive ? 0.6 : 1.1) {
             if (setting < 1e-17 || setting > 1e8) return;
+            if (!solver.adaptive) setting = std::ceil(setting);
             std::vector<Vec3> end;
-            double seconds = 0;
+            double seconds = 0, error = 1e300;
             try {
                 seconds = seconds_of([&] { end = solver.solve(setting); });
-            } catch (const std::exception&) {
-                return;
+                error = error_of(end, plan_, reference_);
+            } catch (const std::exception&) {  // the library gave up
             }
-            const double error = error_of(end, plan_, reference_);
-            useless = error > 0.8 * best_error ? useless + 1 : 0;
+            useless = best_error < 1 && error > 0.8 * best_error ? useless + 1 : 0;
             best_error = std::min(best_error, error);
             entries_.push_back({fmt::format("{} {:.0e}", solver.name, setting), group, error,
                                 [solver, setting] { return seconds_of([&] { solver.solve(setting); }); }, seconds});

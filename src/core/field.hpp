@@ -27,12 +27,13 @@ struct CacheLineAllocator {
 };
 
 /// A vector quantity of n particles as a structure of arrays: n x, padding, n y, padding, n z, padding.
-/// The padding is zero and stays zero under the elementwise steps that run over flat().
+/// The padding is zero and stays zero under the elementwise steps that run over flat(). A granule more can be read
+/// behind it, so that a register may begin at any number of flat().
 template <class T>
 class Field {
 public:
     Field() = default;
-    explicit Field(std::size_t count) : count_(count), stride_(padded(count)), values_(3 * stride_, T(0)) {}
+    explicit Field(std::size_t count) : count_(count), stride_(padded(count)), values_(3 * stride_ + granule, T(0)) {}
 
     std::size_t count() const { return count_; }
     T* x() { return values_.data(); }
@@ -42,8 +43,8 @@ public:
     const T* y() const { return values_.data() + stride_; }
     const T* z() const { return values_.data() + 2 * stride_; }
     /// All numbers, padding included; the length is a multiple of `granule`.
-    std::span<T> flat() { return values_; }
-    std::span<const T> flat() const { return values_; }
+    std::span<T> flat() { return {values_.data(), 3 * stride_}; }
+    std::span<const T> flat() const { return {values_.data(), 3 * stride_}; }
 
     Vec3 at(std::size_t i) const {
         return {static_cast<double>(value_of(x()[i])), static_cast<double>(value_of(y()[i])),

@@ -47,6 +47,8 @@ public:
         return SingleLane(f(std::size_t(0)));
     }
     void store(T* to) const { *to = number_; }
+    static SingleLane load_anywhere(const T* from) { return *from; }
+    void store_anywhere(T* to) const { *to = number_; }
     T operator[](std::size_t) const { return number_; }
     static bool first(std::size_t number) { return number > 0; }
     static SingleLane shifted_down(SingleLane, SingleLane next) { return next; }
@@ -67,6 +69,7 @@ public:
         return where(condition, then.number_, otherwise.number_);
     }
     friend SingleLane square_root(SingleLane x) { return square_root(x.number_); }
+    [[gnu::always_inline]] friend SingleLane exponential(SingleLane x) { return exponential(x.number_); }
 
 private:
     T number_;
@@ -97,6 +100,13 @@ public:
     void store(T* aligned) const {
         *static_cast<Register*>(__builtin_assume_aligned(aligned, sizeof(Register))) = register_;
     }
+    /// The same from and to any place.
+    static RegisterLanes load_anywhere(const T* from) {
+        Register lanes;
+        std::memcpy(&lanes, from, sizeof(Register));
+        return RegisterLanes(lanes);
+    }
+    void store_anywhere(T* to) const { std::memcpy(to, &register_, sizeof(Register)); }
 
     /// f(lane) in every lane.
     template <class F>
@@ -145,6 +155,9 @@ public:
         Register root;
         for (std::size_t lane = 0; lane < count; ++lane) root[lane] = std::sqrt(x.register_[lane]);
         return RegisterLanes(root);
+    }
+    [[gnu::always_inline]] friend RegisterLanes exponential(RegisterLanes x) {
+        return detail::exponential_of<T, Mask>(x);
     }
 
 private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -31,18 +32,6 @@ T where(bool condition, T then, T otherwise) {
 
 namespace detail {
 
-/// 1 / k! for k = 0 .. Degree.
-template <class T, std::size_t Degree>
-inline constexpr auto inverse_factorials = [] {
-    std::array<T, Degree + 1> values{};
-    long double factorial = 1;
-    for (std::size_t k = 0; k <= Degree; ++k) {
-        if (k > 0) factorial *= static_cast<long double>(k);
-        values[k] = static_cast<T>(1 / factorial);
-    }
-    return values;
-}();
-
 /// How exponential() takes a number type apart. ln 2 is split so that n * ln2_high is exact for every exponent n.
 template <class T>
 struct ExponentialTraits;
@@ -50,29 +39,79 @@ struct ExponentialTraits;
 template <>
 struct ExponentialTraits<float> {
     using Bits = std::int32_t;
-    static constexpr std::size_t degree = 7;  // remainder (ln2/2)^8 / 8! = 5e-9
+    static constexpr std::size_t degree = 6;  // of a polynomial with errors below 2e-9
     static constexpr float ln2_high = 0x1.62ep-1f, ln2_low = 0x1.0bfbe8p-15f;
     static constexpr float shift = 0x1.8p23f;  // adding it rounds to a whole number
-    static constexpr float lowest = -87.0f, highest = 88.0f;
     static constexpr int mantissa = 23, bias = 127;
 };
 
 template <>
 struct ExponentialTraits<double> {
     using Bits = std::int64_t;
-    static constexpr std::size_t degree = 13;  // remainder (ln2/2)^14 / 14! = 4e-18
+    static constexpr std::size_t degree = 11;  // of a polynomial with errors below 4e-18
     static constexpr double ln2_high = 0x1.62e42fee00000p-1, ln2_low = 0x1.a39ef35793c76p-33;
     static constexpr double shift = 0x1.8p52;
-    static constexpr double lowest = -708.0, highest = 709.0;
     static constexpr int mantissa = 52, bias = 1023;
 };
 
-/// e^r for |r| <= ln(2)/2: Taylor polynomial in Horner's form.
-template <std::size_t Degree, class T>
-T exponential_polynomial(T r) {
-    T sum = inverse_factorials<T, Degree>[Degree];
-    for (std::size_t k = Degree; k-- > 0;) sum = sum * r + inverse_factorials<T, Degree>[k];
-    return sum;
+/// Coefficients of a polynomial that is e^r for |r| <= ln(2)/2: the Taylor series of six terms more, whose last powers
+/// are replaced one by one by what Chebyshev polynomials, the smallest of their degree, leave of them (economisation of
+/// power series; Lanczos, Applied Analysis (1956), VII). The first two coefficients are 1.
+template <class T>
+inline constexpr auto exponential_coefficients = [] {
+    constexpr std::size_t degree = ExponentialTraits<T>::degree, most = degree + 6;
+    constexpr long double reach2 = 0.25L * 0.48045301391820142467L;  // (ln(2)/2)^2
+    std::array<long double, most + 1> series{1};
+    for (std::size_t k = 1; k <= most; ++k) series[k] = series[k - 1] / static_cast<long double>(k);
+    for (std::size_t n = most; n > degree; --n) {
+        long double term = series[n];
+        for (std::size_t m = 0; 2 * m + 2 <= n; ++m) {
+            const std::size_t power = n - 2 * m;
+            term *= -reach2 * static_cast<long double>(power * (power - 1)) /
+                    static_cast<long double>(4 * (m + 1) * (n - m - 1));
+            series[power - 2] -= term;
+        }
+    }
+    std::array<T, degree + 1> coefficients{};
+    for (std::size_t k = 0; k <= degree; ++k) coefficients[k] = static_cast<T>(series[k]);
+    return coefficients;
+}();
+
+/// c[First] + c[First + 1] r + ... of Count coefficients, in halves, which do not wait for each other (Estrin's
+/// scheme). `powers` are r, r^2, r^4, ...
+template <class T, std::size_t First, std::size_t Count, class N, std::size_t M>
+[[gnu::always_inline]] inline N exponential_terms(const std::array<N, M>& powers) {
+    if constexpr (Count == 1) {
+        return N(exponential_coefficients<T>[First]);
+    } else {
+        constexpr std::size_t doublings = std::bit_width(Count - 1) - 1, half = std::size_t(1) << doublings;
+        return exponential_terms<T, First, half>(powers) +
+               exponential_terms<T, First + half, Count - half>(powers) * powers[doublings];
+    }
+}
+
+/// e^r for |r| <= ln(2)/2.
+template <class T, class N>
+[[gnu::always_inline]] inline N exponential_polynomial(N r) {
+    const N r2 = r * r, r4 = r2 * r2, r8 = r4 * r4;
+    const N rest = exponential_terms<T, 2, ExponentialTraits<T>::degree - 1>(std::array<N, 4>{r, r2, r4, r8});
+    return N(T(1)) + (r + rest * r2);
+}
+
+/// exponential() of any type of numbers, or lanes, of type T, whose bits are whole numbers of type Bits. e^x is 2^n
+/// times the polynomial; for the n at which it stops, the bits of 2^n are those of 0 and of infinity.
+template <class T, class Bits, class N>
+[[gnu::always_inline]] inline N exponential_of(N x) {
+    using Traits = ExponentialTraits<T>;
+    constexpr T ln2 = static_cast<T>(0.69314718055994530942L);
+    const N lowest(-Traits::bias * ln2), highest((Traits::bias + 1) * ln2), shift(Traits::shift);
+    const N inside = where(x < lowest, lowest, where(x > highest, highest, x));
+    const N shifted = inside * N(1 / ln2) + shift;
+    const N n = shifted - shift;
+    const N r = (inside - n * N(Traits::ln2_high)) - n * N(Traits::ln2_low);
+    const auto bias = Traits::bias - __builtin_bit_cast(typename Traits::Bits, Traits::shift);
+    const N power = __builtin_bit_cast(N, (__builtin_bit_cast(Bits, shifted) + bias) << Traits::mantissa);
+    return exponential_polynomial<T>(r) * power;
 }
 
 }  // namespace detail
@@ -81,17 +120,7 @@ T exponential_polynomial(T r) {
 /// Below the range of normal numbers it is 0, above it infinite.
 template <std::floating_point T>
 T exponential(T x) {
-    using Traits = detail::ExponentialTraits<T>;
-    using Bits = typename Traits::Bits;
-    const T inside = where(x > Traits::lowest, where(x < Traits::highest, x, Traits::highest), Traits::lowest);
-    const T shifted = inside * static_cast<T>(1.4426950408889634074) + Traits::shift;
-    const T n = shifted - Traits::shift;
-    const T r = (inside - n * Traits::ln2_high) - n * Traits::ln2_low;
-    const Bits exponent = __builtin_bit_cast(Bits, shifted) - __builtin_bit_cast(Bits, Traits::shift);
-    const T power = __builtin_bit_cast(T, static_cast<Bits>((exponent + Traits::bias) << Traits::mantissa));
-    const T result = detail::exponential_polynomial<Traits::degree>(r) * power;
-    const T above = where(x > Traits::highest, std::numeric_limits<T>::infinity(), result);
-    return where(x < Traits::lowest, T(0), where(std::isnan(x), x, above));
+    return detail::exponential_of<T, typename detail::ExponentialTraits<T>::Bits>(x);
 }
 
 /// For references: libm's, whose last bits no golden result depends on.

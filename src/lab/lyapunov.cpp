@@ -3,8 +3,8 @@
 #include "io/interruption.hpp"
 #include "lab/extrapolation.hpp"
 #include "lab/linearised.hpp"
+#include "models/layouts.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/stepper_of.hpp"
 
 #include <fmt/format.h>
 

@@ -15,7 +15,7 @@ struct MorseConstants {
 
 /// Acceleration of the particle at distance vector d from another, by that other. Zero for coincident particles.
 template <class N>
-Vector<N> morse_pull(const MorseConstants<N>& morse, const Vector<N>& d) {
+[[gnu::always_inline]] inline Vector<N> morse_pull(const MorseConstants<N>& morse, const Vector<N>& d) {
     const N distance = square_root(d.x * d.x + d.y * d.y + d.z * d.z);
     const N e = exponential(morse.b * (morse.r0 - distance));
     const N factor = morse.strength * e * (e - N(1)) / where(distance > N(0), distance, N(1));

@@ -2,7 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
-#include "core/stages.hpp"
+#include "core/lanes.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 namespace steplab {
 
@@ -41,12 +42,21 @@ private:
     Field<T> accelerations_;
 };
 
-/// PairForces at work: every particle sums the pulls of all others in the order of their indices.
+/// PairForces at work. Every pair is computed once, the pairs of all particles i with i + s, counted in a circle, side
+/// by side: P_s(i) is the pull of i + s at i. The acceleration of i is (P_1(i) - P_1(i - 1)) + (P_2(i) - P_2(i - 2)) +
+/// ... up to half of the circle, from left to right; of an even number of particles the last term is P_(n/2)(i) alone.
 template <class T>
 class Pairs {
 public:
     explicit Pairs(const PairForces& forces)
-        : forces_(forces), count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
+        : forces_(forces),
+          count_(forces.count),
+          morse_(morse_constants<T>(forces)),
+          lead_(padded(count_ / 2 + width)),
+          stride_(lead_ + padded(count_) + width),
+          positions_(3 * stride_, T(0)),
+          pulls_{positions_, positions_},
+          balance_(forces) {}
 
     /// The same forces in another number type.
     template <class N>
@@ -54,12 +64,14 @@ public:
         return Pairs<N>(forces_);
     }
 
-    void accelerations(const Field<T>& u, Field<T>& a) const {
-        if constexpr (SideBySide<T>) {
-            accelerate_pairs(u, a);
-        } else {
-            for (std::size_t begin = 0; begin < count_; begin += lanes) accelerate_lanes(u, a, begin);
+    void accelerations(const Field<T>& u, Field<T>& a) {
+        repeat_positions(u);
+        std::fill(a.flat().begin(), a.flat().end(), T(0));
+        for (std::size_t ahead = 1; ahead <= count_ / 2; ++ahead) {
+            compute_pulls(ahead);
+            if (ahead > 1) add_pulls(a, ahead - 1);  // one behind: what has just been stored is slow to load in parts
         }
+        if (count_ > 1) add_pulls(a, count_ / 2);
         balance_.take_off(a);
     }
 
@@ -109,43 +121,63 @@ public:
     }
 
 private:
-    /// Particles whose sums are kept in registers while one passes over all others.
-    static constexpr std::size_t lanes = 16;
-    using Lanes = std::array<T, lanes>;
+    using N = Lanes<T>;
+    using Vec = Vector<N>;
+    using Numbers = std::vector<T, CacheLineAllocator<T>>;
+    static constexpr std::size_t width = N::count;
+    static std::size_t padded(std::size_t n) { return (n + width - 1) / width * width; }
 
-    void accelerate_lanes(const Field<T>& u, Field<T>& a, std::size_t begin) const {
-        alignas(64) Lanes sx{}, sy{}, sz{};
-        const T *const x = u.x(), *const y = u.y(), *const z = u.z();
-        const MorseConstants<T> morse = morse_;
-        for (std::size_t j = 0; j < count_; ++j) {
-            for (std::size_t l = 0; l < lanes; ++l) {
-                const std::size_t i = begin + l;
-                const Vector<T> pull = morse_pull(morse, Vector<T>{x[i] - x[j], y[i] - y[j], z[i] - z[j]});
-                sx[l] += pull.x;
-                sy[l] += pull.y;
-                sz[l] += pull.z;
-            }
+    /// One component, of 3, of numbers that are there for all particles and for some of them once more: behind
+    /// the last one in positions_, in front of the first one in pulls_.
+    T* component(Numbers& numbers, std::size_t c) { return numbers.data() + c * stride_; }
+
+    void repeat_positions(const Field<T>& u) {
+        const std::array<const T*, 3> from{u.x(), u.y(), u.z()};
+        for (std::size_t c = 0; c < 3; ++c) {
+            T* const to = component(positions_, c);
+            for (std::size_t k = 0; k < count_; k += width) N::load(from[c] + k).store(to + k);
+            for (std::size_t k = 0; k < lead_; k += width) N::load(from[c] + k).store_anywhere(to + count_ + k);
         }
-        const std::size_t used = std::min(lanes, count_ - begin);
-        std::copy_n(sx.data(), used, a.x() + begin);
-        std::copy_n(sy.data(), used, a.y() + begin);
-        std::copy_n(sz.data(), used, a.z() + begin);
     }
 
-    /// Numbers that fill registers by themselves: every pair once. The order of each particle's sum is the same.
-    void accelerate_pairs(const Field<T>& u, Field<T>& a) const {
-        std::fill(a.flat().begin(), a.flat().end(), T(0));
-        const T *const x = u.x(), *const y = u.y(), *const z = u.z();
-        T *const ax = a.x(), *const ay = a.y(), *const az = a.z();
-        for (std::size_t i = 0; i < count_; ++i) {
-            for (std::size_t j = i + 1; j < count_; ++j) {
-                const Vector<T> pull = morse_pull(morse_, Vector<T>{x[i] - x[j], y[i] - y[j], z[i] - z[j]});
-                ax[i] += pull.x;
-                ay[i] += pull.y;
-                az[i] += pull.z;
-                ax[j] -= pull.x;
-                ay[j] -= pull.y;
-                az[j] -= pull.z;
+    /// Of every particle by the one that is so far ahead of it. By itself, so that its constants are in registers.
+    [[gnu::noinline]] void compute_pulls(std::size_t ahead) {
+        const T *const x = component(positions_, 0), *const y = component(positions_, 1),
+                       *const z = component(positions_, 2);
+        const MorseConstants<N> morse{N(morse_.depth), N(morse_.b), N(morse_.r0), N(morse_.strength)};
+        Numbers& pulls = pulls_[ahead % 2];
+        T *const px = component(pulls, 0) + lead_, *const py = component(pulls, 1) + lead_,
+                 *const pz = component(pulls, 2) + lead_;
+        const std::size_t count = count_;
+        // from behind, so that the numbers of the first particles are the last to be stored
+        for (std::size_t i = padded(count); i > 0;) {
+            i -= width;
+            const auto difference = [&](const T* along) {
+                return N::load(along + i) - N::load_anywhere(along + i + ahead);
+            };
+            const Vec pull = morse_pull(morse, Vec{difference(x), difference(y), difference(z)});
+            if (i + width + ahead > count) {
+                pull.x.store_anywhere(px + i - count);
+                pull.y.store_anywhere(py + i - count);
+                pull.z.store_anywhere(pz + i - count);
+            }
+            pull.x.store(px + i);
+            pull.y.store(py + i);
+            pull.z.store(pz + i);
+        }
+    }
+
+    /// Each pull to its particle and its opposite to the other one; opposite particles have both been computed.
+    void add_pulls(Field<T>& a, std::size_t ahead) {
+        const std::array<T*, 3> sums{a.x(), a.y(), a.z()};
+        const bool opposite = 2 * ahead == count_;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const T* const pull = component(pulls_[ahead % 2], c) + lead_;
+            for (std::size_t i = 0; i < count_; i += width) {
+                N change = N::load(pull + i);
+                if (!opposite) change = change - N::load_anywhere(pull + i - ahead);
+                if (i + width > count_) change = where(N::first(count_ - i), change, N(T(0)));
+                (N::load(sums[c] + i) + change).store(sums[c] + i);
             }
         }
     }
@@ -153,6 +185,10 @@ private:
     PairForces forces_;
     std::size_t count_;
     MorseConstants<T> morse_;
+    std::size_t lead_;    ///< particles that are there twice
+    std::size_t stride_;  ///< from one component to the next
+    Numbers positions_;
+    std::array<Numbers, 2> pulls_;  ///< of the last two distances of indices
     Balance<T> balance_;
 };
 

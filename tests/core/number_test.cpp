@@ -89,6 +89,29 @@ TYPED_TEST(LanesTest, compute_each_lane_as_a_number_by_itself) {
     }
 }
 
+TYPED_TEST(LanesTest, raise_e_to_each_lane_as_to_a_number_by_itself) {
+    using T = TypeParam;
+    using N = Lanes<T>;
+    alignas(64) T x[N::count];
+    for (const double scale : {1e-3, 1.0, 20.0, 200.0}) {
+        for (std::size_t i = 0; i < N::count; ++i) x[i] = static_cast<T>(scale * (static_cast<double>(i) - 3.3));
+        const N result = exponential(N::load(x));
+        for (std::size_t i = 0; i < N::count; ++i) EXPECT_EQ(result[i], exponential(x[i])) << x[i];
+    }
+    EXPECT_TRUE(std::isnan(exponential(N(std::numeric_limits<T>::quiet_NaN()))[0]));
+}
+
+TYPED_TEST(LanesTest, load_and_store_anywhere) {
+    using T = TypeParam;
+    using N = Lanes<T>;
+    alignas(64) T numbers[2 * N::count];
+    for (std::size_t i = 0; i < 2 * N::count; ++i) numbers[i] = static_cast<T>(i);
+    N::load_anywhere(numbers + 3).store_anywhere(numbers + 1);
+    for (std::size_t i = 0; i < N::count; ++i) EXPECT_EQ(numbers[i + 1], static_cast<T>(i + 3));
+    EXPECT_EQ(numbers[0], T(0));
+    EXPECT_EQ(numbers[N::count + 1], static_cast<T>(N::count + 1));
+}
+
 TYPED_TEST(LanesTest, shift_through_neighbouring_registers) {
     using T = TypeParam;
     using N = Lanes<T>;

@@ -67,7 +67,8 @@ TEST(NearPairs, with_a_cut_off_beyond_everything_are_all_pairs) {
     Field<double> near(40), all(40);
     NearPairs<double>(NearPairForces{pairs, 100}).accelerations(field, near);
     Pairs<double>(pairs).accelerations(field, all);
-    for (std::size_t k = 0; k < near.flat().size(); ++k) EXPECT_EQ(near.flat()[k], all.flat()[k]);
+    // the same pairs in another order: sums of 39 numbers below 1
+    for (std::size_t k = 0; k < near.flat().size(); ++k) EXPECT_NEAR(near.flat()[k], all.flat()[k], 1e-14);
 }
 
 TEST(NearPairs, have_no_jump_of_energy_at_the_cut_off) {

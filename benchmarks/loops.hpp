@@ -20,45 +20,48 @@ struct ComponentsInARow {
 };
 
 /// Adds the pull of a spring of rest length `length` between points p and q to their accelerations.
-inline void add_spring(const double* p, const double* q, double* ap, double* aq, double length) {
-    const double dx = q[0] - p[0], dy = q[1] - p[1], dz = q[2] - p[2];
-    const double r = std::sqrt(dx * dx + dy * dy + dz * dz), s = (r - length) / r;
+template <class T>
+void add_spring(const T* p, const T* q, T* ap, T* aq, T length) {
+    const T dx = q[0] - p[0], dy = q[1] - p[1], dz = q[2] - p[2];
+    const T r = std::sqrt(dx * dx + dy * dy + dz * dz), s = (r - length) / r;
     ap[0] += s * dx, ap[1] += s * dy, ap[2] += s * dz;
     aq[0] -= s * dx, aq[1] -= s * dy, aq[2] -= s * dz;
 }
 
 constexpr double spring_length = 2;
 
+template <class T>
 struct PlainChain : PointsInARow {
-    static void accelerations(const double* x, double* a, std::size_t n) {
-        std::fill(a, a + 3 * n, 0.0);
+    static void accelerations(const T* x, T* a, std::size_t n) {
+        std::fill(a, a + 3 * n, T(0));
         for (std::size_t i = 0; i + 1 < n; ++i)
-            add_spring(x + 3 * i, x + 3 * i + 3, a + 3 * i, a + 3 * i + 3, spring_length);
-        a[0] = a[1] = a[2] = 0;
+            add_spring(x + 3 * i, x + 3 * i + 3, a + 3 * i, a + 3 * i + 3, T(spring_length));
+        a[0] = a[1] = a[2] = T(0);
     }
 };
 
+template <class T>
 struct GatherChain : ComponentsInARow {
-    static void accelerations(const double* x, double* a, std::size_t n) {
-        const double *const y = x + n, *const z = y + n;
-        double *const ay = a + n, *const az = ay + n;
-        const auto factor = [](double dx, double dy, double dz) {
-            const double r = std::sqrt(dx * dx + dy * dy + dz * dz);
-            return (r - spring_length) / r;
+    static void accelerations(const T* x, T* a, std::size_t n) {
+        const T *const y = x + n, *const z = y + n;
+        T *const ay = a + n, *const az = ay + n;
+        const auto factor = [](T dx, T dy, T dz) {
+            const T r = std::sqrt(dx * dx + dy * dy + dz * dz);
+            return (r - T(spring_length)) / r;
         };
         elementwise(n - 2, [=](std::size_t k) {
             const std::size_t i = k + 1;
-            const double fx = x[i + 1] - x[i], fy = y[i + 1] - y[i], fz = z[i + 1] - z[i];
-            const double bx = x[i] - x[i - 1], by = y[i] - y[i - 1], bz = z[i] - z[i - 1];
-            const double f = factor(fx, fy, fz), b = factor(bx, by, bz);
+            const T fx = x[i + 1] - x[i], fy = y[i + 1] - y[i], fz = z[i + 1] - z[i];
+            const T bx = x[i] - x[i - 1], by = y[i] - y[i - 1], bz = z[i] - z[i - 1];
+            const T f = factor(fx, fy, fz), b = factor(bx, by, bz);
             a[i] = f * fx - b * bx;
             ay[i] = f * fy - b * by;
             az[i] = f * fz - b * bz;
         });
         const std::size_t l = n - 1;
-        const double bx = x[l] - x[l - 1], by = y[l] - y[l - 1], bz = z[l] - z[l - 1], b = factor(bx, by, bz);
+        const T bx = x[l] - x[l - 1], by = y[l] - y[l - 1], bz = z[l] - z[l - 1], b = factor(bx, by, bz);
         a[l] = -b * bx, ay[l] = -b * by, az[l] = -b * bz;
-        a[0] = ay[0] = az[0] = 0;
+        a[0] = ay[0] = az[0] = T(0);
     }
 };
 

@@ -1,0 +1,151 @@
+#include "models/layouts.hpp"
+#include "models/plain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+
+namespace steplab {
+namespace {
+
+// Particles are computed a register at a time: scenes of every size leave another remainder.
+
+template <class T>
+Field<T> scattered(std::size_t count, double size) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> place(-size, size);
+    Field<T> field(count);
+    for (std::size_t i = 0; i < count; ++i) field.set(i, {place(random), place(random), place(random)});
+    return field;
+}
+
+template <class T, class Forces>
+Field<T> engine_accelerations(const Forces& forces, const Field<T>& u) {
+    Field<T> a(u.count());
+    engine<T>(forces).accelerations(u, a);
+    return a;
+}
+
+/// By the plain loop, on absolute positions.
+template <class T, class Forces>
+Field<T> plain_accelerations(const Forces& forces, const Field<T>& positions) {
+    Field<T> a(positions.count());
+    Plain<T>(forces).accelerations(positions, a);
+    return a;
+}
+
+template <class T>
+double largest_difference(const Field<T>& a, const Field<T>& b) {
+    double largest = 0;
+    for (std::size_t k = 0; k < a.flat().size(); ++k)
+        largest = std::max(largest, static_cast<double>(std::abs(a.flat()[k] - b.flat()[k])));
+    return largest;
+}
+
+template <class T>
+class SizesTest : public testing::Test {
+protected:
+    /// Rounding of some ten operations on numbers up to 50, the positions of the largest grid.
+    static constexpr double tolerance = 1000 * static_cast<double>(std::numeric_limits<T>::epsilon());
+
+    static double worst_of_grid(std::size_t dim, double k) {
+        const GridForces forces{.dim = dim, .mass = 2, .k = 3, .rest_length = 1.5};
+        GridForces other = forces;
+        other.k = k;
+        const Field<T> u = scattered<T>(dim * dim, 0.3);
+        Field<T> positions = u;
+        for (std::size_t p = 0; p < u.count(); ++p) {
+            const auto row = static_cast<double>(p / dim), column = static_cast<double>(p % dim);
+            positions.set(p, u.at(p) + Vec3{column * forces.rest_length, 0, -row * forces.rest_length});
+        }
+        return largest_difference(engine_accelerations(forces, u), plain_accelerations(other, positions));
+    }
+
+    static double worst_of_pairs(std::size_t count, double depth) {
+        const PairForces forces{.count = count, .mass = 2, .depth = 1, .k = 0.5, .r0 = 0.5};
+        PairForces other = forces;
+        other.depth = depth;
+        const Field<T> u = scattered<T>(count, 1);
+        return largest_difference(engine_accelerations(forces, u), plain_accelerations(other, u));
+    }
+};
+
+using Numbers = testing::Types<float, double>;
+TYPED_TEST_SUITE(SizesTest, Numbers);
+
+TYPED_TEST(SizesTest, of_grids_agree_with_the_plain_loop) {
+    for (std::size_t dim = 3; dim <= 20; ++dim) EXPECT_LT(this->worst_of_grid(dim, 3), this->tolerance) << dim;
+    // in several chunks, the last of them not full
+    for (const std::size_t dim : {40u, 45u, 71u}) EXPECT_LT(this->worst_of_grid(dim, 3), 3 * this->tolerance) << dim;
+}
+
+TYPED_TEST(SizesTest, of_grids_with_springs_one_per_mille_stiffer_do_not) {
+    for (std::size_t dim = 3; dim <= 20; ++dim) EXPECT_GT(this->worst_of_grid(dim, 3.003), this->tolerance) << dim;
+}
+
+TYPED_TEST(SizesTest, of_clusters_agree_with_the_plain_loop) {
+    for (std::size_t count = 1; count <= 40; ++count)
+        EXPECT_LT(this->worst_of_pairs(count, 1), this->tolerance) << count;
+}
+
+TYPED_TEST(SizesTest, of_clusters_one_per_cent_deeper_do_not) {
+    for (std::size_t count = 2; count <= 40; ++count)
+        EXPECT_GT(this->worst_of_pairs(count, 1.01), this->tolerance) << count;
+}
+
+// Far away, where the force is exactly nothing, a particle more changes who sits in which lane, but no sum: behind the
+// last particle there is none, so the distances of indices in the circle change and with them the order of sums alone.
+TYPED_TEST(SizesTest, of_clusters_do_not_matter_beyond_the_order_of_sums) {
+    using T = TypeParam;
+    for (std::size_t count = 2; count <= 33; ++count) {
+        PairForces forces{.count = count};
+        const Field<T> u = scattered<T>(count, 1);
+        Field<T> more(count + 1);
+        for (std::size_t i = 0; i < count; ++i) more.set(i, u.at(i));
+        more.set(count, {1e5, 0, 0});
+        const Field<T> a = engine_accelerations(forces, u);
+        forces.count = count + 1;
+        const Field<T> with_more = engine_accelerations(forces, more);
+        for (std::size_t i = 0; i < count; ++i) EXPECT_LT(length(a.at(i) - with_more.at(i)), this->tolerance) << count;
+        EXPECT_EQ(with_more.at(count), Vec3{});
+    }
+}
+
+// Every pair is computed once and pulls at both: the same formula in numbers one by one gives the same bits.
+TYPED_TEST(SizesTest, of_clusters_have_the_bits_of_the_documented_sum) {
+    using T = TypeParam;
+    for (const std::size_t n : {2u, 3u, 7u, 8u, 16u, 17u, 28u, 33u}) {
+        const PairForces forces{.count = n};
+        const Field<T> u = scattered<T>(n, 1);
+        const MorseFormula<T> formula = Pairs<T>(forces).formulas()[0];
+        const auto pull = [&](std::size_t i, std::size_t j) {
+            return formula(u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]).x;
+        };
+        const Field<T> a = engine_accelerations(forces, u);
+        for (std::size_t i = 0; i < n; ++i) {
+            T sum = T(0);
+            for (std::size_t s = 1; 2 * s < n; ++s) sum += pull(i, (i + s) % n) - pull((i + n - s) % n, i);
+            if (n % 2 == 0) sum += pull(i, (i + n / 2) % n);
+            EXPECT_EQ(a.x()[i], sum) << n << " " << i;
+        }
+    }
+}
+
+TYPED_TEST(SizesTest, of_clusters_with_coincident_particles_stay_finite) {
+    using T = TypeParam;
+    for (std::size_t count = 2; count <= 33; ++count) {
+        Field<T> u = scattered<T>(count, 1);
+        u.set(count - 1, u.at(0));
+        const Field<T> a = engine_accelerations(PairForces{.count = count}, u);
+        for (const T number : a.flat()) ASSERT_TRUE(std::isfinite(number)) << count;
+        const double apart = length(a.at(0) - a.at(count - 1));
+        EXPECT_LT(apart, this->tolerance) << count;  // the others pull both alike
+    }
+}
+
+}  // namespace
+}  // namespace steplab
