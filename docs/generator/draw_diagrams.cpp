@@ -8,17 +8,24 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <regex>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace {
 
+/// Without tabs and blanks at the end of a line, which gnuplot leaves.
+std::string tidy(const std::string& text) {
+    static const std::regex tabs("\t"), ends("[ \t\r]+\n");
+    return std::regex_replace(std::regex_replace(text, ends, "\n"), tabs, " ");
+}
+
 /// A file of its own, on white: pages are read on dark ground too.
 std::string svg_file(std::string element) {
     const std::size_t inside = element.find('>') + 1;
     element.insert(inside, "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>");
-    return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + element;
+    return tidy("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + element);
 }
 
 void draw(const std::string& folder, const std::vector<std::string>& wanted) {

@@ -3,7 +3,6 @@
 #include "io/interruption.hpp"
 #include "lab/extrapolation.hpp"
 #include "lab/linearised.hpp"
-#include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
 

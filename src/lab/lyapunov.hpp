@@ -2,7 +2,7 @@
 
 #include "core/shape.hpp"
 #include "lab/reference.hpp"
-#include "models/model.hpp"
+#include "sim/catalogue.hpp"
 
 #include <string>
 
