@@ -9,18 +9,25 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <regex>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace {
 
+/// Without tabs and blanks at the end of a line, which gnuplot leaves.
+std::string tidy(const std::string& text) {
+    static const std::regex tabs("\t"), ends("[ \t\r]+\n");
+    return std::regex_replace(std::regex_replace(text, ends, "\n"), tabs, " ");
+}
+
 void draw(const std::string& folder, const std::vector<std::string>& wanted) {
     for (const steplab::HardCase& each : steplab::hard_cases()) {
         if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), each.id) == wanted.end()) continue;
         const steplab::Figure figure = each.figure();
         const std::string path = folder + "/" + steplab::docs::picture_name(each);
-        std::ofstream(path) << steplab::svg_file(steplab::svg_figures(std::span(&figure, 1)).front());
+        std::ofstream(path) << tidy(steplab::svg_file(steplab::svg_figures(std::span(&figure, 1)).front()));
         fmt::print("{}\n", path);
     }
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace steplab {
 
@@ -36,6 +35,12 @@ bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments,
         look(simulation);
     }
     return true;
+}
+
+double limit_of(const Method& method) { return linear_limit(method.info, ParameterValues(method.info.parameters)); }
+
+bool has_limit(const Method& method) {
+    return !method.info.adaptive && limit_of(method) > 0 && std::isfinite(limit_of(method));
 }
 
 Table over_methods(std::span<const Column> columns) {

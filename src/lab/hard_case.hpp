@@ -52,6 +52,11 @@ using Look = std::function<void(Simulation&)>;
 /// Takes a trial's steps and looks at `moments` evenly spaced moments, its end being the last. False if it diverged.
 bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Look& look);
 
+/// Largest stable omega dt of a method at its defaults, without drag: 0 = none, infinity = any.
+double limit_of(const Method& method);
+/// True if there is such a number between the two, and the method does not choose its steps.
+bool has_limit(const Method& method);
+
 /// What a column shows of a method.
 struct Column {
     std::string head;

@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "lab/hard_cases_digits.hpp"
 #include "lab/hard_cases_hits.hpp"
+#include "lab/hard_cases_ropes.hpp"
 #include "lab/hard_cases_steps.hpp"
 
 #include <fmt/format.h>

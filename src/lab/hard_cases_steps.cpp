@@ -13,12 +13,6 @@ namespace steplab {
 
 namespace {
 
-double limit_of(const Method& method) { return linear_limit(method.info, ParameterValues(method.info.parameters)); }
-
-bool has_limit(const Method& method) {
-    return !method.info.adaptive && limit_of(method) > 0 && std::isfinite(limit_of(method));
-}
-
 /// The limit, or that there is none.
 std::string limit_cell(const Method& method, double limit) {
     if (method.info.adaptive) return "none: own steps";

@@ -120,12 +120,12 @@ std::string chaos_note(const RunDescription& description, double time, double er
     if (error < meaningless * shape.spacing) return {};
     const LyapunovExponent lyapunov = lyapunov_exponent(entry.scene(held.scene), shape, time);
     if (!lyapunov.chaotic()) return {};
-    const double tenfold = std::log(10.0) / lyapunov.exponent;
+    const double digits = lyapunov.growth / std::log(10.0);
     return fmt::format(
         "The motion is chaotic: its Lyapunov exponent is {:.2g} +- {:.1g}, motions that begin next to each other part "
-        "tenfold every {:.2g}, and by a factor of 1e{:.0f} until t = {:.4g}. The rounding of double leaves nothing to "
-        "compare after t = {:.2g}; energy and means still tell methods apart.",
-        lyapunov.exponent, lyapunov.spread, tenfold, lyapunov.growth / std::log(10.0), time, 16 * tenfold);
+        "tenfold every {:.2g}, and by a factor of 1e{:.0f} until t = {:.4g}. Of double's 16 digits none is left to "
+        "compare at about t = {:.2g}; energy and means still tell methods apart.",
+        lyapunov.exponent, lyapunov.spread, std::log(10.0) / lyapunov.exponent, digits, time, 16 / digits * time);
 }
 
 }  // namespace steplab

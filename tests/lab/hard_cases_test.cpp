@@ -55,6 +55,21 @@ TEST(HardCase, is_known_by_its_id_alone) {
     EXPECT_ANY_THROW(hard_case("easy"));
 }
 
+/// Gnuplot's labels stand in apostrophes.
+bool is_fit_to_draw(const Figure& figure) {
+    const auto is_label = [](const std::string& text) { return !text.empty() && text.find('\'') == std::string::npos; };
+    bool fit = is_label(figure.x_label) && is_label(figure.y_label) && !figure.curves.empty();
+    for (const Curve& curve : figure.curves) fit = fit && is_label(curve.name) && curve.points.size() > 1;
+    return fit;
+}
+
+TEST(HardCase, diagrams_have_curves_and_labels) {
+    for (const HardCase& each : hard_cases()) EXPECT_TRUE(is_fit_to_draw(each.figure())) << each.id;
+    EXPECT_FALSE(
+        is_fit_to_draw({.x_label = "t", .y_label = "particle's place", .curves = {{"rk4", {{0, 0}, {1, 1}}}}}));
+    EXPECT_FALSE(is_fit_to_draw({.x_label = "t", .y_label = "x", .curves = {}}));
+}
+
 // Just below the limit the swing of verlet is (8 (1 - 0.999))^(-1/2) = 11 times two at most; just above all grow, but
 // for srkn-11b, whose band of growth is narrower than that.
 TEST(HardCase, marginal_dt_is_bounded_below_the_limit_and_blows_up_above) {
