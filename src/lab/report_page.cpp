@@ -94,7 +94,7 @@ std::string study_section(const Study& study, std::span<const double> errors, co
                           std::span<const std::string> svg, const MethodColours& colours) {
     const RunDescription& scene = study.plan.scene;
     std::string text =
-        fmt::format("<section>\n<h2 id=\"{0}\">{0}</h2>\n<p>{1} To t = {2}{3}.</p>\n", scene.model,
+        fmt::format("<section>\n<h2 id=\"{0}\">{0}</h2>\n<p>{1} To t = {2}{3}.</p>\n", scene.model,
                     escaped(model(scene.model).info.what), number_text(study.plan.time), scene_text(scene));
     text += answers_in_words(study, errors) + reference_text(study);
     text += std::string("<h3>Error against cost</h3>\n") + diagrams_explained + diagrams(figures, svg) +
