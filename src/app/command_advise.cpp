@@ -26,6 +26,9 @@ namespace {
 constexpr ParameterInfo error_info{
     .name = "--error", .unit = "", .minimum_included = false, .what = "error that is allowed at the end"};
 
+/// What judges is so many times as accurate as what is asked for.
+constexpr double finer_reference = 1000;
+
 /// A person reads no more than a few.
 constexpr std::size_t most_others = 5;
 
@@ -81,7 +84,7 @@ public:
         const StudyPlan plan = plan_of(scene_.description());
         catch_interruptions();
         Progress bar(1000, isatty(STDERR_FILENO) != 0);
-        const Reference reference = reference_for(plan);
+        const Reference reference = reference_for(plan, error / finer_reference);
         const Advice advice = advise(plan, error, reference, [&](double part) {
             check_interruption();
             bar.at(static_cast<std::uint64_t>(part * 1000));

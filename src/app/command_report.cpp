@@ -14,8 +14,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <unistd.h>
+#include <utility>
 
 namespace steplab {
 
@@ -50,21 +52,42 @@ public:
 
     int run() override {
         if (out_.empty()) throw UsageError("--out DIR is needed: where speed_error.csv and report.html go");
-        if (thesis_) return write_thesis();
+        if (thesis_) {
+            refuse_beside_thesis();
+            return write_thesis();
+        }
         ReportRequest request{.folder = out_, .plans = plans()};
         if (!errors_.empty()) request.errors = errors();
         catch_interruptions();
         Progress bar(1000, isatty(STDERR_FILENO) != 0);
-        write_report(request, [&](double part, const std::string&) {
-            check_interruption();
-            bar.at(static_cast<std::uint64_t>(part * 1000));
-        });
+        try {
+            write_report(request, [&](double part, const std::string&) {
+                check_interruption();
+                bar.at(static_cast<std::uint64_t>(part * 1000));
+            });
+        } catch (const Interrupted&) {
+            bar.clear();
+            fmt::print(stderr, "steplab report: interrupted; the same command goes on from here ({}/.measured)\n",
+                       out_);
+            throw;
+        }
         bar.clear();
         print(fmt::format("{}/speed_error.csv and {}/report.html are written\n", out_, out_));
         return static_cast<int>(ExitCode::done);
     }
 
 private:
+    /// The thesis has its own scenes, methods and times.
+    void refuse_beside_thesis() const {
+        const std::pair<bool, const char*> others[] = {
+            {quick_, "--quick"},           {!models_.empty(), "--model"},        {!methods_.empty(), "--method"},
+            {!settings_.empty(), "--set"}, {!precision_.empty(), "--precision"}, {!time_.empty(), "--time"},
+            {!errors_.empty(), "--error"}};
+        for (const auto& [given, name] : others) {
+            if (given) throw UsageError(fmt::format("--thesis takes its own scenes: {} has no say in it", name));
+        }
+    }
+
     int write_thesis() const {
         write_thesis_page(out_);
         print(fmt::format("{}/thesis.html is written\n", out_));

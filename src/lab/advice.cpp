@@ -25,28 +25,43 @@ namespace {
 constexpr double fine_ratio = 1.03;
 /// A search is given up when it costs so many times the evaluations of the best run found so far.
 constexpr double hopeless = 8;
+/// If no short run keeps the error, runs may take so many times as long.
+constexpr double long_run = 8;
 
 /// The method everyone knows: looked for however dear it is, to compare with.
 constexpr std::string_view classic = "rk4";
 
+/// A run that was not worth its end.
+struct Abandoned {};
+
 class Search {
 public:
-    Search(const StudyPlan& plan, double error, const Reference& reference)
-        : plan_(plan), error_(error), reference_(reference) {}
+    /// No run may take longer than `most_seconds`.
+    Search(const StudyPlan& plan, double error, const Reference& reference, double frequency, double most_seconds)
+        : plan_(plan), error_(error), reference_(reference), most_seconds_(most_seconds), frequency_(frequency) {}
 
     /// The cheapest runs found that keep the error: by dt, by tolerance.
     std::vector<Measurement> cheapest(const std::string& method, Precision precision) {
         std::vector<Measurement> found;
-        if (takes_tolerance(method)) add(found, over_tolerance(method, precision));
-        if (takes_dt(method)) add(found, over_dt(method, precision));
+        if (takes_tolerance(method)) add(found, [&] { return over_tolerance(method, precision); });
+        if (takes_dt(method)) add(found, [&] { return over_dt(method, precision); });
         return found;
     }
 
     double least_error() const { return least_error_; }
     const std::string& most_accurate() const { return most_accurate_; }
+    /// A search ended because of what it cost: a longer one may find more.
+    bool abandoned() const { return abandoned_; }
 
 private:
-    void add(std::vector<Measurement>& found, std::optional<Measurement> run) {
+    template <class Find>
+    void add(std::vector<Measurement>& found, const Find& find) {
+        std::optional<Measurement> run;
+        try {
+            run = find();
+        } catch (const Abandoned&) {
+            abandoned_ = true;
+        }
         if (!run) return;
         least_evaluations_ = std::min(least_evaluations_, static_cast<double>(run->evaluations));
         least_seconds_ = std::min(least_seconds_, *run->wall_seconds);
@@ -54,10 +69,16 @@ private:
     }
 
     Measurement measured(const RunDescription& run, std::uint64_t steps) {
-        check_interruption();
         const auto begin = std::chrono::steady_clock::now();
-        Measurement result = measure(run, steps, reference_);
-        result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        const auto elapsed = [&] {
+            return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        };
+        const double most = method_is_classic(run) ? most_seconds_ : std::min(most_seconds_, patience());
+        Measurement result = measure(run, steps, reference_, [&] {
+            check_interruption();
+            if (elapsed() > most) throw Abandoned();
+        });
+        result.wall_seconds = elapsed();
         if (!result.diverged && result.error < least_error_) {
             least_error_ = result.error;
             most_accurate_ = result.run.method;
@@ -67,19 +88,23 @@ private:
 
     bool kept(const Measurement& run) const { return !run.diverged && run.error <= error_; }
 
+    static bool method_is_classic(const RunDescription& run) { return run.method == classic; }
+
+    /// How long a run may take beside the fastest found, of which short ones are measured badly.
+    double patience() const { return hopeless * least_seconds_ + 0.02; }
+
     /// By evaluations and by the clock, as an evaluation of one method may be cheaper than another's.
-    bool too_costly(const Measurement& run) const {
-        const double seconds = run.wall_seconds.value_or(0);
-        if (seconds > plan_.most_seconds_a_run) return true;
-        return run.run.method != classic && static_cast<double>(run.evaluations) > hopeless * least_evaluations_ &&
-               seconds > hopeless * least_seconds_;
+    bool too_costly(const Measurement& run) {
+        if (*run.wall_seconds > most_seconds_) throw Abandoned();
+        return !method_is_classic(run.run) && static_cast<double>(run.evaluations) > hopeless * least_evaluations_ &&
+               *run.wall_seconds > hopeless * least_seconds_;
     }
 
     /// Halves dt until the error is kept, then closes in on the largest dt that keeps it.
     std::optional<Measurement> over_dt(const std::string& method, Precision precision) {
         const auto at = [&](std::uint64_t steps) { return measured(run_over(plan_, method, precision, steps), steps); };
         std::uint64_t failed = 0;
-        Measurement run = at(fewest_steps(plan_, method));
+        Measurement run = at(fewest_steps(plan_, method, frequency_));
         for (GainWatch gain; !kept(run);) {
             if (too_costly(run) || (gain.gains_no_more(run) && run.error < 1e-3 * plan_.time)) return std::nullopt;
             failed = run.steps;
@@ -126,6 +151,8 @@ private:
     double least_evaluations_ = infinity, least_seconds_ = infinity;
     double least_error_ = infinity;
     std::string most_accurate_;
+    double most_seconds_, frequency_;
+    bool abandoned_ = false;
 };
 
 /// A cheap run found early tells sooner which searches are hopeless.
@@ -147,6 +174,21 @@ std::vector<Measurement> candidates(const StudyPlan& plan, Search& search, const
         }
     }
     return found;
+}
+
+/// Runs that keep the error, looked for first among short ones. Throws UsageError if there are none.
+std::vector<Measurement> found_runs(const StudyPlan& plan, double error, const Reference& reference,
+                                    const StudyProgress& progress) {
+    const double fastest_motion = frequency(plan);
+    for (const bool long_runs : {false, true}) {
+        Search search(plan, error, reference, fastest_motion, plan.most_seconds_a_run * (long_runs ? long_run : 1));
+        std::vector<Measurement> runs = candidates(plan, search, progress);
+        if (!runs.empty()) return runs;
+        if (search.abandoned() && !long_runs) continue;
+        throw UsageError(fmt::format("no method was found to keep an error of {} here: the least was {}, by {}",
+                                     typed(error), typed(search.least_error()), search.most_accurate()));
+    }
+    return {};
 }
 
 /// The fastest of the runs, made once more as its command line says, and the best run of every other method.
@@ -176,12 +218,7 @@ Advice advise(const StudyPlan& plan, double error, const Reference& reference, c
             fmt::format("an error of {} cannot be told here: what runs are judged by ({}) is itself known to {}{}",
                         typed(error), reference.how, typed(certain), chaos.empty() ? "" : ". " + chaos));
     }
-    Search search(plan, error, reference);
-    std::vector<Measurement> runs = candidates(plan, search, progress);
-    if (runs.empty()) {
-        throw UsageError(fmt::format("no method keeps an error of {} here: the least was {}, by {}", typed(error),
-                                     typed(search.least_error()), search.most_accurate()));
-    }
+    std::vector<Measurement> runs = found_runs(plan, error, reference, progress);
     for (Measurement& run : runs) run.wall_seconds.reset();  // looks were within the clock
     time_interleaved(runs, plan.rounds, [&](double part) { progress(0.8 + 0.2 * part); });
     std::sort(runs.begin(), runs.end(), [](const Measurement& a, const Measurement& b) {

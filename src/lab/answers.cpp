@@ -72,7 +72,7 @@ std::optional<double> measured_order(std::span<const Measurement> runs, std::str
     const double ceiling = 0.1 * (*std::max_element(series.begin(), series.end(), by_error))->error;
     for (std::size_t i = series.size() - 1; i > 0; --i) {
         const Measurement &coarse = *series[i - 1], &fine = *series[i];
-        if (fine.error > floor && coarse.error < ceiling && fine.run.dt < coarse.run.dt)
+        if (fine.error > floor && coarse.error < ceiling && coarse.error > fine.error && fine.run.dt < coarse.run.dt)
             return std::log(coarse.error / fine.error) / std::log(coarse.run.dt / fine.run.dt);
     }
     return std::nullopt;

@@ -4,6 +4,7 @@
 #include "sim/run_description.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,10 +23,14 @@ struct Measurement {
     std::string hash;
 };
 
-/// Runs it once, looking at the energy at 64 moments. No error is given below the reference's own.
-Measurement measure(const RunDescription& run, std::uint64_t steps, const Reference& reference);
+/// Runs it once, looking at the energy at 64 moments. No error is given below the reference's own. `at_look` is called
+/// at each of them and may throw to end it.
+Measurement measure(
+    const RunDescription& run, std::uint64_t steps, const Reference& reference,
+    const std::function<void()>& at_look = [] {});
 
-/// Times the stepping of one run from a fresh start: nothing else is inside the clock.
+/// Times the stepping of one run from a fresh start: nothing else is inside the clock, unless the method makes most of
+/// its evaluations as it starts (an adaptive one whose first step reaches the end): then starting is too.
 double stepping_seconds(const RunDescription& run, std::uint64_t steps);
 
 }  // namespace steplab

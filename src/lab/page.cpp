@@ -23,6 +23,7 @@ body { font: 16px/1.55 Inter, "Segoe UI", system-ui, "Noto Sans", "DejaVu Sans",
        max-width: 1280px; margin: 0 auto; padding: 3em 1.5em 6em; }
 h1 { font-size: 2.1em; line-height: 1.2; letter-spacing: -.02em; margin: 0 0 .3em; }
 h2 { font-size: 1.5em; letter-spacing: -.01em; margin: 3em 0 .4em; padding-top: 1.2em; border-top: 1px solid var(--line); }
+nav + h2 { margin-top: 1.2em; border: 0; padding: 0; }
 h3 { font-size: 1.05em; margin: 2.2em 0 .4em; }
 p, ul, ol { max-width: 46em; margin: .4em 0 .8em; } ul, ol { padding-left: 1.3em; } li { margin: .25em 0; }
 a { color: var(--link); text-decoration: none; } a:hover { text-decoration: underline; }
@@ -38,8 +39,9 @@ th { text-align: left; font-weight: 600; color: var(--faint); border-bottom: 1px
 td { border-bottom: 1px solid var(--line); padding: .35em 1.4em .35em 0; font-variant-numeric: tabular-nums; vertical-align: top; white-space: nowrap; }
 td.note, td .note { white-space: normal; } td:last-child { white-space: normal; min-width: 6em; }
 tbody tr:hover { background: var(--tint); } td small { color: var(--faint); font-size: .9em; }
-.columns { display: flex; flex-wrap: wrap; gap: 0 3.5em; } .columns > div { min-width: 0; max-width: 100%; }
+.columns { display: flex; flex-wrap: wrap; gap: 0 3em; } .columns > div { flex: 1 1 480px; min-width: 0; }
 .diagrams { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 500px), 1fr)); gap: 1.2em 1.5em; margin: 1em 0 .6em; }
+.diagrams:has(> :only-child) { max-width: 640px; }
 figure { margin: 0; overflow-x: auto; background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: .7em .7em .3em; min-width: 0; }
 figure svg { display: block; width: 100%; min-width: 500px; max-width: 680px; height: auto; }
 figure svg text, figure svg tspan { font-family: inherit; } figcaption { font-weight: 600; font-size: .92em; margin: 0 0 .2em .2em; }

@@ -61,8 +61,14 @@ std::string answers_table(std::span<const Study> studies, std::span<const double
 
 std::string answers_in_words(const Study& study, std::span<const double> errors) {
     std::string text = "<ul>\n";
-    for (const double error : errors)
-        text += fmt::format("<li>For {}: {}.</li>\n", typed(error), answer(study.runs, error));
+    for (std::size_t first = 0; first < errors.size();) {
+        const std::string said = answer(study.runs, errors[first]);
+        std::size_t last = first;
+        while (last + 1 < errors.size() && answer(study.runs, errors[last + 1]) == said) ++last;
+        text += fmt::format("<li>For {}{}: {}.</li>\n", typed(errors[first]),
+                            last > first ? " to " + typed(errors[last]) : "", said);
+        first = last + 1;
+    }
     return text + "</ul>\n";
 }
 

@@ -7,13 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace steplab {
 
 namespace {
 
-/// Runs shorter than this are repeated within a round until they have taken as long together.
+/// Runs shorter than this are repeated within a round until they have taken as long together, or so many times.
 constexpr double least_seconds = 2e-4;
+constexpr int most_repeats = 50;
 
 /// What one run costs before it is made, from the one made last.
 class CostWatch {
@@ -31,12 +33,13 @@ private:
 class Series {
 public:
     Series(const StudyPlan& plan, const Reference& reference, std::vector<Measurement>& out)
-        : plan_(plan), reference_(reference), out_(out) {}
+        : plan_(plan), reference_(reference), out_(out), frequency_(frequency(plan)) {}
 
     void over_dt(const std::string& method, Precision precision) {
         GainWatch gain;
         CostWatch cost(plan_.most_seconds_a_run);
-        for (double wanted = static_cast<double>(fewest_steps(plan_, method)); wanted < 1e9; wanted *= plan_.ratio) {
+        for (double wanted = static_cast<double>(fewest_steps(plan_, method, frequency_)); wanted < 1e9;
+             wanted *= plan_.ratio) {
             const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
             if (cost.too_long(steps)) return;
             const RunDescription run = run_over(plan_, method, precision, steps);
@@ -62,19 +65,12 @@ private:
     const StudyPlan& plan_;
     const Reference& reference_;
     std::vector<Measurement>& out_;
+    double frequency_;
 };
-
-/// The scene's largest angular frequency, or one that lets a tenth of the time be a quarter of its period.
-double frequency(const StudyPlan& plan) {
-    const Model& scene = model(plan.scene.model);
-    const LinearisedScene linearised(scene.scene(plan.scene.scene), scene.shape(plan.scene.scene));
-    const double omega = highest_frequency(modes(linearised));
-    return omega > 0 ? omega : 5 * 3.14159265358979 / plan.time;
-}
 
 double time_once(const Measurement& run) {
     double least = infinity, sum = 0;
-    while (sum < least_seconds) {
+    for (int repeat = 0; repeat < most_repeats && sum < least_seconds; ++repeat) {
         const double seconds = stepping_seconds(run.run, run.steps);
         least = std::min(least, seconds);
         sum += seconds;
@@ -84,10 +80,24 @@ double time_once(const Measurement& run) {
 
 }  // namespace
 
-Reference reference_for(const StudyPlan& plan) {
+namespace {
+
+/// Particles that each one acts on, about: what an evaluation of it costs.
+double partners(const RunDescription& scene) {
+    const Model& entry = model(scene.model);
+    const bool all_pairs = std::holds_alternative<PairForces>(entry.scene(scene.scene).forces);
+    return all_pairs ? entry.particles(scene.scene) : 8;
+}
+
+}  // namespace
+
+Reference reference_for(const StudyPlan& plan, double error) {
     RunDescription scene = plan.scene;
     scene.precision = Precision::double_;
-    return reference(scene, std::vector{plan.time});
+    ReferenceEffort effort;
+    effort.error = std::max(effort.error, error);
+    effort.most_particle_evaluations *= (error > 0 ? 0.2 : 1) * std::min(1.0, 28 / partners(scene));
+    return reference(scene, std::vector{plan.time}, effort);
 }
 
 RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps) {
@@ -106,11 +116,18 @@ bool takes_tolerance(const std::string& method) {
     return ParameterValues(steplab::method(method).info.parameters).contains("tolerance");
 }
 
-std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method) {
+double frequency(const StudyPlan& plan) {
+    const Model& scene = model(plan.scene.model);
+    const LinearisedScene linearised(scene.scene(plan.scene.scene), scene.shape(plan.scene.scene));
+    const double omega = highest_frequency(modes(linearised));
+    return omega > 0 ? omega : 5 * 3.14159265358979 / plan.time;
+}
+
+std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method, double frequency) {
     const RunDescription run = run_over(plan, method, Precision::double_, 1);
     const double limit = linear_limit(steplab::method(method).info, run.method_parameters);
     const double phase = limit == 0 ? 0.5 : std::min(0.95 * limit, 20.0);
-    return static_cast<std::uint64_t>(std::max(1.0, std::ceil(plan.time * frequency(plan) / phase)));
+    return static_cast<std::uint64_t>(std::max(1.0, std::ceil(plan.time * frequency / phase)));
 }
 
 std::vector<std::string> possible_methods(const StudyPlan& plan) {

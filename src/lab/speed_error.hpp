@@ -41,8 +41,9 @@ std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& 
 void go_on_with_series(const StudyPlan& plan, const Reference& reference, SeriesState& state,
                        const std::function<void()>& keep, const StudyProgress& progress);
 
-/// What the runs of a plan are judged by: the scene at its time.
-Reference reference_for(const StudyPlan& plan);
+/// What the runs of a plan are judged by: the scene at its time. Where that is a run, it need not be better than to
+/// `error` spacings of the scene, and takes less time for it.
+Reference reference_for(const StudyPlan& plan, double error = 0);
 
 /// The run of this method with this many steps over the time: dt = time / steps.
 RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps);
@@ -51,8 +52,12 @@ RunDescription run_over(const StudyPlan& plan, const std::string& method, Precis
 bool takes_dt(const std::string& method);
 bool takes_tolerance(const std::string& method);
 
+/// The scene's largest angular frequency, or one that lets a tenth of the time be a quarter of its period. Dear for a
+/// scene of many particles.
+double frequency(const StudyPlan& plan);
+
 /// Steps over the time at the method's largest sensible dt: just below the stability limit where there is one.
-std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method);
+std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method, double frequency);
 
 /// The methods of the plan that can run its scene: others refuse it by name.
 std::vector<std::string> possible_methods(const StudyPlan& plan);

@@ -40,7 +40,8 @@ std::string curve_group(std::string_view number, std::span<const std::string> na
     std::size_t index = 0;
     std::from_chars(number.data(), number.data() + number.size(), index);
     if (index == 0 || index > names.size()) return "<g>";
-    return fmt::format("<g class=\"curve\" data-method=\"{0}\"><title>{0}</title>", names[index - 1]);
+    const std::string& name = names[index - 1];
+    return fmt::format("<g class=\"curve\" data-method=\"{}\"><title>{}</title>", name.substr(0, name.find(' ')), name);
 }
 
 void remove_all(std::string& text, std::string_view what) {

@@ -18,7 +18,7 @@ inline constexpr int most_colours = 32;
 std::string placeholder(int colour);
 
 /// The svg element of a picture gnuplot wrote: `names` are those of its curves, in order. Colours are var(--c<number>),
-/// a curve is <g class="curve" data-method="name"> with its name as title. Empty if there is none.
+/// a curve is <g class="curve" data-method="first word of its name"> with its name as title. Empty if there is none.
 std::string page_svg(std::string_view file, std::span<const std::string> names);
 
 /// What the elements refer to: the mark of their points.

@@ -111,6 +111,27 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--out", "/dev/full"}, {"/dev/full", "No space left on device"}, 3},
     {{"run", "--series", "/dev/full"}, {"/dev/full", "No space left on device"}, 3},
     {{"run", "--summary", "/dev/full"}, {"/dev/full", "No space left on device"}, 3},
+    // the lab
+    {{"report"}, {"--out DIR is needed"}},
+    {{"report", "--out", "o", "--model", "chian"}, {"unknown model 'chian'", "did you mean 'chain'"}},
+    {{"report", "--out", "o", "--method", "rk5"}, {"unknown method 'rk5'"}},
+    {{"report", "--out", "o", "--precision", "half"}, {"unknown precision 'half'"}},
+    {{"report", "--out", "o", "--error", "0"}, {"--error", "a number > 0"}},
+    {{"report", "--out", "o", "--error", "small"}, {"--error", "'small'"}},
+    {{"report", "--out", "o", "--time", "0"}, {"--time", "a number > 0"}},
+    {{"report", "--out", "o", "--time", "nan"}, {"--time", "nan"}},
+    {{"report", "--out", "o", "--set", "q=1"}, {"'q'"}},
+    {{"report", "--out", "o", "--model", "chain", "--set", "dim=5"}, {"'dim'"}},
+    {{"report", "--out", "o", "--thesis", "--quick"}, {"--thesis", "--quick"}},
+    {{"report", "--out", "o", "--thesis", "--model", "chain"}, {"--thesis", "--model"}},
+    {{"report", "--out", "/dev/null/o", "--quick"}, {"/dev/null/o"}, 3},
+    {{"report", "--out", "/dev/null/o", "--thesis"}, {"/dev/null/o"}, 3},
+    {{"advise"}, {"--error E is needed"}},
+    {{"advise", "--model", "chain", "--until", "1", "--error", "1e-30"}, {"1e-30", "exact solution"}},
+    {{"advise", "--model", "chain", "--until", "0", "--error", "1e-3"}, {"must be > 0"}},
+    {{"advise", "--error", "-1"}, {"--error", "-1"}},
+    {{"limits", "--model", "chain", "--method", "al"}, {"unknown method 'al'"}},
+    {{"limits", "--model", "chain", "--steps", "5"}, {"unknown option '--steps'"}},
 };
 
 class WrongUses : public testing::TestWithParam<WrongUse> {};

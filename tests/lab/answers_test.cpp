@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "lab/speed_error_csv.hpp"
+#include "lab/studies.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,22 +14,6 @@ namespace steplab::test {
 namespace {
 
 using testing::HasSubstr;
-
-Measurement run_with(const char* method, double dt, double error, double seconds) {
-    Measurement m{.run = describe("chain", method), .steps = 10, .wall_seconds = seconds, .hash = "0123456789abcdef"};
-    m.run.dt = dt;
-    m.evaluations = 40;
-    m.error = error;
-    m.rms_error = error / 2;
-    m.energy_error = error / 3;
-    return m;
-}
-
-Measurement diverged(const char* method, double seconds) {
-    Measurement m = run_with(method, 5, 0, seconds);
-    m.diverged = true;
-    return m;
-}
 
 TEST(Answers, take_the_fastest_that_keeps_the_error) {
     const std::vector<Measurement> runs{run_with("rk4", 0.1, 1e-5, 3e-6), run_with("pefrl", 0.2, 1e-5, 1e-6),
@@ -61,6 +46,13 @@ TEST(MeasuredOrder, is_the_slope_between_floor_and_ceiling) {
     EXPECT_NEAR(*measured_order(runs, "rk4", Precision::double_), 4, 0.05);
     EXPECT_FALSE(measured_order(runs, "rk4", Precision::float_));
     EXPECT_FALSE(measured_order(runs, "euler", Precision::double_));
+}
+
+// Errors that grow where dt shrinks are rounding, not an order.
+TEST(MeasuredOrder, is_none_where_errors_do_not_fall) {
+    const std::vector<Measurement> runs{run_with("rk4", 1, 1e-14, 1e-6), run_with("rk4", 0.5, 1e-9, 1e-6),
+                                        run_with("rk4", 0.25, 2e-6, 1e-6), run_with("rk4", 0.125, 1e-4, 1e-6)};
+    EXPECT_FALSE(measured_order(runs, "rk4", Precision::double_));
 }
 
 TEST(SpeedErrorCsv, reads_back_exactly) {

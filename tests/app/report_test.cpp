@@ -1,0 +1,142 @@
+#include "app/program.hpp"
+#include "app/tables.hpp"
+#include "io/files.hpp"
+
+#include <gmock/gmock.h>
+
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <sys/inotify.h>
+#include <unistd.h>
+
+namespace steplab {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Waits until files appear in a folder, without looking at any clock.
+class FolderWatch {
+public:
+    explicit FolderWatch(const std::string& folder) : events_(inotify_init1(IN_CLOEXEC)) {
+        if (inotify_add_watch(events_, folder.c_str(), IN_MOVED_TO) < 0) throw std::runtime_error("cannot watch");
+    }
+    ~FolderWatch() { close(events_); }
+    FolderWatch(const FolderWatch&) = delete;
+    FolderWatch& operator=(const FolderWatch&) = delete;
+
+    void wait_for_a_file() const {
+        std::array<char, 4096> buffer;
+        if (read(events_, buffer.data(), buffer.size()) <= 0) throw std::runtime_error("cannot wait");
+    }
+
+private:
+    int events_;
+};
+
+std::vector<std::string> report(const std::string& folder) {
+    return {"report",   "--quick", "--model",  "chain", "--time",   "5",        "--method", "verlet",
+            "--method", "rk4",     "--method", "pefrl", "--method", "gauss-16", "--out",    folder};
+}
+
+/// What does not hang on the clock of each run: all columns but wall_s, by method, precision, dt and tolerance.
+std::map<std::string, std::string> facts(const std::string& file) {
+    std::map<std::string, std::string> facts;
+    for (const auto& row : table(text_of(file)).rows) {
+        const std::string which = row[1] + ' ' + row[2] + ' ' + row[3] + ' ' + (row.size() > 12 ? row[12] : "");
+        facts[which] = row[4] + ' ' + row[5] + ' ' + row[7] + ' ' + row[8] + ' ' + row[9] + ' ' + row[10];
+    }
+    return facts;
+}
+
+TEST(Report, writes_a_table_and_a_page_and_says_nothing_else) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_program(report(folder.file("out")));
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_THAT(outcome.err, IsEmpty());
+    EXPECT_THAT(outcome.out, HasSubstr("report.html"));
+    EXPECT_THAT(text_of(folder.file("out/report.html")), HasSubstr("Error against time, float"));
+    const Table runs = table(text_of(folder.file("out/speed_error.csv")));
+    EXPECT_THAT(runs.head, testing::StartsWith("model,method,precision,dt,steps,evaluations,wall_s,error,energy_error,"
+                                               "status,hash"));
+    for (const char* method : {"verlet", "rk4", "pefrl", "gauss-16"}) {
+        EXPECT_TRUE(std::any_of(runs.rows.begin(), runs.rows.end(), [&](const auto& row) { return row[1] == method; }));
+    }
+    for (const auto& row : runs.rows) EXPECT_EQ(row[9] == "diverged", row[6].empty());  // failed runs have no time
+}
+
+// The kept state appears when the first of eight series is measured: the signal comes with most of the work to do.
+TEST(Report, that_was_interrupted_goes_on_to_the_same_result) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.file("out/.measured"));
+    const FolderWatch watch(folder.file("out/.measured"));
+    RunningProgram first(report(folder.file("out")));
+    watch.wait_for_a_file();
+    first.send(SIGINT);
+    const Outcome interrupted = first.wait();
+    EXPECT_EQ(interrupted.code, 128 + SIGINT);
+    EXPECT_EQ(interrupted.signal, 0);
+    EXPECT_THAT(interrupted.err, HasSubstr("goes on"));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("out/report.html")));
+    EXPECT_TRUE(std::filesystem::exists(folder.file("out/.measured/chain.json")));
+
+    EXPECT_EQ(run_program(report(folder.file("out"))).code, 0);
+    EXPECT_EQ(run_program(report(folder.file("at-once"))).code, 0);
+    const auto resumed = facts(folder.file("out/speed_error.csv")),
+               at_once = facts(folder.file("at-once/speed_error.csv"));
+    std::size_t both = 0;
+    for (const auto& [which, what] : at_once) {
+        const auto found = resumed.find(which);
+        if (found == resumed.end()) continue;  // the clock decides how far down a series goes
+        EXPECT_EQ(found->second, what) << which;
+        ++both;
+    }
+    EXPECT_GT(2 * both, at_once.size());
+    EXPECT_FALSE(std::filesystem::exists(folder.file("out/.measured")));
+}
+
+TEST(Report, takes_only_what_is_asked_for) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run_program({"report", "--quick", "--model", "oscillator", "--method", "rk4", "--precision", "float", "--time",
+                     "3", "--set", "k=4", "--error", "1e-3", "--error", "0.1", "--out", folder.file("out")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const auto& row : table(text_of(folder.file("out/speed_error.csv"))).rows) {
+        EXPECT_EQ(row[0] + row[1] + row[2], "oscillatorrk4float");
+        EXPECT_NEAR(number(row[3]) * number(row[4]), 3, 1e-6);
+    }
+    const std::string page = text_of(folder.file("out/report.html"));
+    EXPECT_THAT(page, HasSubstr("error ≤ 0.1</th><th>error ≤ 0.001"));
+    EXPECT_THAT(page, HasSubstr("k = 4"));
+    EXPECT_THAT(page, testing::Not(HasSubstr("pefrl")));
+}
+
+TEST(Advise, names_a_command_that_keeps_the_error) {
+    const Outcome outcome = run_program({"advise", "--model", "chain", "--until", "20", "--error", "1e-7"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, IsEmpty());
+    for (const char* word : {"steplab run --model chain", "verified", "rk4", "NEXT BEST", "takes about"})
+        EXPECT_THAT(outcome.out, HasSubstr(word));
+    const std::size_t begin = outcome.out.find("run --model"), end = outcome.out.find('\n', begin);
+    std::vector<std::string> command = split(outcome.out.substr(begin, end - begin), ' ');
+    command.insert(command.end(), {"--out", "-", "--summary", "/dev/null"});
+    EXPECT_EQ(run_program(command).code, 0);
+}
+
+TEST(Advise, keeps_to_the_precision_and_method_that_are_named) {
+    const Outcome both = run_program({"advise", "--model", "chain", "--until", "5", "--error", "1e-3", "--precision",
+                                      "float", "--method", "verlet"});
+    ASSERT_EQ(both.code, 0) << both.err;
+    EXPECT_THAT(both.out, HasSubstr("--method verlet --precision float"));
+    EXPECT_THAT(both.out, testing::Not(HasSubstr("NEXT BEST")));
+    const Outcome impossible = run_program({"advise", "--model", "chain", "--until", "5", "--error", "1e-9",
+                                            "--precision", "float", "--method", "verlet"});
+    EXPECT_EQ(impossible.code, 2);
+    EXPECT_THAT(impossible.err, HasSubstr("the least was"));
+}
+
+}  // namespace
+}  // namespace steplab

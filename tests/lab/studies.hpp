@@ -1,0 +1,42 @@
+#pragma once
+
+#include "lab/study.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace steplab::test {
+
+/// A chain over a short time, in double, with runs so short that a test stays quick.
+inline StudyPlan small_plan(std::vector<std::string> methods) {
+    StudyPlan plan{.scene = describe("chain", "rk4"),
+                   .time = 5,
+                   .methods = std::move(methods),
+                   .method_settings = {},
+                   .precisions = {Precision::double_}};
+    plan.most_seconds_a_run = 0.002;
+    plan.rounds = 1;
+    return plan;
+}
+
+inline Measurement run_with(const char* method, double dt, double error, double seconds) {
+    Measurement m{.run = describe("chain", method), .steps = 10, .wall_seconds = seconds, .hash = "0123456789abcdef"};
+    m.run.dt = dt;
+    m.evaluations = 40;
+    m.error = error;
+    m.rms_error = error / 2;
+    m.energy_error = error / 3;
+    return m;
+}
+
+/// It blew up, and in no time.
+inline Measurement diverged(const char* method, double seconds) {
+    Measurement m = run_with(method, 5, 0, seconds);
+    m.diverged = true;
+    return m;
+}
+
+inline const auto no_progress = [](double) {};
+
+}  // namespace steplab::test
