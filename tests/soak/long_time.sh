@@ -13,5 +13,5 @@ printf '| method | precision | sums |%s%s%s ns a step |\n' "$(phase_and_energy $
     "$(phase_and_energy $((steps / 10)))" "$(phase_and_energy "$steps")"
 echo '|---|---|---|---|---|---|---|---|---|---|'
 for method in velocity-verlet verlet rk4 pefrl srkn-11b gauss-16 dop853; do nice "$program" "$method" "$steps"; done
-# ten times as slow
+# a tenth of the steps: it is ten times as slow
 nice "$program" implicit-midpoint $((steps / 10))
