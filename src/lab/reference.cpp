@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace steplab {
 
@@ -60,8 +61,8 @@ struct Fineness {
     double tolerance = 0;  ///< if not 0
 
     Fineness finer() const { return {step / 2, tolerance / 1000}; }
-    /// The next tolerance would be below the rounding of long double.
-    bool is_finest() const { return tolerance > 0 && tolerance < 1e-16; }
+    /// At the next tolerance the differences of long double that tell a step's error would be rounding.
+    bool is_finest() const { return tolerance > 0 && tolerance < 1e-15; }
 };
 
 /// Steps of one length, every stretch between two times cut into equal ones. Counts those in which particles pass each
@@ -175,27 +176,36 @@ double longest_step(const RunDescription& held, const Scene& scene, std::span<co
     return times.empty() ? step : std::min(step, std::max(times.back(), 1e-300) / 2);
 }
 
-/// Refines until the runs agree, the cost is too high, or nothing is gained any more.
-Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
+/// Refines until the runs agree, the cost is too high, or nothing is gained any more. None if particles pass each other
+/// in a run of equal steps.
+std::optional<Reference> refined(const RunDescription& held, std::span<const double> times,
+                                 const ReferenceEffort& effort, Fineness fineness) {
     const Scene scene = model(held.model).scene(held.scene);
     const double spacing = model(held.model).shape(held.scene).spacing, wanted = effort.error * spacing;
     const auto particles = static_cast<double>(scene.reference.count());
-    Fineness fineness{.step = longest_step(held, scene, times, effort)};
-    ReferenceRun coarse = run(scene, times, fineness);
-    if (coarse.collisions > 0) coarse = run(scene, times, fineness = {.step = fineness.step, .tolerance = 1e-9});
-    ReferenceRun fine = run(scene, times, fineness = fineness.finer());
+    const auto blind = [&](const ReferenceRun& made) { return fineness.tolerance == 0 && made.collisions > 0; };
+    ReferenceRun coarse = run(scene, times, fineness), fine = run(scene, times, fineness = fineness.finer());
+    if (blind(coarse) || blind(fine)) return std::nullopt;
     std::vector<double> errors = differences(coarse, fine);
     for (int i = 0; i < effort.most_refinements && !(largest(errors) <= wanted); ++i) {
         const double cost = 2 * static_cast<double>(fine.evaluations) * particles;
         if (fineness.is_finest() || cost > effort.most_particle_evaluations) break;
         coarse = std::move(fine);
         fine = run(scene, times, fineness = fineness.finer());
+        if (blind(fine)) return std::nullopt;
         const std::vector<double> finer = differences(coarse, fine);
         const bool stalled = largest(errors) < 1e-6 * spacing && largest(finer) > largest(errors) / 2;
         errors = finer;
         if (stalled) break;  // down to the rounding of long double
     }
     return as_reference(fine, errors, times, description_of(fine, fineness));
+}
+
+/// In equal steps, or in steps of its own where that does not do.
+Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
+    const double step = longest_step(held, model(held.model).scene(held.scene), times, effort);
+    if (auto made = refined(held, times, effort, {.step = step})) return *made;
+    return refined(held, times, effort, {.step = step, .tolerance = 1e-10}).value();
 }
 
 std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {

@@ -30,10 +30,13 @@ double available_memory() { return std::max(0.0, 0.9 * system_memory()); }
 double bytes_per_particle(const RunDescription& description) {
     const double number = description.precision == Precision::float_ ? 4 : 8;
     const MethodInfo& info = method(description.method).info;
-    const double fields = 3.0 + 2.0 * std::min(info.evaluations, 20);  // of the integrator, stages included
-    const double scene_and_state = 5 * 3 * 8.0, frame = 2 * 3 * 8.0;   // in double, whatever the precision
-    const double kept = 3 * 3 * number;                                // the state to come back to
-    const double shape = 3 * 8.0 + 1 + 4 * 16.0;                       // a particle has up to 4 springs of its own
+    // Of the integrator, stages included. With steps of its own it holds both ends of the last one in two parts, and
+    // stages or terms of it, all of them once more in the state to come back to.
+    const bool own_steps = description.method_parameters.contains("tolerance");
+    const double stages = std::min(info.evaluations, 20), fields = own_steps ? 20 + 4 * stages : 3 + 2 * stages;
+    const double scene_and_state = 5 * 3 * 8.0, frame = 2 * 3 * 8.0;  // in double, whatever the precision
+    const double kept = 3 * 3 * number;                               // the state to come back to
+    const double shape = 3 * 8.0 + 1 + 4 * 16.0;                      // a particle has up to 4 springs of its own
     return (fields * 3 + info.numbers_of_interactions) * number + scene_and_state + kept + frame + shape;
 }
 

@@ -5,9 +5,12 @@
 #include "methods/dopri5.hpp"
 #include "methods/gauss-16.hpp"
 #include "methods/ias15.hpp"
+#include "methods/moving_axes.hpp"
+#include "methods/own_steps.hpp"
 #include "methods/rkn-12-10.hpp"
 #include "methods/system.hpp"
 #include "methods/taylor.hpp"
+#include "models/grid.hpp"
 #include "models/line.hpp"
 #include "support/runs.hpp"
 
@@ -54,6 +57,71 @@ TEST(Collisions, are_none_where_particles_keep_apart) {
         simulation.advance(60);
         EXPECT_EQ(simulation.collisions().count(), 0u) << id;
     }
+}
+
+// A step across of finite length, in which drag alone acts: the second half kick has the drag of its own end, and one
+// sees each half with its own acceleration.
+TEST(Collisions, are_crossed_with_the_drag_of_either_side) {
+    System<double, Line<double>> system(
+        Line<double>({.count = 2, .first_fixed = true, .mass = 1, .k = 0, .rest_length = 1}), 0.5, 1);
+    Motion<double> now(2), next(2);
+    now.v.set(1, {0, 2, 0});
+    now.a.set(1, {0, -1, 0});
+    constexpr double time = 0.25;
+    go_across(system, now, time, next);
+    EXPECT_DOUBLE_EQ(next.x.y()[1], 2 * time * (2 - time));
+    EXPECT_DOUBLE_EQ(next.v.y()[1], (2 - time) / (1 + time / 2));
+    EXPECT_DOUBLE_EQ(next.a.y()[1], -0.5 * next.v.y()[1]);
+    State<double> seen;
+    within_crossing(now, next, time, 0.1, seen);
+    EXPECT_DOUBLE_EQ(seen.displacement.y()[1], 0.1 * 2 - 0.01 / 2);
+    EXPECT_DOUBLE_EQ(seen.velocity.y()[1], 2 - 0.1);
+    within_crossing(now, next, time, 0.4, seen);
+    EXPECT_DOUBLE_EQ(seen.displacement.y()[1], next.x.y()[1] - 0.1 * (next.v.y()[1] - 0.05 * next.a.y()[1]));
+    EXPECT_DOUBLE_EQ(seen.velocity.y()[1], next.v.y()[1] - 0.1 * next.a.y()[1]);
+}
+
+// What is a collision and what is left to the control of errors: the rule itself, at a speed of 2 and an acceleration
+// of 1.
+TEST(Meeting, is_a_collision_where_its_turn_is_negligible) {
+    const auto at = [](double distance, double miss) { return Meeting<double>{distance, distance / 2, miss, 1, 2}; };
+    EXPECT_DOUBLE_EQ(at(1, 0.5).turn(), 0.25);
+    EXPECT_TRUE(at(1, 0.05).is_collision(0, 1));      // from afar, on the way to it
+    EXPECT_FALSE(at(1, 0.2).is_collision(0, 1));      // a pass at a distance
+    EXPECT_FALSE(at(1, 0.2).is_collision(1, 1));      // of weak force, but never near
+    EXPECT_TRUE(at(1, 0.2).is_collision(1, 10));      // seen from afar, and what is left does not matter
+    EXPECT_FALSE(at(1, 0.2).is_collision(0.05, 10));  // and where it does
+    EXPECT_FALSE((Meeting<double>{1, -1, 0, 1, 2}.is_collision(1, 1)));  // behind
+    EXPECT_TRUE(at(1, 3e-6).is_seen_as_collision());
+    EXPECT_FALSE(at(1, 5e-6).is_seen_as_collision());
+    EXPECT_DOUBLE_EQ((Meeting<double>{1, -1, 0, 1, 2}.closest()), 1);
+    EXPECT_DOUBLE_EQ(at(1, 0.5).turning_time(), 0.25);
+}
+
+// Steps are the same long or short before: what is guessed from a short one does not run away.
+TEST(Guess, is_carried_on_over_no_more_than_four_steps) {
+    EXPECT_EQ(guess_ratio(1.0, 2.0), 0.5);
+    EXPECT_EQ(guess_ratio(1.0, 1e-9), 4.0);
+}
+
+// A kick along z alone moves along z, although nothing else is there: no axis is left out too many.
+TEST(MovingAxes, are_those_of_positions_velocities_and_forces) {
+    const auto axes = [](Vec3 x, Vec3 v, double gravity) {
+        const System<double, Line<double>> system(Line<double>({.count = 2, .rest_length = 1, .gravity = gravity}), 0,
+                                                  1);
+        State<double> state{Field<double>(2), Field<double>(2)};
+        state.displacement.set(1, x);
+        state.velocity.set(1, v);
+        return moving_axes(system, state);
+    };
+    EXPECT_EQ(axes({1, 0, 0}, {1, 0, 0}, 0), 1u);
+    EXPECT_EQ(axes({0, 0, 0}, {0, 0, 0}, 9), 2u);
+    EXPECT_EQ(axes({0, 1e-300, 0}, {0, 0, 0}, 0), 2u);
+    EXPECT_EQ(axes({0, 0, 0}, {0, -1, 0}, 0), 2u);
+    EXPECT_EQ(axes({0, 0, -1}, {0, 0, 0}, 0), 3u);
+    EXPECT_EQ(axes({0, 0, 0}, {0, 0, 1}, 0), 3u);
+    const System<double, Grid<double>> mesh(Grid<double>({.dim = 3}), 0, 1);
+    EXPECT_EQ(moving_axes(mesh, State<double>{Field<double>(9), Field<double>(9)}), 3u);
 }
 
 // What one sees between the ends of steps, the moment of the collision itself included: there x = -1, v = -speed.

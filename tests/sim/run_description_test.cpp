@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <malloc.h>
 #include <sstream>
 
 namespace steplab::test {
@@ -84,6 +85,30 @@ TEST(RunDescription, memory_is_counted_in_bytes_of_the_right_size) {
     EXPECT_GT(in_double, 10 * 3 * 8);  // rk4 alone holds ten fields
     EXPECT_LT(in_double, 2000);
     EXPECT_GT(available_memory(), 1e8);
+}
+
+/// Bytes on the heap; 0 where malloc is replaced by a sanitizer's.
+double heap() {
+    const struct mallinfo2 info = mallinfo2();
+    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+// What is refused before it is allocated is refused rightly: a run takes no more than the estimate, and more than a
+// sixth of it. The implicit methods' factorised matrices are not estimated.
+TEST(Memory, estimated_is_what_a_run_takes) {
+    constexpr double particles = 20000;
+    for (const Method& method : methods()) {
+        if (method.info.id == "implicit-midpoint" || method.info.id == "tr-bdf2") continue;
+        RunDescription description = describe("chain", method.info.id);
+        description.scene.set("n", particles);
+        const double before = heap();
+        Simulation simulation(description);
+        simulation.advance(1);
+        const Frame frame = simulation.frame();
+        const double taken = heap() - before, estimated = particles * bytes_per_particle(description);
+        EXPECT_LE(taken, estimated * 1.1) << method.info.id;  // rows are padded, memory is handed out in blocks
+        EXPECT_GE(taken, before > 0 ? estimated / 6 : 0) << method.info.id;
+    }
 }
 
 TEST(RunDescription, default_of_every_model_can_be_run) {
