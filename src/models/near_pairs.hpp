@@ -9,8 +9,10 @@
 #include "models/neighbours.hpp"
 #include "models/pairs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace steplab {
 
@@ -37,18 +39,11 @@ public:
 
     void accelerations(const Field<T>& u, Field<T>& a) {
         neighbours_.follow(u);
-        const T *const x = u.x(), *const y = u.y(), *const z = u.z();
         for (std::size_t i = 0; i < count_; ++i) {
             Vector<T> sum{T(0), T(0), T(0)};
-            for (const std::uint32_t j : neighbours_.of(i)) {
-                const Vector<T> d{x[i] - x[j], y[i] - y[j], z[i] - z[j]};
-                const auto near = d.x * d.x + d.y * d.y + d.z * d.z < cutoff_ * cutoff_;
-                if (nowhere(near)) continue;
-                const Vector<T> pull = pull_where(near, d);
-                sum.x += pull.x;
-                sum.y += pull.y;
-                sum.z += pull.z;
-            }
+            const auto others = neighbours_.of(i);
+            for (std::size_t k = 0; k < others.size(); k += width)
+                add_pulls(u, i, others.subspan(k, std::min(width, others.size() - k)), sum);
             a.x()[i] = sum.x;
             a.y()[i] = sum.y;
             a.z()[i] = sum.z;
@@ -110,17 +105,35 @@ public:
     }
 
 private:
+    using N = Lanes<T>;
+    static constexpr std::size_t width = N::count;
+
     static bool nowhere(bool near) { return !near; }
     template <class Mask>
     static bool nowhere(const Mask& near) {
         return !any(near, T::count);
     }
 
-    Vector<T> pull_where(bool, const Vector<T>& d) const { return morse_pull(morse_, d); }
-    template <class Mask>
-    Vector<T> pull_where(const Mask& near, const Vector<T>& d) const {
-        const Vector<T> pull = morse_pull(morse_, d);
-        return {where(near, pull.x, T(0)), where(near, pull.y, T(0)), where(near, pull.z, T(0))};
+    /// The pulls of others at particle i, no more of them than lanes, computed side by side and added one by one.
+    [[gnu::always_inline]] void add_pulls(const Field<T>& u, std::size_t i, std::span<const std::uint32_t> others,
+                                          Vector<T>& sum) const {
+        const auto from_others = [&](const T* along) {
+            return N(along[i]) -
+                   N::each([&](std::size_t lane) { return along[others[std::min(lane, others.size() - 1)]]; });
+        };
+        const Vector<N> d{from_others(u.x()), from_others(u.y()), from_others(u.z())};
+        const auto near = d.x * d.x + d.y * d.y + d.z * d.z < N(cutoff_ * cutoff_);
+        if constexpr (width == 1) {
+            if (nowhere(near)) return;
+        }
+        const MorseConstants<N> morse{N(morse_.depth), N(morse_.b), N(morse_.r0), N(morse_.strength)};
+        const Vector<N> pull = morse_pull(morse, d);
+        const N zero(T(0)), x = where(near, pull.x, zero), y = where(near, pull.y, zero), z = where(near, pull.z, zero);
+        for (std::size_t lane = 0; lane < others.size(); ++lane) {
+            sum.x += x[lane];
+            sum.y += y[lane];
+            sum.z += z[lane];
+        }
     }
 
     NearPairForces forces_;
