@@ -213,7 +213,8 @@ Advice advise(const StudyPlan& plan, double error, const Reference& reference, c
     const double certain = reference.moments.back().error;
     if (error < certain) {
         throw UsageError(
-            fmt::format("an error of {} cannot be told here: what runs are judged by ({}) is itself known to {}",
+            fmt::format("an error of {} cannot be told here: what runs are judged by ({}) is itself known to {}; "
+                        "take a larger error or a shorter time",
                         typed(error), reference.how, typed(certain)));
     }
     std::vector<Measurement> runs = found_runs(plan, error, reference, progress);
