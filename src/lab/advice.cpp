@@ -215,7 +215,8 @@ Advice advise(const StudyPlan& plan, double error, const Reference& reference, c
     if (error < certain) {
         const std::string chaos = chaos_note(plan.scene, plan.time, certain);
         throw UsageError(
-            fmt::format("an error of {} cannot be told here: what runs are judged by ({}) is itself known to {}{}",
+            fmt::format("an error of {} cannot be told here: what runs are judged by ({}) is itself known to {}; "
+                        "take a larger error or a shorter time{}",
                         typed(error), reference.how, typed(certain), chaos.empty() ? "" : ". " + chaos));
     }
     std::vector<Measurement> runs = found_runs(plan, error, reference, progress);

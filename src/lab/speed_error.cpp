@@ -82,6 +82,9 @@ double time_once(const Measurement& run) {
 
 namespace {
 
+/// From so many on an evaluation of a particle is dear.
+constexpr double dear_partners = 140;
+
 /// Particles that each one acts on, about: what an evaluation of it costs.
 double partners(const RunDescription& scene) {
     const Model& entry = model(scene.model);
@@ -96,7 +99,7 @@ Reference reference_for(const StudyPlan& plan, double error) {
     scene.precision = Precision::double_;
     ReferenceEffort effort;
     effort.error = std::max(effort.error, error);
-    effort.most_particle_evaluations *= (error > 0 ? 0.2 : 1) * std::min(1.0, 28 / partners(scene));
+    effort.most_particle_evaluations *= (error > 0 ? 0.2 : 1) * std::min(1.0, dear_partners / partners(scene));
     return reference(scene, std::vector{plan.time}, effort);
 }
 
