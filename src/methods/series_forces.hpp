@@ -33,12 +33,21 @@ public:
     /// Two particles are at one place, where there is no series.
     bool singular() const { return singular_; }
 
-    /// The interactions at the beginning of the series, in groups of one kind.
+    /// The interactions at the beginning of the series, in groups of one kind. Pairs that move together do not act on
+    /// each other: they are left out, and looked for again as long as there are any.
     template <class System>
-    void find_groups(System& system, const Field<T>& displacement) {
-        if (!groups_.empty() && system.force().coupling().kind != Coupling::Kind::near) return;
+    void find_groups(System& system, const Field<T>& displacement, const Field<T>& velocity) {
+        const Coupling::Kind kind_of_coupling = system.force().coupling().kind;
+        const bool each_on_each = kind_of_coupling == Coupling::Kind::near || kind_of_coupling == Coupling::Kind::all;
+        const bool known = !groups_.empty() && kind_of_coupling != Coupling::Kind::near;
+        if (known && !(each_on_each && (singular_ || left_out_))) return;
         groups_.clear();
-        system.force().each_interaction(displacement, [this](std::size_t i, std::size_t j, std::size_t kind) {
+        left_out_ = false;
+        system.force().each_interaction(displacement, [&](std::size_t i, std::size_t j, std::size_t kind) {
+            if (each_on_each && move_together(system, displacement, velocity, i, j)) {
+                left_out_ = true;
+                return;
+            }
             if (groups_.empty() || groups_.back().kind != kind || groups_.back().count == N::count) {
                 groups_.push_back({.kind = kind, .count = 0});
                 groups_.back().first.fill(static_cast<std::uint32_t>(i));
@@ -75,6 +84,17 @@ public:
 
 private:
     using N = Lanes<T>;
+
+    /// At one place with one velocity, in a scene where all others act on both alike. Their distance, which counts as 0
+    /// where its square is lost, stays 0.
+    template <class System>
+    static bool move_together(const System& system, const Field<T>& x, const Field<T>& v, std::size_t i,
+                              std::size_t j) {
+        const auto square = [](T a, T b, T c) { return a * a + b * b + c * c; };
+        const auto d = system.separation(x, i, j);
+        return square(d.x, d.y, d.z) == T(0) &&
+               square(v.x()[j] - v.x()[i], v.y()[j] - v.y()[i], v.z()[j] - v.z()[i]) == T(0);
+    }
 
     /// Interactions of one kind whose series are computed side by side.
     struct Group {
@@ -150,6 +170,7 @@ private:
     std::vector<std::size_t> fixed_;
     std::size_t kept_ = 0;
     bool singular_ = false;
+    bool left_out_ = false;  ///< pairs that move together
     std::vector<Group> groups_;
     std::vector<N, CacheLineAllocator<N>> tapes_;  ///< of each group: the series it keeps, one after the other
 };

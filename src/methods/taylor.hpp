@@ -319,7 +319,7 @@ private:
     /// All coefficients, order by order: (k + 1) (k + 2) x_(k+2) = a_k - gamma (k + 1) x_(k+1).
     template <std::size_t Axes, class System>
     void compute_series(System& system) {
-        forces_.find_groups(system, x_[0]);
+        forces_.find_groups(system, x_[0], v_);
         const T* const velocity = v_.flat().data();
         T* const first = x_[1].flat().data();
         elementwise(v_.flat().size(), [=, unit = progress_.unit](std::size_t p) { first[p] = unit * velocity[p]; });

@@ -58,16 +58,16 @@ TEST(HardCase, is_known_by_its_id_alone) {
 /// Gnuplot's labels stand in apostrophes.
 bool is_fit_to_draw(const Figure& figure) {
     const auto is_label = [](const std::string& text) { return !text.empty() && text.find('\'') == std::string::npos; };
-    bool fit = is_label(figure.x_label) && is_label(figure.y_label) && !figure.curves.empty();
+    bool fit = is_label(figure.x.label) && is_label(figure.y.label) && !figure.curves.empty();
     for (const Curve& curve : figure.curves) fit = fit && is_label(curve.name) && curve.points.size() > 1;
     return fit;
 }
 
 TEST(HardCase, diagrams_have_curves_and_labels) {
     for (const HardCase& each : hard_cases()) EXPECT_TRUE(is_fit_to_draw(each.figure())) << each.id;
-    EXPECT_FALSE(
-        is_fit_to_draw({.x_label = "t", .y_label = "particle's place", .curves = {{"rk4", {{0, 0}, {1, 1}}}}}));
-    EXPECT_FALSE(is_fit_to_draw({.x_label = "t", .y_label = "x", .curves = {}}));
+    EXPECT_FALSE(is_fit_to_draw(
+        {.x = {.label = "t"}, .y = {.label = "particle's place"}, .curves = {{"rk4", {{0, 0}, {1, 1}}}}}));
+    EXPECT_FALSE(is_fit_to_draw({.x = {.label = "t"}, .y = {.label = "x"}, .curves = {}}));
 }
 
 // Just below the limit the swing of verlet is (8 (1 - 0.999))^(-1/2) = 11 times two at most; just above all grow, but

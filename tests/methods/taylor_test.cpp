@@ -300,6 +300,17 @@ TEST(Taylor, begins_at_coincident_particles_with_a_short_step) {
     EXPECT_NEAR(state.displacement.x()[1], 0.5 * std::sin(0.5) - std::cos(0.5), 1e-7);
 }
 
+// Eight Morse particles whose distances have no square, and a bullet that passes them: they stay together.
+TEST(Taylor, goes_on_with_particles_that_stay_at_one_place) {
+    const auto run = [](const char* method) {
+        return run_of("morse", method, Precision::double_, 1, {{"edge", 2}, {"spacing", 1e-200}, {"r0", 0.2}});
+    };
+    Simulation simulation(run("taylor"));
+    simulation.advance(3);
+    EXPECT_LT(simulation.evaluations(), 1000u);                                    // steps of 1e-8 would take 1e9
+    EXPECT_LT(distance(simulation.frame(), frame_after(run("dop853"), 3)), 1e-6);  // both at tolerance 1e-9
+}
+
 TEST(Taylor, refuses_more_pairs_than_memory_holds) {
     try {
         check(run_of("morse", "taylor", Precision::double_, 0.01, {{"edge", 20}}));
