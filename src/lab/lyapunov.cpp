@@ -1,10 +1,10 @@
 #include "lab/lyapunov.hpp"
 
 #include "io/interruption.hpp"
-#include "lab/extrapolation.hpp"
 #include "lab/linearised.hpp"
-#include "models/layouts.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/extrapolation.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <fmt/format.h>
 

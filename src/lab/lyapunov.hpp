@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/shape.hpp"
-#include "models/model.hpp"
+#include "sim/catalogue.hpp"
 #include "sim/run_description.hpp"
 
 #include <string>

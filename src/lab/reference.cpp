@@ -1,10 +1,9 @@
 #include "lab/reference.hpp"
 
 #include "io/interruption.hpp"
-#include "lab/extrapolation.hpp"
 #include "lab/linearised.hpp"
-#include "methods/adaptive_steps.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/extrapolation.hpp"
 #include "sim/stepper_of.hpp"
 
 #include <fmt/format.h>
@@ -79,15 +78,20 @@ void equal_steps(System<Real, Force>& system, std::uint64_t steps, State<Real>& 
     run.steps += steps;
 }
 
-/// Steps of the run's own choice over the system's dt, with collisions crossed.
+/// Times that a stretch in steps of the run's own choice is looked at, for interruptions.
+constexpr int parts = 64;
+
+/// Steps of the run's own choice over so many dt of the system, with collisions crossed.
 template <class Force>
 void own_steps(System<Real, Force>& system, double tolerance, State<Real>& state, ReferenceRun& run) {
     ParameterValues values(std::span(&tolerance_parameter, 1));
     values.set(tolerance_parameter.name, tolerance);
     AdaptiveSteps<Real, ExtrapolationRule<Real>> integrator(values);
     integrator.start(system, state);
-    check_interruption();
-    integrator.step(system);
+    for (int part = 0; part < parts; ++part) {
+        check_interruption();
+        integrator.step(system);
+    }
     integrator.synchronised(system, state);
     run.collisions += integrator.collisions().count();
 }
@@ -102,8 +106,8 @@ ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const do
         const Real stretch = static_cast<Real>(time) - now;
         const auto steps = static_cast<std::uint64_t>(std::ceil((time - now) / fineness.step));
         const bool own = fineness.tolerance > 0;
-        System<Real, Force> system(engine<Real>(forces), scene.drag,
-                                   own ? stretch : stretch / static_cast<Real>(std::max<std::uint64_t>(1, steps)));
+        const std::uint64_t pieces = own ? parts : std::max<std::uint64_t>(1, steps);
+        System<Real, Force> system(engine<Real>(forces), scene.drag, stretch / static_cast<Real>(pieces));
         if (!own) equal_steps(system, steps, state, run);
         if (own && stretch > 0) own_steps(system, fineness.tolerance, state, run);
         run.states.push_back(state);
@@ -201,11 +205,19 @@ std::optional<Reference> refined(const RunDescription& held, std::span<const dou
     return as_reference(fine, errors, times, description_of(fine, fineness));
 }
 
-/// In equal steps, or in steps of its own where that does not do.
+/// In equal steps, shorter ones where only too long ones let particles pass each other, or in steps of its own where
+/// they do.
 Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
-    const double step = longest_step(held, model(held.model).scene(held.scene), times, effort);
+    const Scene scene = model(held.model).scene(held.scene);
+    double step = longest_step(held, scene, times, effort);
     if (auto made = refined(held, times, effort, {.step = step})) return *made;
-    return refined(held, times, effort, {.step = step, .tolerance = 1e-10}).value();
+    const Fineness own{.step = step, .tolerance = 1e-10};
+    if (run(scene, times, own).collisions == 0) {
+        for (int halvings = 0; halvings < 8; ++halvings) {
+            if (auto made = refined(held, times, effort, {.step = step /= 2})) return *made;
+        }
+    }
+    return refined(held, times, effort, own).value();
 }
 
 std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {

@@ -129,12 +129,15 @@ public:
     explicit CollisionGuard(T tolerance)
         : negligible_turn_(std::max(tolerance / T(10), T(64) * std::numeric_limits<T>::epsilon())) {}
 
+    /// Trials of the last step have nothing to do with those of the next.
+    void begin_step() { tries_ = 0; }
+
     /// The length allowed of a step that would have the length h and begins `start` after the segment's start. Where
     /// the pair turns out to pass at a distance, the next step is no longer than the turn: from there the control of
     /// errors sees it coming.
     template <class System, class Now>
     T before(const System& system, const Now& now, T h, double start) {
-        tries_ = 0;
+        begin_step();
         if (!approaching()) return h;
         const Meeting<T> next = meeting<T>(system, now, state_.first, state_.second);
         if (!next.is_collision(negligible_turn_, state_.distance) || next.time > state_.scale) {

@@ -157,6 +157,7 @@ private:
     void own_step(System& system) {
         std::swap(begin_, end_);
         T h = progress_.next;
+        guard_.begin_step();
         if (guard_.approaching()) {
             h = guard_.before(system, beginning(system), h, now(system));
             if (!guard_.approaching()) progress_.next = h;

@@ -76,18 +76,29 @@ double log_root(T coefficient, double order) {
 template <class T>
 inline constexpr T longest_series = T(16);
 
+/// The order up to which a series tells how it goes on: the last one, unless four coefficients in a row are zero there
+/// (near a collision, where rounding makes the high ones, they can be by chance); 2 if all are from there on.
+template <class T>
+std::size_t last_order(std::span<const Field<T>> x, std::size_t axes) {
+    const std::size_t highest = x.size() - 1;
+    std::size_t last = highest;
+    while (last > 2 && largest_component(x[last], axes) == T(0)) --last;
+    return last + 4 > highest ? highest : last;
+}
+
 /// How far the series is good, in its unit of time; v are the velocities at its beginning. Its radius of convergence
 /// follows from the last coefficients relative to 1 + |x| and 1 + |v|, and the share of it that leaves terms below the
 /// tolerance, from the order (Jorba, Zou, Experimental Mathematics 14 (2005) 99, section 3.2). Where forces are so weak
 /// that the terms need not fall to be below the tolerance, they must.
 template <class T>
 T series_reach(std::span<const Field<T>> x, const Field<T>& v, T unit, double log_tolerance, std::size_t axes) {
-    const std::size_t last = x.size() - 1;
+    const std::size_t last = last_order(x, axes);
+    if (last == 2) return longest_series<T>;
     const T of_x = T(1) / (T(1) + largest_component(x[0], axes)),
             of_v = T(1) / (T(1) + largest_component(v, axes)) / unit;
     double log_radius = infinity;
     T high = T(0), low = T(0);
-    for (std::size_t k = last - 3; k <= last; ++k) {
+    for (std::size_t k = std::max<std::size_t>(last, 7) - 3; k <= std::max<std::size_t>(last, 4); ++k) {
         const T size = largest_component(x[k], axes);
         if (!std::isfinite(size)) return size;
         high = std::max(high, size);
@@ -96,7 +107,7 @@ T series_reach(std::span<const Field<T>> x, const Field<T>& v, T unit, double lo
         log_radius = std::min({log_radius, detail::log_root(of_x * size, order),
                                detail::log_root(of_v * static_cast<T>(static_cast<int>(k)) * size, order - 1)});
     }
-    if (log_radius == infinity) return longest_series<T>;
+    if (log_radius == infinity) return longest_series<T>;  // nothing but what underflows
     const T share = static_cast<T>(exponential(log_radius + (log_tolerance - 0.7) / static_cast<double>(last)));
     const T falling = T(0.8) * square_root(square_root(low / high));
     return std::min({share, falling > T(0) ? falling : share});
