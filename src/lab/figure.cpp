@@ -52,7 +52,8 @@ public:
     std::string commands(const std::string& file) const {
         std::string text = fmt::format("set output '{}'\n", file);
         for (std::size_t c = 0; c < curves_.size(); ++c) text += data_block(*curves_[c], c);
-        text += axis("x", figure_.x, *x_range_) + axis("y", figure_.y, *y_range_) + labels() + "plot ";
+        text += fmt::format("set xlabel '{}'\n", figure_.x.label) + axis("x", figure_.x, *x_range_) +
+                axis("y", figure_.y, *y_range_) + labels() + "plot ";
         for (std::size_t c = 0; c < curves_.size(); ++c) text += (c ? ", \\\n" : "") + curve_command(*curves_[c], c);
         return text + "\nset output\n";
     }
@@ -89,8 +90,7 @@ private:
     }
 
     static std::string axis(const char* name, const Axis& axis, std::pair<double, double> range) {
-        std::string text = fmt::format("set {0}label '{1}'\nset {0}range [{2:.9g}:{3:.9g}]\n", name, axis.label,
-                                       range.first, range.second);
+        std::string text = fmt::format("set {}range [{:.9g}:{:.9g}]\n", name, range.first, range.second);
         if (!axis.logarithmic) return text + fmt::format("unset logscale {0}\nset {0}tics auto\n", name);
         text += fmt::format("set logscale {0}\nset {0}tics (", name);
         const char* comma = "";
@@ -102,7 +102,11 @@ private:
     }
 
     std::string labels() const {
-        std::string text = "unset label\n";
+        // the label of the vertical axis, which gnuplot would place by what it believes of the widths of our numbers
+        std::string text =
+            fmt::format("unset label\nset label '{}' at screen {:.4f},{:.4f} center rotate by 90 tc rgb '{}'\n",
+                        figure_.y.label, 14 / FigureArea::width,
+                        1 - (FigureArea::top + FigureArea::bottom) / 2 / FigureArea::height, placeholder(ink));
         for (const CurveLabel& label : curve_labels(figure_, *x_range_, *y_range_)) {
             text += fmt::format("set label '{}' at screen {:.4f},{:.4f} left tc rgb '{}' front\n", label.text,
                                 label.x / FigureArea::width, 1 - label.y / FigureArea::height,
@@ -127,9 +131,9 @@ std::string style() {
         1 - FigureArea::bottom / FigureArea::height);
     text += fmt::format("set border 3 lc rgb '{}'\nset tics nomirror out scale 0.5,0.3 textcolor rgb '{}'\n",
                         placeholder(quiet), placeholder(ink));
-    text += fmt::format("set grid lc rgb '{}' lt 1 lw 0.6\nset xlabel textcolor rgb '{}' offset 0,0.3\n",
-                        placeholder(grid), placeholder(ink));
-    return text + fmt::format("set ylabel textcolor rgb '{}' offset 0.5,0\nunset key\n", placeholder(ink));
+    return text +
+           fmt::format("set grid lc rgb '{}' lt 1 lw 0.6\nset xlabel textcolor rgb '{}' offset 0,0.3\nunset key\n",
+                       placeholder(grid), placeholder(ink));
 }
 
 /// What gnuplot says is kept from the person's terminal: warnings are nobody's business, an error is quoted.

@@ -44,7 +44,7 @@ struct Figure {
 /// The size of all figures, and of the frame the curves stand in, in pixels from the upper left corner.
 struct FigureArea {
     static constexpr double width = 600, height = 400;
-    static constexpr double left = 62, right = 588, top = 12, bottom = 350;
+    static constexpr double left = 78, right = 588, top = 12, bottom = 350;
 };
 
 /// The smallest and largest value that curves have on an axis (`of_x`: the horizontal one), logarithmic axes widened to

@@ -135,7 +135,7 @@ Figure chaos_figure() {
         growth.push_back(1e-16 * std::exp(exponent * times[i]));
         certain.push_back(right.moments[i].error);
     }
-    add(fmt::format("e^{{{:.1f} t}}", exponent), growth);
+    add(fmt::format("e^({:.1f} t)", exponent), growth);
     figure.curves.back().dashed = true;
     add("the reference", certain);
     figure.curves.back().dashed = true;

@@ -67,7 +67,6 @@ std::string page_svg(std::string_view file, std::span<const std::string> names) 
     remove_between(text, "<defs>", "</defs>");
     remove_between(text, "<rect", "/>");
     remove_all(text, " id=\"gnuplot_canvas\"");
-    remove_all(text, " font-family=\"sans-serif\" ");
     remove_all(text, "font-family=\"sans-serif\" ");
     text = replaced(text, "rgb(", ")", variable);
     text = replaced(text, "<g id=\"", ">",

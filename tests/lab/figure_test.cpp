@@ -2,6 +2,7 @@
 
 #include "core/entry.hpp"
 #include "lab/curve_labels.hpp"
+#include "lab/page.hpp"
 #include "lab/svg.hpp"
 #include "lab/ticks.hpp"
 
@@ -9,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
+#include <regex>
 #include <string>
 
 namespace steplab::test {
@@ -38,6 +41,23 @@ TEST(Figure, is_an_svg_element_with_a_group_for_each_curve) {
 }
 
 // Curves and figures without a point that can stand on logarithmic axes: gnuplot would warn, or end.
+/// As readers of XML want it: blanks between attributes, and as many tags that begin as end.
+bool is_well_formed(const std::string& svg) {
+    const auto count = [&](const char* pattern) {
+        const std::regex tag(pattern);
+        return std::distance(std::sregex_iterator(svg.begin(), svg.end(), tag), std::sregex_iterator());
+    };
+    return count("[\"'][a-z:-]+=") == 0 && count("<[a-z]") == count("</[a-z]") + count("/>");
+}
+
+TEST(Figure, is_xml_that_other_programs_read) {
+    const std::string svg = svg_file(svg_figures(std::vector{figure({falling("rk4", 1, 0)})}).front());
+    EXPECT_TRUE(is_well_formed(svg));
+    EXPECT_THAT(svg, Not(HasSubstr("var(")));
+    EXPECT_FALSE(is_well_formed("<g fill='red'font-size='12'></g>"));
+    EXPECT_FALSE(is_well_formed("<g><path/>"));
+}
+
 TEST(Figure, without_a_point_is_nothing_and_stops_no_other) {
     Curve zero{.name = "zero", .points = {{1, 0}, {2, -1}, {3, infinity}}};
     testing::internal::CaptureStderr();
