@@ -162,7 +162,7 @@ public:
             if ((!next.is_collision(negligible_turn_, seen_from) && next.time < h) || !(next.distance > T(0)) ||
                 !(time < found.time))
                 return;
-            found = {h, time, seen_from, first, second};
+            found = {std::min(h, longest_scale * time), time, seen_from, first, second};
         });
         if (!(found.time <= h)) return false;
         if (approaching()) found.scale = state_.scale;
@@ -220,6 +220,9 @@ public:
     }
 
 private:
+    /// Of the time to the collision: a longer step, which free flight suggests, tells nothing of what happens near it.
+    static constexpr T longest_scale = T(1024);
+
     /// Half of the step that crosses: its error, of second order, is a sixteenth of the rounding unit relative to what
     /// happens in a step of length `scale`, and there the distance still has half of its digits.
     T nearest() const { return state_.scale * square_root(std::numeric_limits<T>::epsilon()) / T(4); }
