@@ -21,7 +21,7 @@ std::vector<ComboItem> method_items(std::string_view shown, std::size_t& chosen)
     return items;
 }
 
-/// "order 4 · 4 evaluations a step · symplectic · keeps momentum · Omelyan et al. 2002"; of the sources the first.
+/// "order 4 · 4 evaluations a step · symplectic · keeps momentum".
 std::string description_line(const MethodInfo& info, const RunDescription& description) {
     const int order = has_drag(description) ? info.order_with_drag : info.order;
     const double evaluations = evaluations_per_step(info, description.method_parameters);
@@ -29,7 +29,7 @@ std::string description_line(const MethodInfo& info, const RunDescription& descr
     if (info.symplectic) line.append(" · symplectic");
     if (info.reversible) line.append(" · time-reversible");
     if (!info.conserves.empty()) line.append(" · keeps ").append(info.conserves);
-    return line.append(" · ").append(info.source.substr(0, info.source.find(';')));
+    return line;
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "lab/answers.hpp"
 #include "ui/format.hpp"
 #include "ui/panels.hpp"
 #include "ui/slider.hpp"
@@ -12,18 +13,19 @@ namespace {
 
 constexpr double default_dt = 0.1;
 
-/// What the linear theory says of dt: the line below the slider.
+/// What dt is to a method that chooses its steps, else what the linear theory says of it: the line below the slider.
 struct Verdict {
     std::string text;
     ImU32 ink = colour::text_dim;
     bool passed = false;  ///< dt is beyond the limit
 };
 
-Verdict verdict(const std::optional<StabilityLimit>& known, double dt) {
+Verdict verdict(const std::optional<StabilityLimit>& known, const RunDescription& description) {
+    if (chooses_its_steps(description)) return {"the method chooses its own steps", colour::good};
     if (!known) return {"stability limit not known"};
     if (known->limit == 0) return {"unstable at any dt: the energy grows", colour::bad, true};
     if (std::isinf(known->limit)) return {"stable at any dt", colour::good};
-    const double part = dt / known->limit;
+    const double part = description.dt / known->limit;
     const std::string share = part < 0.01 ? "< 0.01" : fmt::format("{:.2f}", part);
     const std::string of_limit = fmt::format("{} of the limit {} s (ω_max {})", part < 10 ? share : scientific(part),
                                              reading(known->limit), reading(known->omega_max));
@@ -45,8 +47,10 @@ const ParameterInfo& dt_info() {
 }
 
 const std::string& help_text() {
-    static const std::string text =
-        fmt::format("time step\n{} · default {} s\na change applies at once", range_text(dt_info()), default_dt);
+    static const std::string text = fmt::format(
+        "time step; of a method that chooses its own, the time between two pictures\n{} · default {} s\na change "
+        "applies at once",
+        range_text(dt_info()), default_dt);
     return text;
 }
 
@@ -74,7 +78,7 @@ void draw_step_panel(const Context& context) {
     // The run's own limit is that of what is being computed; while a change is on its way, the one asked for counts.
     const bool current = description == context.view.description;
     const auto limit = current ? context.view.limit : stability_limit(description);
-    const Verdict result = verdict(limit, description.dt);
+    const Verdict result = verdict(limit, description);
     const bool marked = limit && limit->limit > 0 && std::isfinite(limit->limit);
     heading(context, "STEP");
     slider_row(context, {
