@@ -27,7 +27,7 @@ Verdict verdict(const std::optional<StabilityLimit>& known, const RunDescription
     if (std::isinf(known->limit)) return {"stable at any dt", colour::good};
     const double part = description.dt / known->limit;
     const std::string share = part < 0.01 ? "< 0.01" : fmt::format("{:.2f}", part);
-    const std::string of_limit = fmt::format("{} of the limit {} s (ω_max {})", part < 10 ? share : scientific(part),
+    const std::string of_limit = fmt::format("{} of limit {} s, ω_max {}", part < 10 ? share : scientific(part),
                                              reading(known->limit), reading(known->omega_max));
     if (part > 1) return {"unstable: " + of_limit, colour::bad, true};
     return {"stable: " + of_limit, colour::good};
