@@ -34,7 +34,7 @@ constexpr double targets[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
 /// Settings in a row that may gain nothing before a series ends.
 constexpr int patience = 20;
 /// Runs beyond this are of no use to anybody here.
-constexpr double most_seconds = 0.1;
+constexpr double most_seconds = 0.02;
 
 double seconds_of(const std::function<void()>& work) {
     const auto begin = std::chrono::steady_clock::now();
