@@ -11,7 +11,8 @@ namespace steplab {
 
 namespace {
 
-constexpr int nice_value = 19;
+/// Behind the panels, but not so far that other work on the machine leaves the scene without a picture.
+constexpr int nice_value = 5;
 
 /// Linux: priorities are of single threads.
 void give_way(int thread) { setpriority(PRIO_PROCESS, static_cast<id_t>(thread), nice_value); }
