@@ -85,7 +85,6 @@ struct MethodInfo {
     bool adaptive = false;
     bool implicit = false;            ///< solves equations: `evaluations` is what a step usually takes
     bool curiosity = false;           ///< kept to show a mistake; not for work, its velocities least of all
-    int numbers_of_interactions = 0;  ///< that it holds for those of a particle, in a mesh: what it needs of memory
     std::string_view conserves = {};  ///< what it keeps, in words
     std::string_view source = {};
     std::span<const ParameterInfo> parameters = {};

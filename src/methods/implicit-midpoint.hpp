@@ -27,6 +27,9 @@ struct ImplicitMidpoint {
     };
 
     static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
+    static double bytes_of_interactions(const Coupling& coupling, double pairs) {
+        return bytes_of_linear_solver(coupling, pairs);
+    }
 
     template <class T>
     class Integrator : public Synchronised<T> {

@@ -6,6 +6,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -183,6 +184,17 @@ private:
     std::optional<BlockTridiagonal<T>> tridiagonal_;
     std::unique_ptr<SparseSymmetric<T>> sparse_;
 };
+
+/// Bytes that NewtonMatrix takes where so many pairs act on each other, no less than it needs: measured for the factor
+/// of a sheet, elsewhere a full triangle; the list of entries may be half empty.
+inline double bytes_of_linear_solver(const Coupling& coupling, double pairs) {
+    using Kind = Coupling::Kind;
+    const auto n = static_cast<double>(coupling.particles);
+    if (coupling.kind == Kind::none || coupling.kind == Kind::chain) return 2 * sizeof(Block<double>) * n;
+    const double entries = 9 * (n + pairs) * (2 * 16 + 3 * 12), triangle = 4.5 * n * n * 12;
+    const double factor_of_sheet = n * (1500 + 500 * std::log2(n + 1));
+    return entries + (coupling.kind == Kind::sheet ? std::min(triangle, factor_of_sheet) : triangle);
+}
 
 /// Why systems of this coupling are beyond a linear solver here: one step would take minutes or more memory than
 /// machines have.

@@ -39,13 +39,12 @@ struct Taylor {
         .evaluations = 19,
         .linear_limit = infinity,
         .adaptive = true,
-        .numbers_of_interactions = 600,
         .conserves = "everything, within the tolerance",
         .source = "Jorba, Zou, Experimental Mathematics 14 (2005) 99",
         .parameters = parameters,
     };
 
-    /// Every pair's series take some 1500 bytes.
+    static double bytes_of_interactions(const Coupling&, double pairs) { return 1500 * pairs; }  // their series
     static std::optional<std::string> refusal(const Coupling& coupling) {
         constexpr std::size_t most = 2000;
         if (coupling.kind != Coupling::Kind::all || coupling.particles <= most) return std::nullopt;

@@ -29,6 +29,9 @@ struct TrBdf2 {
     };
 
     static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
+    static double bytes_of_interactions(const Coupling& coupling, double pairs) {
+        return bytes_of_linear_solver(coupling, pairs);
+    }
 
     static constexpr double gamma = 0.58578643762690497;   // 2 - sqrt(2)
     static constexpr double diagonal = gamma / 2;          // weight of a stage's own slope in it

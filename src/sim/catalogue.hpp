@@ -18,6 +18,8 @@ struct Method {
     std::unique_ptr<Stepper> (*make)(const StepperSetup&);
     /// Why the method cannot run scenes of this coupling, none if it can; null for methods that run any.
     std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
+    /// Bytes it holds for a scene's interactions (so many pairs act on each other), no less than it needs; null: none.
+    double (*bytes_of_interactions)(const Coupling&, double pairs) = nullptr;
 };
 
 /// All models and methods in the order of their lists (src/models/list.cmake, src/methods/list.cmake).

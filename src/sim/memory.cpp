@@ -1,11 +1,13 @@
 #include "sim/memory.hpp"
 
+#include "models/neighbours.hpp"
 #include "sim/catalogue.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <string>
 #include <unistd.h>
+#include <variant>
 
 namespace steplab {
 
@@ -23,6 +25,21 @@ double system_memory() {
     return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
+/// How many pairs act on each other in the scene as it starts.
+double pairs(const ConstantForces&, const Scene&) { return 0; }
+double pairs(const LineForces& forces, const Scene&) { return static_cast<double>(forces.count); }
+double pairs(const GridForces& forces, const Scene&) { return 4.0 * static_cast<double>(forces.dim * forces.dim); }
+double pairs(const PairForces& forces, const Scene&) {
+    return static_cast<double>(forces.count) * static_cast<double>(forces.count) / 2;
+}
+double pairs(const NearPairForces& forces, const Scene& scene) {
+    Neighbours neighbours(forces.cutoff);
+    neighbours.follow(scene.start.displacement);
+    double sum = 0;
+    for (std::size_t i = 0; i < forces.count; ++i) sum += static_cast<double>(neighbours.of(i).size());
+    return sum / 2;
+}
+
 }  // namespace
 
 double available_memory() { return std::max(0.0, 0.9 * system_memory()); }
@@ -37,7 +54,15 @@ double bytes_per_particle(const RunDescription& description) {
     const double scene_and_state = 5 * 3 * 8.0, frame = 2 * 3 * 8.0;  // in double, whatever the precision
     const double kept = 3 * 3 * number;                               // the state to come back to
     const double shape = 3 * 8.0 + 1 + 4 * 16.0;                      // a particle has up to 4 springs of its own
-    return (fields * 3 + info.numbers_of_interactions) * number + scene_and_state + kept + frame + shape;
+    return fields * 3 * number + scene_and_state + kept + frame + shape;
+}
+
+double bytes_of_interactions(const RunDescription& description, const Scene& scene) {
+    const Method& entry = method(description.method);
+    if (!entry.bytes_of_interactions) return 0;
+    return std::visit(
+        [&](const auto& forces) { return entry.bytes_of_interactions(coupling(forces), pairs(forces, scene)); },
+        scene.forces);
 }
 
 }  // namespace steplab

@@ -35,9 +35,9 @@ void check_fits(Precision precision, const ParameterInfo& info, double value) {
                                  info.name, number_text(value)));
 }
 
-void check_memory(const RunDescription& description) {
+void check_memory(const RunDescription& description, double needed_for_interactions) {
     const double particles = model(description.model).particles(description.scene);
-    const double needed = particles * bytes_per_particle(description);
+    const double needed = particles * bytes_per_particle(description) + needed_for_interactions;
     const double there = available_memory();
     if (needed <= there && particles <= 4294967295.0) return;
     throw UsageError(fmt::format("{} particles need {:.3g} bytes of memory, {:.3g} are available: choose a smaller {}",
@@ -47,13 +47,14 @@ void check_memory(const RunDescription& description) {
                                                                       : "n"));
 }
 
-/// Methods that cannot run every scene look at its forces.
+/// Methods that cannot run every scene look at its forces; what they hold for each interaction has to fit, too.
 void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
     if (!entry.refusal) return;
     const Scene scene = model(description.model).scene(description.scene);
     const auto refused = std::visit([&](const auto& forces) { return entry.refusal(coupling(forces)); }, scene.forces);
     if (refused) throw UsageError(fmt::format("{} cannot run this scene: {}", description.method, *refused));
+    check_memory(description, bytes_of_interactions(description, scene));
 }
 
 /// "--set name=value" for every parameter that is not at its default.
@@ -104,7 +105,7 @@ void check(const RunDescription& description) {
             if (info.kind == ParameterInfo::Kind::real) check_fits(description.precision, info, values[info.name]);
         }
     }
-    check_memory(description);
+    check_memory(description, 0);
     check_method(description);
 }
 

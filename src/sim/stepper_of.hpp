@@ -55,6 +55,16 @@ constexpr auto refusal_of() -> std::optional<std::string> (*)(const Coupling&) {
     }
 }
 
+/// The method's `bytes_of_interactions`, null if it holds nothing for them.
+template <class Method>
+constexpr auto bytes_of_interactions_of() -> double (*)(const Coupling&, double) {
+    if constexpr (requires(const Coupling& coupling) { Method::bytes_of_interactions(coupling, 0.0); }) {
+        return &Method::bytes_of_interactions;
+    } else {
+        return nullptr;
+    }
+}
+
 /// A method in one precision on one layout of forces.
 template <class Method, class T, class Force>
 class StepperOf final : public Stepper {
