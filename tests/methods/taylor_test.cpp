@@ -4,6 +4,7 @@
 #include "methods/power_series.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
+#include "support/circling_ball.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>
@@ -184,6 +185,48 @@ TEST(Taylor, follows_sine_and_cosine_between_its_steps) {
         ASSERT_NEAR(state.velocity.x()[1], std::cos(0.01 * frame), 5e-15) << frame;
     }
     EXPECT_LT(system.evaluations(), 400u);  // 1000 frames, not a step more than the motion asks for
+}
+
+/// A ball on a spring in mid-swing, after a time inside the first series.
+State<Real> swing_after(Real time, double tolerance, Real drag) {
+    System<Real, Line<Real>> system(Line<Real>({.count = 2, .first_fixed = true, .mass = 1, .k = 2, .rest_length = 1}),
+                                    drag, time);
+    State<Real> state{Field<Real>(2), Field<Real>(2)};
+    state.displacement.set(1, {0.5, -0.25, 0});
+    state.velocity.set(1, {0.25, 0.5, 0});
+    ParameterValues values(Taylor::parameters);
+    values.set("tolerance", tolerance);
+    Taylor::Integrator<Real> integrator(values);
+    integrator.start(system, state);
+    integrator.step(system);
+    integrator.synchronised(system, state);
+    return state;
+}
+
+/// The exponents with which the errors of position and velocity fall; a series of 26 orders is right there.
+std::pair<double, double> exponents_inside(double tolerance, Real drag) {
+    constexpr Real late = 0.5L, early = 0.35L;
+    const auto errors = [&](Real time) {
+        const State<Real> state = swing_after(time, tolerance, drag), right = swing_after(time, 1e-20, drag);
+        const auto off = [](const Field<Real>& a, const Field<Real>& b) {
+            return std::hypot(a.x()[1] - b.x()[1], a.y()[1] - b.y()[1]);
+        };
+        return std::pair(off(state.displacement, right.displacement), off(state.velocity, right.velocity));
+    };
+    const auto [x_late, v_late] = errors(late);
+    const auto [x_early, v_early] = errors(early);
+    return {exponent(x_late, x_early, late / early), exponent(v_late, v_early, late / early)};
+}
+
+// At the default tolerance the series of positions ends with t^20 and leaves t^21, that of velocities t^20; at 1e-3,
+// the partner, with t^16.
+TEST(Taylor, has_its_order_inside_a_step) {
+    for (const Real drag : {0.0L, 0.3L}) {
+        const auto [x, v] = exponents_inside(1e-9, drag);
+        EXPECT_NEAR(x, 21, 0.3) << drag;
+        EXPECT_NEAR(v, 20, 0.3) << drag;
+        EXPECT_NEAR(exponents_inside(1e-3, drag).second, 16, 0.3) << drag;
+    }
 }
 
 TEST(Taylor, dense_frames_cost_nothing_and_show_the_same_motion) {
