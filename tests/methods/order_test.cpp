@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -102,6 +103,49 @@ void expect_declared_orders_above_4(std::tuple<Methods...>*) {
 // In long double, as errors go down to 1e-14. Orders above 8 have tests of their own.
 TEST(Order, above_4_is_the_declared_one_on_both_sides) {
     expect_declared_orders_above_4(static_cast<MethodTypes*>(nullptr));
+}
+
+/// Largest violation of the order conditions of a splitting method as the Nystrom method with nodes c_i, weights b_i
+/// and a_ij = b_j (c_i - c_j) that it is: of sum b_i c_i^m = 1 / (m + 1), up to the order, and of sum b_i c_i^m a_ij
+/// c_j^n = 1 / ((n + 1) (n + 2) (m + n + 3)) (Hairer, Norsett, Wanner I, II.14).
+template <std::size_t N>
+double violation(const std::array<KickAndDrift, N>& table, int order) {
+    long double worst = 0;
+    for (int m = 0; m < order; ++m) {
+        for (int n = -1; m + n + 3 <= order || n < 0; ++n) {
+            long double sum = 0, c_i = 0;
+            for (std::size_t i = 0; i < N; c_i += table[i++].drift) {
+                long double inner = n < 0 ? 1 : 0, c_j = 0;
+                for (std::size_t j = 0; n >= 0 && j < i; c_j += table[j++].drift)
+                    inner += table[j].kick * (c_i - c_j) * std::pow(c_j, n);
+                sum += table[i].kick * std::pow(c_i, m) * inner;
+            }
+            const long double right = n < 0 ? m + 1 : (n + 1) * (n + 2) * (m + n + 3);
+            worst = std::max(worst, std::abs(sum - 1 / right));
+        }
+    }
+    return static_cast<double>(worst);
+}
+
+template <class Method>
+void expect_order_conditions() {
+    if constexpr (requires { Method::table.front().drift; }) {
+        EXPECT_LT(violation(Method::table, Method::info.order), 1e-14) << Method::info.id;
+        auto wrong = Method::table;
+        wrong[0].kick += 1e-12L;
+        EXPECT_GT(violation(wrong, Method::info.order), 1e-14) << Method::info.id;  // the partner
+        EXPECT_GT(violation(Method::table, Method::info.order + 1), 1e-6) << Method::info.id;
+    }
+}
+
+template <class... Methods>
+void expect_order_conditions_of_all(std::tuple<Methods...>*) {
+    (expect_order_conditions<Methods>(), ...);
+}
+
+// The tables print 15 digits and more.
+TEST(SplittingTables, hold_their_order_conditions) {
+    expect_order_conditions_of_all(static_cast<MethodTypes*>(nullptr));
 }
 
 // The partners that must fail: a scene a little off has an error that halving dt does not reduce; drag taken out of the
