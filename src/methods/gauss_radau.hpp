@@ -135,10 +135,12 @@ private:
     }
 
     /// True if the trial step is good; the next one has a better length. A step cut short says nothing about longer
-    /// ones, and a phase that does not fall with the step is rounding: no shorter step is better.
+    /// ones. A phase that does not fall with the step is rounding, for which no shorter step is better, unless the
+    /// accelerations change velocities by more than the tolerance: then they jump where the step begins.
     bool fits(T h, T& before) {
-        const T covered = phase(h), factor = step_factor(aim_, covered);
-        const bool better_shorter = covered < T(0.95) * std::exchange(before, covered);
+        const T covered = phase(h), factor = step_factor(aim_, covered), change = T(64) * tolerance_ / h;
+        const bool better_shorter = covered < T(0.95) * std::exchange(before, covered) ||
+                                    squares(last_a_) > change * change * (T(1) + squares(end_.v));
         const bool refused = factor < T(smallest_accepted_factor) && better_shorter;
         if (refused || !(h < progress_.next)) progress_.next = h * factor;
         return !refused;

@@ -151,6 +151,21 @@ TEST(Ias15, saved_state_goes_on_with_the_same_bits) {
     EXPECT_EQ(apart(a, b), 0);
 }
 
+// Two particles of a spring at one place have no force between them, a moment later all of it: steps are short there,
+// whose error, some ten tolerances, an accepted long step would exceed a hundred thousand times.
+TEST(Ias15, begins_at_coincident_particles_with_a_short_step) {
+    System<double, Line<double>> system(
+        engine<double>(LineForces{.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 1}), 0, 0.5);
+    State<double> state{Field<double>(2), Field<double>(2)};
+    state.displacement.x()[1] = -1;
+    state.velocity.x()[1] = 0.5;
+    GaussRadau<double> integrator{ParameterValues(Ias15::info.parameters)};
+    integrator.start(system, state);
+    integrator.step(system);
+    integrator.synchronised(system, state);
+    EXPECT_NEAR(state.displacement.x()[1], 0.5 * std::sin(0.5) - std::cos(0.5), 1e-8);
+}
+
 // The quadrature behind the form: integrals of the interpolating polynomials are exact up to s^14 (Radau, 8 nodes), and
 // s^15 is not.
 TEST(RadauTable, is_the_rule_of_order_15) {
