@@ -20,6 +20,16 @@ TEST(CompensatedSum, keeps_what_rounding_cuts_off) {
     EXPECT_NEAR(sum, 1.01, 1e-7);
 }
 
+// Of the sum as of the increment, whichever is smaller: taking the increment for the smaller one loses the sum.
+TEST(CompensatedSum, keeps_what_a_large_increment_cuts_off_a_small_sum) {
+    float sum = 1e-9f, lost = 0;
+    add_compensated(sum, lost, 1.0f);
+    EXPECT_EQ(sum, 1);
+    EXPECT_EQ(lost, 1e-9f);
+    const float added = 1.0f - 1e-9f;  // the partner: what is left so of the increment alone
+    EXPECT_EQ(1.0f - added, 0);
+}
+
 /// Largest distance of the oscillator in float from itself in double, looked at 5 times in 2 10^5 steps of 1/4096.
 double float_error(const MethodCase& c, bool compensated) {
     RunDescription description = run_of("oscillator", c.id(), Precision::float_, 1.0 / 4096);

@@ -3,6 +3,7 @@
 #include "methods/rk4.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
+#include "support/circling_ball.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>
@@ -48,41 +49,37 @@ State<T> after(const Forces& forces, State<T> state, T drag, T dt, std::size_t s
     return state;
 }
 
-using Real = long double;
-
-/// The order that going from 8 to 16 steps for two seconds shows: errors of 1e-11 and 1e-16, far above rounding. The
-/// reference, 64 steps of the method itself, is right to its rounding.
-double order_on_the_rope(Real drag) {
-    const auto run = [&](std::size_t steps) {
-        return after<Gauss<Real>>(rope, at_rest<Real>(5), drag, Real(2) / static_cast<Real>(steps), steps,
-                                  with_tolerance(0));
+/// The order that going from `steps` to `more` for 14 seconds of the circling ball shows.
+template <class Integrator>
+double order_of_angle(const CirclingBall& circle, std::size_t steps, std::size_t more, const ParameterValues& values) {
+    const auto error = [&](std::size_t count) {
+        const auto end = circle.after<Integrator>(count, Real(14) / static_cast<Real>(count), values);
+        return circle.angle_error(end.displacement, 14);
     };
-    const State<Real> right = run(64);
-    return static_cast<double>(std::log2(apart(run(8), right) / apart(run(16), right)));
+    return exponent(error(steps), error(more), static_cast<Real>(more) / static_cast<Real>(steps));
 }
 
-/// The same on x'' = -x against sin t, from 20 to 27 steps to t = 40: errors of 4e-13 and 3e-15.
-double order_on_the_oscillator(Real drag) {
-    const LineForces forces{.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0};
-    State<Real> start = at_rest<Real>(2);
-    start.velocity.x()[1] = 1;
-    const Real rate = std::sqrt(1 - drag * drag / 4), right = std::exp(-20 * drag) * std::sin(40 * rate) / rate;
-    const auto error = [&](std::size_t steps) {
-        const auto end =
-            after<Gauss<Real>>(forces, start, drag, Real(40) / static_cast<Real>(steps), steps, with_tolerance(0));
-        return std::abs(end.displacement.x()[1] - right);
-    };
-    return static_cast<double>(std::log(error(20) / error(27)) / std::log(1.35L));
-}
-
-// On the rope the error's next terms still count in steps of an eighth of a second, and nothing is left of it in
-// shorter ones: within 1. On the oscillator they are (omega dt)^2 / 100 of it, which moves the order by 0.08 at most.
+// Errors of 1e-12 to 1e-15; below 1e-17 is what rounding leaves of the weights. On the nonlinear circle the even order
+// after the first counts a half where steps are so long that it stands above that.
 TEST(Gauss16Order, is_16_with_and_without_drag) {
-    for (const Real drag : {0.0L, 0.3L}) {
-        EXPECT_NEAR(order_on_the_oscillator(drag), 16, 0.1) << static_cast<double>(drag);
-        EXPECT_NEAR(order_on_the_rope(drag), 16, 1) << static_cast<double>(drag);
+    const ParameterValues values = with_tolerance(0);
+    EXPECT_NEAR(order_of_angle<Gauss<Real>>(damped_circle, 7, 9, values), 16, 0.1);
+    EXPECT_NEAR(order_of_angle<Gauss<Real>>(free_circle, 10, 12, values), 16, 0.5);
+    EXPECT_LT((order_of_angle<RungeKutta<Real, Rk4>>(damped_circle, 70, 90, ParameterValues())), 5);
+}
+
+// Dense output is a step, so of order 16: it differs from one step of dt by what the iteration leaves, a thousandth of
+// the tolerance. The partner: a step that ends 1e-8 later.
+TEST(Gauss16Order, inside_a_step_is_that_of_a_step) {
+    constexpr double tolerance = 1e-6;
+    const auto apart_from_step = [](Real seen, Real step) {
+        return apart(free_circle.after<Gauss<Real>>(1, seen, with_tolerance(tolerance)),
+                     free_circle.after<Gauss<Real>>(1, step, with_tolerance(0)));
+    };
+    for (const Real time : {0.5L, 1.0L, 1.5L}) {
+        EXPECT_LT(apart_from_step(time, time), tolerance / 1000) << time;
+        EXPECT_GT(apart_from_step(time, time + 1e-8L), tolerance / 1000) << time;
     }
-    EXPECT_NEAR(order_on_the_rope(5), 16, 1);
 }
 
 // The reference by a method of another family: kahan-li-8 in long double would do; rk4 at 20000 steps is right to
