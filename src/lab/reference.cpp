@@ -61,7 +61,7 @@ struct Fineness {
 
     Fineness finer() const { return {step / 2, tolerance / 1000}; }
     /// At the next tolerance the differences of long double that tell a step's error would be rounding.
-    bool is_finest() const { return tolerance > 0 && tolerance < 1e-15; }
+    bool is_finest() const { return tolerance > 0 && tolerance < 1e-17; }
 };
 
 /// Steps of one length, every stretch between two times cut into equal ones. Counts those in which particles pass each
@@ -69,10 +69,11 @@ struct Fineness {
 template <class Force>
 void equal_steps(System<Real, Force>& system, std::uint64_t steps, State<Real>& state, ReferenceRun& run) {
     Extrapolation<Real> method(state.displacement.count());
+    Lost<Real> lost(true, state.displacement.count());
     for (std::uint64_t i = 0; i < steps; ++i) {
         check_interruption();
         const Field<Real> before = state.displacement;
-        method.step(system, state, system.dt());
+        method.step(system, state, lost, system.dt());
         if (any_pass(system, before, state.displacement)) ++run.collisions;
     }
     run.steps += steps;
@@ -181,15 +182,18 @@ double longest_step(const RunDescription& held, const Scene& scene, std::span<co
 }
 
 /// Refines until the runs agree, the cost is too high, or nothing is gained any more. None if particles pass each other
-/// in a run of equal steps.
+/// in a run of equal steps. `first`: the run of this fineness, where it is known.
 std::optional<Reference> refined(const RunDescription& held, std::span<const double> times,
-                                 const ReferenceEffort& effort, Fineness fineness) {
+                                 const ReferenceEffort& effort, Fineness fineness,
+                                 std::optional<ReferenceRun> first = {}) {
     const Scene scene = model(held.model).scene(held.scene);
     const double spacing = model(held.model).shape(held.scene).spacing, wanted = effort.error * spacing;
     const auto particles = static_cast<double>(scene.reference.count());
     const auto blind = [&](const ReferenceRun& made) { return fineness.tolerance == 0 && made.collisions > 0; };
-    ReferenceRun coarse = run(scene, times, fineness), fine = run(scene, times, fineness = fineness.finer());
-    if (blind(coarse) || blind(fine)) return std::nullopt;
+    ReferenceRun coarse = first ? std::move(*first) : run(scene, times, fineness);
+    if (blind(coarse)) return std::nullopt;
+    ReferenceRun fine = run(scene, times, fineness = fineness.finer());
+    if (blind(fine)) return std::nullopt;
     std::vector<double> errors = differences(coarse, fine);
     for (int i = 0; i < effort.most_refinements && !(largest(errors) <= wanted); ++i) {
         const double cost = 2 * static_cast<double>(fine.evaluations) * particles;
@@ -211,13 +215,14 @@ Reference refined(const RunDescription& held, std::span<const double> times, con
     const Scene scene = model(held.model).scene(held.scene);
     double step = longest_step(held, scene, times, effort);
     if (auto made = refined(held, times, effort, {.step = step})) return *made;
-    const Fineness own{.step = step, .tolerance = 1e-10};
-    if (run(scene, times, own).collisions == 0) {
+    const Fineness own{.step = step, .tolerance = 1e-12};
+    ReferenceRun seeing = run(scene, times, own);
+    if (seeing.collisions == 0) {
         for (int halvings = 0; halvings < 8; ++halvings) {
             if (auto made = refined(held, times, effort, {.step = step /= 2})) return *made;
         }
     }
-    return refined(held, times, effort, own).value();
+    return refined(held, times, effort, own, std::move(seeing)).value();
 }
 
 std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {

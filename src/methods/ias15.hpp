@@ -108,7 +108,7 @@ private:
 
     template <class System>
     void own_step(System& system) {
-        T h = progress_.next, before = std::numeric_limits<T>::max();
+        T h = guard_.behind(progress_.next), before = std::numeric_limits<T>::max();
         guard_.begin_step();
         if (guard_.approaching()) {
             h = guard_.before(system, now(), h, progress_.time.since_start(system.dt()));
