@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <unistd.h>
 
 namespace steplab {
@@ -84,7 +85,9 @@ public:
         const StudyPlan plan = plan_of(scene_.description());
         catch_interruptions();
         Progress bar(1000, isatty(STDERR_FILENO) != 0);
-        const Reference reference = reference_for(plan, error / finer_reference);
+        const Reference reference = reference_for(plan, error / finer_reference, [&](int run, double part) {
+            bar.say(fmt::format("computing what answers are judged by: run {}, {:.0f} %", run, std::floor(part * 100)));
+        });
         const Advice advice = advise(plan, error, reference, [&](double part) {
             check_interruption();
             bar.at(static_cast<std::uint64_t>(part * 1000));

@@ -22,16 +22,24 @@ Progress::Progress(std::uint64_t total, bool watched) : total_(total), watched_(
 
 Progress::~Progress() { clear(); }
 
-void Progress::at(std::uint64_t done) {
-    if (!watched_) return;
-    const auto now = Clock::now();
-    if (now < next_) return;
-    next_ = now + std::chrono::milliseconds(100);
+bool Progress::is_due() { return watched_ && Clock::now() >= next_; }
+
+void Progress::draw(const std::string& line) {
+    next_ = Clock::now() + std::chrono::milliseconds(100);
     drawn_ = true;
-    const double fraction = static_cast<double>(done) / static_cast<double>(total_);
-    const std::string line = progress_text(fraction, std::chrono::duration<double>(now - begin_).count());
     std::fputs(fmt::format("\r{}\x1b[K", line).c_str(), stderr);
     std::fflush(stderr);
+}
+
+void Progress::at(std::uint64_t done) {
+    if (!is_due()) return;
+    const double fraction = static_cast<double>(done) / static_cast<double>(total_);
+    draw(progress_text(fraction, std::chrono::duration<double>(Clock::now() - begin_).count()));
+}
+
+void Progress::say(const std::string& what) {
+    if (is_due()) draw(what);
+    begin_ = Clock::now();
 }
 
 void Progress::clear() {

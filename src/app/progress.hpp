@@ -20,10 +20,15 @@ public:
 
     /// So much is done; costs nothing between two redraws.
     void at(std::uint64_t done);
+    /// The same for work of which nobody knows how much there is: what is going on.
+    void say(const std::string& what);
     void clear();
 
 private:
     using Clock = std::chrono::steady_clock;
+    bool is_due();
+    void draw(const std::string& line);
+
     std::uint64_t total_;
     bool watched_;
     bool drawn_ = false;

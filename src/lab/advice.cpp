@@ -14,7 +14,6 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 
 namespace steplab {
@@ -198,7 +197,7 @@ Advice verified(std::vector<Measurement> runs, double error, const Reference& re
     advice.best = measure(advice.best.run, advice.best.steps, reference);
     advice.best.wall_seconds = seconds;
     if (advice.best.diverged || advice.best.error > error)
-        throw std::logic_error("a run gave another error the second time");
+        throw Error(ExitCode::replay, "a run gave another error the second time");
     for (Measurement& run : runs) {
         const bool known = run.run.method == advice.best.run.method ||
                            std::any_of(advice.others.begin(), advice.others.end(),
@@ -213,7 +212,7 @@ Advice verified(std::vector<Measurement> runs, double error, const Reference& re
 Advice advise(const StudyPlan& plan, double error, const Reference& reference, const StudyProgress& progress) {
     const double certain = reference.moments.back().error;
     if (error < certain) {
-        const std::string chaos = chaos_note(plan.scene, plan.time, certain);
+        const std::string chaos = chaos_note(plan.scene, plan.time, infinity);  // whatever is left
         throw UsageError(
             fmt::format("an error of {} cannot be told here: what runs are judged by ({}) is itself known to {}; "
                         "take a larger error or a shorter time{}",

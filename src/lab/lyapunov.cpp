@@ -80,10 +80,11 @@ std::vector<double> growths(const Scene& scene, TangentRun run, double time, dou
             const double steps = std::max(1.0, std::ceil(stretch / step));
             TangentEquations<decltype(engine<Number>(forces))> system{engine<Number>(forces), scene.drag};
             Extrapolation<Number> method(run.state().displacement.count());
+            Lost<Number> lost;
             for (double& growth : all) {
                 for (double i = 0; i < steps; ++i) {
                     check_interruption();
-                    method.step(system, run.state(), stretch / steps);
+                    method.step(system, run.state(), lost, stretch / steps);
                     growth += run.normalise();
                 }
             }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace steplab {
@@ -61,18 +62,23 @@ struct Fineness {
 
     Fineness finer() const { return {step / 2, tolerance / 1000}; }
     /// At the next tolerance the differences of long double that tell a step's error would be rounding.
-    bool is_finest() const { return tolerance > 0 && tolerance < 1e-15; }
+    bool is_finest() const { return tolerance > 0 && tolerance < 1e-17; }
 };
+
+/// Called within a run with the part of it that is done.
+using Watch = std::function<void(double)>;
 
 /// Steps of one length, every stretch between two times cut into equal ones. Counts those in which particles pass each
 /// other, where the order is lost.
 template <class Force>
-void equal_steps(System<Real, Force>& system, std::uint64_t steps, State<Real>& state, ReferenceRun& run) {
+void equal_steps(System<Real, Force>& system, std::uint64_t steps, State<Real>& state, ReferenceRun& run,
+                 const Watch& watch) {
     Extrapolation<Real> method(state.displacement.count());
+    Lost<Real> lost(true, state.displacement.count());
     for (std::uint64_t i = 0; i < steps; ++i) {
-        check_interruption();
+        watch(static_cast<double>(i) / static_cast<double>(steps));
         const Field<Real> before = state.displacement;
-        method.step(system, state, system.dt());
+        method.step(system, state, lost, system.dt());
         if (any_pass(system, before, state.displacement)) ++run.collisions;
     }
     run.steps += steps;
@@ -83,13 +89,14 @@ constexpr int parts = 64;
 
 /// Steps of the run's own choice over so many dt of the system, with collisions crossed.
 template <class Force>
-void own_steps(System<Real, Force>& system, double tolerance, State<Real>& state, ReferenceRun& run) {
+void own_steps(System<Real, Force>& system, double tolerance, State<Real>& state, ReferenceRun& run,
+               const Watch& watch) {
     ParameterValues values(std::span(&tolerance_parameter, 1));
     values.set(tolerance_parameter.name, tolerance);
     AdaptiveSteps<Real, ExtrapolationRule<Real>> integrator(values);
     integrator.start(system, state);
     for (int part = 0; part < parts; ++part) {
-        check_interruption();
+        watch(static_cast<double>(part) / parts);
         integrator.step(system);
     }
     integrator.synchronised(system, state);
@@ -97,7 +104,8 @@ void own_steps(System<Real, Force>& system, double tolerance, State<Real>& state
 }
 
 template <class Layout>
-ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const double> times, const Fineness& fineness) {
+ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const double> times, const Fineness& fineness,
+                    const Watch& watch) {
     using Force = decltype(engine<Real>(forces));
     ReferenceRun run;
     State<Real> state{converted<Real>(scene.start.displacement), converted<Real>(scene.start.velocity)};
@@ -108,8 +116,9 @@ ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const do
         const bool own = fineness.tolerance > 0;
         const std::uint64_t pieces = own ? parts : std::max<std::uint64_t>(1, steps);
         System<Real, Force> system(engine<Real>(forces), scene.drag, stretch / static_cast<Real>(pieces));
-        if (!own) equal_steps(system, steps, state, run);
-        if (own && stretch > 0) own_steps(system, fineness.tolerance, state, run);
+        const auto within = [&](double part) { watch((now + part * (time - now)) / times.back()); };
+        if (!own) equal_steps(system, steps, state, run, within);
+        if (own && stretch > 0) own_steps(system, fineness.tolerance, state, run, within);
         run.states.push_back(state);
         run.evaluations += system.evaluations();
         now = time;
@@ -117,9 +126,28 @@ ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const do
     return run;
 }
 
-ReferenceRun run(const Scene& scene, std::span<const double> times, const Fineness& fineness) {
-    return std::visit([&](const auto& forces) { return run_on(forces, scene, times, fineness); }, scene.forces);
-}
+/// Makes the runs of one reference.
+class Runs {
+public:
+    Runs(const Scene& scene, std::span<const double> times, const ReferenceEffort& effort)
+        : scene_(scene), times_(times), effort_(effort) {}
+
+    ReferenceRun operator()(const Fineness& fineness) {
+        ++count_;
+        const auto watch = [&](double part) {
+            check_interruption();
+            if (effort_.progress) effort_.progress(count_, part);
+        };
+        return std::visit([&](const auto& forces) { return run_on(forces, scene_, times_, fineness, watch); },
+                          scene_.forces);
+    }
+
+private:
+    const Scene& scene_;
+    std::span<const double> times_;
+    const ReferenceEffort& effort_;
+    int count_ = 0;
+};
 
 /// Largest distance between two runs at one time, taken before anything is rounded to double.
 double difference(const State<Real>& a, const State<Real>& b) {
@@ -181,21 +209,23 @@ double longest_step(const RunDescription& held, const Scene& scene, std::span<co
 }
 
 /// Refines until the runs agree, the cost is too high, or nothing is gained any more. None if particles pass each other
-/// in a run of equal steps.
+/// in a run of equal steps. `first`: the run of this fineness, where it is known.
 std::optional<Reference> refined(const RunDescription& held, std::span<const double> times,
-                                 const ReferenceEffort& effort, Fineness fineness) {
-    const Scene scene = model(held.model).scene(held.scene);
+                                 const ReferenceEffort& effort, Runs& run, Fineness fineness,
+                                 std::optional<ReferenceRun> first = {}) {
     const double spacing = model(held.model).shape(held.scene).spacing, wanted = effort.error * spacing;
-    const auto particles = static_cast<double>(scene.reference.count());
+    const double particles = model(held.model).particles(held.scene);
     const auto blind = [&](const ReferenceRun& made) { return fineness.tolerance == 0 && made.collisions > 0; };
-    ReferenceRun coarse = run(scene, times, fineness), fine = run(scene, times, fineness = fineness.finer());
-    if (blind(coarse) || blind(fine)) return std::nullopt;
+    ReferenceRun coarse = first ? std::move(*first) : run(fineness);
+    if (blind(coarse)) return std::nullopt;
+    ReferenceRun fine = run(fineness = fineness.finer());
+    if (blind(fine)) return std::nullopt;
     std::vector<double> errors = differences(coarse, fine);
     for (int i = 0; i < effort.most_refinements && !(largest(errors) <= wanted); ++i) {
         const double cost = 2 * static_cast<double>(fine.evaluations) * particles;
         if (fineness.is_finest() || cost > effort.most_particle_evaluations) break;
         coarse = std::move(fine);
-        fine = run(scene, times, fineness = fineness.finer());
+        fine = run(fineness = fineness.finer());
         if (blind(fine)) return std::nullopt;
         const std::vector<double> finer = differences(coarse, fine);
         const bool stalled = largest(errors) < 1e-6 * spacing && largest(finer) > largest(errors) / 2;
@@ -209,15 +239,17 @@ std::optional<Reference> refined(const RunDescription& held, std::span<const dou
 /// they do.
 Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
     const Scene scene = model(held.model).scene(held.scene);
+    Runs run(scene, times, effort);
     double step = longest_step(held, scene, times, effort);
-    if (auto made = refined(held, times, effort, {.step = step})) return *made;
-    const Fineness own{.step = step, .tolerance = 1e-10};
-    if (run(scene, times, own).collisions == 0) {
+    if (auto made = refined(held, times, effort, run, {.step = step})) return *made;
+    const Fineness own{.step = step, .tolerance = 1e-12};
+    ReferenceRun seeing = run(own);
+    if (seeing.collisions == 0) {
         for (int halvings = 0; halvings < 8; ++halvings) {
-            if (auto made = refined(held, times, effort, {.step = step /= 2})) return *made;
+            if (auto made = refined(held, times, effort, run, {.step = step /= 2})) return *made;
         }
     }
-    return refined(held, times, effort, own).value();
+    return refined(held, times, effort, run, own, std::move(seeing)).value();
 }
 
 std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {

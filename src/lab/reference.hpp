@@ -4,6 +4,7 @@
 #include "sim/run_description.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +32,8 @@ struct ReferenceEffort {
     double most_particle_evaluations = 2e7;
     double first_phase = 2;  ///< omega_max times the step of the coarsest run
     int most_refinements = 12;
+    /// Called on the way with the number of the run, from 1 on, and the part of it that is done; may throw to end it.
+    std::function<void(int run, double part)> progress = nullptr;
 };
 
 /// The motion of the described scene, in its precision's parameters, at these ascending times from 0 on. Exact where a

@@ -94,11 +94,12 @@ double partners(const RunDescription& scene) {
 
 }  // namespace
 
-Reference reference_for(const StudyPlan& plan, double error) {
+Reference reference_for(const StudyPlan& plan, double error, const std::function<void(int, double)>& progress) {
     RunDescription scene = plan.scene;
     scene.precision = Precision::double_;
     ReferenceEffort effort;
     effort.error = std::max(effort.error, error);
+    effort.progress = progress;
     effort.most_particle_evaluations *= (error > 0 ? 0.2 : 1) * std::min(1.0, dear_partners / partners(scene));
     return reference(scene, std::vector{plan.time}, effort);
 }

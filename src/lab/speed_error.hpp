@@ -42,8 +42,9 @@ void go_on_with_series(const StudyPlan& plan, const Reference& reference, Series
                        const std::function<void()>& keep, const StudyProgress& progress);
 
 /// What the runs of a plan are judged by: the scene at its time. Where that is a run, it need not be better than to
-/// `error` spacings of the scene, and takes less time for it.
-Reference reference_for(const StudyPlan& plan, double error = 0);
+/// `error` spacings of the scene, and takes less time for it; progress: ReferenceEffort's.
+Reference reference_for(const StudyPlan& plan, double error = 0,
+                        const std::function<void(int run, double part)>& progress = nullptr);
 
 /// The run of this method with this many steps over the time: dt = time / steps.
 RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps);

@@ -156,7 +156,8 @@ private:
     void inner_step(System& system, Time target) {
         std::swap(from_, next_);
         const T shortest = static_cast<T>(target) * std::numeric_limits<T>::epsilon();
-        T h = guard_.before(system, from_, control_.length(), static_cast<double>(progress_.time));
+        const T wanted = guard_.behind(control_.length());
+        T h = guard_.before(system, from_, wanted, static_cast<double>(progress_.time));
         while (!guard_.at_hand()) {
             const double error = rule_.attempt(system, from_, h, next_, tolerance_);
             if (std::isfinite(error) && guard_.passes(system, from_, next_.x, h)) continue;

@@ -16,13 +16,15 @@ namespace steplab {
 // therefore
 //
 //     h = guard.before(system, now, h, time)                   shortens a step on its way to a collision;
+//     h = guard.behind(h)                                      shortens a step behind one;
 //     if (guard.at_hand()) guard.cross(system, now, next, time)   takes the collision itself;
 //     if (guard.passes(system, now, end, h)) ...               throws away a trial that straddles one, for the h given.
 //
 // where `now` and `next` hold fields x, v, a of one time, a the accelerations with drag. The steps end ever
 // nearer before the collision, their ends predicted from x, v, a of their beginnings, until it is so near that one step
 // of the velocity Verlet kind, whose two half kicks are weighted by the times before and after, takes the jump with an
-// error below rounding.
+// error below rounding. So near, positions hold half of the digits of the force's direction. A method that takes the
+// force where its step begins carries the rest as far as the step goes: behind a collision its steps begin short.
 //
 // No two particles meet exactly in numbers. What counts is `turn`, the change of their relative velocity while the
 // distance turns by a right angle: the force's size times miss over speed, which the step across leaves out.
@@ -127,7 +129,8 @@ class CollisionGuard {
 public:
     /// `tolerance`: of the errors of a step.
     explicit CollisionGuard(T tolerance)
-        : negligible_turn_(std::max(tolerance / T(10), T(64) * std::numeric_limits<T>::epsilon())) {}
+        : negligible_turn_(std::max(tolerance / T(10), T(64) * std::numeric_limits<T>::epsilon())),
+          growth_(std::max(T(10), tolerance / std::numeric_limits<T>::epsilon())) {}
 
     /// Trials of the last step have nothing to do with those of the next.
     void begin_step() { tries_ = 0; }
@@ -147,6 +150,15 @@ public:
         }
         state_.time = next.time;
         return std::min(h, reach());
+    }
+
+    /// The length allowed of a step that would have the length h. The direction of the force is wrong by a rounding of
+    /// positions over the distance, which is as the time since the collision: so many times that long, what a step
+    /// makes of it stays within the tolerance. Once for each step.
+    T behind(T h) {
+        const T allowed = behind_;
+        behind_ = allowed < h ? growth_ * allowed : T(0);
+        return allowed > T(0) ? std::min(h, allowed) : h;
     }
 
     /// True if a trial step of length h that ends at these positions carries particles through each other. Then h
@@ -194,6 +206,7 @@ public:
             add(start + static_cast<double>(time));
         });
         state_.scale = T(0);
+        behind_ = growth_ * time;
         return time;
     }
 
@@ -209,12 +222,14 @@ public:
     /// Part of an integrator's internal state. Plain data.
     struct State {
         Approach approach;
+        T behind = T(0);
         CollisionRecord record;
         Collision last;
     };
-    State state() const { return {state_, record_, last_}; }
+    State state() const { return {state_, behind_, record_, last_}; }
     void state(const State& saved) {
         state_ = saved.approach;
+        behind_ = saved.behind;
         record_ = saved.record;
         last_ = saved.last;
     }
@@ -248,7 +263,9 @@ private:
     }
 
     T negligible_turn_;
+    T growth_;  ///< of steps behind a collision
     Approach state_;
+    T behind_ = T(0);  ///< the longest that the next step may be, because of a collision behind; 0: as long as it likes
     CollisionRecord record_;
     Collision last_;
     int tries_ = 0;

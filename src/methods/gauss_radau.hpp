@@ -112,7 +112,7 @@ private:
     template <class System>
     void own_step(System& system) {
         constexpr T any = std::numeric_limits<T>::max();
-        T h = progress_.next, before = any, converging = any;
+        T h = guard_.behind(progress_.next), before = any, converging = any;
         guard_.begin_step();
         if (guard_.approaching()) {
             h = guard_.before(system, now(), h, progress_.time.since_start(system.dt()));

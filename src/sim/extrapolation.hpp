@@ -10,65 +10,77 @@
 
 namespace steplab {
 
-/// Extrapolation of the explicit midpoint rule (Gragg; Bulirsch, Stoer; Hairer, Norsett, Wanner, Solving Ordinary
-/// Differential Equations I, II.9) on x'' = a(x) - gamma v, in steps of one size. A step is taken with 2, 4, ... 16
-/// substeps, whose errors are series in h^2; eight of them make order 16. For references: no method of the catalogue is
-/// of this family.
+/// Extrapolation of Stoermer's rule (Gragg; Deuflhard; Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
+/// I, II.14) on x'' = a(x) - gamma v, in the form of velocity Verlet with drag central in time, which is symmetric. A
+/// step is taken with 1, 2, ... 8 substeps, whose errors are series in h^2; eight of them make order 16. What is summed
+/// and extrapolated is the change of positions and velocities, so that rounding is relative to that. For references: no
+/// method of the catalogue is of this family.
 template <class T>
 class Extrapolation {
 public:
     static constexpr std::size_t columns = 8, order = 2 * columns;
 
-    explicit Extrapolation(std::size_t particles) : slope_(zero(particles)), middle_(zero(particles)) {
-        for (State<T>& entry : table_) entry = zero(particles);
+    explicit Extrapolation(std::size_t particles) : x_(particles), a_(particles), start_a_(particles) {
+        for (State<T>& entry : table_) entry = {Field<T>(particles), Field<T>(particles)};
     }
 
-    /// One step of length h, from and to `state`. A System<T, Force> (methods/system.hpp), or what has its
-    /// accelerations(x, a) and drag().
+    /// What a step of length h adds to x and v, where the accelerations, drag included, are a. Of a System<T, Force>
+    /// (methods/system.hpp), or what has its accelerations(x, a) and drag().
     template <class Equations>
-    void step(Equations& system, State<T>& state, T h) {
-        slope(system, state, slope_);
+    const State<T>& change(Equations& system, const Field<T>& x, const Field<T>& v, const Field<T>& a, T h) {
         for (std::size_t row = 0; row < columns; ++row) {
-            midpoint_rule(system, state, h, substeps(row), table_[row]);
+            take_substeps(system, x, v, a, h / static_cast<T>(substeps(row)), row);
             extrapolate(row);
         }
-        state = table_[0];
+        return table_[0];
     }
 
-    /// The same step without the coarsest row, of order 14.
+    /// One step of length h from and to `state`.
+    template <class Equations>
+    void step(Equations& system, State<T>& state, Lost<T>& lost, T h) {
+        accelerate(system, state.displacement, state.velocity, start_a_);
+        const State<T>& both = change(system, state.displacement, state.velocity, start_a_, h);
+        add(both.displacement, state.displacement, lost.x);
+        add(both.velocity, state.velocity, lost.v);
+    }
+
+    /// sum += change, compensated if `lost` is kept.
+    static void add(const Field<T>& change, Field<T>& sum, Field<T>& lost) {
+        T none = T(0);
+        for (std::size_t k = 0; k < sum.flat().size(); ++k, none = T(0))
+            add_compensated(sum.flat()[k], lost.count() > 0 ? lost.flat()[k] : none, change.flat()[k]);
+    }
+
+    /// What the last step adds without the row of one substep, of order 14.
     const State<T>& lower_order() const { return table_[1]; }
 
 private:
-    static constexpr int substeps(std::size_t row) { return 2 * (static_cast<int>(row) + 1); }
-    static State<T> zero(std::size_t particles) { return {Field<T>(particles), Field<T>(particles)}; }
+    static constexpr int substeps(std::size_t row) { return static_cast<int>(row) + 1; }
 
-    /// (x, v)' = (v, a(x) - gamma v).
+    /// All of a row, each of length h, into the row's entry of the table:
+    ///     v(1/2) = v(0) + h/2 (a(0) - gamma v(0)), x(1) = x(0) + h v(1/2),
+    ///     (1 + gamma h/2) v(1) = v(1/2) + h/2 a(1).
     template <class Equations>
-    static void slope(Equations& system, const State<T>& y, State<T>& out) {
-        system.accelerations(y.displacement, out.velocity);
-        out.displacement = y.velocity;
-        for (std::size_t k = 0; k < out.velocity.flat().size(); ++k)
-            out.velocity.flat()[k] -= system.drag() * y.velocity.flat()[k];
-    }
-
-    /// to = from + h slope.
-    static void add(const State<T>& from, T h, const State<T>& slope, State<T>& to) {
-        for (std::size_t k = 0; k < from.velocity.flat().size(); ++k) {
-            to.displacement.flat()[k] = from.displacement.flat()[k] + h * slope.displacement.flat()[k];
-            to.velocity.flat()[k] = from.velocity.flat()[k] + h * slope.velocity.flat()[k];
-        }
-    }
-
-    /// y(1) = y(0) + h f(y(0)), y(m+1) = y(m-1) + 2 h f(y(m)), up to y(n), n even.
-    template <class Equations>
-    void midpoint_rule(Equations& system, const State<T>& start, T length, int n, State<T>& end) {
-        const T h = length / static_cast<T>(n);
-        before_ = start;
-        add(start, h, slope_, end);
-        for (int m = 1; m < n; ++m) {
-            slope(system, end, middle_);
-            add(before_, T(2) * h, middle_, before_);
-            std::swap(before_, end);
+    void take_substeps(Equations& system, const Field<T>& x, const Field<T>& v, const Field<T>& a, T h,
+                       std::size_t row) {
+        auto& [moved, gained] = table_[row];
+        std::fill(moved.flat().begin(), moved.flat().end(), T(0));
+        std::fill(gained.flat().begin(), gained.flat().end(), T(0));
+        a_ = a;
+        const T half = h / T(2), drag = system.drag();
+        const std::size_t size = x.flat().size();
+        for (int substep = 0; substep < substeps(row); ++substep) {
+            for (std::size_t k = 0; k < size; ++k) {
+                gained.flat()[k] += half * a_.flat()[k];
+                moved.flat()[k] += h * (v.flat()[k] + gained.flat()[k]);
+                x_.flat()[k] = x.flat()[k] + moved.flat()[k];
+            }
+            system.accelerations(x_, a_);
+            for (std::size_t k = 0; k < size; ++k) {
+                T& gain = gained.flat()[k];
+                gain = (gain + half * (a_.flat()[k] - drag * v.flat()[k])) / (T(1) + half * drag);
+                a_.flat()[k] -= drag * (v.flat()[k] + gain);
+            }
         }
     }
 
@@ -90,8 +102,8 @@ private:
         combine(newer.velocity, older.velocity);
     }
 
-    State<T> slope_;  ///< at the start of the step
-    State<T> before_, middle_;
+    Field<T> x_, a_;  ///< within a step
+    Field<T> start_a_;
     std::array<State<T>, columns> table_;
 };
 
@@ -105,13 +117,15 @@ public:
 
     template <class System>
     double attempt(System& system, const Moment<T>& from, T h, Moment<T>& next, T tolerance) {
-        state_ = {from.x, from.v};
-        method_.step(system, state_, h);
-        next.x = state_.displacement;
-        next.v = state_.velocity;
+        const State<T>& change = method_.change(system, from.x, from.v, from.a, h);
+        next.x = from.x;
+        next.v = from.v;
         next.lost = from.lost;
+        Extrapolation<T>::add(change.displacement, next.x, next.lost.x);
+        Extrapolation<T>::add(change.velocity, next.v, next.lost.v);
         const State<T>& lower = method_.lower_order();
-        return std::max(error(next.x, lower.displacement, tolerance), error(next.v, lower.velocity, tolerance));
+        return std::max(error(next.x, change.displacement, lower.displacement, tolerance),
+                        error(next.v, change.velocity, lower.velocity, tolerance));
     }
 
     template <class System>
@@ -122,24 +136,24 @@ public:
     template <class System>
     void between(System& system, const Moment<T>& from, const Moment<T>&, T h, T part, State<T>& out) {
         out = {from.x, from.v};
-        method_.step(system, out, part * h);
+        Lost<T> lost = from.lost;
+        method_.step(system, out, lost, part * h);
     }
 
     void forget() {}
 
 private:
     /// Largest of any component, relative to tolerance (1 + |value|); not a number if one is none.
-    static double error(const Field<T>& value, const Field<T>& lower, T tolerance) {
+    static double error(const Field<T>& value, const Field<T>& change, const Field<T>& lower, T tolerance) {
         Field<T> relative(value.count());
         for (std::size_t k = 0; k < value.flat().size(); ++k) {
-            const T v = value.flat()[k];
-            relative.flat()[k] = std::abs(v - lower.flat()[k]) / (tolerance * (T(1) + std::abs(v)));
+            const T allowed = tolerance * (T(1) + std::abs(value.flat()[k]));
+            relative.flat()[k] = std::abs(change.flat()[k] - lower.flat()[k]) / allowed;
         }
         return static_cast<double>(largest_of(relative));
     }
 
     Extrapolation<T> method_;
-    State<T> state_;
 };
 
 }  // namespace steplab

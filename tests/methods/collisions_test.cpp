@@ -13,6 +13,7 @@
 #include <cmath>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 namespace steplab::test {
 namespace {
@@ -234,6 +235,44 @@ TEST(Collisions, of_the_morse_cube_do_not_stall_the_error) {
     const Frame blind =
         frame_after(run_of("morse", "rk4", Precision::double_, 1.0 / 512, {{"spacing", 0.5}, {"v0", 1.5}}), 1024);
     EXPECT_GT(distance(blind, right), 1e-6);
+}
+
+// Where a step begins just behind a collision, the direction of the force has half of its digits. Methods that take it
+// there would carry the rest along: 2e-9 at t = 5 if the first step were as long as the last before the collision,
+// whatever the tolerance.
+TEST(Collisions, leave_no_rounding_behind) {
+    const auto end = [](std::string_view id, double tolerance) {
+        return frame_after(adaptive_run("morse", id, 5, tolerance, {{"spacing", 0.5}, {"v0", 1.5}}), 1);
+    };
+    const Frame right = end("gauss-16", 1e-15);  // which takes no force where a step begins
+    for (const std::string_view id : {"dopri5", "dop853", "rkn-12-10", "ias15"})
+        EXPECT_LT(distance(end(id, 1e-13), right), 3e-10) << id;  // a thousand times the tolerance
+    EXPECT_GT(distance(end("dopri5", 1e-11), right), 3e-10);
+}
+
+// How long a step may be: ten times the time since the collision where the tolerance is that of rounding, longer where
+// it is wider, and then as long as it likes.
+TEST(CollisionGuard, lets_steps_grow_behind_a_collision) {
+    System<double, Line<double>> system(
+        Line<double>({.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 1}), 0, 1);
+    Motion<double> now(2), next(2);
+    const auto allowed = [&](double tolerance) {
+        CollisionGuard<double> guard(tolerance);
+        CollisionGuard<double>::State state;
+        state.approach.time = 1e-9;
+        guard.state(state);
+        EXPECT_EQ(guard.behind(1), 1);
+        guard.cross(system, now, next, 0);
+        std::vector<double> lengths;
+        for (int step = 0; step < 12; ++step) lengths.push_back(guard.behind(1));
+        return lengths;
+    };
+    const std::vector<double> tight = allowed(1e-16), wide = allowed(1e-10);
+    for (std::size_t step = 0; step < 8; ++step)
+        EXPECT_NEAR(tight[step], 1e-8 * std::pow(10, step), 1e-6 * tight[step]);
+    EXPECT_EQ(tight[11], 1);
+    EXPECT_NEAR(wide[0], 1e-9 * 1e-10 / 0x1p-52, 1e-6 * wide[0]);
+    EXPECT_EQ(wide[2], 1);
 }
 
 // Against libm, which is right within an ulp.
