@@ -104,11 +104,17 @@ std::string methods_in_full() {
     return text;
 }
 
+/// Blanks at the ends of lines, where a long one was folded, are nothing to look at.
+std::string without_blanks_before_ends(std::string text) {
+    for (std::size_t at; (at = text.find(" \n")) != std::string::npos;) text.erase(at, 1);
+    return text;
+}
+
 std::string command_and_output(const std::string& command, const std::string& folder) {
     const TemporaryFolder scratch;
     const Outcome outcome = run(fmt::format("{{ {}; }} 2>/dev/null", command), scratch.path(), folder);
     if (outcome.code != 0) throw std::runtime_error("the documentation's command failed: " + command);
-    return fmt::format("```console\n$ {}\n{}```\n", command, outcome.output);
+    return fmt::format("```console\n$ {}\n{}```\n", command, without_blanks_before_ends(outcome.output));
 }
 
 std::string help_of(const std::string& command, const std::string& folder) {
