@@ -17,14 +17,15 @@ inline constexpr ParameterInfo compensated_sums{.name = "compensated",
 
 /// sum += increment, where `lost` holds what rounding has cut off `sum` so far (compensated summation with the error
 /// of a sum after Knuth, The Art of Computer Programming 2, 4.2.2, theorem B; Hairer, Lubich, Wanner, Geometric
-/// Numerical Integration, VIII.5).
+/// Numerical Integration, VIII.5). What was lost is added to what is lost now: added to an increment, which often is
+/// not much smaller than the sum, it would lose its own last digits, and not always as much up as down.
 template <class T>
 void add_compensated(T& sum, T& lost, T increment) {
-    const T wanted = increment + lost;
-    const T next = sum + wanted;
+    const T next = sum + increment;
     const T added = next - sum;
-    lost = (sum - (next - added)) + (wanted - added);
-    sum = next;
+    const T low = lost + ((sum - (next - added)) + (increment - added));
+    sum = next + low;
+    lost = low - (sum - next);
 }
 
 /// What rounding has cut off positions and velocities; empty unless sums are compensated.

@@ -112,9 +112,10 @@ private:
     /// omega h / 2 at tolerance 1, and the longest that the iteration and the estimate are good for.
     static constexpr double reach = 4.6, longest = 2.9;
 
-    /// Of the stages, relative: rounding, or well below the error allowed.
+    /// Of the stages, relative: well below rounding, as what the iteration leaves has the same sign in all steps and
+    /// its sum would show; well below the error allowed.
     T iteration_error() const {
-        return std::max(std::numeric_limits<T>::epsilon() / T(4), tolerance_ * T(iteration_share));
+        return std::max(std::numeric_limits<T>::epsilon() / T(16), tolerance_ * T(iteration_share));
     }
     static constexpr double iteration_share = 1e-3;
 

@@ -64,7 +64,7 @@ TEST(Lyapunov, exponent_of_a_whipping_rope_stands_clear_of_zero) {
 }
 
 TEST(Chaos, is_told_where_the_reference_is_lost_and_nowhere_else) {
-    const ReferenceEffort effort{.most_particle_evaluations = 1e6};
+    const ReferenceEffort effort{.most_particle_evaluations = 3e5};
     const RunDescription whip = scene_of("rope", {{"c", 0}}), calm = scene_of("rope");
     const auto note = [&](const RunDescription& scene, double time) {
         return chaos_note(scene, time, reference(scene, std::vector<double>{time}, effort).moments.back().error);
@@ -80,7 +80,7 @@ TEST(Chaos, is_told_to_who_asks_for_advice) {
     StudyPlan plan;
     plan.scene = scene_of("rope", {{"c", 0}});
     plan.time = 20;
-    const Reference lost = reference(plan.scene, std::vector<double>{plan.time}, {.most_particle_evaluations = 1e6});
+    const Reference lost = reference(plan.scene, std::vector<double>{plan.time}, {.most_particle_evaluations = 3e5});
     try {
         advise(plan, 1e-6, lost, [](double) {});
         ADD_FAILURE();

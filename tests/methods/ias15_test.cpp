@@ -204,8 +204,9 @@ TEST(RadauTable, shifts_polynomials) {
     EXPECT_NEAR(value(shifted, 0.3), value(b, 1.3) - value(b, 1), 1e-13);
 }
 
-// Where drag has brought a rope to rest, accelerations are rounding alone, which must not shorten the steps: a hundred
-// seconds cost no more than its stiffest motion asks for, in float too, whose rounding is above this tolerance.
+// Where drag has brought a rope to rest, accelerations are rounding alone, which must not shorten the steps, in float
+// too, whose rounding is above this tolerance: a hundred seconds take 0.40 10^6 evaluations there (0.21 10^6 in
+// double), most of them for its drag; where rounding counts as acceleration, more than a hundred times as many.
 TEST(Ias15, rests_at_no_cost) {
     for (const Precision precision : precisions) {
         RunDescription description = run_of("rope", "ias15", precision, 1, {{"c", 3}});
@@ -213,7 +214,7 @@ TEST(Ias15, rests_at_no_cost) {
         Simulation simulation(description);
         simulation.advance(100);
         EXPECT_NEAR(simulation.frame().positions[9].y, -6.70725, precision == Precision::float_ ? 1e-3 : 1e-6);
-        EXPECT_LT(simulation.evaluations(), 400000u) << id(precision);
+        EXPECT_LT(simulation.evaluations(), 500000u) << id(precision);
     }
 }
 
