@@ -61,7 +61,7 @@ endfunction()
 
 # steplab_tests(folder [LINK target...]): test_<folder> of all *_test.cpp in the current folder, each test known to ctest.
 function(steplab_tests folder)
-  cmake_parse_arguments(ARG "" "" "LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(NOT sources)
     return()
@@ -73,7 +73,7 @@ function(steplab_tests folder)
                                                     STEPLAB_BINARY_DIR="${PROJECT_BINARY_DIR}")
   include(GoogleTest)
   gtest_discover_tests(test_${folder} TEST_PREFIX ${folder}. DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 1500 LABELS "${folder};${ARG_LABELS}")
+                       PROPERTIES TIMEOUT 1500 LABELS ${folder})
 endfunction()
 
 # The class of a method: rk4 -> Rk4, verlet-2008 -> Verlet2008.
