@@ -133,9 +133,8 @@ public:
     };
 
     Progress progress() const {
-        Progress now = progress_;
+        Progress now = guard_.saved_in(progress_);
         now.control = control_.state();
-        now.guard = guard_.state();
         return now;
     }
     void progress(const Progress& progress) {

@@ -227,6 +227,12 @@ public:
         Collision last;
     };
     State state() const { return {state_, behind_, record_, last_}; }
+    /// The rest of a method's internal state, with this state in it.
+    template <class Progress>
+    Progress saved_in(Progress progress) const {
+        progress.guard = state();
+        return progress;
+    }
     void state(const State& saved) {
         state_ = saved.approach;
         behind_ = saved.behind;

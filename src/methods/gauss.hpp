@@ -90,11 +90,7 @@ public:
         InnerTime<T> time;  ///< of own steps
         typename CollisionGuard<T>::State guard{};
     };
-    Progress progress() const {
-        Progress now = progress_;
-        now.guard = guard_.state();
-        return now;
-    }
+    Progress progress() const { return guard_.saved_in(progress_); }
     void progress(const Progress& saved) {
         progress_ = saved;
         guard_.state(saved.guard);

@@ -126,11 +126,7 @@ public:
         T unit = T(1);
         typename CollisionGuard<T>::State guard{};
     };
-    Progress progress() const {
-        Progress now = progress_;
-        now.guard = guard_.state();
-        return now;
-    }
+    Progress progress() const { return guard_.saved_in(progress_); }
     void progress(const Progress& progress) {
         progress_ = progress;
         guard_.state(progress.guard);
