@@ -67,7 +67,7 @@ public:
             GaussStages<T> inside = stages(seen.x.count());
             const T h = progress_.last - ahead;
             inside.solve(copy, seen, h, {known_, T(0), h / progress_.last});
-            inside.advance(seen, seen, h);
+            inside.advance(seen, seen);
         }
         out = {seen.x, seen.v};
     }
@@ -111,7 +111,7 @@ private:
     /// Of the stages, relative: well below rounding, as what the iteration leaves has the same sign in all steps and
     /// its sum would show; well below the error allowed.
     T iteration_error() const {
-        return std::max(std::numeric_limits<T>::epsilon() / T(16), tolerance_ * T(iteration_share));
+        return std::max(std::numeric_limits<T>::epsilon() / T(1024), tolerance_ * T(iteration_share));
     }
     static constexpr double iteration_share = 1e-3;
 
@@ -139,7 +139,7 @@ private:
     template <class System>
     bool take(System& system, T h) {
         if (!stages_.solve(system, end_, h, {known_, T(1), h / progress_.last})) return false;
-        stages_.advance(end_, end_, h);
+        stages_.advance(end_, end_);
         accept(h);
         return true;
     }
@@ -162,7 +162,7 @@ private:
         for (int refused = 0; refused < most_refused; ++refused) {
             if (guard_.at_hand()) return cross_collision(system);
             const bool solved = stages_.solve(system, begin_, h, {known_, T(1), guess_ratio(h, progress_.last)});
-            stages_.advance(begin_, end_, h);
+            stages_.advance(begin_, end_);
             if (straddles(system, h)) continue;
             if (solved && fits(h)) {
                 accept(h);

@@ -52,14 +52,7 @@ public:
     /// The iteration ends where an error of the stages of this size, relative to how far they are from the start, is
     /// reached. Along further axes than `axes` nothing moves.
     GaussStages(std::size_t particles, std::size_t axes, T error)
-        : axes_(axes),
-          error2_(error * error),
-          x_(particles),
-          f_(particles),
-          fixed_(particles),
-          gain_(particles),
-          weights_(T(0)),
-          guess_(guess_columns(T(1), T(1))) {}
+        : axes_(axes), error2_(error * error), x_(particles), f_(particles), fixed_(particles), gain_(particles) {}
 
     /// Forces f at the stages of an interval, eight numbers in a row for every coordinate: the first guess of those of
     /// another interval, which begins at `first` and is `ratio` times as long.
@@ -73,18 +66,16 @@ public:
     /// False if the iteration does not converge.
     template <class System>
     bool solve(System& system, const TwoPartState<T>& begin, T h, const Known& known) {
-        prepare(system.drag() * h, known);
-        const auto length = static_cast<long double>(h);
-        square_low_ = static_cast<T>(length * length - static_cast<long double>(h * h));
-        guess(begin, h, known.f);
+        prepare(system.drag() * h, h, known);
+        guess(begin, known.f);
         system.accelerations(x_, f_, axes_);
-        const Sizes sizes = improve<true>(begin, h);
+        const Sizes sizes = improve<true>(begin);
         T change = sizes.change, before = T(0);
         for (iterations_ = 2; iterations_ <= most_iterations; ++iterations_) {
             system.accelerations(x_, f_, axes_);
             if (settled(change, before, sizes)) break;
             before = change;
-            change = improve<false>(begin, h).change;
+            change = improve<false>(begin).change;
         }
         find_gains();
         return iterations_ <= most_iterations;
@@ -94,16 +85,16 @@ public:
     std::size_t iterations() const { return iterations_; }
 
     /// From the beginning of the step to its end, which may be the same object. Coordinates that do not move are left.
-    void advance(const TwoPartState<T>& from, TwoPartState<T>& to, T h) const {
-        const T loss = -weights_.kappa * weights_.end_reach, far = h * weights_.end_reach;
+    void advance(const TwoPartState<T>& from, TwoPartState<T>& to) const {
         each_coordinate(from.x, axes_, [&](std::size_t k) {
             const Stages<T>& gain = gain_.flat()[k];
             T x = from.x.flat()[k], v = from.v.flat()[k];
             const T start_v = v, below_v = from.lost.v.flat()[k];
-            T lost_x = from.lost.x.flat()[k] + (far * below_v + h * (h * gain[Weights::position_low]));
-            T lost_v = below_v + h * gain[Weights::velocity_low];
-            add_compensated(x, lost_x, far * start_v + h * (h * gain[Weights::position]));
-            add_compensated(v, lost_v, loss * start_v + h * gain[Weights::velocity]);
+            const T low = weights_.far * below_v + weights_.far_low * start_v;
+            T lost_x = from.lost.x.flat()[k] + (low + gain[Weights::position_low]);
+            T lost_v = below_v + gain[Weights::velocity_low];
+            add_compensated(x, lost_x, weights_.far * start_v + gain[Weights::position]);
+            add_compensated(v, lost_v, weights_.loss * start_v + gain[Weights::velocity]);
             to.x.flat()[k] = x;
             to.v.flat()[k] = v;
             to.lost.x.flat()[k] = lost_x;
@@ -143,44 +134,38 @@ private:
         T start;   ///< x0
     };
 
-    void prepare(T kappa, const Known& known) {
-        const bool other_weights = kappa != weights_.kappa;
-        if (other_weights) weights_ = Weights(kappa);
+    void prepare(T kappa, T h, const Known& known) {
+        const bool other_damping = static_cast<long double>(kappa) != matrices_.kappa;
+        const bool other_weights = other_damping || h != weights_.h;
+        if (other_damping) matrices_ = kappa == T(0) ? undamped_gauss : GaussMatrices(static_cast<long double>(kappa));
+        if (other_weights) weights_ = Weights(matrices_, h);
         if (!other_weights && known.first == first_ && known.ratio == ratio_) return;
         first_ = known.first;
         ratio_ = known.ratio;
-        guess_ = guess_columns(first_, ratio_);
+        guess_ = extrapolation(first_, ratio_);
+        for (Stages<T>& column : guess_) column = product(weights_.stage, column);
     }
 
-    StageColumns<T> guess_columns(T first, T ratio) const {
-        StageColumns<T> columns = extrapolation(first, ratio);
-        for (Stages<T>& column : columns) column = product(weights_.stage, column);
-        return columns;
-    }
-
-    void guess(const TwoPartState<T>& begin, T h, const Field<T>& known) {
-        const Stages<T> reach = Stages<T>(h) * weights_.reach, h2 = Stages<T>(h * h);
+    void guess(const TwoPartState<T>& begin, const Field<T>& known) {
         each_coordinate(begin.x, axes_, [&](std::size_t k) {
             const T x = begin.x.flat()[k], v = begin.v.flat()[k];
             const Stages<T> pull = product(guess_, known.flat().data() + stage_count * k);
-            x_.flat()[k] = Stages<T>(x) + (reach * Stages<T>(v) + h2 * pull);
+            x_.flat()[k] = Stages<T>(x) + (weights_.reach * Stages<T>(v) + (weights_.reach_low * Stages<T>(v) + pull));
         });
     }
 
-    /// X = x0 + h (A M 1 v0 + h A M A f), and how far that is from the last one. The first time it also computes the
-    /// part that stays, with what is below rounding.
+    /// X = x0 + h A M 1 v0 + h^2 A M A f, and how far that is from the last one. The first time it also computes
+    /// the part that stays, with what is below rounding.
     template <bool First>
-    Sizes improve(const TwoPartState<T>& begin, T h) {
+    Sizes improve(const TwoPartState<T>& begin) {
         const StageColumns<T> columns = weights_.stage;
-        const Stages<T> h1 = h, h2 = Stages<T>(h * h);
         const T* const start = begin.x.flat().data();
         const Stages<T>* const f = f_.flat().data();
         Stages<T>*const x = x_.flat().data(), *const fixed = fixed_.flat().data();
         Stages<T> change = T(0), stages = T(0), starts = T(0);
         each_coordinate(begin.x, axes_, [&](std::size_t k) {
-            const Stages<T> pull = product(columns, f[k]);
-            if constexpr (First) fixed[k] = fixed_part(begin, h1, k, pull);
-            const Stages<T> moved = fixed[k] + h2 * pull;
+            if constexpr (First) fixed[k] = fixed_part(begin, k);
+            const Stages<T> moved = fixed[k] + product(columns, f[k]);
             const Stages<T> next = Stages<T>(start[k]) + moved, difference = next - x[k];
             x[k] = next;
             change += difference * difference;
@@ -192,13 +177,11 @@ private:
         return {sum(change), sum(stages), sum(starts)};
     }
 
-    /// h A M 1 v0, and what is below rounding: of x0, of v0, of the weights, of h^2.
-    [[gnu::always_inline]] Stages<T> fixed_part(const TwoPartState<T>& begin, const Stages<T>& h, std::size_t k,
-                                                const Stages<T>& pull) const {
+    /// h A M 1 v0, and what is below rounding: of x0, of v0, of the weights.
+    [[gnu::always_inline]] Stages<T> fixed_part(const TwoPartState<T>& begin, std::size_t k) const {
         const Stages<T> v = begin.v.flat()[k], lost_v = begin.lost.v.flat()[k], lost_x = begin.lost.x.flat()[k];
-        const Stages<T> low = h * product(weights_.stage_low, f_.flat()[k]) + weights_.reach_low * v;
-        const Stages<T> below = h * (low + weights_.reach * lost_v) + Stages<T>(square_low_) * pull;
-        return h * (weights_.reach * v) + (lost_x + below);
+        const Stages<T> low = product(weights_.stage_low, f_.flat()[k]) + weights_.reach_low * v;
+        return weights_.reach * v + (lost_x + (low + weights_.reach * lost_v));
     }
 
     /// True if another iteration would change nothing that matters: its change, told from the last two, is below the
@@ -221,12 +204,12 @@ private:
 
     std::size_t axes_ = 3;
     T error2_ = T(0);
-    T square_low_ = T(0);  ///< what rounding cuts off h^2
     std::size_t iterations_ = 0;
     Field<Stages<T>> x_, f_;
     Field<Stages<T>> fixed_;  ///< what of X - x0 does not depend on f, and what is below rounding
     Field<Stages<T>> gain_;   ///< what f does to the end of the step
-    Weights weights_{T(0)};
+    GaussMatrices matrices_ = undamped_gauss;
+    Weights weights_;
     T first_ = T(1), ratio_ = T(1);
     StageColumns<T> guess_;  ///< from known forces to h^-2 (X - x0)
 };

@@ -3,7 +3,10 @@
 #include "methods/gauss_table.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 namespace steplab {
@@ -22,65 +25,39 @@ N product(const std::array<N, stage_count>& columns, const Numbers& numbers) {
 
 /// The Gauss method for x'' = f(x) - gamma x', with the velocities of the stages eliminated. With kappa = gamma h and
 /// M = (1 + kappa A)^-1 the stages and the end of a step of length h are
-///     X  = x0 + h (A M 1 v0 + h A M A f),
-///     x1 = x0 + h (b M 1 v0 + h b M A f),   v1 = v0 - kappa b M 1 v0 + h b M f.
-/// What rounding cuts off the weights is kept too ("low"): a method is symplectic only as far as its weights are
-/// right, and an error of 1e-16 in them would add up over the steps.
-template <class T>
-struct GaussWeights {
-    /// The lanes of a product with `end`.
-    enum : std::size_t { velocity, position, velocity_low, position_low, coefficient_6, coefficient_7 };
+///     X  = x0 + h A M 1 v0 + h^2 A M A f,
+///     x1 = x0 + h b M 1 v0 + h^2 b M A f,   v1 = v0 - kappa b M 1 v0 + h b M f.
+struct GaussMatrices {
+    using Row = GaussTable::Row;
+    using Matrix = std::array<Row, stage_count>;
 
-    T kappa;
-    Stages<T> reach, reach_low;        ///< A M 1
-    StageColumns<T> stage, stage_low;  ///< A M A
-    T end_reach;                       ///< b M 1
-    StageColumns<T> end;               ///< b M, b M A, and what f's Legendre coefficients 6 and 7 are made of
+    long double kappa;
+    Row reach{};          ///< A M 1
+    Matrix stage{};       ///< columns of A M A
+    Row velocity{};       ///< b M
+    Row position{};       ///< b M A
+    long double far = 0;  ///< b M 1
 
-    explicit GaussWeights(T damping) : kappa(damping) {
-        const auto [ma, m1] = solved(static_cast<long double>(damping));
-        std::array<Row, stage_count> rows{}, low{}, columns{};
-        Row lanes{};
-        for (std::size_t i = 0; i < stage_count; ++i) {
-            lanes[i] = dot(gauss_table.a[i], m1);
-            for (std::size_t j = 0; j < stage_count; ++j) {
-                rows[j][i] = dot(gauss_table.a[i], column(ma, j));
-                low[j][i] = rest(rows[j][i]);
-            }
-        }
-        reach = in_lanes(lanes);
-        for (long double& weight : lanes) weight = rest(weight);
-        reach_low = in_lanes(lanes);
-        end_reach = static_cast<T>(dot(gauss_table.b, m1));
+    explicit constexpr GaussMatrices(long double damping) : kappa(damping) {
+        const auto [ma, m1] = solved(damping);
+        far = dot(gauss_table.b, m1);
         for (std::size_t j = 0; j < stage_count; ++j) {
-            const long double x = dot(gauss_table.b, column(ma, j));
-            const long double v = gauss_table.b[j] - static_cast<long double>(damping) * x;
-            columns[j] = {v, x, rest(v), rest(x), gauss_table.legendre[6][j], gauss_table.legendre[7][j], 0, 0};
-            stage[j] = in_lanes(rows[j]);
-            stage_low[j] = in_lanes(low[j]);
-            end[j] = in_lanes(columns[j]);
+            reach[j] = dot(gauss_table.a[j], m1);
+            const Row column = column_of(ma, j);
+            for (std::size_t i = 0; i < stage_count; ++i) stage[j][i] = dot(gauss_table.a[i], column);
+            position[j] = dot(gauss_table.b, column);
+            velocity[j] = gauss_table.b[j] - kappa * position[j];
         }
     }
 
 private:
-    using Row = GaussTable::Row;
-    using Matrix = std::array<Row, stage_count>;
-
-    static long double rest(long double x) { return x - static_cast<long double>(static_cast<T>(x)); }
-
-    static Stages<T> in_lanes(const Row& row) {
-        alignas(64) std::array<T, stage_count> numbers;
-        for (std::size_t i = 0; i < stage_count; ++i) numbers[i] = static_cast<T>(row[i]);
-        return Stages<T>::load(numbers.data());
-    }
-
-    static Row column(const Matrix& matrix, std::size_t j) {
+    static constexpr Row column_of(const Matrix& matrix, std::size_t j) {
         Row column{};
         for (std::size_t i = 0; i < stage_count; ++i) column[i] = matrix[i][j];
         return column;
     }
 
-    static long double dot(const Row& a, const Row& b) {
+    static constexpr long double dot(const Row& a, const Row& b) {
         long double sum = 0;
         for (std::size_t i = 0; i < stage_count; ++i) sum += a[i] * b[i];
         return sum;
@@ -88,7 +65,7 @@ private:
 
     /// M A and M 1 by elimination in (1 + kappa A | A, 1); without pivots, as the eigenvalues of A have positive real
     /// parts and those of its leading blocks stay away from zero.
-    static std::pair<Matrix, Row> solved(long double kappa) {
+    static constexpr std::pair<Matrix, Row> solved(long double kappa) {
         Matrix left{}, right = gauss_table.a;
         Row one{};
         one.fill(1);
@@ -111,6 +88,66 @@ private:
             one[i] /= left[i][i];
         }
         return {right, one};
+    }
+};
+
+inline constexpr GaussMatrices undamped_gauss{0};
+
+/// The weights of a step of length h, which they contain. What rounding cuts off them is kept too ("low"): a method is
+/// symplectic only as far as its weights are right, and an error of 1e-16 in them would add up over the steps.
+///
+/// Two more things keep rounding from going up more often than down. h is in the weights: like most people's dt it is
+/// close to a fraction of small numbers (0.3, 1.7), so that in h v the digits cut off would be a smooth function of v,
+/// whose mean over an oscillation is not zero. And what is multiplied with v0 has half of T's digits, the rest is in
+/// its low part: the sum of the products then keeps what is below rounding in the mean, where a product rounded before
+/// would swallow it.
+template <class T>
+struct GaussWeights {
+    /// The lanes of a product with `end`.
+    enum : std::size_t { velocity, position, velocity_low, position_low, coefficient_6, coefficient_7 };
+
+    T h = T(0);
+    Stages<T> reach{T(0)}, reach_low{T(0)};  ///< h A M 1, half of T's digits and the rest
+    StageColumns<T> stage{}, stage_low{};    ///< h^2 A M A
+    T far = T(0), far_low = T(0);            ///< h b M 1, half of T's digits and the rest
+    T loss = T(0);                           ///< -kappa b M 1
+    StageColumns<T> end{};  ///< h b M, h^2 b M A, and what f's Legendre coefficients 6 and 7 are made of
+
+    GaussWeights() = default;
+    GaussWeights(const GaussMatrices& matrices, T length) : h(length) {
+        const auto h1 = static_cast<long double>(length), h2 = h1 * h1;
+        std::tie(reach, reach_low) = in_lanes(matrices.reach, h1, half_of_digits);
+        far = half_of_digits(h1 * matrices.far);
+        far_low = static_cast<T>(h1 * matrices.far - static_cast<long double>(far));
+        loss = static_cast<T>(-matrices.kappa * matrices.far);
+        for (std::size_t j = 0; j < stage_count; ++j) {
+            std::tie(stage[j], stage_low[j]) = in_lanes(matrices.stage[j], h2);
+            const long double v = h1 * matrices.velocity[j], x = h2 * matrices.position[j];
+            end[j] = in_lanes({v, x, rest(v), rest(x), gauss_table.legendre[6][j], gauss_table.legendre[7][j], 0, 0}, 1)
+                         .first;
+        }
+    }
+
+private:
+    static T rounded(long double x) { return static_cast<T>(x); }
+    static long double rest(long double x) { return x - static_cast<long double>(rounded(x)); }
+
+    static T half_of_digits(long double x) {
+        int exponent = 0;
+        constexpr int digits = std::numeric_limits<T>::digits / 2;
+        const long double mantissa = std::frexp(x, &exponent);
+        return static_cast<T>(std::ldexp(std::trunc(std::ldexp(mantissa, digits)), exponent - digits));
+    }
+
+    /// scale row, and what `cut` leaves of it.
+    static std::pair<Stages<T>, Stages<T>> in_lanes(const GaussTable::Row& row, long double scale,
+                                                    T (*cut)(long double) = rounded) {
+        alignas(64) std::array<T, stage_count> numbers, low;
+        for (std::size_t i = 0; i < stage_count; ++i) {
+            numbers[i] = cut(scale * row[i]);
+            low[i] = static_cast<T>(scale * row[i] - static_cast<long double>(numbers[i]));
+        }
+        return {Stages<T>::load(numbers.data()), Stages<T>::load(low.data())};
     }
 };
 

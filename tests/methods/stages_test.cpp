@@ -66,7 +66,7 @@ TEST(StageLanes, give_the_bits_of_plain_numbers_in_every_layout) {
 
 // The sums of a step have one order whatever the registers: products by lanes and by plain loops.
 TEST(StageLanes, products_do_not_depend_on_registers) {
-    const GaussWeights<double> weights(0.3);
+    const GaussWeights<double> weights(GaussMatrices(0.3L), 1.7);
     std::array<PlainLanes<double, stage_count>, stage_count> columns;
     alignas(64) double numbers[stage_count] = {1, -0.3, 0.7, 1e-3, 5, -2, 0.1, 1.7}, column[stage_count];
     for (std::size_t j = 0; j < stage_count; ++j) {
