@@ -1,6 +1,5 @@
 #include "core/error.hpp"
 #include "methods/implicit-midpoint.hpp"
-#include "methods/newton_matrix.hpp"
 #include "methods/system.hpp"
 #include "methods/tr-bdf2.hpp"
 #include "models/layouts.hpp"
@@ -116,72 +115,6 @@ TEST(Blocks, of_coincident_particles_are_finite) {
             for (const double number : row) EXPECT_TRUE(std::isfinite(number));
         }
     }
-}
-
-/// A chain of blocks as both kinds of matrix, solved for the same right-hand side.
-template <class Matrix>
-Field<double> solution_of_a_chain(std::size_t n, double coupling, bool& solvable) {
-    Matrix matrix(n);
-    matrix.reset(2);
-    Field<double> right(n), solution(n);
-    Block<double> block = Block<double>::diagonal(coupling);
-    block.at[0][1] = block.at[1][0] = 0.3 * coupling;
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-        matrix.add_diagonal(i, block);
-        matrix.add_diagonal(i + 1, block);
-        matrix.add_beside(i, i + 1, -1.0 * block);
-    }
-    for (std::size_t i = 0; i < n; ++i) right.set(i, {1.0 + static_cast<double>(i), -2, 0.5});
-    solvable = matrix.factorise();
-    if (solvable) matrix.solve(right, solution);
-    return solution;
-}
-
-// Condition number below 10: the two eliminations agree to some roundings of solutions below 10.
-TEST(NewtonMatrix, block_tridiagonal_and_sparse_agree) {
-    bool first = false, second = false;
-    const auto a = solution_of_a_chain<BlockTridiagonal<double>>(7, 1.5, first);
-    const auto b = solution_of_a_chain<SparseSymmetric<double>>(7, 1.5, second);
-    ASSERT_TRUE(first && second);
-    for (std::size_t i = 0; i < 7; ++i) EXPECT_LT(length(a.at(i) - b.at(i)), 1e-14);
-}
-
-TEST(NewtonMatrix, says_that_a_singular_one_is) {
-    BlockTridiagonal<double> chain(1);
-    chain.reset(0);
-    EXPECT_FALSE(chain.factorise());
-    SparseSymmetric<double> sparse(1);
-    sparse.reset(0);
-    EXPECT_FALSE(sparse.factorise());
-}
-
-/// A chain whose blocks are `Error` per cent off.
-template <int Error>
-struct MisjudgedLine : Line<double> {
-    using Line<double>::Line;
-    std::array<SpringFormula<double>, 1> formulas() const { return {{{{1, 0, 0}, 1, 1 + Error / 100.0}}}; }
-};
-
-/// Evaluations of 10 steps over 5 particles that swing across their line.
-template <class Method, class Force>
-std::uint64_t evaluations_of_ten_steps() {
-    System<double, Force> system(Force({.count = 5, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 1}), 0, 1);
-    State<double> state{Field<double>(5), Field<double>(5)};
-    state.velocity.y()[4] = 0.5;
-    typename Method::template Integrator<double> integrator{ParameterValues(Method::parameters)};
-    integrator.start(system, state);
-    const std::uint64_t start = system.evaluations();
-    for (int i = 0; i < 10; ++i) integrator.step(system);
-    return system.evaluations() - start;
-}
-
-// Newton's method doubles its digits: from some 10 % to 16 digits in 5 or 6 evaluations a stage. With a Jacobian a
-// fifth off each evaluation gains less than a digit.
-TEST(Newton, converges_in_few_evaluations_with_the_exact_jacobian_alone) {
-    EXPECT_LE((evaluations_of_ten_steps<ImplicitMidpoint, MisjudgedLine<0>>()), 60u);
-    EXPECT_GE((evaluations_of_ten_steps<ImplicitMidpoint, MisjudgedLine<20>>()), 100u);
-    EXPECT_LE((evaluations_of_ten_steps<TrBdf2, MisjudgedLine<0>>()), 110u);
-    EXPECT_GE((evaluations_of_ten_steps<TrBdf2, MisjudgedLine<20>>()), 180u);
 }
 
 RunDescription at_100_times_the_limit(std::string_view model, std::string_view method, Settings settings) {

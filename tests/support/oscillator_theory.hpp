@@ -6,16 +6,20 @@
 #include "sim/segment.hpp"
 #include "support/runs.hpp"
 
-#include <cmath>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace steplab::test {
 
+/// 34 digits: 10^9 steps of long double would lose what is looked for.
+using Quad = boost::multiprecision::cpp_bin_float_quad;
+
 /// A linear map of (x, v).
 struct Map {
-    long double xx = 1, xv = 0, vx = 0, vv = 1;
+    Quad xx = 1, xv = 0, vx = 0, vv = 1;
 
     friend Map operator*(const Map& a, const Map& b) {
         return {a.xx * b.xx + a.xv * b.vx, a.xx * b.xv + a.xv * b.vv, a.vx * b.xx + a.vv * b.vx,
@@ -32,8 +36,8 @@ inline Map power(Map base, std::uint64_t exponent) {
     return result;
 }
 
-/// What one step of a method makes of the oscillator x'' = -x, in long double: with numbers of 5e-20 it tells where n
-/// steps lead, but for n times that.
+/// What one step of a method makes of the oscillator x'' = -x, in long double: with numbers right to 5e-20 it tells
+/// where n steps lead, but for n times that.
 template <class Method>
 Map step_map(long double dt) {
     constexpr LineForces spring{.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0};
@@ -48,7 +52,10 @@ Map step_map(long double dt) {
 }
 
 /// The exact motion over dt: what a method without error of its own makes of it.
-inline Map exact_map(long double dt) { return {std::cos(dt), std::sin(dt), -std::sin(dt), std::cos(dt)}; }
+inline Map exact_map(long double dt) {
+    const Quad angle = dt;
+    return {cos(angle), sin(angle), -sin(angle), cos(angle)};
+}
 
 /// How far an oscillator is from where it should be.
 struct Deviation {
@@ -56,10 +63,10 @@ struct Deviation {
     double energy = 0;  ///< relative
 };
 
-inline Deviation deviation(long double x, long double v, const Map& theory) {
-    const long double right_x = theory.xv, right_v = theory.vv;  // from x = 0, v = 1
-    const long double across = x * right_v - v * right_x, along = x * right_x + v * right_v;
-    return {static_cast<double>(std::atan2(across, along)),
+inline Deviation deviation(const Quad& x, const Quad& v, const Map& theory) {
+    const Quad &right_x = theory.xv, &right_v = theory.vv;  // from x = 0, v = 1
+    const Quad across = x * right_v - v * right_x, along = x * right_x + v * right_v;
+    return {static_cast<double>(atan2(across, along)),
             static_cast<double>((x * x + v * v) / (right_x * right_x + right_v * right_v) - 1)};
 }
 
@@ -82,8 +89,7 @@ inline std::vector<Deviation> deviations(const RunDescription& run, const Map& m
         segment.stepper->advance(step - now);
         now = step;
         segment.stepper->synchronised(state);
-        const long double x = state.displacement.x()[1], v = state.velocity.x()[1];
-        all.push_back(deviation(x, v, power(map, step)));
+        all.push_back(deviation(state.displacement.x()[1], state.velocity.x()[1], power(map, step)));
     }
     return all;
 }
