@@ -35,6 +35,19 @@ std::optional<double> step_of(const Json& json) {
     return json.is_null() ? std::nullopt : parse_number(json.get<std::string>());
 }
 
+Json json_of(const std::vector<CutSeries>& cut) {
+    Json list = Json::array();
+    for (const CutSeries& series : cut) list.push_back({series.method, id(series.precision)});
+    return list;
+}
+
+std::vector<CutSeries> cut_of(const Json& list) {
+    std::vector<CutSeries> cut;
+    for (const Json& json : list)
+        cut.push_back({json.at(0), json.at(1) == id(Precision::float_) ? Precision::float_ : Precision::double_});
+    return cut;
+}
+
 Json json_of(const std::vector<Limit>& limits) {
     Json list = Json::array();
     for (const Limit& limit : limits) {
@@ -63,6 +76,7 @@ StudyState state_of(const Json& json, const StudyPlan& plan) {
     StudyState state{.reference = json.at("reference"),
                      .reference_error = json.at("reference_error"),
                      .series = {.runs = parse_speed_error_csv(json.at("runs").get<std::string>()),
+                                .cut = cut_of(json.at("cut")),
                                 .series = json.at("series"),
                                 .timed = json.at("timed")},
                      .limits = {}};
@@ -103,6 +117,7 @@ void KeptStudies::keep(const StudyPlan& plan, const StudyState& state) const {
               {"reference", state.reference},
               {"reference_error", state.reference_error},
               {"runs", speed_error_csv(state.series.runs)},
+              {"cut", json_of(state.series.cut)},
               {"series", state.series.series},
               {"timed", state.series.timed}};
     if (state.limits) json["limits"] = json_of(*state.limits);

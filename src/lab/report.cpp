@@ -52,7 +52,12 @@ Study measured(const StudyPlan& plan, const KeptStudies& kept, const StudyProgre
         state.limits = limits_of(plan, [&](double part) { progress(share_of_series + (1 - share_of_series) * part); });
         keep();
     }
-    return {plan, state.reference, state.reference_error, std::move(state.series.runs), std::move(*state.limits)};
+    return {.plan = plan,
+            .reference = state.reference,
+            .reference_error = state.reference_error,
+            .runs = std::move(state.series.runs),
+            .cut = std::move(state.series.cut),
+            .limits = std::move(*state.limits)};
 }
 
 void write_file(const std::string& folder, const char* name, const std::string& text) {

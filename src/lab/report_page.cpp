@@ -1,5 +1,6 @@
 #include "lab/report_page.hpp"
 
+#include "core/duration.hpp"
 #include "core/text.hpp"
 #include "lab/lyapunov.hpp"
 #include "lab/page.hpp"
@@ -91,6 +92,25 @@ std::string reference_text(const Study& study) {
                        escaped(study.reference), readable(study.reference_error));
 }
 
+/// The methods whose series in this precision was cut, in words; empty if none was.
+std::string cut_in(const Study& study, Precision precision) {
+    std::string names;
+    for (const CutSeries& series : study.cut) {
+        if (series.precision == precision) names += (names.empty() ? " " : ", ") + method_name(series.method);
+    }
+    return names.empty() ? "" : fmt::format(" In {}:{}.", id(precision), names);
+}
+
+std::string cut_text(const Study& study) {
+    if (study.cut.empty()) return "";
+    std::string text = fmt::format(
+        "<p class=\"quiet\">Some curves end because their next run would have taken more than {}, not because smaller "
+        "steps gain no more.",
+        duration_text(study.plan.most_seconds_a_run));
+    for (const Precision precision : study.plan.precisions) text += cut_in(study, precision);
+    return text + "</p>\n";
+}
+
 std::string study_section(const Study& study, std::span<const double> errors, const StudyFigures& figures,
                           std::span<const std::string> svg, const MethodColours& colours) {
     const RunDescription& scene = study.plan.scene;
@@ -101,7 +121,7 @@ std::string study_section(const Study& study, std::span<const double> errors, co
     if (const std::string chaos = chaos_note(scene, study.plan.time, study.reference_error); !chaos.empty())
         text += fmt::format("<p><strong>{}</strong></p>\n", chaos);
     text += std::string("<h3>Error against cost</h3>\n") + diagrams_explained + diagrams(figures, svg) +
-            legend(study, colours);
+            legend(study, colours) + cut_text(study);
     text +=
         "<h3>The best that can be had</h3>\n<p>No other run is both faster and more accurate than one of these (the "
         "Pareto front).</p>\n" +

@@ -35,30 +35,34 @@ public:
     Series(const StudyPlan& plan, const Reference& reference, std::vector<Measurement>& out)
         : plan_(plan), reference_(reference), out_(out), frequency_(frequency(plan)) {}
 
-    void over_dt(const std::string& method, Precision precision) {
+    /// False if only time ended it.
+    bool over_dt(const std::string& method, Precision precision) {
         GainWatch gain;
         CostWatch cost(plan_.most_seconds_a_run);
         for (double wanted = static_cast<double>(fewest_steps(plan_, method, frequency_)); wanted < 1e9;
              wanted *= plan_.ratio) {
             const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
-            if (cost.too_long(steps)) return;
+            if (cost.too_long(steps)) return false;
             const RunDescription run = run_over(plan_, method, precision, steps);
             cost.ran(steps, stepping_seconds(run, steps));
             out_.push_back(measure(run, steps, reference_));
-            if (gain.gains_no_more(out_.back())) return;
+            if (gain.gains_no_more(out_.back())) return true;
         }
+        return true;
     }
 
-    void over_tolerance(const std::string& method, Precision precision) {
+    /// False if only time ended it.
+    bool over_tolerance(const std::string& method, Precision precision) {
         GainWatch gain;
         const double least = precision == Precision::float_ ? 1e-8 : 1e-16;
         for (double tolerance = 1e-2; tolerance > least; tolerance /= 10) {
             RunDescription run = run_over(plan_, method, precision, 1);
             run.method_parameters.set("tolerance", tolerance);
-            if (stepping_seconds(run, 1) > plan_.most_seconds_a_run) return;
+            if (stepping_seconds(run, 1) > plan_.most_seconds_a_run) return false;
             out_.push_back(measure(run, 1, reference_));
-            if (gain.gains_no_more(out_.back())) return;
+            if (gain.gains_no_more(out_.back())) return true;
         }
+        return true;
     }
 
 private:
@@ -166,8 +170,9 @@ void go_on_with_series(const StudyPlan& plan, const Reference& reference, Series
         const std::string& id = methods[state.series / plan.precisions.size()];
         const Precision precision = plan.precisions[state.series % plan.precisions.size()];
         progress(share * static_cast<double>(state.series) / static_cast<double>(all));
-        if (takes_dt(id)) series.over_dt(id, precision);
-        if (takes_tolerance(id)) series.over_tolerance(id, precision);
+        bool complete = !takes_dt(id) || series.over_dt(id, precision);
+        complete = (!takes_tolerance(id) || series.over_tolerance(id, precision)) && complete;
+        if (!complete) state.cut.push_back({id, precision});
         ++state.series;
         keep();
     }

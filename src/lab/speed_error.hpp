@@ -24,9 +24,16 @@ struct StudyPlan {
 /// Called between runs with the part of the work that is done, 0 .. 1; may throw to end it.
 using StudyProgress = std::function<void(double)>;
 
+/// A series that ended because its next run would have taken too long, not because it gained no more.
+struct CutSeries {
+    std::string method;
+    Precision precision = Precision::double_;
+};
+
 /// How far the measuring of a plan is: enough to go on from there.
 struct SeriesState {
     std::vector<Measurement> runs;
+    std::vector<CutSeries> cut;
     std::size_t series = 0;  ///< of a method in a precision, in the plan's order, that are complete in `runs`
     bool timed = false;
 };

@@ -15,6 +15,7 @@ struct Study {
     std::string reference;       ///< in words: what the runs are judged by
     double reference_error = 0;  ///< how far that may be from the truth; no error is given below it
     std::vector<Measurement> runs;
+    std::vector<CutSeries> cut;
     std::vector<Limit> limits;  ///< stability limits of the plan's methods, in the plan's first precision
 };
 

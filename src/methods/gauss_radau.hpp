@@ -36,7 +36,7 @@ public:
         begin_ = end_;
         const std::size_t count = end_.x.count();
         for (Field<T>* field : {&a_, &begin_a_, &x_, &f_, &last_a_}) *field = Field<T>(count);
-        for (Terms* set : {&b_, &expected_, &trial_, &trial_expected_, &g_}) set->fill(Field<T>(count));
+        for (Terms* set : {&b_, &trial_, &g_}) set->fill(Field<T>(count));
         system.accelerations(end_.x, a_);
         progress_ = {};
         progress_.next = aim_ * time_scale(system, end_.x, end_.v, a_);
@@ -78,7 +78,6 @@ public:
         f(self.a_);
         f(self.begin_a_);
         for (auto& field : self.b_) f(field);
-        for (auto& field : self.expected_) f(field);
     }
 
     struct Progress {
@@ -160,7 +159,7 @@ private:
         end_.x = behind.x;
         end_.v = behind.v;
         a_ = behind.a;
-        for (Terms* set : {&b_, &expected_}) set->fill(Field<T>(a_.count()));
+        b_.fill(Field<T>(a_.count()));
         progress_.last = progress_.next = length;
         progress_.time.inner_step(T(2) * progress_.across);
     }
@@ -170,7 +169,6 @@ private:
         begin_ = end_;
         std::swap(begin_a_, a_);
         std::swap(b_, trial_);
-        std::swap(expected_, trial_expected_);
         move(end_, begin_a_, b_, h, T(1));
         accelerate(system, end_.x, end_.v, a_);
         progress_.last = h;
@@ -196,20 +194,17 @@ private:
         move(end_, a_, trial_, h, T(1));
     }
 
-    /// First guess of b: the last step's polynomial carried on, corrected by what the last guess was off (eq. 13 to
-    /// 15).
+    /// First guess of b: the last step's polynomial carried on (eq. 13). The correction by what the last guess was off
+    /// (eq. 14, 15) is for steps of one length; where steps follow the motion it cost up to a fifth more evaluations.
     void expect(T ratio) {
-        std::array<T, terms> power;
-        T p = T(1);
-        for (T& value : power) value = p *= ratio;
+        T power = T(1);
         for (std::size_t j = 0; j < terms; ++j) {
-            T *const expected = trial_expected_[j].flat().data(), *const b = trial_[j].flat().data();
-            const T *const last = b_[j].flat().data(), *const before = expected_[j].flat().data();
-            elementwise(a_.flat().size(), [=, factor = power[j], all = numbers(b_)](std::size_t k) {
+            power *= ratio;
+            T* const b = trial_[j].flat().data();
+            elementwise(a_.flat().size(), [=, last = numbers(b_)](std::size_t k) {
                 T sum = T(0);
-                for (std::size_t i = j; i < terms; ++i) sum += static_cast<T>(Radau::shift[j][i]) * all[i][k];
-                expected[k] = factor * sum;
-                b[k] = expected[k] + (last[k] - before[k]);
+                for (std::size_t i = j; i < terms; ++i) sum += static_cast<T>(Radau::shift[j][i]) * last[i][k];
+                b[k] = power * sum;
             });
         }
         newton_form();
@@ -336,8 +331,8 @@ private:
     TwoPartState<T> end_;    ///< of the last own step
     TwoPartState<T> begin_;  ///< its beginning
     Field<T> a_, begin_a_;   ///< accelerations there, drag included
-    Terms b_, expected_;     ///< of the last step, and what was expected of it
-    Terms trial_, trial_expected_, g_;
+    Terms b_;                ///< of the last step
+    Terms trial_, g_;
     CollisionGuard<T> guard_;
     Field<T> x_, f_, last_a_;
     Progress progress_;

@@ -15,7 +15,10 @@ namespace {
 
 StudyState state() {
     StudyState state{.reference = "exact solution", .reference_error = 1e-16, .series = {}, .limits = {}};
-    state.series = {.runs = {run_with("rk4", 0.1, 1e-5, 3e-6), diverged("euler", 1)}, .series = 2, .timed = true};
+    state.series = {.runs = {run_with("rk4", 0.1, 1e-5, 3e-6), diverged("euler", 1)},
+                    .cut = {{"rk4", Precision::float_}},
+                    .series = 2,
+                    .timed = true};
     state.limits = {
         {.description = describe("chain", "rk4"), .omega_max = 2, .theory = infinity, .measured = {}, .note = "why"}};
     return state;
@@ -34,6 +37,9 @@ TEST(KeptStudy, is_found_again) {
     ASSERT_EQ(found->series.runs.size(), 2u);
     EXPECT_EQ(found->series.runs[0].error, 1e-5);
     EXPECT_TRUE(found->series.runs[1].diverged);
+    ASSERT_EQ(found->series.cut.size(), 1u);
+    EXPECT_EQ(found->series.cut[0].method, "rk4");
+    EXPECT_EQ(found->series.cut[0].precision, Precision::float_);
     ASSERT_TRUE(found->limits);
     EXPECT_EQ(found->limits->front().theory, infinity);
     EXPECT_FALSE(found->limits->front().measured);

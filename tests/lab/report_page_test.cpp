@@ -21,7 +21,7 @@ const Circumstances made{"9.8.7", "c0ffee1", "a compiler", "a machine", "2026-01
 
 /// Errors as of methods of order 1, 4 and 4, by hand: pefrl is 3 times as fast as rk4.
 Study study() {
-    Study study{small_plan({"euler", "rk4", "pefrl"}), "exact solution", 1e-16, {}, {}};
+    Study study{small_plan({"euler", "rk4", "pefrl"}), "exact solution", 1e-16, {}, {}, {}};
     study.plan.precisions = {Precision::double_, Precision::float_};
     for (const Precision precision : study.plan.precisions) {
         const double rounding = precision == Precision::float_ ? 1e-6 : 1e-13;
@@ -103,6 +103,15 @@ TEST(ReportPage, never_shows_a_failed_run_as_a_fast_one) {
     const auto answers = [](const std::string& text) { return text.substr(0, text.find("<h3>Orders")); };
     EXPECT_EQ(answers(page), answers(without));
     EXPECT_THAT(page, HasSubstr("<td>13</td><td>3</td>"));  // counted
+}
+
+TEST(ReportPage, tells_which_curves_time_has_cut) {
+    Study cut = study();
+    cut.cut = {{"euler", Precision::double_}, {"pefrl", Precision::double_}, {"rk4", Precision::float_}};
+    const std::string page = std::regex_replace(page_of(cut), std::regex("<[^>]*>"), "");
+    EXPECT_THAT(page, HasSubstr("would have taken more than 2 ms, not because smaller steps gain no more."));
+    EXPECT_THAT(page, HasSubstr("In double: euler, pefrl. In float: rk4."));
+    EXPECT_THAT(page_of(study()), Not(HasSubstr("would have taken")));
 }
 
 TEST(ReportPage, needs_nothing_else) {

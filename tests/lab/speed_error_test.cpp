@@ -76,6 +76,25 @@ TEST(SpeedError, goes_on_past_runs_that_cost_no_more_than_the_one_before) {
     EXPECT_GT(static_cast<std::ptrdiff_t>(runs.size()), by_dt);  // and some by tolerance
 }
 
+/// What time cuts of a series of runs none of which may take longer.
+std::vector<CutSeries> cut_by(double most_seconds_a_run) {
+    StudyPlan plan = small_plan({"pefrl", "gauss-16"});
+    plan.most_seconds_a_run = most_seconds_a_run;
+    SeriesState state;
+    go_on_with_series(
+        plan, reference_for(plan), state, [] {}, no_progress);
+    return state.cut;
+}
+
+// A nanosecond is less than a run takes, a minute ten thousand times more.
+TEST(SpeedError, names_the_series_that_time_ends_and_no_other) {
+    const auto cut = cut_by(1e-9);
+    ASSERT_EQ(cut.size(), 2u);
+    EXPECT_EQ(cut[0].method, "pefrl");
+    EXPECT_EQ(cut[1].method, "gauss-16");
+    EXPECT_EQ(cut_by(60).size(), 0u);
+}
+
 TEST(GainWatch, ends_after_two_that_cost_more_and_are_no_better) {
     const auto costing = [](std::uint64_t evaluations, double error) {
         Measurement m = run_with("rk4", 0.1, error, 1e-6);

@@ -7,8 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 namespace steplab::test {
 namespace {
@@ -39,6 +40,33 @@ TEST(NewtonMatrix, block_tridiagonal_and_sparse_agree) {
     const auto b = solution_of_a_chain<SparseSymmetric<double>>(7, 1.5, second);
     ASSERT_TRUE(first && second);
     for (std::size_t i = 0; i < 7; ++i) EXPECT_LT(length(a.at(i) - b.at(i)), 1e-14);
+}
+
+/// The solution for blocks between these pairs of 4 particles.
+Field<double> solution_for_pairs(SparseSymmetric<double>& matrix,
+                                 const std::vector<std::array<std::size_t, 2>>& pairs) {
+    Field<double> right(4), solution(4);
+    for (std::size_t i = 0; i < 4; ++i) right.set(i, {1, -2, 0.5 * static_cast<double>(i)});
+    matrix.reset(2);
+    for (const auto& [i, j] : pairs) {
+        matrix.add_diagonal(i, Block<double>::diagonal(1));
+        matrix.add_diagonal(j, Block<double>::diagonal(1));
+        matrix.add_beside(i, j, Block<double>::diagonal(-1));
+    }
+    EXPECT_TRUE(matrix.factorise());
+    matrix.solve(right, solution);
+    return solution;
+}
+
+// As many pairs each time, of which others are near each other: the same bits as from a matrix that knew no pairs
+// before.
+TEST(NewtonMatrix, follows_pairs_that_change) {
+    SparseSymmetric<double> used(4), fresh(4);
+    const Field<double> before = solution_for_pairs(used, {{0, 1}, {1, 2}});
+    const Field<double> after = solution_for_pairs(used, {{0, 3}, {2, 3}});
+    const Field<double> right = solution_for_pairs(fresh, {{0, 3}, {2, 3}});
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(length(after.at(i) - right.at(i)), 0);
+    EXPECT_GT(length(after.at(3) - before.at(3)), 0.01);
 }
 
 TEST(NewtonMatrix, says_that_a_singular_one_is) {
