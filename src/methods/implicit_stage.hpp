@@ -30,24 +30,11 @@ public:
           update_(coupling.particles),
           trial_(coupling.particles) {}
 
-    /// False if no solution was found. Newton's steps are halved until the residual falls; they end where one changes
-    /// nothing that rounding leaves, or where the residual no longer falls because rounding is all that is left.
+    /// False if no solution was found. Full Newton steps come first: stretched springs need them, whose residual grows
+    /// before it falls. Where those do not end, steps are halved until the residual falls.
     template <class System>
     bool solve(System& system, const Field<T>& x, const Field<T>& v, T tau, Field<T>& w) {
-        std::fill(w.flat().begin(), w.flat().end(), T(0));
-        T size = evaluate(system, x, v, tau, w);
-        for (int iteration = 0; iteration < most_iterations; ++iteration) {
-            if (!std::isfinite(size) || !matrix_.factorise()) return false;
-            matrix_.solve(residual_, update_);
-            const T change = largest(update_);
-            if (!std::isfinite(change)) return false;
-            const T scale = largest(v) + largest(w) + largest(position_) / tau;
-            if (change <= rounding * scale) return add(w, T(1), w), true;
-            const T before = size;
-            if (!advance(system, x, v, tau, w, size)) return change <= nearly * scale;
-            if (size >= before / T(2) && change <= nearly * scale) return true;
-        }
-        return false;
+        return iterate(system, x, v, tau, w, 1) || iterate(system, x, v, tau, w, most_halvings);
     }
 
     /// X of the solution that was found.
@@ -59,14 +46,35 @@ private:
     /// Updates this small are rounding or end in it with the next one, Newton's convergence being quadratic.
     static constexpr T nearly = 4096 * std::numeric_limits<T>::epsilon();
 
-    /// One Newton step, as much of it as makes the residual smaller; false if no part of it does.
+    /// From w = 0, by Newton steps of which so many parts are tried. Ends where a step changes nothing that rounding
+    /// leaves, or where the residual no longer falls because rounding is all that is left.
     template <class System>
-    bool advance(System& system, const Field<T>& x, const Field<T>& v, T tau, Field<T>& w, T& size) {
+    bool iterate(System& system, const Field<T>& x, const Field<T>& v, T tau, Field<T>& w, int parts) {
+        std::fill(w.flat().begin(), w.flat().end(), T(0));
+        T size = evaluate(system, x, v, tau, w);
+        for (int iteration = 0; iteration < most_iterations; ++iteration) {
+            if (!std::isfinite(size) || !matrix_.factorise()) return false;
+            matrix_.solve(residual_, update_);
+            const T change = largest(update_);
+            if (!std::isfinite(change)) return false;
+            const T scale = largest(v) + largest(w) + largest(position_) / tau;
+            if (change <= rounding * scale) return add(w, T(1), w), true;
+            const T before = size;
+            if (!advance(system, x, v, tau, w, size, parts)) return change <= nearly * scale;
+            if (size >= before / T(2) && change <= nearly * scale) return true;
+        }
+        return false;
+    }
+
+    /// One Newton step; where it has several parts, half, a quarter, ... of it until the residual gets smaller, and
+    /// false if no part does that.
+    template <class System>
+    bool advance(System& system, const Field<T>& x, const Field<T>& v, T tau, Field<T>& w, T& size, int parts) {
         T part = T(1);
-        for (int halving = 0; halving < most_halvings; ++halving, part /= T(2)) {
+        for (int halving = 0; halving < parts; ++halving, part /= T(2)) {
             add(w, part, trial_);
             const T trial_size = evaluate(system, x, v, tau, trial_);
-            if (!(trial_size < size)) continue;
+            if (parts > 1 && !(trial_size < size)) continue;
             std::swap(w, trial_);
             size = trial_size;
             return true;
