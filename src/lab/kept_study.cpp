@@ -43,8 +43,11 @@ Json json_of(const std::vector<CutSeries>& cut) {
 
 std::vector<CutSeries> cut_of(const Json& list) {
     std::vector<CutSeries> cut;
-    for (const Json& json : list)
-        cut.push_back({json.at(0), json.at(1) == id(Precision::float_) ? Precision::float_ : Precision::double_});
+    for (const Json& json : list) {
+        const auto precision = parse_precision(json.at(1).get<std::string>());
+        if (!precision) throw FileError("a series is in no precision");
+        cut.push_back({json.at(0), *precision});
+    }
     return cut;
 }
 

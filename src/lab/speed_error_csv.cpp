@@ -61,7 +61,9 @@ std::optional<double> number(std::string_view cell, std::string_view line) {
 
 RunDescription run_of(const std::vector<std::string_view>& cells, std::string_view line) {
     RunDescription run = describe(cells[0], cells[1]);
-    run.precision = cells[2] == id(Precision::float_) ? Precision::float_ : Precision::double_;
+    const std::optional<Precision> precision = parse_precision(cells[2]);
+    if (!precision) refuse(line);
+    run.precision = *precision;
     run.dt = number(cells[3], line).value_or(0);
     if (!cells[12].empty()) run.method_parameters.set("tolerance", number(cells[12], line).value_or(0));
     if (cells[13].empty()) return run;
@@ -94,6 +96,13 @@ std::string speed_error_csv(std::span<const Measurement> measurements) {
     std::string text = std::string(speed_error_header) + "\n";
     for (const Measurement& m : measurements) text += line(m);
     return text;
+}
+
+std::optional<Precision> parse_precision(std::string_view text) {
+    for (const Precision precision : {Precision::float_, Precision::double_}) {
+        if (text == id(precision)) return precision;
+    }
+    return std::nullopt;
 }
 
 std::vector<Measurement> parse_speed_error_csv(std::string_view text) {

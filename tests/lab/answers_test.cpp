@@ -84,6 +84,7 @@ TEST(SpeedErrorCsv, refuses_what_is_none) {
     EXPECT_THROW(parse_speed_error_csv("chain,rk4,double\n"), Error);
     EXPECT_THROW(parse_speed_error_csv("chain,rk4,double,x,1,1,,,,ok,0,,,\n"), Error);
     EXPECT_THROW(parse_speed_error_csv("chain,nonsense,double,1,1,1,,,,ok,0,,,\n"), Error);
+    EXPECT_THROW(parse_speed_error_csv("chain,rk4,quad,1,1,1,,,,ok,0,,,\n"), Error);
 }
 
 }  // namespace

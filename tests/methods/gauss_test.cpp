@@ -149,10 +149,10 @@ Trend energy_trend(std::size_t periods, double dt, double spoil, const Parameter
 }
 
 // 10^5 periods of the oscillator in 2 10^6 to 0.3 10^6 steps. What rounding does to the energy is a random walk: its
-// mean is zero within the standard error that its pieces show (4 of them: once in 16000), and its end is some 1e-13
-// away (sqrt(steps) ulps are 3e-13). The partners: 1e-18 of the velocity a step, a hundredth of an ulp, is a trend, and
-// rk4 at a hundredth of the time loses all. So do products with dt (dt = 0.3, 1.7), low parts swallowed by rounding
-// (dt = 1) and an iteration that ends too early (dt = 1.7), whose trends were 1e-19 to 3e-18 a step.
+// mean is zero within the standard error that its pieces show (4 of them: once in some thousand such runs), and its end
+// is some 1e-13 away (sqrt(steps) ulps are 3e-13). The partners: 1e-18 of the velocity a step, a hundredth of an ulp,
+// is a trend, and rk4 at a hundredth of the time loses all. So do products with dt (dt = 0.3, 1.7), low parts swallowed
+// by rounding (dt = 1) and an iteration that ends too early (dt = 1.7), whose trends were 1e-19 to 3e-18 a step.
 TEST(Gauss16, energy_has_no_trend_over_100000_periods) {
     for (const double dt : {0.3, 0.7, 1.0, 1.7, 2.0}) {
         const Trend trend = energy_trend<Gauss<double>>(100000, dt, 0, with_tolerance(0));

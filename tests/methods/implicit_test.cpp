@@ -1,7 +1,4 @@
 #include "core/error.hpp"
-#include "methods/implicit-midpoint.hpp"
-#include "methods/system.hpp"
-#include "methods/tr-bdf2.hpp"
 #include "models/layouts.hpp"
 #include "sim/linear_limit.hpp"
 #include "sim/stepper_of.hpp"

@@ -2,8 +2,6 @@
 ///     long_time METHOD STEPS
 /// prints a row of a table for each precision, without and with compensated sums. Judges nothing: it takes minutes.
 
-#include "methods/dop853.hpp"
-#include "methods/gauss-16.hpp"
 #include "methods/implicit-midpoint.hpp"
 #include "methods/pefrl.hpp"
 #include "methods/rk4.hpp"
@@ -33,7 +31,7 @@ Map map_of(const std::string& method, long double step) {
     if (method == "srkn-11b") return step_map<Srkn11b>(step);
     if (method == "rk4") return step_map<Rk4>(step);
     if (method == "implicit-midpoint") return step_map<ImplicitMidpoint>(step);
-    if (method == "gauss-16" || method == "dop853") return exact_map(step);
+    if (method == "gauss-16" || steplab::method(method).info.adaptive) return exact_map(step);
     throw std::runtime_error("no theory here for " + method);
 }
 

@@ -12,6 +12,6 @@ phase_and_energy() { printf ' phase after %g | energy |' "$1"; }
 printf '| method | precision | sums |%s%s%s ns a step |\n' "$(phase_and_energy $((steps / 100)))" \
     "$(phase_and_energy $((steps / 10)))" "$(phase_and_energy "$steps")"
 echo '|---|---|---|---|---|---|---|---|---|---|'
-for method in velocity-verlet verlet rk4 pefrl srkn-11b gauss-16 dop853; do nice "$program" "$method" "$steps"; done
+for method in velocity-verlet verlet rk4 pefrl srkn-11b gauss-16 dop853 rkn-12-10 taylor ias15; do nice "$program" "$method" "$steps"; done
 # a tenth of the steps: it is ten times as slow
 nice "$program" implicit-midpoint $((steps / 10))
