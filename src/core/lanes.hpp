@@ -2,6 +2,7 @@
 
 #include "core/number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -17,17 +18,38 @@ namespace detail {
 template <class T, std::size_t Bytes>
 struct RegisterOf;
 template <>
-struct RegisterOf<float, 64> {
-    using type = float __attribute__((vector_size(64)));
+struct RegisterOf<float, 16> {
+    using type = float __attribute__((vector_size(16)));
 };
 template <>
 struct RegisterOf<float, 32> {
     using type = float __attribute__((vector_size(32)));
 };
 template <>
+struct RegisterOf<float, 64> {
+    using type = float __attribute__((vector_size(64)));
+};
+template <>
+struct RegisterOf<double, 16> {
+    using type = double __attribute__((vector_size(16)));
+};
+template <>
+struct RegisterOf<double, 32> {
+    using type = double __attribute__((vector_size(32)));
+};
+template <>
 struct RegisterOf<double, 64> {
     using type = double __attribute__((vector_size(64)));
 };
+
+/// Bytes of the widest vector register of the machine the code is compiled for.
+#if defined(__AVX512F__)
+inline constexpr std::size_t register_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t register_bytes = 32;
+#else
+inline constexpr std::size_t register_bytes = 16;
+#endif
 
 }  // namespace detail
 
@@ -75,110 +97,159 @@ private:
     T number_;
 };
 
-/// Numbers side by side in one vector register, by default as many as fill the widest (64 bytes; the compiler splits it
-/// where registers are narrower): a number type for formulas, each lane computed exactly as a number by itself would
-/// be.
-template <class T, std::size_t Count = 64 / sizeof(T)>
+/// Numbers side by side, by default as many as a vector register of the machine holds, in as many registers as they
+/// need: a number type for formulas, each lane computed exactly as a number by itself would be.
+template <class T, std::size_t Count = detail::register_bytes / sizeof(T)>
 class RegisterLanes {
+    static constexpr std::size_t bytes = std::min(Count * sizeof(T), detail::register_bytes);
+    static constexpr std::size_t width = bytes / sizeof(T), parts = Count / width;
+    using Parts = std::make_index_sequence<parts>;
+    using Places = std::make_index_sequence<width>;
+
 public:
     static constexpr std::size_t count = Count;
-    using Register = typename detail::RegisterOf<T, Count * sizeof(T)>::type;
+    using Register = typename detail::RegisterOf<T, bytes>::type;
+    using Bits = decltype(Register{} < Register{});
     /// All bits set in the lanes where a condition holds.
-    using Mask = decltype(Register{} < Register{});
+    struct Mask {
+        std::array<Bits, parts> bits;
+        auto operator[](std::size_t lane) const { return bits[lane / width][lane % width]; }
+    };
 
     RegisterLanes() = default;
-    explicit(false) RegisterLanes(T number) : register_(number - Register{}) {}
+    [[gnu::always_inline]] explicit(false) RegisterLanes(T number)
+        : RegisterLanes(of_each([=](std::size_t) { return number - Register{}; })) {}
     template <class U>
     requires std::is_arithmetic_v<U>
     explicit RegisterLanes(U number) : RegisterLanes(static_cast<T>(number)) {}
-    explicit RegisterLanes(Register lanes) : register_(lanes) {}
 
-    /// From and to memory that is aligned as a register is (fields start on a cache line).
-    static RegisterLanes load(const T* aligned) {
-        return RegisterLanes(*static_cast<const Register*>(__builtin_assume_aligned(aligned, sizeof(Register))));
+    /// From and to memory that is aligned as 64 bytes are (fields start on a cache line).
+    [[gnu::always_inline]] static RegisterLanes load(const T* aligned) {
+        return of_each([=](std::size_t p) {
+            return *static_cast<const Register*>(__builtin_assume_aligned(aligned + p * width, bytes));
+        });
     }
-    void store(T* aligned) const {
-        *static_cast<Register*>(__builtin_assume_aligned(aligned, sizeof(Register))) = register_;
+    [[gnu::always_inline]] void store(T* aligned) const {
+        each_part([&](std::size_t p) {
+            *static_cast<Register*>(__builtin_assume_aligned(aligned + p * width, bytes)) = registers_[p];
+        });
     }
     /// The same from and to any place.
-    static RegisterLanes load_anywhere(const T* from) {
-        Register lanes;
-        std::memcpy(&lanes, from, sizeof(Register));
-        return RegisterLanes(lanes);
+    [[gnu::always_inline]] static RegisterLanes load_anywhere(const T* from) {
+        return of_each([=](std::size_t p) {
+            Register lanes;
+            std::memcpy(&lanes, from + p * width, bytes);
+            return lanes;
+        });
     }
-    void store_anywhere(T* to) const { std::memcpy(to, &register_, sizeof(Register)); }
+    [[gnu::always_inline]] void store_anywhere(T* to) const {
+        each_part([&](std::size_t p) { std::memcpy(to + p * width, &registers_[p], bytes); });
+    }
 
     /// f(lane) in every lane.
     template <class F>
-    static RegisterLanes each(F f) {
-        return of_each(f, Indices{});
+    [[gnu::always_inline]] static RegisterLanes each(F f) {
+        return of_each([&](std::size_t p) { return register_of_each(f, p * width, Places{}); });
     }
 
-    T operator[](std::size_t lane) const { return register_[lane]; }
-    Register lanes() const { return register_; }
+    T operator[](std::size_t lane) const { return registers_[lane / width][lane % width]; }
 
     /// Set in the first `number` lanes.
-    static Mask first(std::size_t number) { return places(Indices{}) < RegisterLanes(static_cast<T>(number)); }
+    [[gnu::always_inline]] static Mask first(std::size_t number) {
+        return each([](std::size_t lane) { return static_cast<T>(lane); }) < RegisterLanes(static_cast<T>(number));
+    }
 
     /// The lanes after the first, then the first lane of `next`.
-    static RegisterLanes shifted_down(RegisterLanes first, RegisterLanes next) {
-        return shuffled<1>(first, next, Indices{});
+    [[gnu::always_inline]] static RegisterLanes shifted_down(const RegisterLanes& first, const RegisterLanes& next) {
+        return of_each([&](std::size_t p) {
+            return shuffled<1>(first.registers_[p], p + 1 < parts ? first.registers_[p + 1] : next.registers_[0],
+                               Places{});
+        });
     }
     /// The last lane of `previous`, then all lanes but the last.
-    static RegisterLanes shifted_up(RegisterLanes previous, RegisterLanes last) {
-        return shuffled<count - 1>(previous, last, Indices{});
+    [[gnu::always_inline]] static RegisterLanes shifted_up(const RegisterLanes& previous, const RegisterLanes& last) {
+        return of_each([&](std::size_t p) {
+            return shuffled<width - 1>(p > 0 ? last.registers_[p - 1] : previous.registers_[parts - 1],
+                                       last.registers_[p], Places{});
+        });
     }
 
-    friend RegisterLanes operator+(RegisterLanes a, RegisterLanes b) {
-        return RegisterLanes(a.register_ + b.register_);
+    [[gnu::always_inline]] friend RegisterLanes operator+(const RegisterLanes& a, const RegisterLanes& b) {
+        return of_each([&](std::size_t p) { return a.registers_[p] + b.registers_[p]; });
     }
-    friend RegisterLanes operator-(RegisterLanes a, RegisterLanes b) {
-        return RegisterLanes(a.register_ - b.register_);
+    [[gnu::always_inline]] friend RegisterLanes operator-(const RegisterLanes& a, const RegisterLanes& b) {
+        return of_each([&](std::size_t p) { return a.registers_[p] - b.registers_[p]; });
     }
-    friend RegisterLanes operator*(RegisterLanes a, RegisterLanes b) {
-        return RegisterLanes(a.register_ * b.register_);
+    [[gnu::always_inline]] friend RegisterLanes operator*(const RegisterLanes& a, const RegisterLanes& b) {
+        return of_each([&](std::size_t p) { return a.registers_[p] * b.registers_[p]; });
     }
-    friend RegisterLanes operator/(RegisterLanes a, RegisterLanes b) {
-        return RegisterLanes(a.register_ / b.register_);
+    [[gnu::always_inline]] friend RegisterLanes operator/(const RegisterLanes& a, const RegisterLanes& b) {
+        return of_each([&](std::size_t p) { return a.registers_[p] / b.registers_[p]; });
     }
-    friend RegisterLanes operator-(RegisterLanes a) { return RegisterLanes(-a.register_); }
-    RegisterLanes& operator+=(RegisterLanes b) { return *this = *this + b; }
-    RegisterLanes& operator-=(RegisterLanes b) { return *this = *this - b; }
-    friend Mask operator<(RegisterLanes a, RegisterLanes b) { return a.register_ < b.register_; }
-    friend Mask operator>(RegisterLanes a, RegisterLanes b) { return a.register_ > b.register_; }
+    [[gnu::always_inline]] friend RegisterLanes operator-(const RegisterLanes& a) {
+        return of_each([&](std::size_t p) { return -a.registers_[p]; });
+    }
+    [[gnu::always_inline]] RegisterLanes& operator+=(const RegisterLanes& b) { return *this = *this + b; }
+    [[gnu::always_inline]] RegisterLanes& operator-=(const RegisterLanes& b) { return *this = *this - b; }
+    [[gnu::always_inline]] friend Mask operator<(const RegisterLanes& a, const RegisterLanes& b) {
+        return mask_of_each([&](std::size_t p) { return a.registers_[p] < b.registers_[p]; }, Parts{});
+    }
+    [[gnu::always_inline]] friend Mask operator>(const RegisterLanes& a, const RegisterLanes& b) { return b < a; }
 
-    friend RegisterLanes where(Mask condition, RegisterLanes then, RegisterLanes otherwise) {
-        return RegisterLanes(condition ? then.register_ : otherwise.register_);
+    [[gnu::always_inline]] friend RegisterLanes where(const Mask& condition, const RegisterLanes& then,
+                                                      const RegisterLanes& otherwise) {
+        return of_each([&](std::size_t p) { return condition.bits[p] ? then.registers_[p] : otherwise.registers_[p]; });
     }
 
-    friend RegisterLanes square_root(RegisterLanes x) {
-        Register root;
-        for (std::size_t lane = 0; lane < count; ++lane) root[lane] = std::sqrt(x.register_[lane]);
-        return RegisterLanes(root);
+    [[gnu::always_inline]] friend RegisterLanes square_root(const RegisterLanes& x) {
+        return of_each([&](std::size_t p) {
+            Register root;
+            for (std::size_t lane = 0; lane < width; ++lane) root[lane] = std::sqrt(x.registers_[p][lane]);
+            return root;
+        });
     }
-    [[gnu::always_inline]] friend RegisterLanes exponential(RegisterLanes x) {
-        return detail::exponential_of<T, Mask>(x);
+    [[gnu::always_inline]] friend RegisterLanes exponential(const RegisterLanes& x) {
+        if constexpr (parts == 1) {
+            return detail::exponential_of<T, Bits>(x);
+        } else {
+            return of_each(
+                [&](std::size_t p) { return exponential(RegisterLanes<T, width>(x.registers_[p])).registers()[0]; });
+        }
     }
+
+    explicit RegisterLanes(Register lanes) requires(parts == 1) : registers_{lanes} {}
+    const std::array<Register, parts>& registers() const { return registers_; }
 
 private:
-    using Indices = std::make_index_sequence<count>;
-
+    template <class F>
+    [[gnu::always_inline]] static RegisterLanes of_each(F f) {
+        return of_each(f, Parts{});
+    }
+    template <class F, std::size_t... P>
+    [[gnu::always_inline]] static RegisterLanes of_each(F f, std::index_sequence<P...>) {
+        RegisterLanes lanes;
+        ((lanes.registers_[P] = f(P)), ...);
+        return lanes;
+    }
+    template <class F, std::size_t... P>
+    [[gnu::always_inline]] static Mask mask_of_each(F f, std::index_sequence<P...>) {
+        return Mask{{f(P)...}};
+    }
+    template <class F>
+    [[gnu::always_inline]] static void each_part(F f) {
+        [&]<std::size_t... P>(std::index_sequence<P...>) { (f(P), ...); }
+        (Parts{});
+    }
     template <class F, std::size_t... I>
-    static RegisterLanes of_each(F f, std::index_sequence<I...>) {
-        return RegisterLanes(Register{f(I)...});
+    [[gnu::always_inline]] static Register register_of_each(F f, std::size_t begin, std::index_sequence<I...>) {
+        return Register{f(begin + I)...};
     }
-
-    template <std::size_t... I>
-    static RegisterLanes places(std::index_sequence<I...>) {
-        return RegisterLanes(Register{static_cast<T>(I)...});
-    }
-
     template <std::size_t Shift, std::size_t... I>
-    static RegisterLanes shuffled(RegisterLanes a, RegisterLanes b, std::index_sequence<I...>) {
-        return RegisterLanes(__builtin_shufflevector(a.register_, b.register_, static_cast<int>(I + Shift)...));
+    [[gnu::always_inline]] static Register shuffled(Register a, Register b, std::index_sequence<I...>) {
+        return __builtin_shufflevector(a, b, static_cast<int>(I + Shift)...);
     }
 
-    Register register_;
+    std::array<Register, parts> registers_;
 };
 
 /// The same without registers: for numbers that none holds, and to compare with.
@@ -247,6 +318,11 @@ private:
 template <class T>
 using Lanes =
     std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>, RegisterLanes<T>, SingleLane<T>>;
+
+/// As many numbers as a cache line holds, on every machine: for sums, whose order must not depend on registers.
+template <class T>
+using CacheLineLanes = std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>,
+                                          RegisterLanes<T, 64 / sizeof(T)>, SingleLane<T>>;
 
 /// The size of a number, or of each lane.
 template <class N>

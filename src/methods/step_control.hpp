@@ -62,10 +62,10 @@ private:
 
 namespace detail {
 
-/// Folds a field's numbers into one register of them, then the lanes from first to last.
+/// Folds a field's numbers into a cache line of them, then its lanes from first to last.
 template <class T, class F>
 T folded(std::span<const T> numbers, F fold) {
-    using N = Lanes<T>;
+    using N = CacheLineLanes<T>;
     N sums(T(0));
     for (std::size_t k = 0; k < numbers.size(); k += N::count) sums = fold(sums, N::load(numbers.data() + k));
     T result = T(0);
