@@ -15,7 +15,6 @@ struct ForestRuth {
         .order = 4,
         .order_with_drag = 4,
         .evaluations = 3,
-        .start_evaluations = 1,
         .linear_limit = 1.5734019474345436,
         .symplectic = true,
         .reversible = true,

@@ -15,7 +15,6 @@ struct KahanLi8 {
         .order = 8,
         .order_with_drag = 8,
         .evaluations = 17,
-        .start_evaluations = 1,
         .linear_limit = 3.0964386800011561,
         .symplectic = true,
         .reversible = true,

@@ -1,13 +1,15 @@
 #pragma once
 
-#include "core/elementwise.hpp"
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "core/field_lanes.hpp"
+#include "methods/compensated.hpp"
 #include "methods/synchronised.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -23,8 +25,9 @@ struct ButcherTable {
     std::array<double, Stages> b;
 };
 
-/// Runs any explicit Runge-Kutta method on (x, v)' = (v, a(x) - gamma v). `Table::table` is its Butcher table; the
-/// compiler unrolls the sums over stages and drops the zeros of the table.
+/// Runs an explicit Runge-Kutta method on (x, v)' = (v, a(x) - gamma v) each of whose stages starts along the slope of
+/// the one before alone. `Table::table` is its Butcher table; the compiler unrolls its stages and drops the zeros of its
+/// weights. Slopes enter the end of the step from left to right, as they come.
 template <class T, class Table>
 class RungeKutta : public Synchronised<T> {
 public:
@@ -33,120 +36,115 @@ public:
     template <class System>
     void start(System&, const State<T>& state) {
         this->begin(state);
-        stage_x_ = Field<T>(x_.count());
-        for (auto& field : stage_v_) field = Field<T>(x_.count());
-        for (auto& field : stage_a_) field = Field<T>(x_.count());
+        if constexpr (stages > 1) temporary_.fill(Field<T>(x_.count()));
     }
 
     template <class System>
     void step(System& system) {
-        all_stages(system, std::make_index_sequence<stages>{});
-        finish(system.dt());
+        advance(system, 1);
+    }
+    template <class System>
+    void advance(System& system, std::uint64_t steps) {
+        std::array<Field<T>*, quantities + 2> fields{&x_, &v_};
+        for (std::size_t q = 2; q < quantities; ++q) fields[q] = &temporary_[q - 2];
+        if (lost_.kept()) {
+            fields[quantities] = &lost_.x, fields[quantities + 1] = &lost_.v;
+            return system.sweep(fields, steps, stages, Stage<true>(system));
+        }
+        std::array<Field<T>*, quantities> kept;
+        std::copy_n(fields.begin(), quantities, kept.begin());
+        system.sweep(kept, steps, stages, Stage<false>(system));
     }
 
 private:
     using Synchronised<T>::x_, Synchronised<T>::v_, Synchronised<T>::lost_;
+    using N = Lanes<T>;
 
     static constexpr auto& table = Table::table;
     static constexpr std::size_t stages = std::remove_cvref_t<decltype(Table::table)>::stages;
 
-    template <class System, std::size_t... I>
-    void all_stages(System& system, std::index_sequence<I...>) {
-        (stage<I>(system), ...);
-    }
+    /// Position and velocity; those of a stage, whose velocity is the slope of the position; what the slopes so far
+    /// give the end of the step.
+    enum : std::size_t { x, v, stage_x, stage_v, sum_x, sum_v };
+    static constexpr std::size_t quantities = stages > 1 ? 6 : 2;
 
-    /// k_i = (stage velocity, stage acceleration).
-    template <std::size_t I, class System>
-    void stage(System& system) {
-        if constexpr (I == 0) {
-            evaluate(system, x_, v_, stage_a_[0]);
-        } else {
-            begin_stage<I>(system.dt());
-            evaluate(system, stage_x_, stage_v_[I], stage_a_[I]);
+    static constexpr bool starts_from_one_slope() {
+        for (std::size_t i = 0; i < stages; ++i) {
+            for (std::size_t j = 0; j < stages; ++j) {
+                if (j + 1 != i && table.a[i][j] != 0) return false;
+            }
         }
+        return true;
     }
+    static_assert(starts_from_one_slope());
 
-    template <class System>
-    void evaluate(System& system, const Field<T>& x, const Field<T>& v, Field<T>& a) {
-        system.accelerations(x, a);
-        if (const T drag = system.drag(); drag != T(0)) {
-            T* const out = a.flat().data();
-            const T* const velocity = v.flat().data();
-            elementwise(a.flat().size(), [=](std::size_t k) { out[k] -= drag * velocity[k]; });
+    /// What a sweep does with the accelerations (sweeps.hpp).
+    template <bool Compensated>
+    struct Stage {
+        template <class System>
+        explicit Stage(const System& system) : dt(system.dt()), drag(system.drag()) {}
+
+        template <class F>
+        [[gnu::always_inline]] void operator()(std::size_t part, F f) const {
+            [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+                ((part == I ? take<I>(f) : void()), ...);
+            }
+            (std::make_index_sequence<stages>{});
         }
-    }
 
-    /// Weights of the slopes at the start of stage I, and at the end of the step.
-    template <std::size_t I>
-    struct StageWeights {
-        static constexpr auto weights = table.a[I];
+        template <std::size_t I, class F>
+        [[gnu::always_inline]] void take(F f) const {
+            f(std::integral_constant<std::size_t, I == 0 ? x : stage_x>{},
+              [h = N(dt), gamma = N(drag), damped = drag != T(0)](auto& particles, std::size_t r, Vector<N> a)
+                  __attribute__((always_inline)) {
+                      const Vector<N> slope = particles.get(I == 0 ? v : stage_v, r);
+                      if (damped) a = a - gamma * slope;
+                      if constexpr (I + 1 < stages) {
+                          keep_sum<I>(particles, sum_x, r, slope);
+                          keep_sum<I>(particles, sum_v, r, a);
+                          const N ahead(static_cast<T>(table.a[I + 1][I]));
+                          particles.set(stage_x, r, particles.get(x, r) + h * (ahead * slope));
+                          particles.set(stage_v, r, particles.get(v, r) + h * (ahead * a));
+                      } else {
+                          finish(particles, x, r, h * sum<I>(particles, sum_x, r, slope));
+                          finish(particles, v, r, h * sum<I>(particles, sum_v, r, a));
+                      }
+                  });
+        }
+
+        /// True if none of the slopes before has a weight.
+        static constexpr bool first_of_sum(std::size_t i) {
+            return std::all_of(table.b.begin(), table.b.begin() + i, [](double weight) { return weight == 0; });
+        }
+
+        /// w_0 k_0 + ... + w_I k_I.
+        template <std::size_t I, class Particles>
+        [[gnu::always_inline]] static Vector<N> sum(Particles& particles, std::size_t q, std::size_t r,
+                                                    const Vector<N>& slope) {
+            const Vector<N> term = N(static_cast<T>(table.b[I])) * slope;
+            if constexpr (first_of_sum(I)) return term;
+            return particles.get(q, r) + term;
+        }
+        template <std::size_t I, class Particles>
+        [[gnu::always_inline]] static void keep_sum(Particles& particles, std::size_t q, std::size_t r,
+                                                    const Vector<N>& slope) {
+            if constexpr (table.b[I] != 0) particles.set(q, r, sum<I>(particles, q, r, slope));
+        }
+
+        template <class Particles>
+        [[gnu::always_inline]] static void finish(Particles& particles, std::size_t q, std::size_t r,
+                                                  const Vector<N>& change) {
+            if constexpr (Compensated) {
+                add_compensated(particles, q, quantities + q, r, change);
+            } else {
+                particles.set(q, r, particles.get(q, r) + change);
+            }
+        }
+
+        T dt, drag;
     };
-    struct FinalWeights {
-        static constexpr auto weights = table.b;
-    };
 
-    template <std::size_t N>
-    using Slopes = std::array<const T*, N>;
-
-    /// w_0 k_0 + ... + w_J k_J from left to right, without the terms whose weight is zero.
-    template <class Weights, std::size_t J, std::size_t N>
-    static T weighted_sum(const Slopes<N>& slopes, std::size_t k) {
-        constexpr double weight = Weights::weights[J];
-        constexpr bool first = std::all_of(Weights::weights.begin(), Weights::weights.begin() + J,
-                                           [](double before) { return before == 0; });
-        if constexpr (first) {
-            return static_cast<T>(weight) * slopes[J][k];
-        } else if constexpr (weight == 0) {
-            return weighted_sum<Weights, J - 1>(slopes, k);
-        } else {
-            return weighted_sum<Weights, J - 1>(slopes, k) + static_cast<T>(weight) * slopes[J][k];
-        }
-    }
-
-    template <std::size_t... J>
-    Slopes<sizeof...(J)> slopes_of_x(std::index_sequence<J...>) const {
-        return {(J == 0 ? v_ : stage_v_[J]).flat().data()...};
-    }
-
-    template <std::size_t... J>
-    Slopes<sizeof...(J)> slopes_of_v(std::index_sequence<J...>) const {
-        return {stage_a_[J].flat().data()...};
-    }
-
-    template <std::size_t I>
-    void begin_stage(T dt) {
-        const T *const x = x_.flat().data(), *const v = v_.flat().data();
-        T *const next_x = stage_x_.flat().data(), *const next_v = stage_v_[I].flat().data();
-        const auto of_x = slopes_of_x(std::make_index_sequence<I>{});
-        const auto of_v = slopes_of_v(std::make_index_sequence<I>{});
-        elementwise(x_.flat().size(), [=](std::size_t k) {
-            next_x[k] = x[k] + dt * weighted_sum<StageWeights<I>, I - 1>(of_x, k);
-            next_v[k] = v[k] + dt * weighted_sum<StageWeights<I>, I - 1>(of_v, k);
-        });
-    }
-
-    void finish(T dt) {
-        T *const x = x_.flat().data(), *const v = v_.flat().data();
-        const auto of_x = slopes_of_x(std::make_index_sequence<stages>{});
-        const auto of_v = slopes_of_v(std::make_index_sequence<stages>{});
-        if (lost_.kept()) {
-            T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
-            return elementwise(x_.flat().size(), [=](std::size_t k) {
-                const T slope = weighted_sum<FinalWeights, stages - 1>(of_x, k);
-                add_compensated(x[k], lost_x[k], dt * slope);
-                add_compensated(v[k], lost_v[k], dt * weighted_sum<FinalWeights, stages - 1>(of_v, k));
-            });
-        }
-        elementwise(x_.flat().size(), [=](std::size_t k) {
-            const T slope = weighted_sum<FinalWeights, stages - 1>(of_x, k);
-            x[k] += dt * slope;
-            v[k] += dt * weighted_sum<FinalWeights, stages - 1>(of_v, k);
-        });
-    }
-
-    Field<T> stage_x_;
-    std::array<Field<T>, stages> stage_v_;  ///< the first is not used: stage 0 starts with v itself
-    std::array<Field<T>, stages> stage_a_;
+    std::array<Field<T>, 4> temporary_;
 };
 
 }  // namespace steplab

@@ -1,20 +1,21 @@
 #pragma once
 
-#include "core/elementwise.hpp"
 #include "core/entry.hpp"
 #include "core/field.hpp"
 #include "core/phi.hpp"
-#include "methods/synchronised.hpp"
+#include "methods/compensated.hpp"
+#include "methods/kick_drift.hpp"
 
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <cstdint>
+#include <span>
 
 namespace steplab {
 
 /// A kick v += kick dt a(x) and the drift x += drift dt v after it (McLachlan, Quispel, Acta Numerica 11 (2002) 341,
-/// section 3). A zero leaves its part out; each kick costs one evaluation, but for a step's first where the step before
-/// ended with a kick.
+/// section 3). Each kick costs one evaluation. A table begins with a kick, or with a drift alone; it ends with a drift, or,
+/// if it begins with a kick, with a kick alone, which then is one with the next step's first.
 struct KickAndDrift {
     long double kick = 0;
     long double drift = 0;
@@ -32,82 +33,75 @@ constexpr std::array<KickAndDrift, N + 1> composition(const std::array<long doub
     return table;
 }
 
-/// Runs any splitting method; `Table::table` is its array of KickAndDrift, which the compiler unrolls. Drag belongs to
-/// the kicks: v' = a - gamma v is solved exactly over each kick's time, v += tau phi_1(-gamma tau) (a - gamma v); a
-/// Table with `explicit_drag` takes v += tau (a - gamma v) instead.
+/// Runs any splitting method; `Table::table` is its array of KickAndDrift. Drag belongs to the kicks: v' = a - gamma v is
+/// solved exactly over each kick's time, v += tau phi_1(-gamma tau) (a - gamma v); a Table with `explicit_drag` takes
+/// v += tau (a - gamma v) instead.
 template <class T, class Table>
-class Splitting : public Synchronised<T> {
+class Splitting {
 public:
-    explicit Splitting(const ParameterValues& values) : Synchronised<T>(values) {}
+    explicit Splitting(const ParameterValues& values) : compensated_(asks_for_compensated_sums(values)) {}
 
     template <class System>
     void start(System& system, const State<T>& state) {
-        this->begin(state);
-        a_ = Field<T>(x_.count());
-        for (std::size_t i = 0; i < parts; ++i) {
-            const T tau = static_cast<T>(table[i].kick) * system.dt();
-            kicks_[i] = explicit_drag ? tau : tau * phi_1(-system.drag() * tau);
-            drifts_[i] = static_cast<T>(table[i].drift) * system.dt();
-        }
-        if constexpr (ends_with_kick) system.accelerations(x_, a_);
+        steps_ = KickDriftSteps<T>(step_of(system.dt(), system.drag()), state, compensated_);
     }
 
     template <class System>
     void step(System& system) {
-        all_parts(system, std::make_index_sequence<parts>{});
+        steps_.advance(system, 1);
+    }
+    template <class System>
+    void advance(System& system, std::uint64_t steps) {
+        steps_.advance(system, steps);
+    }
+
+    template <class System>
+    void synchronised(const System& system, State<T>& out) const {
+        steps_.synchronised(system, out);
     }
 
     template <class Self, class F>
     static void each_part(Self& self, F f) {
-        Synchronised<T>::each_part(self, f);
-        if constexpr (ends_with_kick) f(self.a_);
+        KickDriftSteps<T>::each_part(self.steps_, f);
     }
+
+    using Progress = typename KickDriftSteps<T>::Progress;
+    Progress progress() const { return steps_.progress(); }
+    void progress(const Progress& progress) { steps_.progress(progress); }
 
 private:
-    using Synchronised<T>::x_, Synchronised<T>::v_, Synchronised<T>::lost_;
-
     static constexpr auto& table = Table::table;
-    static constexpr std::size_t parts = Table::table.size();
-    /// Then its accelerations are those the next step begins with.
-    static constexpr bool ends_with_kick = table.back().drift == 0;
     static constexpr bool explicit_drag = requires { Table::explicit_drag; };
 
-    template <class System, std::size_t... I>
-    void all_parts(System& system, std::index_sequence<I...>) {
-        (kick_and_drift<I>(system), ...);
-    }
-
-    template <std::size_t I, class System>
-    void kick_and_drift(System& system) {
-        constexpr bool kick = table[I].kick != 0, drift = table[I].drift != 0;
-        if constexpr (kick && !(I == 0 && ends_with_kick)) system.accelerations(x_, a_);
-        if (const T drag = system.drag(); drag != T(0)) {
-            move<kick, drift>(I, [drag](T a, T v) { return a - drag * v; });
+    /// A last kick is one with the first kick of the next step, a last drift with a first drift.
+    static KickDriftStep<T> step_of(T dt, T drag) {
+        KickDriftStep<T> step;
+        std::span<const KickAndDrift> parts = table;
+        if (const KickAndDrift lead = parts.front(), rest = parts.back(); lead.kick == 0) {
+            for (const KickAndDrift& part : parts.subspan(1)) step.parts.push_back(part_of(part, dt, drag));
+            step.parts.back() = part_of({rest.kick, rest.drift + lead.drift}, dt, drag);
+            step.lead = static_cast<T>(lead.drift) * dt;
+            step.rest.drift = -step.lead;
+            step.first = step.parts.front();
+        } else if (rest.drift == 0) {
+            for (const KickAndDrift& part : parts.first(parts.size() - 1)) step.parts.push_back(part_of(part, dt, drag));
+            step.first = step.parts.front();
+            step.parts.front() = part_of({lead.kick + rest.kick, lead.drift}, dt, drag);
+            step.rest = part_of(rest, dt, drag);
         } else {
-            move<kick, drift>(I, [](T a, T) { return a; });
+            for (const KickAndDrift& part : parts) step.parts.push_back(part_of(part, dt, drag));
+            step.first = step.parts.front();
         }
+        return step;
     }
 
-    template <bool Kick, bool Drift, class Acceleration>
-    void move(std::size_t part, Acceleration acceleration) {
-        const T kick = kicks_[part], drift = drifts_[part];
-        T *const x = x_.flat().data(), *const v = v_.flat().data();
-        const T* const a = a_.flat().data();
-        if (lost_.kept()) {
-            T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
-            return elementwise(x_.flat().size(), [=](std::size_t k) {
-                if constexpr (Kick) add_compensated(v[k], lost_v[k], kick * acceleration(a[k], v[k]));
-                if constexpr (Drift) add_compensated(x[k], lost_x[k], drift * v[k]);
-            });
-        }
-        elementwise(x_.flat().size(), [=](std::size_t k) {
-            if constexpr (Kick) v[k] += kick * acceleration(a[k], v[k]);
-            if constexpr (Drift) x[k] += drift * v[k];
-        });
+    static KickDrift<T> part_of(const KickAndDrift& part, T dt, T drag) {
+        const T tau = static_cast<T>(part.kick) * dt, gain = explicit_drag ? tau : tau * phi_1(-drag * tau);
+        return {gain, gain * drag, static_cast<T>(part.drift) * dt};
     }
 
-    Field<T> a_;
-    std::array<T, parts> kicks_{}, drifts_{};  ///< of each part, in the scene's time
+    KickDriftSteps<T> steps_;
+    bool compensated_;
 };
 
 }  // namespace steplab

@@ -16,7 +16,6 @@ struct Srkn11b {
         .order = 6,
         .order_with_drag = 4,
         .evaluations = 11,
-        .start_evaluations = 1,
         .linear_limit = 3.1414310877753386,
         .symplectic = true,
         .reversible = true,

@@ -13,7 +13,7 @@ class Synchronised {
 public:
     Synchronised() = default;
     explicit Synchronised(const ParameterValues& values)
-        : compensated_(values.contains(compensated_sums.name) && values[compensated_sums.name] != 0) {}
+        : compensated_(asks_for_compensated_sums(values)) {}
 
     template <class System>
     void synchronised(const System&, State<T>& out) const {

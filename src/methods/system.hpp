@@ -2,7 +2,9 @@
 
 #include "core/field.hpp"
 #include "core/stages.hpp"
+#include "methods/sweeps.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,6 +37,20 @@ public:
 
     /// The same for somebody who looks: not counted.
     void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { force_.accelerations(x, a); }
+
+    /// Takes `steps` steps that consist of `parts` sweeps each over the particles, whose quantities are `fields`
+    /// (sweeps.hpp); an evaluation each.
+    template <std::size_t Quantities, class Stage>
+    void sweep(const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps, std::size_t parts, Stage stage) {
+        sweeps_.run(force_, fields, steps, parts, stage);
+        evaluations_ += steps * parts;
+    }
+
+    /// Calls sink(r, a) with the accelerations of every register r of particles, for somebody who looks: not counted.
+    template <class Sink>
+    void look(const Field<T>& x, Sink sink) const {
+        look_at(force_, x, sink);
+    }
 
     /// Calls f(i, j) for the pairs of particles whose distance vector turns by a right angle or more on the way between
     /// two positions, if they act on each other with a force that jumps where they coincide.
@@ -78,6 +94,7 @@ public:
 private:
     mutable Force force_;  ///< its memory is scratch: accelerations depend on positions alone
     std::optional<decltype(force_in<Stages<T>>(std::declval<const Force&>()))> force_at_stages_;  ///< once asked for
+    Sweeps<T, Force> sweeps_;
     T drag_;
     T dt_;
     std::uint64_t evaluations_ = 0;
@@ -87,6 +104,7 @@ private:
 //   explicit Integrator(const ParameterValues&)
 //   void start(System&, State<T>)             begins a segment at a synchronised state
 //   void step(System&)                        one step of dt; an adaptive one takes steps of its own until dt is behind
+//   void advance(System&, std::uint64_t)       the same, so many times, where that is faster
 //   void synchronised(const System&, State<T>& out) const   x and v of one time, without changing anything
 //   static void each_part(self, f)             calls f(field) for every field of self's internal state
 //   Progress progress() const; void progress(const Progress&)   where its internal state is more than fields: plain

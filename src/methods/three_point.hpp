@@ -1,71 +1,66 @@
 #pragma once
 
-#include "core/elementwise.hpp"
+#include "core/entry.hpp"
 #include "core/field.hpp"
 #include "methods/compensated.hpp"
+#include "methods/kick_drift.hpp"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace steplab {
 
-/// The three-point rule x(n+1) = 2 x(n) - x(n-1) + h^2 a(n) kept as position and mean velocity w = (x(n) - x(n-1)) / h
-/// of the last interval, so that near-equal positions are never subtracted (increment form, Press et al., Numerical
-/// Recipes, 17.4). Drag enters central in time: with f = gamma h / 2,
-/// w' = ((1 - f) w + h a) / (1 + f), x' = x + h w'.
+/// The three-point rule x(n+1) = 2 x(n) - x(n-1) + h^2 a(n) in substeps of h, kept as position and mean velocity
+/// w = (x(n) - x(n-1)) / h of the last interval, so that near-equal positions are never subtracted (increment form,
+/// Press et al., Numerical Recipes, 17.4). Drag enters central in time: with f = gamma h / 2,
+/// w' = ((1 - f) w + h a) / (1 + f), x' = x + h w', from w' = (1 - f) v + h/2 a in the first one. The velocity at x is
+/// v = (w + h/2 a) / (1 + f).
 template <class T>
-struct ThreePoint {
-    Field<T> x;    ///< positions
-    Field<T> w;    ///< mean velocities over the interval that ends at x; velocities v where a rule starts
-    Field<T> a;    ///< accelerations at x
-    Lost<T> lost;  ///< of x and w
+class ThreePoint {
+public:
+    ThreePoint(const ParameterValues& values, std::size_t substeps)
+        : substeps_(substeps), compensated_(asks_for_compensated_sums(values)) {}
 
-    ThreePoint() = default;
-    ThreePoint(const State<T>& state, bool compensated)
-        : x(state.displacement),
-          w(state.velocity),
-          a(state.displacement.count()),
-          lost(compensated, state.displacement.count()) {}
-
-    /// From v at x to the mean velocity over the interval ahead, then along it: w = (1 - f) v + h/2 a, x += h w.
-    void first(T h, T drag) {
-        if (drag == T(0)) return advance(h, [half = h / T(2)](T, T acc) { return half * acc; });
-        advance(h, [f = drag * h / T(2), half = h / T(2)](T v, T acc) { return half * acc - f * v; });
+    template <class System>
+    void start(System& system, const State<T>& state) {
+        steps_ = KickDriftSteps<T>(substep(system.dt() / static_cast<T>(substeps_), system.drag()), state, compensated_);
     }
 
-    /// One interval on.
-    void next(T h, T drag) {
-        if (drag == T(0)) return advance(h, [h](T, T acc) { return h * acc; });
-        const T f = drag * h / T(2), slowed = T(2) * f / (T(1) + f), kick = h / (T(1) + f);
-        advance(h, [slowed, kick](T mean, T acc) { return kick * acc - slowed * mean; });
+    template <class System>
+    void step(System& system) {
+        advance(system, 1);
+    }
+    template <class System>
+    void advance(System& system, std::uint64_t steps) {
+        steps_.advance(system, steps * substeps_);
     }
 
-    /// The velocity at x from the mean velocity behind it: v = (w + h/2 a) / (1 + f).
-    static T velocity(T mean, T acc, T h, T drag) { return (mean + h / T(2) * acc) / (T(1) + drag * h / T(2)); }
+    template <class System>
+    void synchronised(const System& system, State<T>& out) const {
+        steps_.synchronised(system, out);
+    }
 
     template <class Self, class F>
     static void each_part(Self& self, F f) {
-        f(self.x);
-        f(self.w);
-        f(self.a);
-        f(self.lost.x);
-        f(self.lost.v);
+        KickDriftSteps<T>::each_part(self.steps_, f);
     }
 
+    using Progress = typename KickDriftSteps<T>::Progress;
+    Progress progress() const { return steps_.progress(); }
+    void progress(const Progress& progress) { steps_.progress(progress); }
+
 private:
-    template <class Gain>
-    void advance(T h, Gain gain) {
-        T *const position = x.flat().data(), *const mean = w.flat().data();
-        const T* const acceleration = a.flat().data();
-        if (lost.kept()) {
-            T *const lost_x = lost.x.flat().data(), *const lost_w = lost.v.flat().data();
-            return elementwise(x.flat().size(), [=](std::size_t k) {
-                add_compensated(mean[k], lost_w[k], gain(mean[k], acceleration[k]));
-                add_compensated(position[k], lost_x[k], h * mean[k]);
-            });
-        }
-        elementwise(x.flat().size(), [=](std::size_t k) {
-            mean[k] += gain(mean[k], acceleration[k]);
-            position[k] += h * mean[k];
-        });
+    static KickDriftStep<T> substep(T h, T drag) {
+        const T f = drag * h / T(2), half = h / T(2);
+        return {.parts = {{.gain = h / (T(1) + f), .loss = T(2) * f / (T(1) + f), .drift = h}},
+                .lead = T(0),
+                .first = {.gain = half, .loss = f, .drift = h},
+                .rest = {.gain = half / (T(1) + f), .loss = f / (T(1) + f), .drift = T(0)}};
     }
+
+    KickDriftSteps<T> steps_;
+    std::size_t substeps_;
+    bool compensated_;
 };
 
 }  // namespace steplab

@@ -15,7 +15,6 @@ struct VelocityVerlet {
         .order = 2,
         .order_with_drag = 2,
         .evaluations = 1,
-        .start_evaluations = 1,
         .linear_limit = 2,
         .symplectic = true,
         .reversible = true,

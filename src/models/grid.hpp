@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/field_lanes.hpp"
 #include "core/lanes.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
@@ -23,15 +24,16 @@ namespace steplab {
 /// time: springs from the end of a row to the beginning of the next are computed too, but pull at the border alone.
 template <class T>
 class Grid {
+    using N = Lanes<T>;
+    using Vec = Vector<N>;
+    static constexpr std::size_t width = N::count;
+
 public:
     explicit Grid(const GridForces& forces)
         : forces_(forces),
           stiffness_(static_cast<T>(forces.k) / static_cast<T>(forces.mass)),
           length_(static_cast<T>(forces.rest_length)),
           diagonal_(static_cast<T>(std::sqrt(2.0) * forces.rest_length)),
-          lead_(padded(forces.dim + 1)),
-          chunk_(std::min(padded(forces.dim * forces.dim), std::max(most_numbers / components, lead_))),
-          pulls_(components * stride(), T(0)),
           inner_(forces.dim + width) {
         for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = T(k % forces.dim > 0 && (k + 1) % forces.dim > 0);
     }
@@ -43,20 +45,115 @@ public:
     }
 
     void accelerations(const Field<T>& u, Field<T>& a) {
-        const std::size_t dim = forces_.dim, springs = (dim - 1) * dim;  // the rest are those of the fixed last row
-        for (std::size_t begin = 0; begin < springs; begin += chunk_) {
-            if (begin > 0) keep_last_pulls();
-            const std::size_t end = std::min(begin + chunk_, springs);
-            std::size_t next = std::max(begin, dim / width * width);
-            for (std::size_t p = begin; p < end; p += width) {
-                compute_pulls(u, p, p - begin);
-                if (p < next + behind * width) continue;
-                add_pulls(a, next, next - begin);
-                next += width;
-            }
-            for (; next < end; next += width) add_pulls(a, next, next - begin);
-        }
+        const FieldLanes<T> out(a);
+        sweep_.restart();
+        sweep_.to(*this, registers(), FieldLanes<const T>(u), [&](std::size_t r, const Vec& sum) { out.set(r, sum); });
     }
+
+    /// One sweep over all particles (methods/sweeps.hpp). `positions.get_from(p)` are those of a register of particles
+    /// from p on; sink(r, a) is called with the accelerations of the r-th register of particles once their positions are
+    /// needed no more.
+    class Sweep {
+    public:
+        void restart() { at_ = computed_ = begin_ = column_ = 0; }
+        /// The register to go on with.
+        std::size_t at() const { return at_; }
+        /// Goes on up to this register.
+        template <class Positions, class Sink>
+        void to(const Grid& grid, std::size_t end, Positions positions, Sink sink) {
+            if (pulls_.empty()) make_room(grid);
+            const std::size_t springs = grid.spring_registers();
+            for (; at_ < end; ++at_) {
+                for (const std::size_t ahead = std::min(at_ + behind + 1, springs); computed_ < ahead; ++computed_)
+                    compute_pulls(grid, positions);
+                sink(at_, sum_of_pulls(grid));
+                for (column_ += width; column_ >= grid.forces_.dim;) column_ -= grid.forces_.dim;
+            }
+        }
+
+    private:
+        /// Components of pulls: x, y, z of four directions.
+        static constexpr std::size_t components = 12;
+        /// Numbers of each component in memory at a time, so that they stay in the first-level cache if the grid allows.
+        static constexpr std::size_t chunk_bytes = std::size_t(1) << 15;
+
+        void make_room(const Grid& grid) {
+            kept_ = padded(grid.forces_.dim + 1) + behind * width;
+            chunk_ = std::max(chunk_bytes / components / sizeof(T) / width * width, 2 * kept_) - kept_;
+            pulls_.assign(components * stride(), T(0));
+        }
+
+        /// From one component to the next, an odd number of registers, so that they do not meet in the same sets of the
+        /// cache.
+        std::size_t stride() const { return (((kept_ + chunk_) / width + 1) | 1) * width; }
+        T* pulls(std::size_t d, std::size_t c) { return pulls_.data() + (3 * d + c) * stride() + kept_; }
+
+        void keep_last_pulls() {
+            for (std::size_t k = 0; k < pulls_.size(); k += stride())
+                std::copy_n(pulls_.data() + k + chunk_, kept_, pulls_.data() + k);
+            begin_ += chunk_;
+        }
+
+        /// Of the springs that begin at the particles of the next register.
+        template <class Positions>
+        [[gnu::always_inline]] void compute_pulls(const Grid& grid, const Positions& positions) {
+            if (computed_ * width == begin_ + chunk_) keep_last_pulls();
+            const std::size_t p = computed_ * width;
+            const Vec here = positions.get(computed_);
+            compute_pulls<east>(grid, positions, p, here);
+            compute_pulls<south>(grid, positions, p, here);
+            compute_pulls<south_east>(grid, positions, p, here);
+            compute_pulls<south_west>(grid, positions, p, here);
+        }
+        template <std::size_t D, class Positions>
+        [[gnu::always_inline]] void compute_pulls(const Grid& grid, const Positions& positions, std::size_t p,
+                                                  const Vec& here) {
+            const Direction way = grid.direction(D);
+            const Vec e = positions.get_from(p + way.offset) - here;
+            const Vec pull = spring_pull(Vec{N(way.rest.x), N(way.rest.y), N(way.rest.z)}, N(way.length), e);
+            pull.x.store(pulls(D, 0) + p - begin_);
+            pull.y.store(pulls(D, 1) + p - begin_);
+            pull.z.store(pulls(D, 2) + p - begin_);
+        }
+
+        /// The accelerations of the register of particles that is next: none on the border.
+        [[gnu::always_inline]] Vec sum_of_pulls(const Grid& grid) {
+            const N zero(T(0));
+            const std::size_t dim = grid.forces_.dim, last_row = (dim - 1) * dim, p = at_ * width;
+            if (p + width <= dim || p >= last_row) return {zero, zero, zero};
+            auto inner = N::load_anywhere(grid.inner_.data() + column_) > zero;
+            const N stiffness(grid.stiffness_);
+            const auto sum = [&](std::size_t c) __attribute__((always_inline)) {
+                N a = where(inner, stiffness * sum_of_pulls(dim, p, c), zero);
+                if (p < dim) a = where(N::first(dim - p), zero, a);
+                if (p + width > last_row) a = where(N::first(last_row - p), a, zero);
+                return a;
+            };
+            return {sum(0), sum(1), sum(2)};
+        }
+        [[gnu::always_inline]] N sum_of_pulls(std::size_t dim, std::size_t p, std::size_t c) {
+            const std::ptrdiff_t k = static_cast<std::ptrdiff_t>(p) - static_cast<std::ptrdiff_t>(begin_);
+            const T *const e = pulls(east, c) + k, *const s = pulls(south, c) + k;
+            const T *const se = pulls(south_east, c) + k, *const sw = pulls(south_west, c) + k;
+            const N along_row = N::load(e) - N::load_anywhere(e - 1);
+            const N along_column = N::load(s) - N::load_anywhere(s - dim);
+            const N falling = N::load(se) - N::load_anywhere(se - dim - 1);
+            const N rising = N::load(sw) - N::load_anywhere(sw - dim + 1);
+            return (along_row + along_column) + (falling + rising);
+        }
+
+        std::size_t at_ = 0;        ///< the register whose accelerations come next
+        std::size_t computed_ = 0;  ///< registers of particles whose pulls have been computed
+        std::size_t column_ = 0;    ///< of the first particle of the next register
+        std::size_t begin_ = 0;     ///< the particle behind the pulls that are kept
+        std::size_t kept_ = 0;      ///< particles whose pulls are kept in front of a chunk
+        std::size_t chunk_ = 0;     ///< particles of a chunk
+        std::vector<T, CacheLineAllocator<T>> pulls_;  ///< of every direction: x, y, z
+    };
+
+    /// How many registers ahead of its place a sweep reads.
+    std::size_t registers_ahead() const { return behind + (forces_.dim + 1) / width + 2; }
+    static constexpr std::size_t sweeps_together() { return 1; }
 
     PotentialEnergy potential(const Field<T>& u) const {
         const std::size_t dim = forces_.dim;
@@ -127,16 +224,11 @@ public:
     }
 
 private:
-    using N = Lanes<T>;
-    using Vec = Vector<N>;
-    static constexpr std::size_t width = N::count;
     static std::size_t padded(std::size_t n) { return (n + width - 1) / width * width; }
+    std::size_t registers() const { return (forces_.dim * forces_.dim + width - 1) / width; }
+    /// Those of the last row belong to fixed particles alone.
+    std::size_t spring_registers() const { return ((forces_.dim - 1) * forces_.dim + width - 1) / width; }
 
-    /// Components of pulls in memory: x, y, z of four directions.
-    static constexpr std::size_t components = 12;
-    /// Numbers of pulls in memory at a time, so that they stay in the cache.
-    static constexpr std::size_t most_numbers =
-        components * ((std::size_t(1) << 17) / components / sizeof(T) / width * width);
     /// Registers between computing pulls and adding them up: what has just been stored is slow to load in parts.
     static constexpr std::size_t behind = 3;
 
@@ -172,63 +264,6 @@ private:
         return {way.rest.x + (u.x()[q] - u.x()[p]), u.y()[q] - u.y()[p], way.rest.z + (u.z()[q] - u.z()[p])};
     }
 
-    /// One component of the pulls of one direction: behind this place those of the particles of the chunk, in front of
-    /// it those of the row before.
-    T* pulls(std::size_t d, std::size_t c) { return pulls_.data() + (3 * d + c) * stride() + lead_; }
-    const T* pulls(std::size_t d, std::size_t c) const { return pulls_.data() + (3 * d + c) * stride() + lead_; }
-    /// An odd number of registers, so that the components do not meet in the same sets of the cache.
-    std::size_t stride() const { return (((lead_ + chunk_) / width + 1) | 1) * width; }
-
-    void keep_last_pulls() {
-        for (std::size_t k = 0; k < pulls_.size(); k += stride())
-            std::copy_n(pulls_.data() + k + chunk_, lead_, pulls_.data() + k);
-    }
-
-    /// Of the springs that begin at the particles of one register, whose first is particle p and k-th of the chunk.
-    [[gnu::always_inline]] void compute_pulls(const Field<T>& u, std::size_t p, std::size_t k) {
-        const Vec here{N::load(u.x() + p), N::load(u.y() + p), N::load(u.z() + p)};
-        compute_pulls<east>(u, p, k, here);
-        compute_pulls<south>(u, p, k, here);
-        compute_pulls<south_east>(u, p, k, here);
-        compute_pulls<south_west>(u, p, k, here);
-    }
-    template <std::size_t D>
-    [[gnu::always_inline]] void compute_pulls(const Field<T>& u, std::size_t p, std::size_t k, const Vec& here) {
-        const Direction way = direction(D);
-        const std::size_t q = p + way.offset;
-        const Vec e{N::load_anywhere(u.x() + q) - here.x, N::load_anywhere(u.y() + q) - here.y,
-                    N::load_anywhere(u.z() + q) - here.z};
-        const Vec pull = spring_pull(Vec{N(way.rest.x), N(way.rest.y), N(way.rest.z)}, N(way.length), e);
-        pull.x.store(pulls(D, 0) + k);
-        pull.y.store(pulls(D, 1) + k);
-        pull.z.store(pulls(D, 2) + k);
-    }
-
-    /// The accelerations of the same particles: none on the border.
-    [[gnu::always_inline]] void add_pulls(Field<T>& a, std::size_t p, std::size_t k) const {
-        const std::size_t dim = forces_.dim, last_row = (dim - 1) * dim;
-        const std::array<T*, 3> out{a.x() + p, a.y() + p, a.z() + p};
-        const N zero(T(0));
-        const auto inner = N::load_anywhere(inner_.data() + p % dim) > zero;
-        for (std::size_t c = 0; c < 3; ++c) {
-            N sum = where(inner, N(stiffness_) * sum_of_pulls(k, c), zero);
-            if (p < dim) sum = where(N::first(dim - p), zero, sum);
-            if (p + width > last_row) sum = where(N::first(last_row - p), sum, zero);
-            sum.store(out[c]);
-        }
-    }
-
-    [[gnu::always_inline]] N sum_of_pulls(std::size_t k, std::size_t c) const {
-        const std::size_t dim = forces_.dim;
-        const T *const e = pulls(east, c) + k, *const s = pulls(south, c) + k;
-        const T *const se = pulls(south_east, c) + k, *const sw = pulls(south_west, c) + k;
-        const N along_row = N::load(e) - N::load_anywhere(e - 1);
-        const N along_column = N::load(s) - N::load_anywhere(s - dim);
-        const N falling = N::load(se) - N::load_anywhere(se - dim - 1);
-        const N rising = N::load(sw) - N::load_anywhere(sw - dim + 1);
-        return (along_row + along_column) + (falling + rising);
-    }
-
     double energy(const Field<T>& u, const Direction& way, std::size_t p) const {
         const std::size_t q = p + way.offset;
         const Vector<T> e{u.x()[q] - u.x()[p], u.y()[q] - u.y()[p], u.z()[q] - u.z()[p]};
@@ -239,10 +274,8 @@ private:
     T stiffness_;  ///< k / m
     T length_;
     T diagonal_;
-    std::size_t lead_;                             ///< particles of a row and one, a whole number of registers
-    std::size_t chunk_;                            ///< particles whose pulls are in memory at a time, likewise
-    std::vector<T, CacheLineAllocator<T>> pulls_;  ///< of every direction: x, y, z
-    std::vector<T> inner_;                         ///< 1 for the inner columns of a row and of what follows it, else 0
+    std::vector<T> inner_;  ///< 1 for the inner columns of a row and of what follows it, else 0
+    Sweep sweep_;
 };
 
 }  // namespace steplab

@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/field_lanes.hpp"
 #include "core/lanes.hpp"
 #include "core/stages.hpp"
 #include "core/sum.hpp"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace steplab {
 
@@ -19,6 +21,15 @@ namespace steplab {
 /// (pull of the spring to i + 1) - (pull of the spring from i - 1), in this order, then gravity.
 template <class T>
 class Line {
+    using N = Lanes<T>;
+    using Vec = Vector<N>;
+    static constexpr std::size_t width = N::count;
+
+    /// What a sweep carries from register to register: positions, and pulls of the springs before them.
+    struct Passed {
+        Vec here, before;
+    };
+
 public:
     explicit Line(const LineForces& forces)
         : forces_(forces),
@@ -36,17 +47,46 @@ public:
 
     void accelerations(const Field<T>& u, Field<T>& a) const {
         if constexpr (SideBySide<T>) return accelerate_in_turn<3>(u, a);
-        const std::size_t springs = forces_.count - 1;
-        Vec here = load(u, 0), before = Vec{N(T(0)), N(T(0)), N(T(0))};
-        for (std::size_t p = 0; p < forces_.count; p += width) {
-            const Vec next = p + width < forces_.count ? load(u, p + width) : here;
-            Vec pull = pulls(here, next);
-            if (p + width > springs) pull = first_lanes(springs - p, pull);
-            store_difference(a, p, pull, before);
-            here = next;
-            before = pull;
+        const FieldLanes<T> out(a);
+        const FieldLanes<const T> positions(u);
+        Sweep().to(*this, registers(), positions, [&](std::size_t r, const Vec& sum) { out.set(r, sum); });
+    }
+
+    /// One sweep over all particles (methods/sweeps.hpp). `positions.get(r)` are those of the r-th register of particles;
+    /// sink(r, a) is called with their accelerations once their positions are needed no more.
+    class Sweep {
+    public:
+        void restart() { at_ = 0; }
+        /// The register to go on with.
+        std::size_t at() const { return at_; }
+        /// Goes on up to this register.
+        template <class Positions, class Sink>
+        void to(const Line& line, std::size_t end, Positions positions, Sink sink) {
+            Passed passed = at_ == 0 ? line.begin(positions) : passed_;
+            for (std::size_t r = at_; r < end; ++r) line.pass(r, line.registers(), positions, sink, passed);
+            passed_ = passed;
+            at_ = end;
         }
-        if (falls_) add_gravity(a);
+
+    private:
+        std::size_t at_ = 0;
+        Passed passed_;
+    };
+
+    /// How many registers ahead of its place a sweep reads.
+    static constexpr std::size_t registers_ahead() { return 1; }
+    /// So many sweeps, one behind the other, find the particles in the first-level cache.
+    static constexpr std::size_t sweeps_together() { return 16; }
+
+    /// A whole sweep over particles that fill so many registers, known to the compiler.
+    static constexpr std::size_t most_registers = 2;
+    template <std::size_t Registers, class Positions, class Sink>
+    [[gnu::always_inline]] void sweep(Positions positions, Sink sink) const {
+        Passed passed = begin(positions);
+        [&]<std::size_t... R>(std::index_sequence<R...>) __attribute__((always_inline)) {
+            (pass(R, Registers, positions, sink, passed), ...);
+        }
+        (std::make_index_sequence<Registers>{});
     }
 
     /// The same where all particles move along x alone: the components along x of `a`.
@@ -104,12 +144,28 @@ private:
         return {length_ + (u.x()[i + 1] - u.x()[i]), u.y()[i + 1] - u.y()[i], u.z()[i + 1] - u.z()[i]};
     }
 
-    using N = Lanes<T>;
-    using Vec = Vector<N>;
-    static constexpr std::size_t width = N::count;
+    std::size_t registers() const { return (forces_.count + width - 1) / width; }
 
-    static Vec load(const Field<T>& u, std::size_t p) {
-        return {N::load(u.x() + p), N::load(u.y() + p), N::load(u.z() + p)};
+    template <class Positions>
+    [[gnu::always_inline]] Passed begin(const Positions& positions) const {
+        const N zero(T(0));
+        return {positions.get(0), {zero, zero, zero}};
+    }
+
+    /// Hands out the accelerations of register r of so many.
+    template <class Positions, class Sink>
+    [[gnu::always_inline]] void pass(std::size_t r, std::size_t registers, const Positions& positions, Sink& sink,
+                                     Passed& passed) const {
+        const Vec next = r + 1 < registers ? positions.get(r + 1) : passed.here;
+        Vec pull = pulls(passed.here, next);
+        const bool last = r + 1 == registers;
+        if (last) pull = first_lanes(forces_.count - 1 - r * width, pull);
+        Vec sum{pull.x - N::shifted_up(passed.before.x, pull.x), pull.y - N::shifted_up(passed.before.y, pull.y),
+                pull.z - N::shifted_up(passed.before.z, pull.z)};
+        if (falls_) sum.y = sum.y - (last ? where(N::first(forces_.count - r * width), N(gravity_), N(T(0))) : N(gravity_));
+        if (r == 0 && first_moving_ > 0) sum = after_first(sum);
+        passed = {next, pull};
+        sink(r, sum);
     }
 
     /// Of the springs that begin at the particles of one register; `next` holds the particles after them.
@@ -151,15 +207,6 @@ private:
     static Vec first_lanes(std::size_t count, const Vec& pull) {
         const auto kept = N::first(count);
         return {where(kept, pull.x, N(T(0))), where(kept, pull.y, N(T(0))), where(kept, pull.z, N(T(0)))};
-    }
-
-    void store_difference(Field<T>& a, std::size_t p, const Vec& pull, const Vec& before) const {
-        Vec sum{pull.x - N::shifted_up(before.x, pull.x), pull.y - N::shifted_up(before.y, pull.y),
-                pull.z - N::shifted_up(before.z, pull.z)};
-        if (p < first_moving_) sum = after_first(sum);
-        sum.x.store(a.x() + p);
-        sum.y.store(a.y() + p);
-        sum.z.store(a.z() + p);
     }
 
     /// No acceleration for the fixed first particle.

@@ -1,14 +1,9 @@
 #pragma once
 
 #include "core/number.hpp"
+#include "core/vector.hpp"
 
 namespace steplab {
-
-/// A vector of any number type, for the formulas of forces.
-template <class N>
-struct Vector {
-    N x, y, z;
-};
 
 /// True if the angle between two distance vectors is 90 degrees or more, or a vector is zero.
 template <class N>

@@ -92,15 +92,12 @@ struct Simulation::Body : Course {
 
     std::any kept;  // internal state at a step known to be good
     std::uint64_t kept_step = 0;
-    State<double> state;  // synchronised, of the current step
-    Energy energy;        // of that state
     std::optional<Divergence> divergence;
 
     explicit Body(const RunDescription& description) : segment(description) {
         const FlushSubnormals flush;
         exact = model(segment.held.model).exact(segment.held.scene);
-        look();
-        baseline = energy;
+        baseline = energy();
         keep();
     }
 
@@ -108,19 +105,28 @@ struct Simulation::Body : Course {
         return segment_time + static_cast<double>(at - segment_step) * segment.held.dt;
     }
 
-    /// Reads the stepper's state; false if it holds a number that is not finite.
-    bool look() {
-        segment.stepper->synchronised(state);
-        energy = segment.meter.energy(state);
-        return segment.stepper->finite();
+    // What is read of the present step, when somebody asks for it.
+    const State<double>& state() {
+        if (!state_known) segment.stepper->synchronised(looked_at);
+        state_known = true;
+        return looked_at;
     }
+    const Energy& energy() {
+        const FlushSubnormals flush;
+        if (!energy_known) measured = segment.meter.energy(state());
+        energy_known = true;
+        return measured;
+    }
+    void moved() { state_known = energy_known = settled = false; }
 
-    bool energy_is_good() const { return energy_is_possible(judged_energy(), baseline, segment.meter.floor()); }
+    bool energy_is_good() { return energy_is_possible(judged_energy(), baseline, segment.meter.floor()); }
 
     /// The velocities a curiosity shows may be wrong while its positions are right: they are left out.
-    Energy judged_energy() const {
-        return {method(segment.held.method).info.curiosity ? 0 : energy.kinetic, energy.potential};
+    Energy judged_energy() {
+        return {method(segment.held.method).info.curiosity ? 0 : energy().kinetic, energy().potential};
     }
+
+    bool is_good() { return segment.stepper->finite() && energy_is_good(); }
 
     void keep() {
         kept = segment.stepper->save();
@@ -131,27 +137,51 @@ struct Simulation::Body : Course {
     std::uint64_t steps_to_check() const { return interval() - (step - segment_step) % interval(); }
 
     void advance(std::uint64_t steps);
+    void settle();
     void conclude();
+    void take(std::uint64_t steps);
+    void pull(std::size_t particle, Vec3 displacement);
     void go_back_to_last_good();
     void diverged();
     void go_on(const RunDescription& description, bool energy_changed);
+
+private:
+    State<double> looked_at;
+    Energy measured;
+    bool state_known = false, energy_known = false;  // of the present step
+    bool settled = false;                            // its numbers are finite
 };
+
+void Simulation::Body::take(std::uint64_t steps) {
+    segment.stepper->advance(steps);
+    step += steps;
+    moved();
+}
 
 void Simulation::Body::advance(std::uint64_t steps) {
     const FlushSubnormals flush;
     while (!divergence && steps > 0) {
         const std::uint64_t taken = std::min(steps, steps_to_check());
-        segment.stepper->advance(taken);
-        step += taken;
+        take(taken);
         steps -= taken;
-        const bool on_grid = steps_to_check() == interval();
-        if (!look() || (on_grid && !energy_is_good())) return go_back_to_last_good();
-        if (on_grid) keep();
+        if (steps_to_check() != interval()) continue;
+        if (!is_good()) return go_back_to_last_good();
+        settled = true;
+        keep();
     }
+}
+
+/// Before anybody looks: what he sees is finite.
+void Simulation::Body::settle() {
+    if (settled || divergence) return;
+    const FlushSubnormals flush;
+    if (!segment.stepper->finite()) return go_back_to_last_good();
+    settled = true;
 }
 
 void Simulation::Body::conclude() {
     const FlushSubnormals flush;
+    settle();
     if (!divergence && !energy_is_good()) go_back_to_last_good();
 }
 
@@ -159,16 +189,14 @@ void Simulation::Body::conclude() {
 void Simulation::Body::go_back_to_last_good() {
     segment.stepper->restore(kept);
     step = kept_step;
-    do {
-        segment.stepper->advance(1);
-        ++step;
-    } while (look() && energy_is_good());
+    do take(1);
+    while (is_good());
     divergence.emplace();
-    divergence->particle = wildest_particle(state);
-    --step;
+    divergence->particle = wildest_particle(state());
     segment.stepper->restore(kept);
-    segment.stepper->advance(step - kept_step);
-    look();
+    const std::uint64_t good = step - 1;
+    step = kept_step;
+    take(good - kept_step);
     diverged();
 }
 
@@ -182,20 +210,28 @@ void Simulation::Body::diverged() {
 /// Begins a new segment at the synchronised state.
 void Simulation::Body::go_on(const RunDescription& description, bool energy_changed) {
     const FlushSubnormals flush;
-    Segment next(description, state);
+    Segment next(description, state());
     evaluations_before += segment.stepper->evaluations();
     segment_time = time_at(step);
     segment_step = step;
     segment = std::move(next);
     ++segment_number;
     divergence.reset();
-    look();
+    moved();
     if (energy_changed) {
-        baseline = energy;
+        baseline = energy();
         baseline_step = step;
         exact = nullptr;
     }
     keep();
+}
+
+/// The particle stops at this displacement; a new segment begins.
+void Simulation::Body::pull(std::size_t particle, Vec3 displacement) {
+    state();
+    looked_at.displacement.set(particle, displacement);
+    looked_at.velocity.set(particle, {});
+    go_on(RunDescription(segment.description), true);
 }
 
 Simulation::Simulation(RunDescription description) : body_(std::make_unique<Body>(description)) {}
@@ -203,9 +239,14 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
+Simulation::Body& Simulation::settled() const {
+    body_->settle();
+    return *body_;
+}
+
 const RunDescription& Simulation::description() const { return body_->segment.description; }
-std::uint64_t Simulation::step() const { return body_->step; }
-double Simulation::time() const { return body_->time_at(body_->step); }
+std::uint64_t Simulation::step() const { return settled().step; }
+double Simulation::time() const { return settled().time_at(settled().step); }
 double Simulation::dt() const { return body_->segment.held.dt; }
 std::size_t Simulation::particles() const { return body_->segment.scene.reference.count(); }
 std::uint64_t Simulation::segment() const { return body_->segment_number; }
@@ -213,13 +254,13 @@ double Simulation::segment_start() const { return body_->segment_time; }
 std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
 bool Simulation::has_exact() const { return body_->exact != nullptr; }
 const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
-const std::optional<Divergence>& Simulation::divergence() const { return body_->divergence; }
+const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
 
 std::uint64_t Simulation::evaluations() const {
-    return body_->evaluations_before + body_->segment.stepper->evaluations();
+    return settled().evaluations_before + body_->segment.stepper->evaluations();
 }
 
-CollisionRecord Simulation::collisions() const { return body_->segment.stepper->collisions(); }
+CollisionRecord Simulation::collisions() const { return settled().segment.stepper->collisions(); }
 
 void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
 void Simulation::conclude() { body_->conclude(); }
@@ -233,6 +274,7 @@ Frame Simulation::frame() const {
 
 void Simulation::frame(Frame& out) const {
     const Field<double>& reference = body_->segment.scene.reference;
+    const State<double>& state = this->state();
     const Precision precision = body_->segment.held.precision;
     out.step = step();
     out.time = time();
@@ -241,10 +283,10 @@ void Simulation::frame(Frame& out) const {
     out.positions.resize(particles());
     out.velocities.resize(particles());
     for (std::size_t i = 0; i < particles(); ++i) {
-        const Vec3 position = reference.at(i) + body_->state.displacement.at(i);
+        const Vec3 position = reference.at(i) + state.displacement.at(i);
         out.positions[i] = {rounded_to(precision, position.x), rounded_to(precision, position.y),
                             rounded_to(precision, position.z)};
-        out.velocities[i] = body_->state.velocity.at(i);
+        out.velocities[i] = state.velocity.at(i);
     }
 }
 
@@ -258,21 +300,21 @@ std::shared_ptr<const Shape> Simulation::shape() const {
 
 std::string Simulation::hash() const {
     const bool in_float = body_->segment.held.precision == Precision::float_;
-    const std::uint64_t hash = in_float ? hash_of<float>(step(), body_->state) : hash_of<double>(step(), body_->state);
+    const std::uint64_t hash = in_float ? hash_of<float>(step(), state()) : hash_of<double>(step(), state());
     return fmt::format("{:016x}", hash);
 }
 
-const State<double>& Simulation::state() const { return body_->state; }
+const State<double>& Simulation::state() const { return settled().state(); }
 
 Diagnostics Simulation::diagnostics() const {
-    const Body& body = *body_;
-    Diagnostics sums = sums_over_particles(body.state, body.segment.scene, *shape());
-    sums.kinetic = body.energy.kinetic;
-    sums.potential = body.energy.potential.value;
-    sums.energy = body.energy.total();
+    Body& body = settled();
+    Diagnostics sums = sums_over_particles(body.state(), body.segment.scene, *shape());
+    sums.kinetic = body.energy().kinetic;
+    sums.potential = body.energy().potential.value;
+    sums.energy = body.energy().total();
     sums.energy_error = sums.energy - body.baseline.total();
     if (has_exact() && time() <= body.exact->valid_until())
-        sums.error = largest_error(body.state.displacement, *body.exact, time());
+        sums.error = largest_error(body.state().displacement, *body.exact, time());
     return sums;
 }
 
@@ -297,9 +339,7 @@ Change Simulation::change(const RunDescription& description) {
 
 void Simulation::pull(std::size_t particle, Vec3 position) {
     if (particle >= particles() || shape()->roles[particle] == Role::fixed) return;
-    body_->state.displacement.set(particle, position - body_->segment.scene.reference.at(particle));
-    body_->state.velocity.set(particle, {});
-    body_->go_on(RunDescription(description()), true);
+    body_->pull(particle, position - body_->segment.scene.reference.at(particle));
 }
 
 void Simulation::restart() {
@@ -313,7 +353,7 @@ std::uint64_t Simulation::Snapshot::segment() const { return content_->course.se
 std::size_t Simulation::Snapshot::bytes() const { return content_->bytes; }
 
 Simulation::Snapshot Simulation::save() const {
-    const Stepper& stepper = *body_->segment.stepper;
+    const Stepper& stepper = *settled().segment.stepper;
     const Course& course = *body_;
     Snapshot snapshot;
     snapshot.content_ = std::make_shared<const Snapshot::Content>(
@@ -328,7 +368,7 @@ void Simulation::restore(const Snapshot& snapshot) {
     static_cast<Course&>(*body_) = content.course;
     body_->segment.stepper->restore(content.internal);
     body_->divergence.reset();
-    body_->look();
+    body_->moved();
     body_->keep();
 }
 

@@ -48,8 +48,9 @@ public:
     CollisionRecord collisions() const;
 
     /// Takes up to `steps` steps. If the run diverges, it goes back to the last good step, which may lie before where
-    /// this call began, and no further. Numbers that are not finite are found at once, an impossible energy on a fixed
-    /// grid of steps (check_interval), so that it makes no difference in how many calls the steps are taken.
+    /// this call began, and no further. Numbers that are not finite are found before anybody sees them, an impossible
+    /// energy on a fixed grid of steps (check_interval), so that it makes no difference in how many calls the steps are
+    /// taken.
     void advance(std::uint64_t steps);
     /// Judges the energy of the present step too, as at the end of a run.
     void conclude();
@@ -108,6 +109,8 @@ public:
 
 private:
     struct Body;
+    /// The run as somebody who looks finds it: numbers that are not finite have been noticed.
+    Body& settled() const;
     std::unique_ptr<Body> body_;
 };
 

@@ -81,7 +81,11 @@ public:
     }
 
     void advance(std::uint64_t steps) override {
-        for (std::uint64_t i = 0; i < steps; ++i) integrator_.step(system_);
+        if constexpr (requires { integrator_.advance(system_, steps); }) {
+            integrator_.advance(system_, steps);
+        } else {
+            for (std::uint64_t i = 0; i < steps; ++i) integrator_.step(system_);
+        }
     }
 
     bool finite() const override {

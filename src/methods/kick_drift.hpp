@@ -1,0 +1,151 @@
+#pragma once
+
+#include "core/field.hpp"
+#include "core/field_lanes.hpp"
+#include "methods/compensated.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+/// v += gain a - loss v, where a is the acceleration at x without drag, then x += drift v.
+template <class T>
+struct KickDrift {
+    T gain{}, loss{}, drift{};
+};
+
+/// A step as kicks and drifts in turn. What the end of a step and the beginning of the next both do is done at once:
+/// between steps a part of it is still to be done for x and v of one time.
+template <class T>
+struct KickDriftStep {
+    std::vector<KickDrift<T>> parts;
+    T lead{};            ///< the drift that begins the first step, with which no other is merged
+    KickDrift<T> first;  ///< instead of the first part in the first step
+    KickDrift<T> rest;   ///< still to be done after a step: a kick or a drift
+};
+
+/// Takes such steps.
+template <class T>
+class KickDriftSteps {
+public:
+    KickDriftSteps() = default;
+    KickDriftSteps(KickDriftStep<T> step, const State<T>& state, bool compensated)
+        : step_(std::move(step)), x_(state.displacement), v_(state.velocity), lost_(compensated, x_.count()) {}
+
+    template <class System>
+    void advance(System& system, std::uint64_t steps) {
+        if (steps > 0 && progress_.fresh) {
+            take_first(system);
+            --steps;
+        }
+        if (steps > 0) take(system, steps, step_.parts);
+    }
+
+    template <class System>
+    void synchronised(const System& system, State<T>& out) const {
+        out.displacement = x_;
+        out.velocity = v_;
+        if (progress_.fresh) return;
+        Lost<T> lost = lost_;
+        if (step_.rest.gain != T(0)) {
+            const FieldLanes<T> velocity(out.velocity);
+            system.look(x_, [&](std::size_t r, const Vector<N>& a) {
+                velocity.set(r, velocity.get(r) + (N(step_.rest.gain) * a - N(step_.rest.loss) * velocity.get(r)));
+            });
+        }
+        if (step_.rest.drift != T(0)) drift(step_.rest.drift, out.displacement, out.velocity, lost);
+    }
+
+    template <class Self, class F>
+    static void each_part(Self& self, F f) {
+        f(self.x_);
+        f(self.v_);
+        f(self.lost_.x);
+        f(self.lost_.v);
+    }
+
+    struct Progress {
+        bool fresh = true;  ///< no step was taken yet
+    };
+    Progress progress() const { return progress_; }
+    void progress(const Progress& progress) { progress_ = progress; }
+
+private:
+    using N = Lanes<T>;
+
+    template <class System>
+    void take_first(System& system) {
+        if (step_.lead != T(0)) drift(step_.lead, x_, v_, lost_);
+        std::vector<KickDrift<T>> parts = step_.parts;
+        parts.front() = step_.first;
+        take(system, 1, parts);
+        progress_.fresh = false;
+    }
+
+    template <class System>
+    void take(System& system, std::uint64_t steps, const std::vector<KickDrift<T>>& parts) {
+        const bool drag = parts.front().loss != T(0);
+        if (lost_.kept()) {
+            const std::array<Field<T>*, 4> fields{&x_, &v_, &lost_.x, &lost_.v};
+            if (drag) return system.sweep(fields, steps, parts.size(), Stage<true, true>{parts.data()});
+            return system.sweep(fields, steps, parts.size(), Stage<false, true>{parts.data()});
+        }
+        const std::array<Field<T>*, 2> fields{&x_, &v_};
+        if (drag) return system.sweep(fields, steps, parts.size(), Stage<true, false>{parts.data()});
+        return system.sweep(fields, steps, parts.size(), Stage<false, false>{parts.data()});
+    }
+
+    enum : std::size_t { x, v, lost_x, lost_v };
+
+    /// What a sweep does with the accelerations (sweeps.hpp).
+    template <bool Drag, bool Compensated>
+    struct Stage {
+        const KickDrift<T>* parts;
+
+        template <class F>
+        [[gnu::always_inline]] void operator()(std::size_t part, F f) const {
+            const N gain(parts[part].gain), loss(parts[part].loss), drift(parts[part].drift);
+            f(std::integral_constant<std::size_t, x>{},
+              [=](auto& particles, std::size_t r, const Vector<N>& a) __attribute__((always_inline)) {
+                  Vector<N> kick = gain * a;
+                  if constexpr (Drag) kick = kick - loss * particles.get(v, r);
+                  add(particles, v, lost_v, r, kick);
+                  add(particles, x, lost_x, r, drift * particles.get(v, r));
+              });
+        }
+
+        template <class Particles>
+        [[gnu::always_inline]] static void add(Particles& particles, std::size_t q, std::size_t lost, std::size_t r,
+                                               const Vector<N>& change) {
+            if constexpr (Compensated) {
+                add_compensated(particles, q, lost, r, change);
+            } else {
+                particles.set(q, r, particles.get(q, r) + change);
+            }
+        }
+    };
+
+    /// x += drift v.
+    static void drift(T drift, Field<T>& x, const Field<T>& v, Lost<T>& lost) {
+        for (std::size_t k = 0; k < x.flat().size(); ++k) {
+            if (lost.kept()) {
+                add_compensated(x.flat()[k], lost.x.flat()[k], drift * v.flat()[k]);
+            } else {
+                x.flat()[k] += drift * v.flat()[k];
+            }
+        }
+    }
+
+    KickDriftStep<T> step_;
+    Field<T> x_;  ///< displacements
+    Field<T> v_;
+    Lost<T> lost_;
+    Progress progress_;
+};
+
+}  // namespace steplab

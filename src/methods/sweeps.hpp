@@ -1,0 +1,173 @@
+#pragma once
+
+#include "core/field.hpp"
+#include "core/lanes.hpp"
+#include "core/stages.hpp"
+#include "methods/particles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+// A sweep goes once over all particles, a register of them at a time: it computes their accelerations and hands them to
+// a sink, which moves the particles at once. A layout of forces whose class has a type Sweep reads no position again
+// that it has handed out; those of the others are computed for all particles first.
+//
+// An integrator describes its step as sweeps, part after part: stage(part, f) calls f(q, sink), where q (an
+// std::integral_constant) is the quantity that holds the positions of this part's evaluation, and sink(particles, r, a)
+// moves the particles of register r, whose accelerations are a.
+
+template <class Force>
+concept Sweeping = requires { typename Force::Sweep; };
+
+/// Layouts that sweep over particles in registers of the processor too.
+template <class Force>
+concept SweepingInRegisters = Sweeping<Force> && requires { Force::most_registers; };
+
+namespace detail {
+
+template <class Force>
+struct SweepOf {
+    struct Type {};
+};
+template <Sweeping Force>
+struct SweepOf<Force> {
+    using Type = typename Force::Sweep;
+};
+
+}  // namespace detail
+
+/// Positions of particles as a sweep reads them.
+template <class Particles, std::size_t Q>
+struct PositionsOf {
+    const Particles& particles;
+
+    [[gnu::always_inline]] auto get(std::size_t r) const { return particles.get(Q, r); }
+    [[gnu::always_inline]] auto get_from(std::size_t particle) const { return particles.get_from(Q, particle); }
+};
+
+/// Calls sink(r, a) with the accelerations of every register r of particles.
+template <class T, class Force, class Sink>
+void look_at(Force& force, const Field<T>& x, Sink sink) {
+    const std::size_t registers = (x.count() + Lanes<T>::count - 1) / Lanes<T>::count;
+    if constexpr (!SideBySide<T> && Sweeping<Force>) {
+        typename Force::Sweep().to(force, registers, FieldLanes<const T>(x), sink);
+    } else {
+        Field<T> accelerations(x.count());
+        force.accelerations(x, accelerations);
+        for (std::size_t r = 0; r < registers; ++r) sink(r, FieldLanes<const T>(accelerations).get(r));
+    }
+}
+
+/// Runs the sweeps of one layout of forces.
+template <class T, class Force>
+class Sweeps {
+public:
+    /// `steps` steps of `parts` sweeps each over the particles whose quantities are `fields`.
+    template <std::size_t Quantities, class Stage>
+    void run(Force& force, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps, std::size_t parts,
+             Stage stage) {
+        if constexpr (SideBySide<T> || !Sweeping<Force>) {
+            for (std::uint64_t s = 0; s < steps * parts; ++s) sweep_whole(force, fields, s % parts, stage);
+        } else {
+            const std::size_t registers = (fields[0]->count() + width - 1) / width;
+            if constexpr (SweepingInRegisters<Force>) {
+                if (registers <= Force::most_registers)
+                    return run_in_registers<Force::most_registers>(force, fields, registers, steps, parts, stage);
+            }
+            InMemory<T, Quantities> particles(fields);
+            run_in_memory(force, particles, registers, steps, parts, stage);
+        }
+    }
+
+private:
+    static constexpr std::size_t width = Lanes<T>::count;
+
+    template <std::size_t Quantities, class Stage>
+    void sweep_whole(Force& force, const std::array<Field<T>*, Quantities>& fields, std::size_t part, Stage stage) {
+        InMemory<T, Quantities> particles(fields);
+        if (accelerations_.count() != fields[0]->count()) accelerations_ = Field<T>(fields[0]->count());
+        InMemory<T, 1> accelerations({&accelerations_});
+        stage(part, [&](auto q, auto sink) {
+            force.accelerations(*fields[q], accelerations_);
+            const std::size_t registers = (fields[0]->count() + width - 1) / width;
+            for (std::size_t r = 0; r < registers; ++r) sink(particles, r, accelerations.get(0, r));
+        });
+    }
+
+    /// The same for few particles, in code of its own for every number of registers.
+    template <std::size_t Registers, std::size_t Quantities, class Stage>
+    void run_in_registers(Force& force, const std::array<Field<T>*, Quantities>& fields, std::size_t registers,
+                          std::uint64_t steps, std::size_t parts, Stage stage) {
+        if constexpr (Registers > 1) {
+            if (registers < Registers)
+                return run_in_registers<Registers - 1>(force, fields, registers, steps, parts, stage);
+        }
+        InMemory<T, Quantities> memory(fields);
+        InRegisters<T, Quantities, Registers> particles;
+        particles.load(memory);
+        const Force own = force;
+        for (std::uint64_t i = 0; i < steps; ++i) {
+            for (std::size_t part = 0; part < parts; ++part) {
+                stage(part, [&](auto q, auto sink) __attribute__((always_inline)) {
+                    own.template sweep<Registers>(
+                        PositionsOf<InRegisters<T, Quantities, Registers>, q>{particles},
+                        [&](std::size_t r, const auto& a) __attribute__((always_inline)) { sink(particles, r, a); });
+                });
+            }
+        }
+        particles.store(memory);
+    }
+
+    template <class Particles, class Stage>
+    void run_in_memory(Force& force, Particles& particles, std::size_t registers, std::uint64_t steps,
+                       std::size_t parts, Stage stage) {
+        std::size_t part = 0;
+        for (std::uint64_t left = steps * parts; left > 0;) {
+            const std::size_t together = std::min<std::uint64_t>(left, force.sweeps_together());
+            sweep_together(force, particles, registers, together, [&](std::size_t s, auto f) {
+                stage((part + s) % parts, f);
+            });
+            part = (part + together) % parts;
+            left -= together;
+        }
+    }
+
+    /// Several sweeps at once, each behind the one before it by no more than it must be, so that particles are moved
+    /// several times while they are in the cache.
+    template <class Particles, class Stage>
+    void sweep_together(const Force& force, Particles& particles, std::size_t registers, std::size_t together,
+                        Stage stage) {
+        if (under_way_.size() < together) under_way_.resize(together, typename Force::Sweep());
+        for (std::size_t s = 0; s < together; ++s) under_way_[s].restart();
+        const std::size_t behind = force.registers_ahead();
+        const std::size_t block = together > 1 ? block_registers : registers;
+        for (std::size_t front = block; under_way_[together - 1].at() < registers; front += block) {
+            for (std::size_t s = 0; s < together && s * behind < front; ++s) {
+                auto& sweep = under_way_[s];
+                const std::size_t end = std::min(registers, front - s * behind);
+                if (end <= sweep.at()) continue;
+                stage(s, [&](auto q, auto sink) {
+                    sweep.to(force, end, PositionsOf<Particles, q>{particles},
+                             [&](std::size_t r, const auto& a) __attribute__((always_inline)) {
+                                 sink(particles, r, a);
+                             });
+                });
+            }
+        }
+    }
+
+    /// Some kilobytes of every quantity.
+    static constexpr std::size_t block_registers = 16;
+
+    std::vector<typename detail::SweepOf<Force>::Type> under_way_;
+    Field<T> accelerations_;  ///< of layouts without sweeps
+};
+
+}  // namespace steplab
