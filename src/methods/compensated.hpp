@@ -2,6 +2,7 @@
 
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "core/vector.hpp"
 
 namespace steplab {
 
@@ -32,16 +33,11 @@ template <class T>
     lost = low - (sum - next);
 }
 
-/// The same of quantity q of the particles of register r, whose lost parts are the quantity `lost` (particles.hpp).
-template <class Particles, class Change>
-[[gnu::always_inline]] inline void add_compensated(Particles& particles, std::size_t q, std::size_t lost, std::size_t r,
-                                                   const Change& change) {
-    Change sum = particles.get(q, r), low = particles.get(lost, r);
-    add_compensated(sum.x, low.x, change.x);
-    add_compensated(sum.y, low.y, change.y);
-    add_compensated(sum.z, low.z, change.z);
-    particles.set(q, r, sum);
-    particles.set(lost, r, low);
+template <class N>
+[[gnu::always_inline]] inline void add_compensated(Vector<N>& sum, Vector<N>& lost, const Vector<N>& increment) {
+    add_compensated(sum.x, lost.x, increment.x);
+    add_compensated(sum.y, lost.y, increment.y);
+    add_compensated(sum.z, lost.z, increment.z);
 }
 
 /// What rounding has cut off positions and velocities; empty unless sums are compensated.

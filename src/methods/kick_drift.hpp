@@ -112,21 +112,27 @@ private:
             const N gain(parts[part].gain), loss(parts[part].loss), drift(parts[part].drift);
             f(std::integral_constant<std::size_t, x>{},
               [=](auto& particles, std::size_t r, const Vector<N>& a) __attribute__((always_inline)) {
+                  const Vector<N> before = particles.get(v, r);
                   Vector<N> kick = gain * a;
-                  if constexpr (Drag) kick = kick - loss * particles.get(v, r);
-                  add(particles, v, lost_v, r, kick);
-                  add(particles, x, lost_x, r, drift * particles.get(v, r));
+                  if constexpr (Drag) kick = kick - loss * before;
+                  const Vector<N> after = add(particles, v, lost_v, r, before, kick);
+                  add(particles, x, lost_x, r, particles.get(x, r), drift * after);
               });
         }
 
+        /// Returns the sum.
         template <class Particles>
-        [[gnu::always_inline]] static void add(Particles& particles, std::size_t q, std::size_t lost, std::size_t r,
-                                               const Vector<N>& change) {
+        [[gnu::always_inline]] static Vector<N> add(Particles& particles, std::size_t q, std::size_t lost, std::size_t r,
+                                                    Vector<N> sum, const Vector<N>& change) {
             if constexpr (Compensated) {
-                add_compensated(particles, q, lost, r, change);
+                Vector<N> low = particles.get(lost, r);
+                add_compensated(sum, low, change);
+                particles.set(lost, r, low);
             } else {
-                particles.set(q, r, particles.get(q, r) + change);
+                sum = sum + change;
             }
+            particles.set(q, r, sum);
+            return sum;
         }
     };
 

@@ -134,11 +134,15 @@ private:
         template <class Particles>
         [[gnu::always_inline]] static void finish(Particles& particles, std::size_t q, std::size_t r,
                                                   const Vector<N>& change) {
+            Vector<N> sum = particles.get(q, r);
             if constexpr (Compensated) {
-                add_compensated(particles, q, quantities + q, r, change);
+                Vector<N> lost = particles.get(quantities + q, r);
+                add_compensated(sum, lost, change);
+                particles.set(quantities + q, r, lost);
             } else {
-                particles.set(q, r, particles.get(q, r) + change);
+                sum = sum + change;
             }
+            particles.set(q, r, sum);
         }
 
         T dt, drag;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,9 @@ class Grid {
     using N = Lanes<T>;
     using Vec = Vector<N>;
     static constexpr std::size_t width = N::count;
+    /// Registers between computing pulls and adding them up in narrow grids: what has just been stored is slow to load in
+    /// parts.
+    static constexpr std::size_t behind = 3;
 
 public:
     explicit Grid(const GridForces& forces)
@@ -55,100 +59,105 @@ public:
     /// needed no more.
     class Sweep {
     public:
-        void restart() { at_ = computed_ = begin_ = column_ = 0; }
+        void restart() { at_ = 0; }
         /// The register to go on with.
         std::size_t at() const { return at_; }
         /// Goes on up to this register.
         template <class Positions, class Sink>
         void to(const Grid& grid, std::size_t end, Positions positions, Sink sink) {
-            if (pulls_.empty()) make_room(grid);
-            const std::size_t springs = grid.spring_registers();
-            for (; at_ < end; ++at_) {
-                for (const std::size_t ahead = std::min(at_ + behind + 1, springs); computed_ < ahead; ++computed_)
-                    compute_pulls(grid, positions);
-                sink(at_, sum_of_pulls(grid));
-                for (column_ += width; column_ >= grid.forces_.dim;) column_ -= grid.forces_.dim;
+            if (at_ == 0) begin(grid);
+            Passed passed = passed_;
+            if (grid.forces_.dim >= 4 * width) {
+                for (; at_ < end; ++at_) {
+                    const Own own = pass(grid, at_, positions, passed);
+                    sink(at_, sum(grid, at_, own));
+                }
+            } else {
+                for (; at_ < end; ++at_) {
+                    for (const std::size_t ahead = std::min(at_ + behind + 1, grid.registers()); passed_by_ < ahead; ++passed_by_)
+                        own_[passed_by_ % own_.size()] = pass(grid, passed_by_, positions, passed);
+                    sink(at_, sum(grid, at_, own_[at_ % own_.size()]));
+                }
             }
+            passed_ = passed;
         }
 
     private:
-        /// Components of pulls: x, y, z of four directions.
-        static constexpr std::size_t components = 12;
-        /// Numbers of each component in memory at a time, so that they stay in the first-level cache if the grid allows.
-        static constexpr std::size_t chunk_bytes = std::size_t(1) << 15;
+        /// Pulls of the springs that begin at a register of particles, at these and at their eastern neighbours.
+        struct Passed {
+            Vec east, south_east, south_west;
+        };
+        /// Of a register of particles: east less west, and south.
+        struct Own {
+            Vec along_row, south;
+        };
 
-        void make_room(const Grid& grid) {
-            kept_ = padded(grid.forces_.dim + 1) + behind * width;
-            chunk_ = std::max(chunk_bytes / components / sizeof(T) / width * width, 2 * kept_) - kept_;
-            pulls_.assign(components * stride(), T(0));
-        }
-
-        /// From one component to the next, an odd number of registers, so that they do not meet in the same sets of the
-        /// cache.
-        std::size_t stride() const { return (((kept_ + chunk_) / width + 1) | 1) * width; }
-        T* pulls(std::size_t d, std::size_t c) { return pulls_.data() + (3 * d + c) * stride() + kept_; }
-
-        void keep_last_pulls() {
-            for (std::size_t k = 0; k < pulls_.size(); k += stride())
-                std::copy_n(pulls_.data() + k + chunk_, kept_, pulls_.data() + k);
-            begin_ += chunk_;
-        }
-
-        /// Of the springs that begin at the particles of the next register.
-        template <class Positions>
-        [[gnu::always_inline]] void compute_pulls(const Grid& grid, const Positions& positions) {
-            if (computed_ * width == begin_ + chunk_) keep_last_pulls();
-            const std::size_t p = computed_ * width;
-            const Vec here = positions.get(computed_);
-            compute_pulls<east>(grid, positions, p, here);
-            compute_pulls<south>(grid, positions, p, here);
-            compute_pulls<south_east>(grid, positions, p, here);
-            compute_pulls<south_west>(grid, positions, p, here);
-        }
-        template <std::size_t D, class Positions>
-        [[gnu::always_inline]] void compute_pulls(const Grid& grid, const Positions& positions, std::size_t p,
-                                                  const Vec& here) {
-            const Direction way = grid.direction(D);
-            const Vec e = positions.get_from(p + way.offset) - here;
-            const Vec pull = spring_pull(Vec{N(way.rest.x), N(way.rest.y), N(way.rest.z)}, N(way.length), e);
-            pull.x.store(pulls(D, 0) + p - begin_);
-            pull.y.store(pulls(D, 1) + p - begin_);
-            pull.z.store(pulls(D, 2) + p - begin_);
-        }
-
-        /// The accelerations of the register of particles that is next: none on the border.
-        [[gnu::always_inline]] Vec sum_of_pulls(const Grid& grid) {
+        void begin(const Grid& grid) {
+            const std::size_t size = std::bit_ceil(grid.forces_.dim + (behind + 2) * width);
+            if (ring_ != size) from_north_.assign(3 * (size + width), T(0));
+            ring_ = size;
             const N zero(T(0));
-            const std::size_t dim = grid.forces_.dim, last_row = (dim - 1) * dim, p = at_ * width;
+            const Vec none{zero, zero, zero};
+            passed_ = {none, none, none};
+            passed_by_ = 0;
+        }
+
+        /// Computes the springs that begin at the r-th register of particles, but for the one to the south-west, which
+        /// begins at their eastern neighbours, so that all of them join four places.
+        template <class Positions>
+        [[gnu::always_inline]] Own pass(const Grid& grid, std::size_t r, const Positions& positions, Passed& passed) {
+            const std::size_t p = r * width, dim = grid.forces_.dim;
+            if (p >= (dim - 1) * dim) return {};
+            const N length(grid.length_), back = N(T(0)) - length, diagonal(grid.diagonal_), k(grid.stiffness_);
+            const Vec here = positions.get(r), at_east = positions.get_from(p + 1);
+            const Vec at_south = positions.get_from(p + dim), at_south_east = positions.get_from(p + dim + 1);
+            const Vec east = spring_pull(Offset<N, Zero, Zero>{length, {}, {}}, length, k, at_east - here);
+            const Vec south = spring_pull(Offset<Zero, Zero, N>{{}, {}, back}, length, k, at_south - here);
+            const Vec south_east = spring_pull(Offset<N, Zero, N>{length, {}, back}, diagonal, k, at_south_east - here);
+            const Vec south_west = spring_pull(Offset<N, Zero, N>{back, {}, back}, diagonal, k, at_south - at_east);
+            const Own own{east - shifted_up(passed.east, east), south + (south_east + shifted_up(passed.south_west, south_west))};
+            keep(p, south + (shifted_up(passed.south_east, south_east) + south_west));
+            passed = {east, south_east, south_west};
+            return own;
+        }
+        [[gnu::always_inline]] static Vec shifted_up(const Vec& before, const Vec& here) {
+            return {N::shifted_up(before.x, here.x), N::shifted_up(before.y, here.y), N::shifted_up(before.z, here.z)};
+        }
+
+        T* from_north(std::size_t c) { return from_north_.data() + c * (ring_ + width); }
+        /// For the row after this one.
+        [[gnu::always_inline]] void keep(std::size_t p, const Vec& pull) {
+            const std::size_t place = p & (ring_ - 1);
+            const auto store = [&](std::size_t to) {
+                pull.x.store(from_north(0) + to), pull.y.store(from_north(1) + to), pull.z.store(from_north(2) + to);
+            };
+            store(place);
+            if (place == 0) store(ring_);
+        }
+
+        /// The accelerations of the r-th register of particles: none on the border.
+        [[gnu::always_inline]] Vec sum(const Grid& grid, std::size_t r, const Own& own) {
+            const N zero(T(0));
+            const std::size_t dim = grid.forces_.dim, last_row = (dim - 1) * dim, p = r * width;
             if (p + width <= dim || p >= last_row) return {zero, zero, zero};
-            auto inner = N::load_anywhere(grid.inner_.data() + column_) > zero;
-            const N stiffness(grid.stiffness_);
-            const auto sum = [&](std::size_t c) __attribute__((always_inline)) {
-                N a = where(inner, stiffness * sum_of_pulls(dim, p, c), zero);
+            const auto inner = N::load_anywhere(grid.inner_.data() + p % dim) > zero;
+            const std::size_t place = (p - dim) & (ring_ - 1);
+            const auto component = [&](const N& along_row, const N& south, std::size_t c) __attribute__((always_inline)) {
+                N a = where(inner, along_row + (south - N::load_anywhere(from_north(c) + place)), zero);
                 if (p < dim) a = where(N::first(dim - p), zero, a);
                 if (p + width > last_row) a = where(N::first(last_row - p), a, zero);
                 return a;
             };
-            return {sum(0), sum(1), sum(2)};
-        }
-        [[gnu::always_inline]] N sum_of_pulls(std::size_t dim, std::size_t p, std::size_t c) {
-            const std::ptrdiff_t k = static_cast<std::ptrdiff_t>(p) - static_cast<std::ptrdiff_t>(begin_);
-            const T *const e = pulls(east, c) + k, *const s = pulls(south, c) + k;
-            const T *const se = pulls(south_east, c) + k, *const sw = pulls(south_west, c) + k;
-            const N along_row = N::load(e) - N::load_anywhere(e - 1);
-            const N along_column = N::load(s) - N::load_anywhere(s - dim);
-            const N falling = N::load(se) - N::load_anywhere(se - dim - 1);
-            const N rising = N::load(sw) - N::load_anywhere(sw - dim + 1);
-            return (along_row + along_column) + (falling + rising);
+            return {component(own.along_row.x, own.south.x, 0), component(own.along_row.y, own.south.y, 1),
+                    component(own.along_row.z, own.south.z, 2)};
         }
 
-        std::size_t at_ = 0;        ///< the register whose accelerations come next
-        std::size_t computed_ = 0;  ///< registers of particles whose pulls have been computed
-        std::size_t column_ = 0;    ///< of the first particle of the next register
-        std::size_t begin_ = 0;     ///< the particle behind the pulls that are kept
-        std::size_t kept_ = 0;      ///< particles whose pulls are kept in front of a chunk
-        std::size_t chunk_ = 0;     ///< particles of a chunk
-        std::vector<T, CacheLineAllocator<T>> pulls_;  ///< of every direction: x, y, z
+        std::size_t at_ = 0;         ///< the register whose accelerations come next
+        std::size_t passed_by_ = 0;  ///< the register whose springs come next, if that is ahead of it
+        Passed passed_;
+        std::array<Own, behind + 1> own_;
+        std::size_t ring_ = 0;  ///< particles whose sums of pulls by the row before are kept, a power of 2
+        std::vector<T, CacheLineAllocator<T>> from_north_;
     };
 
     /// How many registers ahead of its place a sweep reads.
@@ -228,9 +237,6 @@ private:
     std::size_t registers() const { return (forces_.dim * forces_.dim + width - 1) / width; }
     /// Those of the last row belong to fixed particles alone.
     std::size_t spring_registers() const { return ((forces_.dim - 1) * forces_.dim + width - 1) / width; }
-
-    /// Registers between computing pulls and adding them up: what has just been stored is slow to load in parts.
-    static constexpr std::size_t behind = 3;
 
     /// The springs a particle is the first particle of.
     enum : std::size_t { east, south, south_east, south_west };

@@ -28,9 +28,7 @@ struct SpringFormula {
     template <class N>
     Vector<N> operator()(const N& ex, const N& ey, const N& ez) const {
         if (length == T(0)) return {N(stiffness) * ex, N(stiffness) * ey, N(stiffness) * ez};
-        const Vector<N> pull =
-            spring_pull(Vector<N>{N(rest.x), N(rest.y), N(rest.z)}, N(length), Vector<N>{ex, ey, ez});
-        return {N(stiffness) * pull.x, N(stiffness) * pull.y, N(stiffness) * pull.z};
+        return spring_pull(Vector<N>{N(rest.x), N(rest.y), N(rest.z)}, N(length), N(stiffness), Vector<N>{ex, ey, ez});
     }
 };
 

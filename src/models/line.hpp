@@ -170,10 +170,10 @@ private:
 
     /// Of the springs that begin at the particles of one register; `next` holds the particles after them.
     Vec pulls(const Vec& here, const Vec& next) const {
-        const Vec e{N::shifted_down(here.x, next.x) - here.x, N::shifted_down(here.y, next.y) - here.y,
-                    N::shifted_down(here.z, next.z) - here.z};
-        const Vec pull = spring_pull(Vec{N(length_), N(T(0)), N(T(0))}, N(length_), e);
-        return {N(stiffness_) * pull.x, N(stiffness_) * pull.y, N(stiffness_) * pull.z};
+        const Vec e = Vec{N::shifted_down(here.x, next.x), N::shifted_down(here.y, next.y),
+                          N::shifted_down(here.z, next.z)} -
+                      here;
+        return spring_pull(Offset<N, Zero, Zero>{N(length_), {}, {}}, N(length_), N(stiffness_), e);
     }
 
     /// Numbers that fill registers by themselves: spring after spring, whose pull stays in registers for the next. The
@@ -189,9 +189,7 @@ private:
             Vector<T> pull{zero, zero, zero};
             if (i + 1 < forces_.count) {
                 const Vector<T> next = at(i + 1);
-                pull = spring_pull(Vector<T>{length_, zero, zero}, length_,
-                                   Vector<T>{next.x - here.x, next.y - here.y, next.z - here.z});
-                pull = {stiffness_ * pull.x, stiffness_ * pull.y, stiffness_ * pull.z};
+                pull = spring_pull(Offset<T, Zero, Zero>{length_, {}, {}}, length_, stiffness_, next - here);
                 here = next;
             }
             const bool moves = i >= first_moving_;

@@ -11,10 +11,26 @@ bool turned_round(const Vector<N>& from, const Vector<N>& to) {
     return !(from.x * to.x + from.y * to.y + from.z * to.z > N(0));
 }
 
+/// A component that is zero by construction: adding it costs nothing.
+struct Zero {
+    template <class N>
+    friend const N& operator+(Zero, const N& number) {
+        return number;
+    }
+};
+
+/// A constant vector, components of which may be Zero.
+template <class X, class Y, class Z>
+struct Offset {
+    X x;
+    Y y;
+    Z z;
+};
+
 /// The spring formulas, once for every number type. A spring joins two particles whose reference positions differ by
-/// `rest`, |rest| = `length` being its rest length; e is the difference of their displacements. Then d = rest + e, and
-/// |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the rounding of positions is
-/// right.
+/// `rest` (a Vector or an Offset), |rest| = `length` being its rest length; e is the difference of their displacements.
+/// Then d = rest + e, and |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the rounding
+/// of positions is right.
 template <class N>
 struct SpringGeometry {
     Vector<N> d;  ///< from the first particle to the second
@@ -22,22 +38,24 @@ struct SpringGeometry {
     N distance2;  ///< |d|^2
     N distance;   ///< |d|
 
-    [[gnu::always_inline]] SpringGeometry(const Vector<N>& rest, const Vector<N>& e)
+    template <class Rest>
+    [[gnu::always_inline]] SpringGeometry(const Rest& rest, const Vector<N>& e)
         : d{rest.x + e.x, rest.y + e.y, rest.z + e.z},
-          stretch(e.x * (rest.x + d.x) + e.y * (rest.y + d.y) + e.z * (rest.z + d.z)),
-          distance2(d.x * d.x + d.y * d.y + d.z * d.z),
+          stretch(e.x * (rest.x + d.x) + (e.y * (rest.y + d.y) + e.z * (rest.z + d.z))),
+          distance2(d.x * d.x + (d.y * d.y + d.z * d.z)),
           distance(square_root(distance2)) {}
 };
 
-/// (|d| - length) d / |d|: the pull of a spring of force constant 1 on its first particle. Zero for coincident
-/// particles, where the derivative is that of a spring of rest length 0, which has one. Inlined by order: whole
-/// registers of numbers would be handed over through memory.
-template <class N>
-[[gnu::always_inline]] inline Vector<N> spring_pull(const Vector<N>& rest, N length, const Vector<N>& e) {
+/// stiffness (|d| - length) d / |d|: the pull of a spring on its first particle. Zero for coincident particles, where the
+/// derivative is that of a spring of rest length 0, which has one. Inlined by order: whole registers of numbers would be
+/// handed over through memory.
+template <class Rest, class N>
+[[gnu::always_inline]] inline Vector<N> spring_pull(const Rest& rest, const N& length, const N& stiffness,
+                                                    const Vector<N>& e) {
     const SpringGeometry<N> spring(rest, e);
     const N denominator = spring.distance2 + length * spring.distance;
-    const N factor = where(denominator > N(0), spring.stretch / denominator, N(1));
-    return {factor * spring.d.x, factor * spring.d.y, factor * spring.d.z};
+    const N factor = where(denominator > N(0), stiffness * spring.stretch / denominator, stiffness);
+    return factor * spring.d;
 }
 
 /// (|d| - length)^2 / 2: the energy of a spring of force constant 1.
