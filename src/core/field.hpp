@@ -60,7 +60,17 @@ public:
     static constexpr std::size_t granule = 16;
 
 private:
-    static std::size_t padded(std::size_t count) { return (count + granule - 1) / granule * granule; }
+    /// The same for every number type. The components of float and double are far from each other modulo 4096 bytes, or
+    /// loads would wait for what was just stored at a place that only looks the same.
+    static std::size_t padded(std::size_t count) {
+        const auto meet = [](std::size_t bytes) {
+            constexpr std::size_t near = 384;
+            return bytes >= 4096 && (bytes + near) % 2048 < 2 * near;
+        };
+        std::size_t stride = (count + granule - 1) / granule * granule;
+        while (meet(stride * sizeof(float)) || meet(stride * sizeof(double))) stride += granule;
+        return stride;
+    }
 
     std::size_t count_ = 0;
     std::size_t stride_ = 0;

@@ -9,17 +9,16 @@
 
 namespace steplab {
 
-/// A field as vectors of a register of particles each: the r-th are those from particle r * width on. Refers to it. Of a
-/// constant T, a field that is not changed.
-template <class T>
-class FieldLanes {
+/// A field as vectors of a register of particles each: the r-th are those from particle r * width on. Refers to it. Of
+/// a constant T, a field that is not changed. N is what a register of numbers is.
+template <class T, class N>
+class BasicFieldLanes {
 public:
-    using N = Lanes<std::remove_const_t<T>>;
     using Of = std::conditional_t<std::is_const_v<T>, const Field<std::remove_const_t<T>>, Field<T>>;
     static constexpr std::size_t width = N::count;
 
-    FieldLanes() = default;
-    explicit FieldLanes(Of& field) : x_(field.x()), y_(field.y()), z_(field.z()) {}
+    BasicFieldLanes() = default;
+    explicit BasicFieldLanes(Of& field) : x_(field.x()), y_(field.y()), z_(field.z()) {}
 
     [[gnu::always_inline]] Vector<N> get(std::size_t r) const {
         return {N::load(x_ + r * width), N::load(y_ + r * width), N::load(z_ + r * width)};
@@ -37,5 +36,9 @@ public:
 private:
     T *x_ = nullptr, *y_ = nullptr, *z_ = nullptr;
 };
+
+/// By registers of the machine.
+template <class T>
+using FieldLanes = BasicFieldLanes<T, Lanes<std::remove_const_t<T>>>;
 
 }  // namespace steplab

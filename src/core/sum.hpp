@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 namespace steplab {
 
@@ -19,6 +20,27 @@ public:
 private:
     double sum_ = 0;
     double correction_ = 0;
+};
+
+/// The same for terms side by side: each lane has its sum, with the error of a sum after Knuth (The Art of Computer
+/// Programming 2, 4.2.2, theorem B), and the lanes are added up in turn. As many lanes on every machine.
+template <class N>
+class LanesSum {
+public:
+    [[gnu::always_inline]] void add(const N& term) {
+        const N next = sum_ + term, added = next - sum_;
+        correction_ = correction_ + ((sum_ - (next - added)) + (term - added));
+        sum_ = next;
+    }
+    double value() const {
+        CompensatedSum all;
+        for (std::size_t lane = 0; lane < N::count; ++lane) all.add(static_cast<double>(sum_[lane]));
+        for (std::size_t lane = 0; lane < N::count; ++lane) all.add(static_cast<double>(correction_[lane]));
+        return all.value();
+    }
+
+private:
+    N sum_{}, correction_{};
 };
 
 }  // namespace steplab

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
 #include "methods/compensated.hpp"
@@ -37,14 +38,9 @@ public:
     KickDriftSteps(KickDriftStep<T> step, const State<T>& state, bool compensated)
         : step_(std::move(step)), x_(state.displacement), v_(state.velocity), lost_(compensated, x_.count()) {}
 
+    /// Defined below, so that one translation unit can instantiate it for all methods.
     template <class System>
-    void advance(System& system, std::uint64_t steps) {
-        if (steps > 0 && progress_.fresh) {
-            take_first(system);
-            --steps;
-        }
-        if (steps > 0) take(system, steps, step_.parts);
-    }
+    void advance(System& system, std::uint64_t steps);
 
     template <class System>
     void synchronised(const System& system, State<T>& out) const {
@@ -105,25 +101,27 @@ private:
     /// What a sweep does with the accelerations (sweeps.hpp).
     template <bool Drag, bool Compensated>
     struct Stage {
+        static constexpr bool in_registers = !Compensated;
         const KickDrift<T>* parts;
 
         template <class F>
         [[gnu::always_inline]] void operator()(std::size_t part, F f) const {
             const N gain(parts[part].gain), loss(parts[part].loss), drift(parts[part].drift);
-            f(std::integral_constant<std::size_t, x>{},
-              [=](auto& particles, std::size_t r, const Vector<N>& a) __attribute__((always_inline)) {
-                  const Vector<N> before = particles.get(v, r);
-                  Vector<N> kick = gain * a;
-                  if constexpr (Drag) kick = kick - loss * before;
-                  const Vector<N> after = add(particles, v, lost_v, r, before, kick);
-                  add(particles, x, lost_x, r, particles.get(x, r), drift * after);
-              });
+            f(
+                std::integral_constant<std::size_t, x>{}, [=](auto& particles, std::size_t r,
+                                                              const Vector<N>& a) __attribute__((always_inline)) {
+                    const Vector<N> before = particles.get(v, r);
+                    Vector<N> kick = gain * a;
+                    if constexpr (Drag) kick = kick - loss * before;
+                    const Vector<N> after = add(particles, v, lost_v, r, before, kick);
+                    add(particles, x, lost_x, r, particles.get(x, r), drift * after);
+                });
         }
 
         /// Returns the sum.
         template <class Particles>
-        [[gnu::always_inline]] static Vector<N> add(Particles& particles, std::size_t q, std::size_t lost, std::size_t r,
-                                                    Vector<N> sum, const Vector<N>& change) {
+        [[gnu::always_inline]] static Vector<N> add(Particles& particles, std::size_t q, std::size_t lost,
+                                                    std::size_t r, Vector<N> sum, const Vector<N>& change) {
             if constexpr (Compensated) {
                 Vector<N> low = particles.get(lost, r);
                 add_compensated(sum, low, change);
@@ -138,13 +136,14 @@ private:
 
     /// x += drift v.
     static void drift(T drift, Field<T>& x, const Field<T>& v, Lost<T>& lost) {
-        for (std::size_t k = 0; k < x.flat().size(); ++k) {
-            if (lost.kept()) {
-                add_compensated(x.flat()[k], lost.x.flat()[k], drift * v.flat()[k]);
-            } else {
-                x.flat()[k] += drift * v.flat()[k];
-            }
+        T* const position = x.flat().data();
+        const T* const velocity = v.flat().data();
+        if (lost.kept()) {
+            T* const lost_x = lost.x.flat().data();
+            return elementwise(x.flat().size(),
+                               [=](std::size_t k) { add_compensated(position[k], lost_x[k], drift * velocity[k]); });
         }
+        elementwise(x.flat().size(), [=](std::size_t k) { position[k] += drift * velocity[k]; });
     }
 
     KickDriftStep<T> step_;
@@ -153,5 +152,15 @@ private:
     Lost<T> lost_;
     Progress progress_;
 };
+
+template <class T>
+template <class System>
+void KickDriftSteps<T>::advance(System& system, std::uint64_t steps) {
+    if (steps > 0 && progress_.fresh) {
+        take_first(system);
+        --steps;
+    }
+    if (steps > 0) take(system, steps, step_.parts);
+}
 
 }  // namespace steplab

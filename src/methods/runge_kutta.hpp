@@ -26,8 +26,8 @@ struct ButcherTable {
 };
 
 /// Runs an explicit Runge-Kutta method on (x, v)' = (v, a(x) - gamma v) each of whose stages starts along the slope of
-/// the one before alone. `Table::table` is its Butcher table; the compiler unrolls its stages and drops the zeros of its
-/// weights. Slopes enter the end of the step from left to right, as they come.
+/// the one before alone. `Table::table` is its Butcher table; the compiler unrolls its stages and drops the zeros of
+/// its weights. Slopes enter the end of the step from left to right, as they come.
 template <class T, class Table>
 class RungeKutta : public Synchronised<T> {
 public:
@@ -81,6 +81,8 @@ private:
     /// What a sweep does with the accelerations (sweeps.hpp).
     template <bool Compensated>
     struct Stage {
+        static constexpr bool in_registers = !Compensated;
+
         template <class System>
         explicit Stage(const System& system) : dt(system.dt()), drag(system.drag()) {}
 
@@ -94,22 +96,23 @@ private:
 
         template <std::size_t I, class F>
         [[gnu::always_inline]] void take(F f) const {
-            f(std::integral_constant<std::size_t, I == 0 ? x : stage_x>{},
-              [h = N(dt), gamma = N(drag), damped = drag != T(0)](auto& particles, std::size_t r, Vector<N> a)
-                  __attribute__((always_inline)) {
-                      const Vector<N> slope = particles.get(I == 0 ? v : stage_v, r);
-                      if (damped) a = a - gamma * slope;
-                      if constexpr (I + 1 < stages) {
-                          keep_sum<I>(particles, sum_x, r, slope);
-                          keep_sum<I>(particles, sum_v, r, a);
-                          const N ahead(static_cast<T>(table.a[I + 1][I]));
-                          particles.set(stage_x, r, particles.get(x, r) + h * (ahead * slope));
-                          particles.set(stage_v, r, particles.get(v, r) + h * (ahead * a));
-                      } else {
-                          finish(particles, x, r, h * sum<I>(particles, sum_x, r, slope));
-                          finish(particles, v, r, h * sum<I>(particles, sum_v, r, a));
-                      }
-                  });
+            f(
+                std::integral_constant < std::size_t, I == 0 ? x : stage_x > {},
+                [ h = N(dt), gamma = N(drag), damped = drag != T(0) ](auto& particles, std::size_t r, Vector<N> a)
+                    __attribute__((always_inline)) {
+                        const Vector<N> slope = particles.get(I == 0 ? v : stage_v, r);
+                        if (damped) a = a - gamma * slope;
+                        if constexpr (I + 1 < stages) {
+                            keep_sum<I>(particles, sum_x, r, slope);
+                            keep_sum<I>(particles, sum_v, r, a);
+                            const N ahead(static_cast<T>(table.a[I + 1][I]));
+                            particles.set(stage_x, r, particles.get(x, r) + h * (ahead * slope));
+                            particles.set(stage_v, r, particles.get(v, r) + h * (ahead * a));
+                        } else {
+                            finish(particles, x, r, h * sum<I>(particles, sum_x, r, slope));
+                            finish(particles, v, r, h * sum<I>(particles, sum_v, r, a));
+                        }
+                    });
         }
 
         /// True if none of the slopes before has a weight.

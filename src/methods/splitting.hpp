@@ -14,8 +14,8 @@
 namespace steplab {
 
 /// A kick v += kick dt a(x) and the drift x += drift dt v after it (McLachlan, Quispel, Acta Numerica 11 (2002) 341,
-/// section 3). Each kick costs one evaluation. A table begins with a kick, or with a drift alone; it ends with a drift, or,
-/// if it begins with a kick, with a kick alone, which then is one with the next step's first.
+/// section 3). Each kick costs one evaluation. A table begins with a kick, or with a drift alone; it ends with a drift,
+/// or, if it begins with a kick, with a kick alone, which then is one with the next step's first.
 struct KickAndDrift {
     long double kick = 0;
     long double drift = 0;
@@ -33,9 +33,9 @@ constexpr std::array<KickAndDrift, N + 1> composition(const std::array<long doub
     return table;
 }
 
-/// Runs any splitting method; `Table::table` is its array of KickAndDrift. Drag belongs to the kicks: v' = a - gamma v is
-/// solved exactly over each kick's time, v += tau phi_1(-gamma tau) (a - gamma v); a Table with `explicit_drag` takes
-/// v += tau (a - gamma v) instead.
+/// Runs any splitting method; `Table::table` is its array of KickAndDrift. Drag belongs to the kicks: v' = a - gamma v
+/// is solved exactly over each kick's time, v += tau phi_1(-gamma tau) (a - gamma v); a Table with `explicit_drag`
+/// takes v += tau (a - gamma v) instead.
 template <class T, class Table>
 class Splitting {
 public:
@@ -84,7 +84,8 @@ private:
             step.rest.drift = -step.lead;
             step.first = step.parts.front();
         } else if (rest.drift == 0) {
-            for (const KickAndDrift& part : parts.first(parts.size() - 1)) step.parts.push_back(part_of(part, dt, drag));
+            for (const KickAndDrift& part : parts.first(parts.size() - 1))
+                step.parts.push_back(part_of(part, dt, drag));
             step.first = step.parts.front();
             step.parts.front() = part_of({lead.kick + rest.kick, lead.drift}, dt, drag);
             step.rest = part_of(rest, dt, drag);

@@ -21,14 +21,19 @@ namespace steplab {
 //
 // An integrator describes its step as sweeps, part after part: stage(part, f) calls f(q, sink), where q (an
 // std::integral_constant) is the quantity that holds the positions of this part's evaluation, and sink(particles, r, a)
-// moves the particles of register r, whose accelerations are a.
+// moves the particles of register r, whose accelerations are a. Stage::in_registers says whether it has few enough
+// quantities to be worth code for particles that stay in registers.
 
 template <class Force>
-concept Sweeping = requires { typename Force::Sweep; };
+concept Sweeping = requires {
+    typename Force::Sweep;
+};
 
 /// Layouts that sweep over particles in registers of the processor too.
 template <class Force>
-concept SweepingInRegisters = Sweeping<Force> && requires { Force::most_registers; };
+concept SweepingInRegisters = Sweeping<Force> && requires {
+    Force::most_registers;
+};
 
 namespace detail {
 
@@ -77,7 +82,7 @@ public:
             for (std::uint64_t s = 0; s < steps * parts; ++s) sweep_whole(force, fields, s % parts, stage);
         } else {
             const std::size_t registers = (fields[0]->count() + width - 1) / width;
-            if constexpr (SweepingInRegisters<Force>) {
+            if constexpr (SweepingInRegisters<Force> && Stage::in_registers) {
                 if (registers <= Force::most_registers)
                     return run_in_registers<Force::most_registers>(force, fields, registers, steps, parts, stage);
             }
@@ -115,11 +120,17 @@ private:
         const Force own = force;
         for (std::uint64_t i = 0; i < steps; ++i) {
             for (std::size_t part = 0; part < parts; ++part) {
-                stage(part, [&](auto q, auto sink) __attribute__((always_inline)) {
-                    own.template sweep<Registers>(
-                        PositionsOf<InRegisters<T, Quantities, Registers>, q>{particles},
-                        [&](std::size_t r, const auto& a) __attribute__((always_inline)) { sink(particles, r, a); });
-                });
+                stage(
+                    part, [&](auto q, auto sink) __attribute__((always_inline)) {
+                        own.template sweep<Registers>(
+                            PositionsOf<InRegisters<T, Quantities, Registers>, q>{particles}, [&](std::size_t r,
+                                                                                                  const auto& a)
+                                                                                                  __attribute__((
+                                                                                                      always_inline)) {
+                                                                                                      sink(particles, r,
+                                                                                                           a);
+                                                                                                  });
+                    });
             }
         }
         particles.store(memory);
@@ -131,9 +142,8 @@ private:
         std::size_t part = 0;
         for (std::uint64_t left = steps * parts; left > 0;) {
             const std::size_t together = std::min<std::uint64_t>(left, force.sweeps_together());
-            sweep_together(force, particles, registers, together, [&](std::size_t s, auto f) {
-                stage((part + s) % parts, f);
-            });
+            sweep_together(force, particles, registers, together,
+                           [&](std::size_t s, auto f) { stage((part + s) % parts, f); });
             part = (part + together) % parts;
             left -= together;
         }
@@ -154,10 +164,9 @@ private:
                 const std::size_t end = std::min(registers, front - s * behind);
                 if (end <= sweep.at()) continue;
                 stage(s, [&](auto q, auto sink) {
-                    sweep.to(force, end, PositionsOf<Particles, q>{particles},
-                             [&](std::size_t r, const auto& a) __attribute__((always_inline)) {
-                                 sink(particles, r, a);
-                             });
+                    sweep.to(
+                        force, end, PositionsOf<Particles, q>{particles},
+                        [&](std::size_t r, const auto& a) __attribute__((always_inline)) { sink(particles, r, a); });
                 });
             }
         }

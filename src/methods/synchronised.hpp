@@ -12,8 +12,7 @@ template <class T>
 class Synchronised {
 public:
     Synchronised() = default;
-    explicit Synchronised(const ParameterValues& values)
-        : compensated_(asks_for_compensated_sums(values)) {}
+    explicit Synchronised(const ParameterValues& values) : compensated_(asks_for_compensated_sums(values)) {}
 
     template <class System>
     void synchronised(const System&, State<T>& out) const {

@@ -23,7 +23,8 @@ public:
 
     template <class System>
     void start(System& system, const State<T>& state) {
-        steps_ = KickDriftSteps<T>(substep(system.dt() / static_cast<T>(substeps_), system.drag()), state, compensated_);
+        steps_ =
+            KickDriftSteps<T>(substep(system.dt() / static_cast<T>(substeps_), system.drag()), state, compensated_);
     }
 
     template <class System>

@@ -20,16 +20,16 @@ namespace steplab {
 
 /// GridForces at work. Particle (row i, column j) has index i * dim + j and reference position (j L, 0, -i L).
 /// Every spring is computed once, with its first particle: to the east (i, j+1), south (i+1, j), south-east and
-/// south-west. The acceleration is k / m times ((E - E of west) + (S - S of north)) + ((SE - SE of north-west) + (SW -
-/// SW of north-east)). The particles of the border are fixed. The grid is one run of particles, a register of them at a
-/// time: springs from the end of a row to the beginning of the next are computed too, but pull at the border alone.
+/// south-west. The acceleration is k / m times (E - E of west) + ((S + (SE + SW)) - (S of north + (SE of north-west +
+/// SW of north-east))). The particles of the border are fixed. The grid is one run of particles, a register of them at
+/// a time: springs from the end of a row to the beginning of the next are computed too, but pull at the border alone.
 template <class T>
 class Grid {
     using N = Lanes<T>;
     using Vec = Vector<N>;
     static constexpr std::size_t width = N::count;
-    /// Registers between computing pulls and adding them up in narrow grids: what has just been stored is slow to load in
-    /// parts.
+    /// Registers between computing pulls and adding them up in narrow grids: what has just been stored is slow to load
+    /// in parts.
     static constexpr std::size_t behind = 3;
 
 public:
@@ -55,8 +55,8 @@ public:
     }
 
     /// One sweep over all particles (methods/sweeps.hpp). `positions.get_from(p)` are those of a register of particles
-    /// from p on; sink(r, a) is called with the accelerations of the r-th register of particles once their positions are
-    /// needed no more.
+    /// from p on; sink(r, a) is called with the accelerations of the r-th register of particles once their positions
+    /// are needed no more.
     class Sweep {
     public:
         void restart() { at_ = 0; }
@@ -74,7 +74,8 @@ public:
                 }
             } else {
                 for (; at_ < end; ++at_) {
-                    for (const std::size_t ahead = std::min(at_ + behind + 1, grid.registers()); passed_by_ < ahead; ++passed_by_)
+                    for (const std::size_t ahead = std::min(at_ + behind + 1, grid.registers()); passed_by_ < ahead;
+                         ++passed_by_)
                         own_[passed_by_ % own_.size()] = pass(grid, passed_by_, positions, passed);
                     sink(at_, sum(grid, at_, own_[at_ % own_.size()]));
                 }
@@ -115,7 +116,8 @@ public:
             const Vec south = spring_pull(Offset<Zero, Zero, N>{{}, {}, back}, length, k, at_south - here);
             const Vec south_east = spring_pull(Offset<N, Zero, N>{length, {}, back}, diagonal, k, at_south_east - here);
             const Vec south_west = spring_pull(Offset<N, Zero, N>{back, {}, back}, diagonal, k, at_south - at_east);
-            const Own own{east - shifted_up(passed.east, east), south + (south_east + shifted_up(passed.south_west, south_west))};
+            const Own own{east - shifted_up(passed.east, east),
+                          south + (south_east + shifted_up(passed.south_west, south_west))};
             keep(p, south + (shifted_up(passed.south_east, south_east) + south_west));
             passed = {east, south_east, south_west};
             return own;
@@ -142,7 +144,8 @@ public:
             if (p + width <= dim || p >= last_row) return {zero, zero, zero};
             const auto inner = N::load_anywhere(grid.inner_.data() + p % dim) > zero;
             const std::size_t place = (p - dim) & (ring_ - 1);
-            const auto component = [&](const N& along_row, const N& south, std::size_t c) __attribute__((always_inline)) {
+            const auto component = [&](const N& along_row, const N& south, std::size_t c)
+                __attribute__((always_inline)) {
                 N a = where(inner, along_row + (south - N::load_anywhere(from_north(c) + place)), zero);
                 if (p < dim) a = where(N::first(dim - p), zero, a);
                 if (p + width > last_row) a = where(N::first(last_row - p), a, zero);
@@ -154,8 +157,8 @@ public:
 
         std::size_t at_ = 0;         ///< the register whose accelerations come next
         std::size_t passed_by_ = 0;  ///< the register whose springs come next, if that is ahead of it
-        Passed passed_;
-        std::array<Own, behind + 1> own_;
+        Passed passed_{};
+        std::array<Own, behind + 1> own_{};
         std::size_t ring_ = 0;  ///< particles whose sums of pulls by the row before are kept, a power of 2
         std::vector<T, CacheLineAllocator<T>> from_north_;
     };
@@ -165,13 +168,11 @@ public:
     static constexpr std::size_t sweeps_together() { return 1; }
 
     PotentialEnergy potential(const Field<T>& u) const {
-        const std::size_t dim = forces_.dim;
-        CompensatedSum sum;
+        LanesSum<Many> sum;
         for (std::size_t d = east; d <= south_west; ++d) {
             const Direction way = direction(d);
-            for (std::size_t i = 0; i + way.rows < dim; ++i) {
-                for (std::size_t j = way.first; j < way.last; ++j) sum.add(energy(u, way, i * dim + j));
-            }
+            for (std::size_t row = 0; row + way.rows < forces_.dim; ++row)
+                add_energies(u, way, row * forces_.dim + way.first, way.last - way.first, sum);
         }
         const double value = forces_.k * sum.value();
         return {value, value, 0};
@@ -270,10 +271,17 @@ private:
         return {way.rest.x + (u.x()[q] - u.x()[p]), u.y()[q] - u.y()[p], way.rest.z + (u.z()[q] - u.z()[p])};
     }
 
-    double energy(const Field<T>& u, const Direction& way, std::size_t p) const {
-        const std::size_t q = p + way.offset;
-        const Vector<T> e{u.x()[q] - u.x()[p], u.y()[q] - u.y()[p], u.z()[q] - u.z()[p]};
-        return static_cast<double>(spring_energy(way.rest, way.length, e));
+    using Many = CacheLineLanes<T>;
+    /// Of `count` springs of one direction from that of this particle on.
+    static void add_energies(const Field<T>& u, const Direction& way, std::size_t first, std::size_t count,
+                             LanesSum<Many>& sum) {
+        const BasicFieldLanes<const T, Many> at(u);
+        const Vector<Many> rest{Many(way.rest.x), Many(way.rest.y), Many(way.rest.z)};
+        for (std::size_t k = 0; k < count; k += Many::count) {
+            const Vector<Many> e = at.get_from(first + k + way.offset) - at.get_from(first + k);
+            const Many energy = spring_energy(rest, Many(way.length), e);
+            sum.add(where(Many::first(count - k), energy, Many(T(0))));
+        }
     }
 
     GridForces forces_;

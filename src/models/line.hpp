@@ -52,8 +52,8 @@ public:
         Sweep().to(*this, registers(), positions, [&](std::size_t r, const Vec& sum) { out.set(r, sum); });
     }
 
-    /// One sweep over all particles (methods/sweeps.hpp). `positions.get(r)` are those of the r-th register of particles;
-    /// sink(r, a) is called with their accelerations once their positions are needed no more.
+    /// One sweep over all particles (methods/sweeps.hpp). `positions.get(r)` are those of the r-th register of
+    /// particles; sink(r, a) is called with their accelerations once their positions are needed no more.
     class Sweep {
     public:
         void restart() { at_ = 0; }
@@ -70,7 +70,7 @@ public:
 
     private:
         std::size_t at_ = 0;
-        Passed passed_;
+        Passed passed_{};
     };
 
     /// How many registers ahead of its place a sweep reads.
@@ -79,7 +79,7 @@ public:
     static constexpr std::size_t sweeps_together() { return 16; }
 
     /// A whole sweep over particles that fill so many registers, known to the compiler.
-    static constexpr std::size_t most_registers = 2;
+    static constexpr std::size_t most_registers = std::max<std::size_t>(2, (10 + width - 1) / width);
     template <std::size_t Registers, class Positions, class Sink>
     [[gnu::always_inline]] void sweep(Positions positions, Sink sink) const {
         Passed passed = begin(positions);
@@ -95,16 +95,17 @@ public:
     }
 
     PotentialEnergy potential(const Field<T>& u) const {
-        CompensatedSum springs, heights;
-        const Vector<T> rest{length_, T(0), T(0)};
-        for (std::size_t i = 0; i + 1 < forces_.count; ++i) {
-            const Vector<T> e{u.x()[i + 1] - u.x()[i], u.y()[i + 1] - u.y()[i], u.z()[i + 1] - u.z()[i]};
-            springs.add(static_cast<double>(spring_energy(rest, length_, e)));
+        using Many = CacheLineLanes<T>;
+        const BasicFieldLanes<const T, Many> at(u);
+        const std::size_t springs = forces_.count - 1;
+        LanesSum<Many> energies, heights;
+        for (std::size_t i = 0; i < forces_.count; i += Many::count) {
+            const Vector<Many> here = at.get_from(i), e = at.get_from(i + 1) - here;
+            const Many energy = spring_energy(Offset<Many, Zero, Zero>{Many(length_), {}, {}}, Many(length_), e);
+            energies.add(where(Many::first(springs - std::min(springs, i)), energy, Many(T(0))));
+            if (falls_) heights.add(here.y);
         }
-        if (falls_) {
-            for (std::size_t i = 0; i < forces_.count; ++i) heights.add(static_cast<double>(u.y()[i]));
-        }
-        const double elastic = forces_.k * springs.value();
+        const double elastic = forces_.k * energies.value();
         const double external = forces_.mass * forces_.gravity * heights.value();
         return {elastic + external, elastic + std::abs(external), external};
     }
@@ -162,7 +163,8 @@ private:
         if (last) pull = first_lanes(forces_.count - 1 - r * width, pull);
         Vec sum{pull.x - N::shifted_up(passed.before.x, pull.x), pull.y - N::shifted_up(passed.before.y, pull.y),
                 pull.z - N::shifted_up(passed.before.z, pull.z)};
-        if (falls_) sum.y = sum.y - (last ? where(N::first(forces_.count - r * width), N(gravity_), N(T(0))) : N(gravity_));
+        if (falls_)
+            sum.y = sum.y - (last ? where(N::first(forces_.count - r * width), N(gravity_), N(T(0))) : N(gravity_));
         if (r == 0 && first_moving_ > 0) sum = after_first(sum);
         passed = {next, pull};
         sink(r, sum);
@@ -170,9 +172,9 @@ private:
 
     /// Of the springs that begin at the particles of one register; `next` holds the particles after them.
     Vec pulls(const Vec& here, const Vec& next) const {
-        const Vec e = Vec{N::shifted_down(here.x, next.x), N::shifted_down(here.y, next.y),
-                          N::shifted_down(here.z, next.z)} -
-                      here;
+        const Vec e =
+            Vec{N::shifted_down(here.x, next.x), N::shifted_down(here.y, next.y), N::shifted_down(here.z, next.z)} -
+            here;
         return spring_pull(Offset<N, Zero, Zero>{N(length_), {}, {}}, N(length_), N(stiffness_), e);
     }
 

@@ -29,8 +29,8 @@ struct Offset {
 
 /// The spring formulas, once for every number type. A spring joins two particles whose reference positions differ by
 /// `rest` (a Vector or an Offset), |rest| = `length` being its rest length; e is the difference of their displacements.
-/// Then d = rest + e, and |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the rounding
-/// of positions is right.
+/// Then d = rest + e, and |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the
+/// rounding of positions is right.
 template <class N>
 struct SpringGeometry {
     Vector<N> d;  ///< from the first particle to the second
@@ -38,6 +38,7 @@ struct SpringGeometry {
     N distance2;  ///< |d|^2
     N distance;   ///< |d|
 
+    SpringGeometry() = default;
     template <class Rest>
     [[gnu::always_inline]] SpringGeometry(const Rest& rest, const Vector<N>& e)
         : d{rest.x + e.x, rest.y + e.y, rest.z + e.z},
@@ -46,21 +47,25 @@ struct SpringGeometry {
           distance(square_root(distance2)) {}
 };
 
-/// stiffness (|d| - length) d / |d|: the pull of a spring on its first particle. Zero for coincident particles, where the
-/// derivative is that of a spring of rest length 0, which has one. Inlined by order: whole registers of numbers would be
-/// handed over through memory.
-template <class Rest, class N>
-[[gnu::always_inline]] inline Vector<N> spring_pull(const Rest& rest, const N& length, const N& stiffness,
-                                                    const Vector<N>& e) {
-    const SpringGeometry<N> spring(rest, e);
+/// stiffness (|d| - length) d / |d|: the pull of a spring on its first particle. Zero for coincident particles, where
+/// the derivative is that of a spring of rest length 0, which has one. Inlined by order: whole registers of numbers
+/// would be handed over through memory.
+template <class N>
+[[gnu::always_inline]] inline Vector<N> spring_pull(const SpringGeometry<N>& spring, const N& length,
+                                                    const N& stiffness) {
     const N denominator = spring.distance2 + length * spring.distance;
     const N factor = where(denominator > N(0), stiffness * spring.stretch / denominator, stiffness);
     return factor * spring.d;
 }
+template <class Rest, class N>
+[[gnu::always_inline]] inline Vector<N> spring_pull(const Rest& rest, const N& length, const N& stiffness,
+                                                    const Vector<N>& e) {
+    return spring_pull(SpringGeometry<N>(rest, e), length, stiffness);
+}
 
 /// (|d| - length)^2 / 2: the energy of a spring of force constant 1.
-template <class N>
-N spring_energy(const Vector<N>& rest, N length, const Vector<N>& e) {
+template <class Rest, class N>
+[[gnu::always_inline]] inline N spring_energy(const Rest& rest, const N& length, const Vector<N>& e) {
     const SpringGeometry<N> spring(rest, e);
     const N denominator = spring.distance + length;
     const N extension = spring.stretch / where(denominator > N(0), denominator, N(1));

@@ -1,8 +1,11 @@
 #include "sim/energy.hpp"
 
+#include "core/lanes.hpp"
 #include "core/sum.hpp"
 
+#include <cstddef>
 #include <limits>
+#include <span>
 
 namespace steplab {
 
@@ -31,8 +34,13 @@ EnergyMeter::EnergyMeter(const Scene& scene)
       floor_(std::visit([](const auto& forces) { return floor_of(forces); }, scene.forces)) {}
 
 Energy EnergyMeter::energy(const State<double>& state) {
-    CompensatedSum squares;
-    for (const double v : state.velocity.flat()) squares.add(v * v);
+    using Many = CacheLineLanes<double>;
+    LanesSum<Many> squares;
+    const std::span<const double> v = state.velocity.flat();
+    for (std::size_t k = 0; k < v.size(); k += Many::count) {
+        const Many velocities = Many::load(v.data() + k);
+        squares.add(velocities * velocities);
+    }
     const auto potential = std::visit([&](auto& forces) { return forces.potential(state.displacement); }, engine_);
     return {mass_ / 2 * squares.value(), potential};
 }

@@ -2,15 +2,12 @@
 
 #include "core/flush_subnormals.hpp"
 #include "sim/divergence.hpp"
+#include "sim/measures.hpp"
 #include "sim/segment.hpp"
-
-#include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <any>
 #include <cmath>
-#include <vector>
 
 namespace steplab {
 
@@ -26,43 +23,6 @@ bool continues(const RunDescription& from, const RunDescription& to) {
     return std::all_of(from.scene.infos().begin(), from.scene.infos().end(), [&](const ParameterInfo& info) {
         return info.on_change == OnChange::applies_live || from.scene[info.name] == to.scene[info.name];
     });
-}
-
-/// Momentum, angular momentum and the largest displacement and speed.
-Diagnostics sums_over_particles(const State<double>& state, const Scene& scene, const Shape& shape) {
-    Diagnostics sums;
-    for (std::size_t i = 0; i < state.velocity.count(); ++i) {
-        const Vec3 position = scene.reference.at(i) + state.displacement.at(i), v = state.velocity.at(i);
-        const Vec3 displacement = position - shape.rest[i];
-        sums.momentum = sums.momentum + v;
-        sums.angular_momentum = sums.angular_momentum + cross(position, v);
-        sums.max_displacement = std::max(sums.max_displacement, dot(displacement, displacement));
-        sums.max_speed = std::max(sums.max_speed, dot(v, v));
-    }
-    sums.momentum = scene.mass * sums.momentum;
-    sums.angular_momentum = scene.mass * sums.angular_momentum;
-    sums.max_displacement = std::sqrt(sums.max_displacement);
-    sums.max_speed = std::sqrt(sums.max_speed);
-    return sums;
-}
-
-double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time) {
-    std::vector<Vec3> right(displacement.count());
-    exact.displacements(time, right);
-    double largest = 0;
-    for (std::size_t i = 0; i < right.size(); ++i) largest = std::max(largest, length(displacement.at(i) - right[i]));
-    return largest;
-}
-
-template <class T>
-std::uint64_t hash_of(std::uint64_t step, const State<double>& state) {
-    XXH64_hash_t hash = XXH64(&step, sizeof step, 0);
-    for (const Field<double>* field : {&state.displacement, &state.velocity}) {
-        const Field<T> held = converted<T>(*field);
-        for (const T* component : {held.x(), held.y(), held.z()})
-            hash = XXH64(component, held.count() * sizeof(T), hash);
-    }
-    return hash;
 }
 
 /// Where a run is and what it is measured against; with the description and the internal state it is all of a run.
@@ -107,6 +67,7 @@ struct Simulation::Body : Course {
 
     // What is read of the present step, when somebody asks for it.
     const State<double>& state() {
+        const FlushSubnormals flush;
         if (!state_known) segment.stepper->synchronised(looked_at);
         state_known = true;
         return looked_at;
@@ -129,7 +90,7 @@ struct Simulation::Body : Course {
     bool is_good() { return segment.stepper->finite() && energy_is_good(); }
 
     void keep() {
-        kept = segment.stepper->save();
+        segment.stepper->save(kept);
         kept_step = step;
     }
 
@@ -298,11 +259,7 @@ std::shared_ptr<const Shape> Simulation::shape() const {
     return body_->shape;
 }
 
-std::string Simulation::hash() const {
-    const bool in_float = body_->segment.held.precision == Precision::float_;
-    const std::uint64_t hash = in_float ? hash_of<float>(step(), state()) : hash_of<double>(step(), state());
-    return fmt::format("{:016x}", hash);
-}
+std::string Simulation::hash() const { return hash_of(step(), body_->segment.held.precision, state()); }
 
 const State<double>& Simulation::state() const { return settled().state(); }
 
@@ -355,9 +312,11 @@ std::size_t Simulation::Snapshot::bytes() const { return content_->bytes; }
 Simulation::Snapshot Simulation::save() const {
     const Stepper& stepper = *settled().segment.stepper;
     const Course& course = *body_;
+    std::any internal;
+    stepper.save(internal);
     Snapshot snapshot;
     snapshot.content_ = std::make_shared<const Snapshot::Content>(
-        Snapshot::Content{description(), course, stepper.save(), stepper.bytes()});
+        Snapshot::Content{description(), course, std::move(internal), stepper.bytes()});
     return snapshot;
 }
 

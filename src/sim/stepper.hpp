@@ -24,8 +24,8 @@ public:
     virtual std::uint64_t evaluations() const = 0;
     /// Collisions where a force jumps, as adaptive methods find them; their times since the stepper was made.
     virtual CollisionRecord collisions() const { return {}; }
-    /// The internal state, to come back to.
-    virtual std::any save() const = 0;
+    /// The internal state, to come back to; the memory of what `to` held before is used again.
+    virtual void save(std::any& to) const = 0;
     virtual void restore(const std::any& saved) = 0;
     /// Size of the internal state.
     virtual std::size_t bytes() const = 0;

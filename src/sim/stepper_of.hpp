@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/coupling.hpp"
+#include "core/elementwise.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
 #include "models/plain.hpp"
+#include "sim/kick_drift_steps.hpp"
 #include "sim/stepper.hpp"
 
 #include <algorithm>
@@ -111,10 +113,16 @@ public:
         }
     }
 
-    std::any save() const override {
-        Saved saved{{}, progress(), system_.evaluations()};
-        Integrator::each_part(integrator_, [&](const Field<T>& part) { saved.parts.push_back(part); });
-        return saved;
+    void save(std::any& to) const override {
+        if (!std::any_cast<Saved>(&to)) to = Saved{};
+        Saved& saved = *std::any_cast<Saved>(&to);
+        std::size_t count = 0;
+        Integrator::each_part(integrator_, [&](const Field<T>& part) {
+            if (saved.parts.size() == count) saved.parts.emplace_back();
+            saved.parts[count++] = part;
+        });
+        saved.progress = progress();
+        saved.evaluations = system_.evaluations();
     }
 
     void restore(const std::any& state) override {
@@ -136,8 +144,8 @@ private:
 
     struct Saved {
         std::vector<Field<T>> parts;
-        ProgressOf<Integrator> progress;
-        std::uint64_t evaluations;
+        ProgressOf<Integrator> progress{};
+        std::uint64_t evaluations = 0;
     };
 
     ProgressOf<Integrator> progress() const {
@@ -148,11 +156,10 @@ private:
         }
     }
 
-    /// A number minus itself is zero if it is finite, else not a number, which every sum passes on.
+    /// A number minus itself is zero if it is finite, else not a number.
     static bool all_finite(const Field<T>& field) {
-        T sum = T(0);
-        for (const T number : field.flat()) sum += number - number;
-        return sum == T(0);
+        const T* const numbers = field.flat().data();
+        return !any_of_all(field.flat().size(), [=](std::size_t k) { return !(numbers[k] - numbers[k] == T(0)); });
     }
 
     void add_reference(Field<T>& positions, T sign) const {

@@ -46,7 +46,7 @@ double error_of_sum(Add add) {
 // What is off is the long double's own rounding, in the mean of 10^5 times 3e-20. The partner adds what was lost to the
 // increment (Kahan), which rounds it to the increment's digits.
 TEST(CompensatedSum, keeps_what_was_lost_from_increments_of_its_own_size) {
-    EXPECT_LT(error_of_sum(add_compensated<double>), 5e-17);
+    EXPECT_LT(error_of_sum([](double& sum, double& lost, double more) { add_compensated(sum, lost, more); }), 5e-17);
     const auto by_kahan = [](double& sum, double& lost, double increment) {
         const double corrected = increment + lost, next = sum + corrected;
         lost = corrected - (next - sum);

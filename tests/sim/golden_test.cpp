@@ -61,12 +61,20 @@ TEST(GoldenHashes, are_those_of_every_compiler) {
     ADD_FAILURE() << "what was computed is in " << path << "; if the change is meant, copy it to assets/golden/";
 }
 
-// But in free fall, where several methods are exact.
+// But in free fall, where several methods are exact, and where there is no drag, without which velocity-verlet takes
+// the very steps of verlet.
 TEST(GoldenHashes, tell_every_run_from_every_other) {
     std::map<std::string, std::string> runs;
-    for (const auto& [run, hash] : golden_hashes()) {
+    const std::map<std::string, std::string> golden = golden_hashes();
+    for (const auto& [run, hash] : golden) {
         if (run.starts_with("free ")) continue;
-        EXPECT_TRUE(runs.emplace(hash, run).second) << run << " has the hash of " << runs[hash];
+        std::string twin = run;
+        if (const std::size_t at = run.find(" velocity-verlet "); at != std::string::npos) twin.erase(at + 1, 9);
+        if (twin != run && !run.starts_with("rope ")) {
+            EXPECT_EQ(hash, golden.at(twin)) << run;
+        } else {
+            EXPECT_TRUE(runs.emplace(hash, run).second) << run << " has the hash of " << runs[hash];
+        }
     }
 }
 

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/diagnostics.hpp"
+#include "core/field.hpp"
+#include "core/frame.hpp"
+#include "core/precision.hpp"
+#include "models/model.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace steplab {
+
+// What is measured of all particles at one moment.
+
+/// Momentum, angular momentum and the largest displacement and speed.
+Diagnostics sums_over_particles(const State<double>& state, const Scene& scene, const Shape& shape);
+
+/// Largest distance of a particle from the exact solution.
+double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time);
+
+/// Of the step's number and the bits of the state as the precision holds it: 16 hexadecimal digits.
+std::string hash_of(std::uint64_t step, Precision precision, const State<double>& state);
+
+}  // namespace steplab
