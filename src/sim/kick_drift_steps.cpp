@@ -1,4 +1,16 @@
 #include "sim/kick_drift_steps.hpp"
 
-STEPLAB_ALL_KICK_DRIFT_STEPS(, float);
-STEPLAB_ALL_KICK_DRIFT_STEPS(, double);
+namespace steplab {
+
+template void KickDriftSteps<float>::advance(System<float, Constant<float>>&, std::uint64_t);
+template void KickDriftSteps<float>::advance(System<float, Line<float>>&, std::uint64_t);
+template void KickDriftSteps<float>::advance(System<float, Grid<float>>&, std::uint64_t);
+template void KickDriftSteps<float>::advance(System<float, Pairs<float>>&, std::uint64_t);
+template void KickDriftSteps<float>::advance(System<float, NearPairs<float>>&, std::uint64_t);
+template void KickDriftSteps<double>::advance(System<double, Constant<double>>&, std::uint64_t);
+template void KickDriftSteps<double>::advance(System<double, Line<double>>&, std::uint64_t);
+template void KickDriftSteps<double>::advance(System<double, Grid<double>>&, std::uint64_t);
+template void KickDriftSteps<double>::advance(System<double, Pairs<double>>&, std::uint64_t);
+template void KickDriftSteps<double>::advance(System<double, NearPairs<double>>&, std::uint64_t);
+
+}  // namespace steplab

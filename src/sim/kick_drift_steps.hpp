@@ -4,17 +4,22 @@
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
 
-// The steps of kicks and drifts on every layout of forces: one translation unit compiles them for all methods that are
-// such steps (kick_drift_steps.cpp).
+#include <cstdint>
 
-#define STEPLAB_KICK_DRIFT_STEPS(prefix, T, Force) \
-    prefix template void steplab::KickDriftSteps<T>::advance(steplab::System<T, steplab::Force<T>>&, std::uint64_t)
-#define STEPLAB_ALL_KICK_DRIFT_STEPS(prefix, T)    \
-    STEPLAB_KICK_DRIFT_STEPS(prefix, T, Constant); \
-    STEPLAB_KICK_DRIFT_STEPS(prefix, T, Line);     \
-    STEPLAB_KICK_DRIFT_STEPS(prefix, T, Grid);     \
-    STEPLAB_KICK_DRIFT_STEPS(prefix, T, Pairs);    \
-    STEPLAB_KICK_DRIFT_STEPS(prefix, T, NearPairs)
+namespace steplab {
 
-STEPLAB_ALL_KICK_DRIFT_STEPS(extern, float);
-STEPLAB_ALL_KICK_DRIFT_STEPS(extern, double);
+// The steps of kicks and drifts on every layout of forces are compiled once, for all methods that are such steps
+// (kick_drift_steps.cpp).
+
+extern template void KickDriftSteps<float>::advance(System<float, Constant<float>>&, std::uint64_t);
+extern template void KickDriftSteps<float>::advance(System<float, Line<float>>&, std::uint64_t);
+extern template void KickDriftSteps<float>::advance(System<float, Grid<float>>&, std::uint64_t);
+extern template void KickDriftSteps<float>::advance(System<float, Pairs<float>>&, std::uint64_t);
+extern template void KickDriftSteps<float>::advance(System<float, NearPairs<float>>&, std::uint64_t);
+extern template void KickDriftSteps<double>::advance(System<double, Constant<double>>&, std::uint64_t);
+extern template void KickDriftSteps<double>::advance(System<double, Line<double>>&, std::uint64_t);
+extern template void KickDriftSteps<double>::advance(System<double, Grid<double>>&, std::uint64_t);
+extern template void KickDriftSteps<double>::advance(System<double, Pairs<double>>&, std::uint64_t);
+extern template void KickDriftSteps<double>::advance(System<double, NearPairs<double>>&, std::uint64_t);
+
+}  // namespace steplab
