@@ -4,8 +4,10 @@
 # `-fno-trapping-math` change no result; without them sqrt and selected divisions are not vectorised.
 add_library(steplab_arithmetic INTERFACE)
 target_compile_options(steplab_arithmetic INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+
+add_library(steplab_processor INTERFACE)
 if(STEPLAB_NATIVE)
-  target_compile_options(steplab_arithmetic INTERFACE -march=native)
+  target_compile_options(steplab_processor INTERFACE -march=native)
 endif()
 
 # `-Wno-psabi`: how vector registers are handed over depends on the instruction set; all our code is compiled for one.
@@ -26,11 +28,16 @@ if(STEPLAB_COVERAGE)
   target_link_options(steplab_instruments INTERFACE --coverage)
 endif()
 
+# steplab_compile(target [ANY_PROCESSOR]): ANY_PROCESSOR leaves out what only this machine's processor may know.
 function(steplab_compile target)
+  cmake_parse_arguments(ARG "ANY_PROCESSOR" "" "" ${ARGN})
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PRIVATE steplab_arithmetic steplab_warnings steplab_instruments)
+  if(NOT ARG_ANY_PROCESSOR)
+    target_link_libraries(${target} PRIVATE steplab_processor)
+  endif()
 endfunction()
 
 # steplab_library(folder [LINK target...]): the static library steplab_<folder> of all sources in the current folder.
@@ -87,4 +94,32 @@ function(steplab_method_class id class)
     string(APPEND name ${first}${rest})
   endforeach()
   set(${class} ${name} PARENT_SCOPE)
+endfunction()
+
+# steplab_catalogue(sources METHODS id... MODELS id...): the sources of a catalogue of these, written from their ids: the
+# lists and, per method, the translation unit that instantiates it.
+function(steplab_catalogue sources)
+  cmake_parse_arguments(ARG "" "" "METHODS;MODELS" ${ARGN})
+  set(folder ${PROJECT_SOURCE_DIR}/src/sim)
+  set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  set(written ${generated}/catalogue_entries.cpp)
+  set(STEPLAB_METHOD_MAKERS "")
+  set(STEPLAB_METHOD_ENTRIES "")
+  foreach(id IN LISTS ARG_METHODS)
+    steplab_method_class(${id} STEPLAB_CLASS)
+    set(STEPLAB_METHOD ${id})
+    configure_file(${folder}/method.cpp.in ${generated}/method_${id}.cpp @ONLY)
+    list(APPEND written ${generated}/method_${id}.cpp)
+    string(APPEND STEPLAB_METHOD_MAKERS "Method method_${STEPLAB_CLASS}();\n")
+    string(APPEND STEPLAB_METHOD_ENTRIES "        method_${STEPLAB_CLASS}(),\n")
+  endforeach()
+  set(STEPLAB_MODEL_MAKERS "")
+  set(STEPLAB_MODEL_ENTRIES "")
+  foreach(id IN LISTS ARG_MODELS)
+    string(REPLACE "-" "_" function ${id})
+    string(APPEND STEPLAB_MODEL_MAKERS "const Model& ${function}_model();\n")
+    string(APPEND STEPLAB_MODEL_ENTRIES "        ${function}_model(),\n")
+  endforeach()
+  configure_file(${folder}/catalogue_entries.cpp.in ${generated}/catalogue_entries.cpp @ONLY)
+  set(${sources} ${written} PARENT_SCOPE)
 endfunction()

@@ -3,7 +3,7 @@
 namespace steplab::benchmark {
 
 std::vector<Solver> gather_solvers(const Problem& problem) {
-    return solvers_of<GatherChain<double>, GatherMesh, GatherMorse>(problem);
+    return solvers_of<GatherChain<double>, GatherMesh<double>, GatherMorse<double>>(problem);
 }
 
 }  // namespace steplab::benchmark

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../c_libraries.hpp"
 #include "../loops.hpp"
 #include "solver.hpp"
 
@@ -8,12 +9,9 @@
 
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <memory>
-#include <nvector/nvector_serial.h>
 #include <stdexcept>
-#include <sundials/sundials_context.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 #include <utility>
 
@@ -26,24 +24,6 @@ namespace odeint = boost::numeric::odeint;
 using Numbers = std::vector<double>;
 
 template <class Loop>
-struct Force {
-    std::size_t n;
-
-    /// Symplectic steppers: the rate of change of momentum.
-    void operator()(const Numbers& x, Numbers& a) const { Loop::accelerations(x.data(), a.data(), n); }
-    /// velocity_verlet.
-    void operator()(const Numbers& x, const Numbers&, Numbers& a, double) const {
-        Loop::accelerations(x.data(), a.data(), n);
-    }
-    /// Positions and velocities in one vector.
-    void operator()(const Numbers& state, Numbers& rate, double) const { rates(state.data(), rate.data()); }
-    void rates(const double* state, double* rate) const {
-        std::copy(state + 3 * n, state + 6 * n, rate);
-        Loop::accelerations(state, rate + 3 * n, n);
-    }
-};
-
-template <class Loop>
 struct Case {
     double time;
     std::size_t n;
@@ -52,19 +32,9 @@ struct Case {
     explicit Case(const Problem& problem)
         : time(problem.time),
           n(problem.positions.size()),
-          x(placed(problem.positions)),
-          v(placed(problem.velocities)) {}
+          x(placed<Loop>(problem.positions)),
+          v(placed<Loop>(problem.velocities)) {}
 
-    static Numbers placed(const std::vector<Vec3>& points) {
-        const std::size_t count = points.size();
-        Numbers numbers(3 * count);
-        for (std::size_t i = 0; i < count; ++i) {
-            numbers[Loop::place(count, i, 0)] = points[i].x;
-            numbers[Loop::place(count, i, 1)] = points[i].y;
-            numbers[Loop::place(count, i, 2)] = points[i].z;
-        }
-        return numbers;
-    }
     Numbers state() const {
         Numbers both = x;
         both.insert(both.end(), v.begin(), v.end());
@@ -125,12 +95,6 @@ Solver odeint_pair(std::string name, const Case<Loop>& c) {
 }
 
 template <class Loop>
-int gsl_rates(double, const double* state, double* rate, void* force) {
-    static_cast<const Force<Loop>*>(force)->rates(state, rate);
-    return GSL_SUCCESS;
-}
-
-template <class Loop>
 Solver gsl_adaptive(std::string name, const gsl_odeiv2_step_type* type, const Case<Loop>& c) {
     return {"GSL " + std::move(name), true, [c, type](double tolerance) {
                 Numbers state = c.state();
@@ -143,28 +107,6 @@ Solver gsl_adaptive(std::string name, const gsl_odeiv2_step_type* type, const Ca
                     throw std::runtime_error("GSL gave up");
                 return c.points(state.data());
             }};
-}
-
-template <class Loop>
-int sundials_rates(realtype, N_Vector state, N_Vector rate, void* force) {
-    static_cast<const Force<Loop>*>(force)->rates(N_VGetArrayPointer(state), N_VGetArrayPointer(rate));
-    return 0;
-}
-
-struct SundialsContext {
-    SUNContext context = nullptr;
-    SundialsContext() { SUNContext_Create(nullptr, &context); }
-    ~SundialsContext() { SUNContext_Free(&context); }
-    SundialsContext(const SundialsContext&) = delete;
-    SundialsContext& operator=(const SundialsContext&) = delete;
-};
-
-inline N_Vector vector_over(Numbers& numbers, const SundialsContext& context) {
-    return N_VMake_Serial(static_cast<sunindextype>(numbers.size()), numbers.data(), context.context);
-}
-
-inline void succeeded(int result) {
-    if (result < 0) throw std::runtime_error("SUNDIALS gave up");
 }
 
 template <class Loop>

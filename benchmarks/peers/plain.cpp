@@ -3,7 +3,7 @@
 namespace steplab::benchmark {
 
 std::vector<Solver> plain_solvers(const Problem& problem) {
-    return solvers_of<PlainChain<double>, PlainMesh, PlainMorse>(problem);
+    return solvers_of<PlainChain<double>, PlainMesh<double>, PlainMorse<double>>(problem);
 }
 
 }  // namespace steplab::benchmark

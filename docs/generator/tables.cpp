@@ -4,6 +4,7 @@
 #include "lab/thesis.hpp"
 #include "shell.hpp"
 #include "sim/catalogue.hpp"
+#include "speed.hpp"
 #include "ui/keys.hpp"
 
 #include <fmt/format.h>
@@ -135,6 +136,7 @@ std::string section(const std::string& name, const std::string& folder) {
     if (name == "methods") return methods_table();
     if (name == "models in full") return models_in_full();
     if (name == "methods in full") return methods_in_full();
+    if (name == "speed") return speed_tables(STEPLAB_RESULTS);
     if (name == "keys") return ui::key_table();
     if (name == "thesis table 1") return markdown(thesis_table_1());
     if (name == "thesis table 2") return markdown(thesis_table_2());

@@ -28,8 +28,8 @@ std::string picture_name(const HardCase& it);
 std::string hard_case_in_full(const std::string& id);
 
 /// The section of that name: "models", "methods", "models in full", "methods in full", "thesis table N",
-/// "hard case ID", "keys", "help", "help COMMAND", or "$ any shell command". Throws std::runtime_error if the name is
-/// unknown.
+/// "hard case ID", "speed", "keys", "help", "help COMMAND", or "$ any shell command". Throws std::runtime_error if the
+/// name is unknown.
 std::string section(const std::string& name, const std::string& folder);
 
 }  // namespace steplab::docs
