@@ -23,9 +23,10 @@ struct FrameBlock {
     ParticleChoice particles = {};
     Precision precision = Precision::double_;
     std::shared_ptr<const Shape> shape = {};
-    std::size_t frame_rows = 0;  ///< of a whole frame
-    std::size_t first_row = 0;   ///< within the frame; 0 unless this is a piece
-    std::size_t rows = 0;        ///< of each moment in here
+    std::uint64_t first_frame = 0;  ///< the number of the first moment's frame among those written, from 0
+    std::size_t frame_rows = 0;     ///< of a whole frame
+    std::size_t first_row = 0;      ///< within the frame; 0 unless this is a piece
+    std::size_t rows = 0;           ///< of each moment in here
     std::vector<Moment> moments = {};
     std::vector<Vec3> positions = {};  ///< moment by moment
     std::vector<Vec3> velocities = {};

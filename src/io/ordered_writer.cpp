@@ -10,11 +10,12 @@ OrderedWriter::OrderedWriter(OutputFile& file)
 
 OrderedWriter::~OrderedWriter() {
     for (std::jthread& thread : threads_) thread.request_stop();
-    file_.stop_waiting();  // for a reader that may sleep for ever
+    const std::lock_guard lock(mutex_);
+    if (written_ < submitted_) file_.stop_waiting();  // for a reader that may sleep for ever
 }
 
 void OrderedWriter::work(const std::stop_token& stop) try {
-    std::string bytes;
+    std::string bytes, scratch;
     while (true) {
         std::unique_lock lock(mutex_);
         if (!ready_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
@@ -23,7 +24,7 @@ void OrderedWriter::work(const std::stop_token& stop) try {
         const std::uint64_t number = begun_++;
         lock.unlock();
         bytes.clear();
-        block(bytes);
+        block(bytes, scratch);
         lock.lock();
         if (!turn_.wait(lock, stop, [&] { return written_ == number || failure_; }) || failure_) return;
         lock.unlock();

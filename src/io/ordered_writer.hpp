@@ -19,8 +19,9 @@ namespace steplab {
 /// disks, and each further core adds as much.
 class OrderedWriter {
 public:
-    /// Puts the bytes of one block into an empty string; called on some thread, once.
-    using Block = std::function<void(std::string& bytes)>;
+    /// Puts the bytes of one block into an empty string; called on some thread, once. `scratch` is memory to work in
+    /// that the thread keeps from block to block.
+    using Block = std::function<void(std::string& bytes, std::string& scratch)>;
 
     explicit OrderedWriter(OutputFile& file);
     /// Drops what is not yet written.

@@ -87,8 +87,9 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
         open_beside();
     }
     struct stat status {};
-    const bool pipe_like = fstat(descriptor_, &status) == 0 && !S_ISREG(status.st_mode);
-    piece_ = pipe_like ? PIPE_BUF : block_size;
+    const bool has_reader = fstat(descriptor_, &status) == 0 &&
+                            (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || isatty(descriptor_) != 0);
+    piece_ = has_reader ? PIPE_BUF : block_size;
 }
 
 OutputFile::~OutputFile() {

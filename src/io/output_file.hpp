@@ -36,7 +36,8 @@ public:
     /// Writes all bytes, in blocks. Throws FileError (disk full ...) naming file and reason, ReaderGone for a closed
     /// pipe, Interrupted while it waits for a reader (on any thread).
     void write(std::string_view bytes);
-    /// From another thread: a write that waits for a reader ends as if the reader had gone.
+    /// From another thread, when nobody cares for the file any more: a write that waits for a reader ends as if that
+    /// had gone.
     void stop_waiting() { waits_ = false; }
     /// Sends what is still held back to the system, so that the reader of a pipe or terminal sees it.
     void flush();

@@ -16,7 +16,7 @@ namespace steplab {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> format_names{"csv", "xyz"};
+constexpr std::array<std::string_view, 3> format_names{"csv", "xyz", "trajectory"};
 
 }  // namespace
 

@@ -7,8 +7,9 @@ namespace steplab {
 
 /// How a trajectory is written.
 enum class TrajectoryFormat {
-    csv,  ///< step,time,particle,x,y,z,vx,vy,vz: one line for each particle
-    xyz,  ///< extended XYZ, as OVITO and ASE read it: type (the role), position, velocity
+    csv,         ///< step,time,particle,x,y,z,vx,vy,vz: one line for each particle
+    xyz,         ///< extended XYZ, as OVITO and ASE read it: type (the role), position, velocity
+    trajectory,  ///< all digits in compressed chunks with an index, to be read by TrajectoryReader
 };
 
 /// The format of this name. Throws UsageError naming the known ones.

@@ -36,9 +36,9 @@ std::string written(const Frame& frame, TrajectoryFormat format, std::vector<std
     const TemporaryFolder folder;
     OutputFile file(folder.file("a"));
     {
-        TrajectoryWriter writer(file, format, std::move(particles));
+        TrajectoryWriter writer(file, format, describe("chain"), std::move(particles));
         writer.add(frame);
-        writer.flush();
+        writer.finish();
     }
     file.commit();
     return text_of(folder.file("a"));
@@ -81,7 +81,7 @@ TEST(OrderedWriter, keeps_the_order_of_blocks_whatever_time_they_take) {
         for (int i = 0; i < 500; ++i) {
             const std::string text = std::to_string(i) + ' ';
             expected += text;
-            writer.submit([text, i](std::string& bytes) {
+            writer.submit([text, i](std::string& bytes, std::string&) {
                 volatile double work = 0;  // the earlier of each seven take longer
                 for (int j = 0; j < 3000 * (7 - i % 7); ++j) work = work + j;
                 bytes = text;
@@ -97,7 +97,8 @@ TEST(OrderedWriter, passes_on_what_the_file_throws) {
     OutputFile file("/dev/full");
     OrderedWriter writer(file);
     const auto write_all = [&] {
-        for (int i = 0; i < 100; ++i) writer.submit([](std::string& bytes) { bytes.assign(1000000, 'x'); });
+        for (int i = 0; i < 100; ++i)
+            writer.submit([](std::string& bytes, std::string&) { bytes.assign(1000000, 'x'); });
         writer.drain();
     };
     EXPECT_THROW(write_all(), FileError);

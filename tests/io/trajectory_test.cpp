@@ -1,0 +1,214 @@
+#include "io/trajectory.hpp"
+
+#include "core/error.hpp"
+#include "io/files.hpp"
+#include "io/trajectory_reader.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/simulation.hpp"
+
+#include <gmock/gmock.h>
+
+#include <bit>
+#include <functional>
+
+namespace steplab {
+namespace {
+
+using testing::HasSubstr;
+
+const TrajectoryFormat all_formats[] = {TrajectoryFormat::csv, TrajectoryFormat::xyz, TrajectoryFormat::trajectory};
+
+std::string written(const RunDescription& run, const std::vector<Frame>& frames, TrajectoryFormat format,
+                    const std::vector<std::size_t>& particles = {}) {
+    const TemporaryFolder folder;
+    OutputFile file(folder.file("a"));
+    TrajectoryWriter writer(file, format, run, particles);
+    for (const Frame& frame : frames) writer.add(frame);
+    writer.finish();
+    file.commit();
+    return text_of(folder.file("a"));
+}
+
+std::vector<Frame> frames_of(const RunDescription& run, std::size_t count) {
+    Simulation simulation(run);
+    std::vector<Frame> frames;
+    for (std::size_t i = 0; i < count; ++i) {
+        frames.push_back(simulation.frame());
+        simulation.advance(2);
+    }
+    return frames;
+}
+
+/// A trajectory in a file of its own.
+class Kept {
+public:
+    explicit Kept(std::string_view bytes) { put_text(name(), bytes); }
+    std::string name() const { return folder_.file("a.trajectory"); }
+
+private:
+    TemporaryFolder folder_;
+};
+
+std::vector<Frame> read_all(TrajectoryReader& reader) {
+    std::vector<Frame> frames(reader.frames());
+    for (std::size_t i = 0; i < frames.size(); ++i) reader.frame(i, frames[i]);
+    return frames;
+}
+
+std::vector<std::uint64_t> bits_of(const Frame& frame) {
+    std::vector<std::uint64_t> bits{frame.step, std::bit_cast<std::uint64_t>(frame.time)};
+    for (const auto* vectors : {&frame.positions, &frame.velocities}) {
+        for (const Vec3& v : *vectors) {
+            for (const double value : {v.x, v.y, v.z}) bits.push_back(std::bit_cast<std::uint64_t>(value));
+        }
+    }
+    return bits;
+}
+
+bool same_frames(const std::vector<Frame>& a, const std::vector<Frame>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Frame& left, const Frame& right) {
+        return bits_of(left) == bits_of(right) && left.precision == right.precision;
+    });
+}
+
+TEST(TrajectoryFile, gives_back_every_bit_of_every_model_in_both_precisions) {
+    for (const Model& model : models()) {
+        for (const Precision precision : {Precision::float_, Precision::double_}) {
+            RunDescription run = describe(model.info.id);
+            run.precision = precision;
+            const std::vector<Frame> frames = frames_of(run, 5);
+            const Kept file(written(run, frames, TrajectoryFormat::trajectory));
+            TrajectoryReader reader(file.name());
+            EXPECT_TRUE(reader.complete());
+            EXPECT_EQ(reader.run(), run) << model.info.id;
+            const std::vector<Frame> back = read_all(reader);
+            EXPECT_TRUE(same_frames(back, frames)) << model.info.id;
+            for (const TrajectoryFormat format : all_formats)
+                EXPECT_EQ(written(run, back, format, reader.particles()), written(run, frames, format)) << model.info.id;
+        }
+    }
+}
+
+TEST(TrajectoryFile, holds_the_chosen_particles_by_their_numbers) {
+    const RunDescription run = describe("chain");
+    const std::vector<std::size_t> chosen{0, 1, 2, 7, 9};
+    const std::vector<Frame> frames = frames_of(run, 3);
+    const Kept file(written(run, frames, TrajectoryFormat::trajectory, chosen));
+    TrajectoryReader reader(file.name());
+    EXPECT_EQ(reader.particles(), chosen);
+    const std::vector<Frame> back = read_all(reader);
+    EXPECT_EQ(back[0].positions.size(), chosen.size());
+    for (const TrajectoryFormat format : all_formats)
+        EXPECT_EQ(written(run, back, format, reader.particles()), written(run, frames, format, chosen));
+}
+
+/// Frames of `particles` whose numbers tell where they belong.
+std::vector<Frame> counted_frames(std::size_t particles, std::size_t count) {
+    Shape shape;
+    shape.roles.assign(particles, Role::moving);
+    Frame frame;
+    frame.shape = std::make_shared<const Shape>(std::move(shape));
+    std::vector<Frame> frames;
+    for (std::size_t k = 0; k < count; ++k) {
+        frame.step = k * 3;
+        frame.time = 0.1 * static_cast<double>(k);
+        frame.positions.clear();
+        for (std::size_t i = 0; i < particles; ++i)
+            frame.positions.push_back({static_cast<double>(k), static_cast<double>(i), -0.0});
+        frame.velocities = frame.positions;
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+TEST(TrajectoryFile, any_frame_is_found_whether_chunks_hold_many_or_pieces) {
+    // 16384 rows are a chunk: many frames in one, just one, one and a row of the next, several chunks a frame.
+    for (const std::size_t particles : {1000u, 16384u, 16385u, 40000u}) {
+        const std::vector<Frame> frames = counted_frames(particles, 20);
+        const Kept file(written(describe("chain"), frames, TrajectoryFormat::trajectory));
+        TrajectoryReader reader(file.name());
+        ASSERT_EQ(reader.frames(), frames.size());
+        for (const std::size_t k : {19u, 0u, 7u, 16u, 15u, 17u}) {
+            Frame frame;
+            reader.frame(k, frame);
+            EXPECT_EQ(bits_of(frame), bits_of(frames[k])) << particles << " particles, frame " << k;
+        }
+        Frame none;
+        EXPECT_THROW(reader.frame(20, none), FileError);
+    }
+}
+
+/// What a reader makes of a file: the frames that it says are there, or the message with which it refuses them.
+struct Reading {
+    bool complete = false;
+    std::vector<Frame> frames;
+    std::string refusal;
+};
+
+Reading reading_of(std::string_view bytes) {
+    const Kept file(bytes);
+    Reading reading;
+    try {
+        TrajectoryReader reader(file.name());
+        reading.complete = reader.complete();
+        reading.frames = read_all(reader);
+    } catch (const FileError& error) {
+        reading.refusal = error.what();
+    }
+    return reading;
+}
+
+TEST(TrajectoryFile, cut_anywhere_gives_the_frames_before_or_is_refused) {
+    const std::vector<Frame> frames = counted_frames(9000, 4);  // a chunk each
+    const std::string bytes = written(describe("chain"), frames, TrajectoryFormat::trajectory);
+    std::size_t most = 0;
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        const Reading reading = reading_of(std::string_view(bytes).substr(0, length));
+        const auto count = static_cast<std::ptrdiff_t>(reading.frames.size());
+        ASSERT_LE(count, 4);
+        ASSERT_TRUE(same_frames(reading.frames, {frames.begin(), frames.begin() + count})) << length;
+        ASSERT_GE(reading.frames.size(), reading.refusal.empty() ? most : 0) << length;
+        most = std::max(most, reading.frames.size());
+    }
+    EXPECT_EQ(most, 4u);
+    EXPECT_TRUE(reading_of(bytes).complete);
+    EXPECT_FALSE(reading_of(bytes.substr(0, bytes.size() / 2)).complete);
+}
+
+TEST(TrajectoryFile, changed_anywhere_gives_the_right_frames_or_is_refused) {
+    const RunDescription run = describe("chain");
+    const std::vector<Frame> frames = frames_of(run, 3);
+    const std::string bytes = written(run, frames, TrajectoryFormat::trajectory);
+    std::size_t refused = 0;
+    for (std::size_t place = 0; place < bytes.size(); ++place) {
+        for (const int change : {0x01, 0x80, 0xff}) {
+            std::string changed = bytes;
+            changed[place] = static_cast<char>(changed[place] ^ change);
+            const Reading reading = reading_of(changed);
+            if (!reading.refusal.empty()) {
+                ++refused;
+                continue;
+            }
+            const auto count = static_cast<std::ptrdiff_t>(reading.frames.size());
+            ASSERT_TRUE(same_frames(reading.frames, {frames.begin(), frames.begin() + count})) << place;
+            ASSERT_TRUE(!reading.complete || reading.frames.size() == frames.size()) << place;
+        }
+    }
+    EXPECT_GT(refused, bytes.size());  // of three changes a byte; those of the index leave the frames readable
+}
+
+TEST(TrajectoryFile, what_is_none_is_refused_with_the_reason) {
+    const std::string bytes = written(describe("chain"), counted_frames(10, 2), TrajectoryFormat::trajectory);
+    std::string newer = bytes;
+    newer[12] = 2;
+    EXPECT_THAT(reading_of("").refusal, HasSubstr("it is not a trajectory"));
+    EXPECT_THAT(reading_of("step,time,particle\n").refusal, HasSubstr("it is not a trajectory"));
+    EXPECT_THAT(reading_of(newer).refusal, HasSubstr("version"));
+    EXPECT_THAT(reading_of(bytes.substr(0, 20)).refusal, HasSubstr("damaged at its beginning"));
+    EXPECT_THROW(TrajectoryReader("/dev/null"), FileError);
+    EXPECT_THROW(TrajectoryReader("/tmp"), FileError);
+    EXPECT_THROW(TrajectoryReader("/nowhere.trajectory"), FileError);
+}
+
+}  // namespace
+}  // namespace steplab
