@@ -19,12 +19,13 @@ void OrderedWriter::work(const std::stop_token& stop) try {
     while (true) {
         std::unique_lock lock(mutex_);
         if (!ready_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
-        const Block block = std::move(waiting_.front());
+        Block block = std::move(waiting_.front());
         waiting_.pop_front();
         const std::uint64_t number = begun_++;
         lock.unlock();
         bytes.clear();
         block(bytes, scratch);
+        block = nullptr;  // and the rows it holds
         lock.lock();
         if (!turn_.wait(lock, stop, [&] { return written_ == number || failure_; }) || failure_) return;
         lock.unlock();
