@@ -23,7 +23,7 @@ constexpr const char* examples =
     "Examples:\n"
     "  steplab run --model chain --every 1 --out chain.trajectory\n"
     "  steplab convert chain.trajectory --out chain.xyz\n"
-    "  steplab convert chain.trajectory | head\n";
+    "  steplab convert chain.trajectory | head";
 
 class ConvertCommand final : public Command {
 public:

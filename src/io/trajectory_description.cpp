@@ -71,6 +71,11 @@ Json role_runs(const FrameBlock& block) {
     return runs;
 }
 
+std::size_t count_of(const Json& json) {
+    if (!json.is_number_unsigned()) throw std::runtime_error("no count");
+    return json;
+}
+
 Role role_of(std::string_view name) {
     for (const Role role : {Role::moving, Role::fixed, Role::kicked, Role::bullet}) {
         if (id(role) == name) return role;
@@ -97,26 +102,27 @@ std::string description_json(const RunDescription& run, const FrameBlock& block)
     return json.dump() + "\n";
 }
 
-Description parse_description(std::string_view text) {
+Description parse_description(std::string_view text, std::uint64_t most_rows) {
     const Json json = Json::parse(text);
     Description description;
     description.program = json.at("program");
     description.run = json.at("run").dump();
     description.precision = precision_of(json.at("run"));
-    description.rows = json.at("rows");
+    description.rows = count_of(json.at("rows"));
+    if (description.rows == 0 || description.rows > most_rows) throw std::runtime_error("no such number of rows");
     std::vector<std::size_t> particles;
     for (const Json& run : json.at("particles")) {
-        const std::size_t first = run.at(0), count = run.at(1);
+        const std::size_t first = count_of(run.at(0)), count = count_of(run.at(1));
         if (count > description.rows - particles.size()) throw std::runtime_error("too many particles");
         for (std::size_t i = 0; i < count; ++i) particles.push_back(first + i);
     }
     Shape shape;
     for (const Json& run : json.at("roles")) {
-        const std::size_t count = run.at(1);
+        const std::size_t count = count_of(run.at(1));
         if (count > description.rows - shape.roles.size()) throw std::runtime_error("too many roles");
         shape.roles.insert(shape.roles.end(), count, role_of(run.at(0).get<std::string>()));
     }
-    if (description.rows == 0 || particles.size() != description.rows || shape.roles.size() != description.rows)
+    if (particles.size() != description.rows || shape.roles.size() != description.rows)
         throw std::runtime_error("too few particles");
     description.particles = std::make_shared<const std::vector<std::size_t>>(std::move(particles));
     description.shape = std::make_shared<const Shape>(std::move(shape));

@@ -3,6 +3,7 @@
 #include "io/frame_block.hpp"
 #include "sim/run_description.hpp"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -20,8 +21,8 @@ struct Description {
 
 /// As JSON, for people too. `block`: any one of the trajectory.
 std::string description_json(const RunDescription& run, const FrameBlock& block);
-/// Throws std::exception of some kind for what is no description.
-Description parse_description(std::string_view json);
+/// Throws std::exception of some kind for what is no description, or of more rows than a file of its size can hold.
+Description parse_description(std::string_view json, std::uint64_t most_rows);
 /// Throws UsageError if a model, method or parameter is not known here, others for what is no run.
 RunDescription parse_run(const std::string& json);
 

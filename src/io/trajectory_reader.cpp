@@ -28,7 +28,7 @@ void TrajectoryReader::read_description() {
     const auto content = head && head->kind == BlockKind::description ? content_of(*head, place) : std::nullopt;
     if (!content) fail("it is cut short or damaged at its beginning");
     try {
-        description_ = parse_description(*content);
+        description_ = parse_description(*content, (file_.size() / BlockHead::bytes) * most_rows);
     } catch (const std::exception&) {
         fail("what it says of its run is not understood");
     }
@@ -56,7 +56,8 @@ void TrajectoryReader::search(std::uint64_t place) {
             return;
         }
         const auto content = content_of(*head, place + BlockHead::bytes);
-        if (!content || head->first_frame != frames_ || head->first_row != rows) return;
+        const bool goes_on = head->kind == BlockKind::frames && head->first_frame == frames_ && head->first_row == rows;
+        if (!content || !goes_on) return;
         index_.push_back({place, frames_});
         rows += head->rows;
         if (rows == description_.rows) frames_ += head->frames, rows = 0;
@@ -84,19 +85,22 @@ void TrajectoryReader::frame(std::uint64_t number, Frame& out) {
     out.velocities.clear();
     for (; out.positions.size() < description_.rows; ++entry) {
         if (entry == index_.end()) fail(fmt::format("frame {} is not whole", number));
-        const FrameBlock& block = chunk(static_cast<std::size_t>(entry - index_.begin()), number);
-        if (block.first_row != out.positions.size() || block.rows > description_.rows - out.positions.size())
-            fail(fmt::format("frame {} is not whole", number));
-        const std::size_t moment = number - block.first_frame;
-        out.step = block.moments[moment].step;
-        out.time = block.moments[moment].time;
-        const auto rows = static_cast<std::ptrdiff_t>(block.rows);
-        const auto begin = static_cast<std::ptrdiff_t>(moment) * rows;
-        out.positions.insert(out.positions.end(), block.positions.begin() + begin,
-                             block.positions.begin() + begin + rows);
-        out.velocities.insert(out.velocities.end(), block.velocities.begin() + begin,
-                              block.velocities.begin() + begin + rows);
+        append_rows(chunk(static_cast<std::size_t>(entry - index_.begin()), number), number, out);
     }
+}
+
+void TrajectoryReader::append_rows(const FrameBlock& block, std::uint64_t frame, Frame& out) const {
+    if (block.first_row != out.positions.size() || block.rows > description_.rows - out.positions.size())
+        fail(fmt::format("frame {} is not whole", frame));
+    const std::size_t moment = frame - block.first_frame;
+    out.step = block.moments[moment].step;
+    out.time = block.moments[moment].time;
+    const auto append = [&](const std::vector<Vec3>& from, std::vector<Vec3>& to) {
+        const auto begin = from.begin() + static_cast<std::ptrdiff_t>(moment * block.rows);
+        to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(block.rows));
+    };
+    append(block.positions, out.positions);
+    append(block.velocities, out.velocities);
 }
 
 const FrameBlock& TrajectoryReader::chunk(std::size_t entry, std::uint64_t frame) {

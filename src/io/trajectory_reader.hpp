@@ -46,6 +46,7 @@ private:
     void search(std::uint64_t place);
     std::optional<std::string> content_of(const trajectory::BlockHead& head, std::uint64_t place) const;
     const FrameBlock& chunk(std::size_t entry, std::uint64_t frame);
+    void append_rows(const FrameBlock& block, std::uint64_t frame, Frame& out) const;
     [[noreturn]] void fail(const std::string& what) const;
 
     InputFile file_;
