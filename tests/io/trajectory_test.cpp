@@ -219,6 +219,52 @@ TEST_F(SmallFile, changed_anywhere_gives_right_frames_or_is_refused) {
     EXPECT_LT(refused, bytes_.size());  // without its index a file is still read
 }
 
+/// The file with one block as `forge` makes it, all hashes right: what only a person does.
+template <class Forge>
+std::string forged(const std::string& bytes, std::size_t which, const Forge& forge) {
+    using namespace trajectory;
+    std::string made(signature);
+    std::size_t place = signature.size();
+    std::uint64_t index_place = 0;
+    for (std::size_t i = 0; place + ending_bytes < bytes.size(); ++i) {
+        BlockHead head = parse_head(std::string_view(bytes).substr(place)).value();
+        std::string content = bytes.substr(place + BlockHead::bytes, head.content_bytes);
+        place += BlockHead::bytes + content.size();
+        if (i == which) forge(head, content);
+        index_place = made.size();
+        made += head_bytes(head, content) + content;
+    }
+    return made + ending(index_place);
+}
+
+TEST_F(SmallFile, forged_with_right_hashes_is_read_or_refused) {
+    constexpr std::size_t blocks = 5;  // description, three chunks, index
+    ASSERT_EQ(forged(bytes_, blocks, [](auto&, auto&) {}), bytes_);
+    std::size_t tried = 0, refused = 0;
+    const auto try_to_read = [&](std::size_t block, const auto& forge) {
+        ++tried;
+        refused += reading_of_bytes(forged(bytes_, block, forge)).refusal.empty() ? 0 : 1;
+    };
+    for (std::size_t block = 0; block < blocks; ++block) {
+        for (const std::uint64_t value : {0ull, 1ull, 2ull, 1ull << 20, 1ull << 32, 1ull << 63, ~0ull}) {
+            using trajectory::BlockHead;
+            for (const auto field : {&BlockHead::first_frame, &BlockHead::first_row, &BlockHead::rows}) {
+                if (block == blocks - 1 && value > 2) continue;  // so many frames are nowhere, but counted first
+                try_to_read(block, [&](BlockHead& head, std::string&) { head.*field = value; });
+            }
+            try_to_read(block, [&](BlockHead& head, std::string&) { head.frames = static_cast<std::uint32_t>(value); });
+        }
+        const std::size_t length = block == 0 ? 600 : 150;
+        for (std::size_t place = 0; place < length; ++place) {
+            try_to_read(block, [&](auto&, std::string& content) {
+                if (place < content.size()) content[place] = static_cast<char>(content[place] ^ (1 << place % 7));
+            });
+        }
+    }
+    EXPECT_GT(refused, tried / 5);  // what is no chunk, no JSON, no place
+    EXPECT_LT(refused, tried);      // another parameter or digit is as good as the true one
+}
+
 TEST_F(SmallFile, that_is_none_is_refused_with_the_reason) {
     std::string newer = bytes_;
     newer[12] = 2;
