@@ -63,6 +63,7 @@ TEST(Trajectory, xyz_is_what_ovito_reads) {
 TEST(Trajectory, format_follows_the_ending) {
     EXPECT_EQ(trajectory_format_of("a.csv"), TrajectoryFormat::csv);
     EXPECT_EQ(trajectory_format_of("b/a.XYZ"), TrajectoryFormat::xyz);
+    EXPECT_EQ(trajectory_format_of("a.trajectory"), TrajectoryFormat::trajectory);
     EXPECT_EQ(trajectory_format_of("-"), TrajectoryFormat::csv);
     EXPECT_EQ(trajectory_format_of("/dev/null"), TrajectoryFormat::csv);
     for (const char* file : {"a", "a.", "a.txt", ".csv", "csv"})
