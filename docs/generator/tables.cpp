@@ -121,7 +121,8 @@ std::string command_and_output(const std::string& command, const std::string& fo
 std::string help_of(const std::string& command, const std::string& folder) {
     const std::string text =
         command_and_output(fmt::format("steplab {}{}--help", command, command.empty() ? "" : " "), folder);
-    return text.substr(0, text.find("\nModels (--model)")) + "```\n";
+    const std::size_t catalogue = text.find("\nModels (--model)");
+    return catalogue == std::string::npos ? text : text.substr(0, catalogue) + "```\n";
 }
 
 std::string picture_name(const HardCase& it) { return fmt::format("hard-{}.svg", it.id); }

@@ -2,6 +2,7 @@
 
 #include "app/catalogue_text.hpp"
 #include "app/command_advise.hpp"
+#include "app/command_convert.hpp"
 #include "app/command_limits.hpp"
 #include "app/command_line.hpp"
 #include "app/command_list.hpp"
@@ -65,6 +66,7 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     Commands all;
     all.push_back(list_command());
     all.push_back(run_command());
+    all.push_back(convert_command());
     all.push_back(snapshot_command());
     all.push_back(limits_command());
     all.push_back(report_command());

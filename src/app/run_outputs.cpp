@@ -16,7 +16,8 @@ namespace steplab {
 void OutputOptions::declare(CLI::App& app) {
     const std::string group = "Output";
     text_option(app, "--out", out, "FILE|-", "Positions and velocities; - is standard output")->group(group);
-    text_option(app, "--format", format, "csv|xyz", "Of --out (default: by the file's ending)")->group(group);
+    text_option(app, "--format", format, "csv|xyz|trajectory", "Of --out (default: by the file's ending)")
+        ->group(group);
     text_option(app, "--particles", particles, "9,0-3", "Only these in --out (default all)")->group(group);
     text_option(app, "--series", series, "FILE", "Energy, momentum and the like over time, as CSV")->group(group);
     text_option(app, "--summary", summary, "FILE|-", "What came of the run, as JSON")->group(group);
@@ -58,7 +59,7 @@ RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& descr
         const auto particles =
             options.particles.empty() ? std::vector<std::size_t>() : parse_particles(options.particles, count);
         rows_file_.emplace(options.out);
-        rows_.emplace(*rows_file_, format, particles);
+        rows_.emplace(*rows_file_, format, description, particles);
         watched_ = written_directly(options.out);
     }
     if (!options.series.empty()) {
@@ -85,7 +86,7 @@ void RunOutputs::show_now_and_then() {
 }
 
 void RunOutputs::commit(const RunSummary& summary) {
-    if (rows_) rows_->flush();
+    if (rows_) rows_->finish();
     if (rows_file_) rows_file_->commit();
     if (series_file_) series_file_->commit();
     if (!summary_file_) return;
@@ -98,7 +99,7 @@ std::vector<std::string> RunOutputs::keep_partial() {
     const auto keep = [&kept](OutputFile& file) {
         if (auto name = file.keep_partial()) kept.push_back(std::move(*name));
     };
-    if (rows_ && !watched_) rows_->flush();  // a pipe whose reader sleeps would hold us here
+    if (rows_ && !watched_) rows_->finish();  // a pipe whose reader sleeps would hold us here
     if (rows_file_) keep(*rows_file_);
     if (series_file_) keep(*series_file_);
     return kept;

@@ -1,54 +1,61 @@
 #include "io/ordered_writer.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace steplab {
 
-OrderedWriter::OrderedWriter(OutputFile& file) : file_(file) {
-    const unsigned count = std::clamp(std::thread::hardware_concurrency(), 1U, 16U);
-    for (unsigned i = 0; i < count; ++i) {
-        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
-    }
+OrderedWriter::OrderedWriter(OutputFile& file)
+    : file_(file), most_threads_(std::clamp(std::thread::hardware_concurrency(), 1U, 16U)) {}
+
+OrderedWriter::~OrderedWriter() {
+    for (std::jthread& thread : threads_) thread.request_stop();
+    const std::lock_guard lock(mutex_);
+    if (written_ < submitted_) file_.stop_waiting();  // for a reader that may sleep for ever
 }
 
-OrderedWriter::~OrderedWriter() = default;  // the threads are asked to stop and joined; blocks not written are dropped
-
-void OrderedWriter::work(const std::stop_token& stop) {
+void OrderedWriter::work(const std::stop_token& stop) try {
+    std::string bytes, scratch;
     while (true) {
         std::unique_lock lock(mutex_);
         if (!ready_.wait(lock, stop, [this] { return !waiting_.empty(); })) return;
-        auto task = std::move(waiting_.front());
+        Block block = std::move(waiting_.front());
         waiting_.pop_front();
+        const std::uint64_t number = begun_++;
         lock.unlock();
-        task();
+        bytes.clear();
+        block(bytes, scratch);
+        block = nullptr;  // and the rows it holds
+        lock.lock();
+        if (!turn_.wait(lock, stop, [&] { return written_ == number || failure_; }) || failure_) return;
+        lock.unlock();
+        file_.write(bytes);
+        lock.lock();
+        ++written_;
+        turn_.notify_all();
     }
+} catch (...) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) failure_ = std::current_exception();
+    turn_.notify_all();
 }
 
 void OrderedWriter::submit(Block block) {
-    std::packaged_task<std::string()> task(std::move(block));
-    under_way_.push_back(task.get_future());
-    {
-        const std::lock_guard lock(mutex_);
-        waiting_.push_back(std::move(task));
-    }
+    wait_for_at_most(most_blocks() - 1);
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(std::move(block));
+    ++submitted_;
     ready_.notify_one();
-    const auto oldest_is_made = [this] {
-        return under_way_.front().wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    };
-    const std::size_t most = 2 * threads_.size() + 1;
-    while (!under_way_.empty() && (under_way_.size() > most || oldest_is_made())) write_oldest();
+    if (threads_.size() < std::min<std::uint64_t>(most_threads_, submitted_ - written_))
+        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
 }
 
-void OrderedWriter::drain() {
-    while (!under_way_.empty()) write_oldest();
-}
+void OrderedWriter::drain() { wait_for_at_most(0); }
 
-void OrderedWriter::write_oldest() {
-    const std::string text = under_way_.front().get();
-    under_way_.pop_front();
-    file_.write(text);
+void OrderedWriter::wait_for_at_most(std::size_t blocks) {
+    std::unique_lock lock(mutex_);
+    turn_.wait(lock, [&] { return failure_ || submitted_ - written_ <= blocks; });
+    if (failure_) std::rethrow_exception(failure_);
 }
 
 }  // namespace steplab

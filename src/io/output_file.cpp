@@ -3,10 +3,13 @@
 #include "core/error.hpp"
 #include "io/interruption.hpp"
 
+#include <climits>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -83,6 +86,10 @@ OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
         target_ = resolved(name_);
         open_beside();
     }
+    struct stat status {};
+    const bool has_reader = fstat(descriptor_, &status) == 0 &&
+                            (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode) || isatty(descriptor_) != 0);
+    piece_ = has_reader ? PIPE_BUF : block_size;
 }
 
 OutputFile::~OutputFile() {
@@ -134,8 +141,8 @@ void OutputFile::flush() {
 
 void OutputFile::send(std::string_view bytes) {
     while (!bytes.empty()) {
-        if (temporary_.empty()) check_interruption();  // what reads there may sleep for ever
-        const ssize_t sent = ::write(descriptor_, bytes.data(), bytes.size());
+        if (temporary_.empty()) wait_for_reader();
+        const ssize_t sent = ::write(descriptor_, bytes.data(), std::min(bytes.size(), piece_));
         if (sent >= 0) {
             bytes.remove_prefix(static_cast<std::size_t>(sent));
         } else if (errno == EPIPE) {
@@ -144,6 +151,17 @@ void OutputFile::send(std::string_view bytes) {
             fail("write", errno);
         }
     }
+}
+
+/// Waits until a pipe or terminal takes a piece, and looks up now and then: who reads there may sleep for ever, and the
+/// signal that ends the program may come to another thread.
+void OutputFile::wait_for_reader() const {
+    constexpr int milliseconds = 50;
+    pollfd place{descriptor_, POLLOUT, 0};
+    do {
+        check_interruption();
+        if (!waits_) throw ReaderGone();
+    } while (poll(&place, 1, milliseconds) <= 0);
 }
 
 void OutputFile::commit() {

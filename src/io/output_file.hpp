@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -33,8 +34,11 @@ public:
     OutputFile& operator=(const OutputFile&) = delete;
 
     /// Writes all bytes, in blocks. Throws FileError (disk full ...) naming file and reason, ReaderGone for a closed
-    /// pipe.
+    /// pipe, Interrupted while it waits for a reader (on any thread).
     void write(std::string_view bytes);
+    /// From another thread, when nobody cares for the file any more: a write that waits for a reader ends as if that
+    /// had gone.
+    void stop_waiting() { waits_ = false; }
     /// Sends what is still held back to the system, so that the reader of a pipe or terminal sees it.
     void flush();
     /// The file is complete: it takes its place. Throws as write() does.
@@ -50,6 +54,7 @@ private:
     void open_beside();
     void open_directly(const std::string& path);
     void send(std::string_view bytes);
+    void wait_for_reader() const;
     [[noreturn]] void fail(std::string_view action, int error) const;
 
     std::string name_;
@@ -57,6 +62,8 @@ private:
     std::filesystem::path temporary_;  ///< the hidden file beside it, while there is one
     int descriptor_ = -1;
     bool owns_descriptor_ = false;
+    std::size_t piece_ = 0;  ///< the most bytes that one call of the system takes
+    std::atomic<bool> waits_ = true;
     std::string held_back_;
 };
 

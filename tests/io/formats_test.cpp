@@ -1,6 +1,5 @@
 #include "core/error.hpp"
 #include "io/files.hpp"
-#include "io/ordered_writer.hpp"
 #include "io/series.hpp"
 #include "io/summary.hpp"
 #include "io/trajectory.hpp"
@@ -36,9 +35,9 @@ std::string written(const Frame& frame, TrajectoryFormat format, std::vector<std
     const TemporaryFolder folder;
     OutputFile file(folder.file("a"));
     {
-        TrajectoryWriter writer(file, format, std::move(particles));
+        TrajectoryWriter writer(file, format, describe("chain"), std::move(particles));
         writer.add(frame);
-        writer.flush();
+        writer.finish();
     }
     file.commit();
     return text_of(folder.file("a"));
@@ -64,43 +63,13 @@ TEST(Trajectory, xyz_is_what_ovito_reads) {
 TEST(Trajectory, format_follows_the_ending) {
     EXPECT_EQ(trajectory_format_of("a.csv"), TrajectoryFormat::csv);
     EXPECT_EQ(trajectory_format_of("b/a.XYZ"), TrajectoryFormat::xyz);
+    EXPECT_EQ(trajectory_format_of("a.trajectory"), TrajectoryFormat::trajectory);
     EXPECT_EQ(trajectory_format_of("-"), TrajectoryFormat::csv);
     EXPECT_EQ(trajectory_format_of("/dev/null"), TrajectoryFormat::csv);
     for (const char* file : {"a", "a.", "a.txt", ".csv", "csv"})
         EXPECT_THROW(trajectory_format_of(file), UsageError) << file;
     EXPECT_EQ(trajectory_format("xyz"), TrajectoryFormat::xyz);
     EXPECT_THROW(trajectory_format("XYZ "), UsageError);
-}
-
-TEST(OrderedWriter, keeps_the_order_of_blocks_whatever_time_they_take) {
-    const TemporaryFolder folder;
-    OutputFile file(folder.file("a"));
-    std::string expected;
-    {
-        OrderedWriter writer(file);
-        for (int i = 0; i < 500; ++i) {
-            const std::string text = std::to_string(i) + ' ';
-            expected += text;
-            writer.submit([text, i] {
-                volatile double work = 0;  // the earlier of each seven take longer
-                for (int j = 0; j < 3000 * (7 - i % 7); ++j) work = work + j;
-                return text;
-            });
-        }
-        writer.drain();
-    }
-    file.commit();
-    EXPECT_EQ(text_of(folder.file("a")), expected);
-}
-
-TEST(OrderedWriter, passes_on_what_the_file_throws) {
-    OutputFile file("/dev/full");
-    OrderedWriter writer(file);
-    const auto write_all = [&] {
-        for (int i = 0; i < 100; ++i) writer.submit([] { return std::string(1000000, 'x'); });
-        writer.drain();
-    };
-    EXPECT_THROW(write_all(), FileError);
 }
 
 TEST(Series, line_has_a_field_for_each_name) {

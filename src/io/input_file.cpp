@@ -1,0 +1,56 @@
+#include "io/input_file.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
+    throw FileError(fmt::format("cannot read '{}': {}", name, reason));
+}
+
+std::string reason_of(int error) { return std::generic_category().message(error); }
+
+}  // namespace
+
+InputFile::InputFile(std::string name)
+    : name_(std::move(name)), descriptor_(open(name_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
+    if (descriptor_ < 0) refuse(name_, reason_of(errno));
+    struct stat status {};
+    const bool ordinary = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+    size_ = static_cast<std::uint64_t>(status.st_size);
+    if (ordinary) return;
+    close(descriptor_);
+    refuse(name_, S_ISDIR(status.st_mode) ? "it is a folder" : "it is not an ordinary file");
+}
+
+InputFile::~InputFile() { close(descriptor_); }
+
+std::string InputFile::read(std::uint64_t place, std::uint64_t bytes) const {
+    if (place >= size_) return {};
+    std::string text(std::min(bytes, size_ - place), '\0');
+    std::size_t done = 0;
+    while (done < text.size()) {
+        const ssize_t got =
+            pread(descriptor_, text.data() + done, text.size() - done, static_cast<off_t>(place + done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) refuse(name_, reason_of(errno));
+        if (got == 0) break;
+        done += static_cast<std::size_t>(got);
+    }
+    text.resize(done);
+    return text;
+}
+
+}  // namespace steplab

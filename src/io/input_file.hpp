@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace steplab {
+
+/// An ordinary file of which parts are read at any place.
+class InputFile {
+public:
+    /// Throws FileError if there is none, or it is a folder, a pipe or a device.
+    explicit InputFile(std::string name);
+    ~InputFile();
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+
+    const std::string& name() const { return name_; }
+    std::uint64_t size() const { return size_; }
+    /// The bytes from `place` on; fewer only where the file ends. Throws FileError.
+    std::string read(std::uint64_t place, std::uint64_t bytes) const;
+
+private:
+    std::string name_;
+    int descriptor_ = -1;
+    std::uint64_t size_ = 0;
+};
+
+}  // namespace steplab

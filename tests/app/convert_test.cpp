@@ -1,0 +1,90 @@
+#include "app/program.hpp"
+#include "io/files.hpp"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+
+namespace steplab {
+namespace {
+
+using testing::HasSubstr;
+
+class Convert : public testing::Test {
+protected:
+    /// The run's rows in a file of this ending.
+    std::string run_to(const std::string& ending) {
+        const std::string file = folder_.file("run." + ending);
+        const Outcome outcome = run_program({"run", "--model", "rope", "--steps", "40", "--every", "1", "--precision",
+                                             "float", "--particles", "1-4,9", "--out", file});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return file;
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Convert, gives_the_bytes_that_the_run_itself_writes) {
+    const std::string trajectory = run_to("trajectory");
+    for (const std::string ending : {"csv", "xyz", "trajectory"}) {
+        const std::string direct = text_of(run_to(ending));
+        const std::string file = folder_.file("converted." + ending);
+        const Outcome outcome = run_program({"convert", trajectory, "--out", file});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(text_of(file), direct);
+        EXPECT_EQ(run_program({"convert", trajectory, "--format", ending}).out, direct);
+    }
+}
+
+TEST_F(Convert, writes_what_there_is_of_a_file_cut_short_and_says_so) {
+    const std::string whole = text_of(run_to("trajectory"));
+    const std::string cut = folder_.file("cut.trajectory");
+    put_text(cut, whole.substr(0, whole.size() - 20));
+    const std::string file = folder_.file("cut.csv");
+    const Outcome outcome = run_program({"convert", cut, "--out", file});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("cut short or damaged after its first 41 frames"));
+    EXPECT_EQ(text_of(file), text_of(run_to("csv")));
+}
+
+TEST_F(Convert, refuses_what_it_cannot_read_or_write) {
+    const std::string trajectory = run_to("trajectory");
+    std::string damaged = text_of(trajectory);
+    damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
+    put_text(folder_.file("damaged.trajectory"), damaged);
+    const std::string out = folder_.file("out.csv");
+    for (const std::string& file : {folder_.file("damaged.trajectory"), folder_.file("missing"), run_to("csv")}) {
+        const Outcome outcome = run_program({"convert", file, "--out", out});
+        EXPECT_EQ(outcome.code, 3);
+        EXPECT_THAT(outcome.err, HasSubstr("cannot read '" + file + "'"));
+        EXPECT_FALSE(std::filesystem::exists(out));
+    }
+    EXPECT_EQ(run_program({"convert", trajectory}, {.standard_output = "/dev/full"}).code, 3);
+    EXPECT_EQ(run_program({"convert", trajectory, "--out", "/dev/full"}).code, 3);
+    EXPECT_EQ(run_program({"convert"}).code, 2);
+    EXPECT_EQ(run_program({"convert", trajectory, "--out", folder_.file("out.txt")}).code, 2);
+}
+
+TEST_F(Convert, full_disk_leaves_no_trajectory_behind) {
+    const std::string file = folder_.file("large.trajectory");
+    const Outcome outcome = run_program(
+        {"run", "--model", "morse", "--set", "edge=8", "--every", "1", "--steps", "99", "--dt", "0.01", "--out", file},
+        {.largest_file = 100000});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("cannot write '" + file + "'"));
+    EXPECT_TRUE(folder_.empty());
+}
+
+TEST_F(Convert, interrupted_run_keeps_a_trajectory_that_is_whole) {
+    const std::string file = folder_.file("a.trajectory");
+    RunningProgram run(
+        {"run", "--model", "chain", "--steps", "1e14", "--every", "1", "--out", file, "--series", "/dev/stdout"});
+    for (std::size_t read = 0; read < 1000000;) read += run.read_some().size();
+    run.send(SIGINT);
+    EXPECT_EQ(run.wait().code, 128 + SIGINT);
+    const Outcome outcome = run_program({"convert", file + ".partial", "--out", folder_.file("a.csv")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(text_of(folder_.file("a.csv")), HasSubstr("\n1000,100,0,"));
+}
+
+}  // namespace
+}  // namespace steplab
