@@ -10,7 +10,7 @@ if(STEPLAB_NATIVE)
   target_compile_options(steplab_processor INTERFACE -march=native)
 endif()
 
-# `-Wno-psabi`: how vector registers are handed over depends on the instruction set; all our code is compiled for one.
+# `-Wno-psabi`: how vector registers are handed over depends on the instruction set; none are between code of several.
 add_library(steplab_warnings INTERFACE)
 target_compile_options(steplab_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-psabi
                                                   $<$<BOOL:${STEPLAB_WERROR}>:-Werror>
@@ -96,20 +96,32 @@ function(steplab_method_class id class)
   set(${class} ${name} PARENT_SCOPE)
 endfunction()
 
-# steplab_catalogue(sources METHODS id... MODELS id...): the sources of a catalogue of these, written from their ids: the
-# lists and, per method, the translation unit that instantiates it.
+# Compiler flags of an instruction set.
+set(steplab_flags_of_baseline "")
+set(steplab_flags_of_avx2 -mavx2 -mbmi -mbmi2)
+set(steplab_flags_of_avx512 -mavx512f -mavx512vl -mavx512dq -mavx512bw -mbmi -mbmi2 -mprefer-vector-width=512)
+
+# steplab_catalogue(sources METHODS id... MODELS id... [INSTRUCTIONS set...]): the sources of a catalogue of these, written
+# from their ids, the steppers of its methods in each of the instruction sets (baseline alone) among them.
 function(steplab_catalogue sources)
-  cmake_parse_arguments(ARG "" "" "METHODS;MODELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "METHODS;MODELS;INSTRUCTIONS" ${ARGN})
+  if(NOT ARG_INSTRUCTIONS)
+    set(ARG_INSTRUCTIONS baseline)
+  endif()
   set(folder ${PROJECT_SOURCE_DIR}/src/sim)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
   set(written ${generated}/catalogue_entries.cpp)
+  set(steppers "")
   set(STEPLAB_METHOD_MAKERS "")
   set(STEPLAB_METHOD_ENTRIES "")
   foreach(id IN LISTS ARG_METHODS)
     steplab_method_class(${id} STEPLAB_CLASS)
     set(STEPLAB_METHOD ${id})
+    steplab_stepper_makers(${STEPLAB_CLASS} "${ARG_INSTRUCTIONS}")
     configure_file(${folder}/method.cpp.in ${generated}/method_${id}.cpp @ONLY)
+    configure_file(${folder}/stepper.cpp.in ${generated}/stepper_${id}.cpp @ONLY)
     list(APPEND written ${generated}/method_${id}.cpp)
+    list(APPEND steppers ${generated}/stepper_${id}.cpp)
     string(APPEND STEPLAB_METHOD_MAKERS "Method method_${STEPLAB_CLASS}();\n")
     string(APPEND STEPLAB_METHOD_ENTRIES "        method_${STEPLAB_CLASS}(),\n")
   endforeach()
@@ -121,5 +133,48 @@ function(steplab_catalogue sources)
     string(APPEND STEPLAB_MODEL_ENTRIES "        ${function}_model(),\n")
   endforeach()
   configure_file(${folder}/catalogue_entries.cpp.in ${generated}/catalogue_entries.cpp @ONLY)
+  list(APPEND written ${steppers})
+  list(REMOVE_ITEM ARG_INSTRUCTIONS baseline)
+  foreach(set IN LISTS ARG_INSTRUCTIONS)
+    steplab_steppers(${set} object ${steppers} ${folder}/kick_drift_steps.cpp)
+    list(APPEND written ${object})
+  endforeach()
   set(${sources} ${written} PARENT_SCOPE)
+endfunction()
+
+# What the entry of a method names: its maker in each instruction set, null where it was not compiled for it.
+function(steplab_stepper_makers class sets)
+  foreach(set IN ITEMS baseline avx2 avx512)
+    if(set IN_LIST sets)
+      string(APPEND declarations "namespace ${set} {\nstd::unique_ptr<Stepper> make_${class}(const StepperSetup&);\n}\n")
+      list(APPEND makers "${set}::make_${class}")
+    else()
+      list(APPEND makers nullptr)
+    endif()
+  endforeach()
+  list(JOIN makers ", " makers)
+  set(STEPLAB_STEPPER_DECLARATIONS ${declarations} PARENT_SCOPE)
+  set(STEPLAB_STEPPER_MAKERS ${makers} PARENT_SCOPE)
+endfunction()
+
+# One object file of these sources, compiled for an instruction set beyond the baseline. All it holds but the makers is
+# local to it: inline functions and templates that other files have too would else be taken from here for all of them,
+# and be run where the processor does not know such instructions.
+function(steplab_steppers set object)
+  set(target steplab_steppers_${set})
+  add_library(${target} OBJECT ${ARGN})
+  steplab_compile(${target} ANY_PROCESSOR)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE ${steplab_flags_of_${set}})
+  target_compile_definitions(${target} PRIVATE STEPLAB_INSTRUCTION_SET=${set})
+  target_link_libraries(${target} PRIVATE steplab_core steplab_methods steplab_models)
+  set(linked ${CMAKE_CURRENT_BINARY_DIR}/${target}.o)
+  string(LENGTH ${set} length)
+  add_custom_command(OUTPUT ${linked}
+                     COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${linked} $<TARGET_OBJECTS:${target}>
+                     COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=_ZN7steplab${length}${set}* ${linked}
+                     DEPENDS ${target} $<TARGET_OBJECTS:${target}>
+                     COMMENT "Linking the steppers for ${set}" COMMAND_EXPAND_LISTS VERBATIM)
+  set_source_files_properties(${linked} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+  set(${object} ${linked} PARENT_SCOPE)
 endfunction()

@@ -4,6 +4,8 @@
 #include "models/model.hpp"
 #include "sim/stepper.hpp"
 
+#include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,11 +17,16 @@ namespace steplab {
 /// A method: how it describes itself and how its integrator is made.
 struct Method {
     MethodInfo info;
-    std::unique_ptr<Stepper> (*make)(const StepperSetup&);
+    /// Its integrator for each of the instruction sets that were compiled, null for the others.
+    std::array<std::unique_ptr<Stepper> (*)(const StepperSetup&), 3> makers;
     /// Why the method cannot run scenes of this coupling, none if it can; null for methods that run any.
     std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
     /// Bytes it holds for a scene's interactions (so many pairs act on each other), no less than it needs; null: none.
     double (*bytes_of_interactions)(const Coupling&, double pairs) = nullptr;
+
+    std::unique_ptr<Stepper> make(const StepperSetup& setup) const {
+        return makers[static_cast<std::size_t>(setup.instructions)](setup);
+    }
 };
 
 /// All models and methods in the order of their lists (src/models/list.cmake, src/methods/list.cmake).

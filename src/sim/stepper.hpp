@@ -2,6 +2,7 @@
 
 #include "core/collision.hpp"
 #include "core/entry.hpp"
+#include "core/instructions.hpp"
 #include "core/precision.hpp"
 #include "models/model.hpp"
 
@@ -38,6 +39,7 @@ struct StepperSetup {
     const ParameterValues& parameters;
     Precision precision;
     double dt;
+    Instructions instructions = fastest_instructions();
 };
 
 }  // namespace steplab

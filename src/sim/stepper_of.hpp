@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/coupling.hpp"
 #include "core/elementwise.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
@@ -46,26 +45,6 @@ template <class Integrator>
 inline constexpr bool has_collisions = requires(const Integrator& integrator) {
     integrator.collisions();
 };
-
-/// The method's `refusal`, null if it runs every scene.
-template <class Method>
-constexpr auto refusal_of() -> std::optional<std::string> (*)(const Coupling&) {
-    if constexpr (requires(const Coupling& coupling) { Method::refusal(coupling); }) {
-        return &Method::refusal;
-    } else {
-        return nullptr;
-    }
-}
-
-/// The method's `bytes_of_interactions`, null if it holds nothing for them.
-template <class Method>
-constexpr auto bytes_of_interactions_of() -> double (*)(const Coupling&, double) {
-    if constexpr (requires(const Coupling& coupling) { Method::bytes_of_interactions(coupling, 0.0); }) {
-        return &Method::bytes_of_interactions;
-    } else {
-        return nullptr;
-    }
-}
 
 /// A method in one precision on one layout of forces.
 template <class Method, class T, class Force>
