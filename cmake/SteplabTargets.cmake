@@ -4,6 +4,8 @@
 # `-fno-trapping-math` change no result; without them sqrt and selected divisions are not vectorised.
 add_library(steplab_arithmetic INTERFACE)
 target_compile_options(steplab_arithmetic INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+# Eigen would fuse multiplications and additions by itself where the processor can.
+target_compile_definitions(steplab_arithmetic INTERFACE EIGEN_DONT_VECTORIZE)
 
 add_library(steplab_processor INTERFACE)
 if(STEPLAB_NATIVE)

@@ -41,6 +41,8 @@ public:
         time_.declare(app);
         text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
         output_.declare(app);
+        text_option(app, "--isa", isa_, "SET", "Instruction set: baseline, avx2, avx512 (default: the fastest here)")
+            ->group("Computing");
         app.footer([] { return std::string(examples) + catalogue_help(); });
     }
 
@@ -51,7 +53,7 @@ public:
         output_.check();
         catch_interruptions();
         RunOutputs outputs(output_, description);
-        Simulation simulation(description);
+        Simulation simulation(description, execution());
         try {
             const RunSummary summary = compute(simulation, every, outputs);
             outputs.commit(summary);
@@ -65,6 +67,12 @@ public:
     }
 
 private:
+    Execution execution() const {
+        Execution execution;
+        if (!isa_.empty()) execution.instructions = parse_instructions(isa_);
+        return execution;
+    }
+
     std::uint64_t parse_every() const {
         constexpr ParameterInfo info{.name = "--every",
                                      .kind = ParameterInfo::Kind::integer,
@@ -135,6 +143,7 @@ private:
     SceneOptions scene_;
     TimeOptions time_{1000};
     std::string every_;
+    std::string isa_;
     OutputOptions output_;
     std::uint64_t steps_ = 0;
 };

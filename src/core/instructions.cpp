@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+#ifndef STEPLAB_INSTRUCTIONS
+#define STEPLAB_INSTRUCTIONS Instructions::baseline
+#endif
+
 namespace steplab {
 
 namespace {

@@ -4,21 +4,22 @@
 
 namespace steplab {
 
-Segment::Segment(const RunDescription& given)
-    : description(given), held(as_held(given)), scene(model(held.model).scene(held.scene)), meter(scene) {
+Segment::Segment(const RunDescription& given, const Execution& how)
+    : description(given), held(as_held(given)), execution(how), scene(model(held.model).scene(held.scene)), meter(scene) {
     start(scene.start);
     scene.start = {};
 }
 
-Segment::Segment(const RunDescription& given, const State<double>& state)
-    : description(given), held(as_held(given)), scene(model(held.model).scene(held.scene)), meter(scene) {
+Segment::Segment(const RunDescription& given, const Execution& how, const State<double>& state)
+    : description(given), held(as_held(given)), execution(how), scene(model(held.model).scene(held.scene)), meter(scene) {
     start(state);
     scene.start = {};
 }
 
 void Segment::start(const State<double>& state) {
     const FlushSubnormals flush;
-    stepper = method(held.method).make({scene, state, held.method_parameters, held.precision, held.dt});
+    stepper = method(held.method).make({scene, state, held.method_parameters, held.precision, held.dt,
+                                     execution.instructions});
 }
 
 const std::optional<StabilityLimit>& Segment::limit() const {

@@ -2,6 +2,7 @@
 
 #include "sim/catalogue.hpp"
 #include "sim/energy.hpp"
+#include "sim/execution.hpp"
 #include "sim/run_description.hpp"
 
 #include <memory>
@@ -13,14 +14,15 @@ namespace steplab {
 struct Segment {
     RunDescription description;  ///< as given
     RunDescription held;         ///< with dt and parameters as the precision holds them
+    Execution execution;
     Scene scene;
     EnergyMeter meter;
     std::unique_ptr<Stepper> stepper;
 
     /// Begins at the scene's own start. Throws UsageError if the description cannot be run.
-    explicit Segment(const RunDescription& description);
+    Segment(const RunDescription& description, const Execution& execution);
     /// Begins at a synchronised state.
-    Segment(const RunDescription& description, const State<double>& state);
+    Segment(const RunDescription& description, const Execution& execution, const State<double>& state);
 
     /// stability_limit() of the held description; computed when first asked for.
     const std::optional<StabilityLimit>& limit() const;

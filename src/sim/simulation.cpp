@@ -54,7 +54,7 @@ struct Simulation::Body : Course {
     std::uint64_t kept_step = 0;
     std::optional<Divergence> divergence;
 
-    explicit Body(const RunDescription& description) : segment(description) {
+    Body(const RunDescription& description, const Execution& execution) : segment(description, execution) {
         const FlushSubnormals flush;
         exact = model(segment.held.model).exact(segment.held.scene);
         baseline = energy();
@@ -171,7 +171,7 @@ void Simulation::Body::diverged() {
 /// Begins a new segment at the synchronised state.
 void Simulation::Body::go_on(const RunDescription& description, bool energy_changed) {
     const FlushSubnormals flush;
-    Segment next(description, state());
+    Segment next(description, segment.execution, state());
     evaluations_before += segment.stepper->evaluations();
     segment_time = time_at(step);
     segment_step = step;
@@ -195,7 +195,8 @@ void Simulation::Body::pull(std::size_t particle, Vec3 displacement) {
     go_on(RunDescription(segment.description), true);
 }
 
-Simulation::Simulation(RunDescription description) : body_(std::make_unique<Body>(description)) {}
+Simulation::Simulation(const RunDescription& description, const Execution& execution)
+    : body_(std::make_unique<Body>(description, execution)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
@@ -286,7 +287,7 @@ Change Simulation::change(const RunDescription& description) {
     if (!continues(now, description) || step() == 0) {
         const Change change = continues(now, description) ? Change::continued : Change::restarted;
         const std::uint64_t number = body_->segment_number;
-        body_ = std::make_unique<Body>(description);
+        body_ = std::make_unique<Body>(description, body_->segment.execution);
         body_->segment_number = number + 1;
         return change;
     }
@@ -301,7 +302,7 @@ void Simulation::pull(std::size_t particle, Vec3 position) {
 
 void Simulation::restart() {
     const std::uint64_t number = body_->segment_number;
-    body_ = std::make_unique<Body>(RunDescription(description()));
+    body_ = std::make_unique<Body>(RunDescription(description()), Execution(body_->segment.execution));
     body_->segment_number = number + 1;
 }
 
@@ -323,7 +324,7 @@ Simulation::Snapshot Simulation::save() const {
 void Simulation::restore(const Snapshot& snapshot) {
     const FlushSubnormals flush;
     const Snapshot::Content& content = *snapshot.content_;
-    if (content.course.segment_number != segment()) body_->segment = Segment(content.description);
+    if (content.course.segment_number != segment()) body_->segment = Segment(content.description, Execution(body_->segment.execution));
     static_cast<Course&>(*body_) = content.course;
     body_->segment.stepper->restore(content.internal);
     body_->divergence.reset();

@@ -2,6 +2,7 @@
 
 #include "core/diagnostics.hpp"
 #include "core/frame.hpp"
+#include "sim/execution.hpp"
 #include "sim/run_description.hpp"
 #include "sim/stepper.hpp"
 
@@ -31,7 +32,7 @@ enum class Change { none, continued, restarted };
 class Simulation {
 public:
     /// Throws UsageError if the description cannot be run (see check()).
-    explicit Simulation(RunDescription description);
+    explicit Simulation(const RunDescription& description, const Execution& execution = {});
     ~Simulation();
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
