@@ -20,7 +20,7 @@ struct Segment {
     std::unique_ptr<Stepper> stepper;
 
     /// Begins at the scene's own start. Throws UsageError if the description cannot be run.
-    Segment(const RunDescription& description, const Execution& execution);
+    explicit Segment(const RunDescription& description, const Execution& execution = {});
     /// Begins at a synchronised state.
     Segment(const RunDescription& description, const Execution& execution, const State<double>& state);
 
