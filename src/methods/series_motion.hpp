@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/lanes.hpp"
 #include "core/power.hpp"
+#include "core/root.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,21 @@ T largest_component(const Field<T>& field, std::size_t axes) {
     for (std::size_t lane = 0; lane < N::count; ++lane) result = std::max(result, most[lane]);
     for (std::size_t lane = 0; lane < N::count; ++lane) result += invalid[lane];
     return result;
+}
+
+/// A time in which no term of the series, whose unit of time this is, moves anything by more than rounding; 0 if that
+/// is less than `least`. (Near rest velocities alone would allow times in which the further terms, noise as they are,
+/// grow.)
+template <class T>
+T time_of_rounding(std::span<const Field<T>> x, T unit, T least, std::size_t axes) {
+    const T rounding = std::numeric_limits<T>::epsilon() * (T(1) + largest_component(x[0], axes));
+    T time = std::numeric_limits<T>::infinity();
+    for (std::size_t k = 1; k < x.size(); ++k) {
+        const T largest = largest_component(x[k], axes);
+        if (largest > T(0)) time = std::min(time, unit * root(rounding / largest, static_cast<int>(k)));
+        if (!(time > least)) return T(0);
+    }
+    return std::isfinite(time) ? time : T(0);
 }
 
 namespace detail {

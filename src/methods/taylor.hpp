@@ -91,8 +91,9 @@ public:
         while (target - progress_.begin - progress_.begin_lost > static_cast<Time>(progress_.length)) {
             advance(system);
             expand(system);
-            const T least = std::max(static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon())), shortest());
-            if (!(progress_.length > least)) set_length(least);
+            lengthen(static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon())));
+            // nothing moves by more than rounding: steps need not be shorter, nor can they
+            lengthen(time_of_rounding(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_.axes()));
         }
     }
 
@@ -145,12 +146,8 @@ private:
     }
     static constexpr double order_per_digit = 0.6;
 
-    /// A time in which nothing moves by more than rounding: steps need not be shorter, nor can they.
-    T shortest() const {
-        const T fastest = largest_component(v_, forces_.axes());
-        return fastest > T(0)
-                   ? std::numeric_limits<T>::epsilon() * (T(1) + largest_component(x_[0], forces_.axes())) / fastest
-                   : T(0);
+    void lengthen(T least) {
+        if (!(progress_.length > least)) set_length(least);
     }
 
     template <class System>

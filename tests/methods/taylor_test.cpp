@@ -277,5 +277,18 @@ TEST(Taylor, refuses_more_pairs_than_memory_holds) {
     }
 }
 
+// What is left of the motion is noise: steps as long as its velocities allow would let the high terms of the series
+// grow, to metres within 10^4 frames. 2e-6 is four ulps of the position.
+TEST(Taylor, in_float_rests_where_drag_has_ended_the_motion) {
+    for (const double drag : {2.8, 2.9, 3.0, 3.1, 3.2}) {
+        Simulation simulation(run_of("rope", "taylor", Precision::float_, 0.01, {{"c", drag}}));
+        simulation.advance(10000);
+        for (int look = 0; look < 100; ++look) {
+            simulation.advance(100);
+            EXPECT_NEAR(simulation.frame().positions[9].y, -6.70725, 2e-6) << drag << " " << simulation.time();
+        }
+    }
+}
+
 }  // namespace
 }  // namespace steplab::test
