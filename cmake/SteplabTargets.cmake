@@ -7,11 +7,6 @@ target_compile_options(steplab_arithmetic INTERFACE -ffp-contract=off -fno-math-
 # Eigen would fuse multiplications and additions by itself where the processor can.
 target_compile_definitions(steplab_arithmetic INTERFACE EIGEN_DONT_VECTORIZE)
 
-add_library(steplab_processor INTERFACE)
-if(STEPLAB_NATIVE)
-  target_compile_options(steplab_processor INTERFACE -march=native)
-endif()
-
 # `-Wno-psabi`: how vector registers are handed over depends on the instruction set; none are between code of several.
 add_library(steplab_warnings INTERFACE)
 target_compile_options(steplab_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-psabi
@@ -30,16 +25,11 @@ if(STEPLAB_COVERAGE)
   target_link_options(steplab_instruments INTERFACE --coverage)
 endif()
 
-# steplab_compile(target [ANY_PROCESSOR]): ANY_PROCESSOR leaves out what only this machine's processor may know.
 function(steplab_compile target)
-  cmake_parse_arguments(ARG "ANY_PROCESSOR" "" "" ${ARGN})
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(${target} PRIVATE steplab_arithmetic steplab_warnings steplab_instruments)
-  if(NOT ARG_ANY_PROCESSOR)
-    target_link_libraries(${target} PRIVATE steplab_processor)
-  endif()
 endfunction()
 
 # steplab_library(folder [LINK target...]): the static library steplab_<folder> of all sources in the current folder.
@@ -98,18 +88,27 @@ function(steplab_method_class id class)
   set(${class} ${name} PARENT_SCOPE)
 endfunction()
 
-# Compiler flags of an instruction set.
-set(steplab_flags_of_baseline "")
-set(steplab_flags_of_avx2 -mavx2 -mbmi -mbmi2)
+# Compiler flags of an instruction set. By itself g++ 12 moves the registers of AVX2 in halves, and each is waited for
+# where it is read as a whole.
+set(steplab_flags_of_avx2 -mavx2 -mbmi -mbmi2
+                          "$<$<CXX_COMPILER_ID:GNU>:-mmove-max=256;-mstore-max=256>")
 set(steplab_flags_of_avx512 -mavx512f -mavx512vl -mavx512dq -mavx512bw -mbmi -mbmi2 -mprefer-vector-width=512)
 
+# The further instruction sets that this kind of processor can have.
+set(steplab_instruction_sets "")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(steplab_instruction_sets ${STEPLAB_INSTRUCTION_SETS})
+endif()
+foreach(set IN LISTS steplab_instruction_sets)
+  if(NOT DEFINED steplab_flags_of_${set})
+    message(FATAL_ERROR "STEPLAB_INSTRUCTION_SETS names '${set}'; known are avx2 and avx512")
+  endif()
+endforeach()
+
 # steplab_catalogue(sources METHODS id... MODELS id... [INSTRUCTIONS set...]): the sources of a catalogue of these, written
-# from their ids, the steppers of its methods in each of the instruction sets (baseline alone) among them.
+# from their ids, the steppers of its methods in the baseline and each of the instruction sets among them.
 function(steplab_catalogue sources)
   cmake_parse_arguments(ARG "" "" "METHODS;MODELS;INSTRUCTIONS" ${ARGN})
-  if(NOT ARG_INSTRUCTIONS)
-    set(ARG_INSTRUCTIONS baseline)
-  endif()
   set(folder ${PROJECT_SOURCE_DIR}/src/sim)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
   set(written ${generated}/catalogue_entries.cpp)
@@ -136,7 +135,6 @@ function(steplab_catalogue sources)
   endforeach()
   configure_file(${folder}/catalogue_entries.cpp.in ${generated}/catalogue_entries.cpp @ONLY)
   list(APPEND written ${steppers})
-  list(REMOVE_ITEM ARG_INSTRUCTIONS baseline)
   foreach(set IN LISTS ARG_INSTRUCTIONS)
     steplab_steppers(${set} object ${steppers} ${folder}/kick_drift_steps.cpp)
     list(APPEND written ${object})
@@ -147,7 +145,7 @@ endfunction()
 # What the entry of a method names: its maker in each instruction set, null where it was not compiled for it.
 function(steplab_stepper_makers class sets)
   foreach(set IN ITEMS baseline avx2 avx512)
-    if(set IN_LIST sets)
+    if(set STREQUAL baseline OR set IN_LIST sets)
       string(APPEND declarations "namespace ${set} {\nstd::unique_ptr<Stepper> make_${class}(const StepperSetup&);\n}\n")
       list(APPEND makers "${set}::make_${class}")
     else()
@@ -165,7 +163,7 @@ endfunction()
 function(steplab_steppers set object)
   set(target steplab_steppers_${set})
   add_library(${target} OBJECT ${ARGN})
-  steplab_compile(${target} ANY_PROCESSOR)
+  steplab_compile(${target})
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   # unique symbols cannot be made local
   target_compile_options(${target} PRIVATE ${steplab_flags_of_${set}} $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)

@@ -87,9 +87,9 @@ processor() {
         }' /proc/cpuinfo
 }
 
-# flags_of_steps: what the benchmark was compiled with, without folders and warnings.
+# flags_of_steps: what the peers were compiled with, without folders and warnings.
 flags_of_steps() {
-    ninja -C "$root/build/release" -t commands benchmarks/steps | grep -m1 'steps\.cpp\.o -c' | tr ' ' '\n' |
+    ninja -C "$root/build/release" -t commands benchmarks/steps | grep -m1 'peers_double\.cpp\.o -c' | tr ' ' '\n' |
         grep -E '^-(O|m|f|std)' | paste -sd ' '
 }
 

@@ -41,7 +41,8 @@ public:
         time_.declare(app);
         text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
         output_.declare(app);
-        text_option(app, "--isa", isa_, "SET", "Instruction set: baseline, avx2, avx512 (default: the fastest here)")
+        text_option(app, "--isa", isa_, "SET",
+                    "Instruction set of the processor (default: the fastest; no result depends on it)")
             ->group("Computing");
         app.footer([] { return std::string(examples) + catalogue_help(); });
     }

@@ -32,9 +32,8 @@ constexpr ParameterInfo steps_info{.name = "--steps",
 }  // namespace
 
 Precision precision_of(std::string_view text) {
+    if (const auto precision = parse_precision(text)) return *precision;
     constexpr std::array known{id(Precision::float_), id(Precision::double_)};
-    if (text == known[0]) return Precision::float_;
-    if (text == known[1]) return Precision::double_;
     throw UsageError(unknown_word("precision", text, known));
 }
 

@@ -19,8 +19,7 @@ namespace {
 // The features are those of the flags that cmake/SteplabTargets.cmake compiles with.
 bool processor_has(Instructions instructions) {
 #if defined(__x86_64__)
-    const bool avx2 =
-        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
     if (instructions == Instructions::avx2) return avx2;
     if (instructions == Instructions::avx512)
         return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
@@ -57,7 +56,7 @@ Instructions parse_instructions(std::string_view text) {
         if (id(instructions) == text) return instructions;
         known += (known.empty() ? "" : ", ") + std::string(id(instructions));
     }
-    throw UsageError(fmt::format("unknown instructions '{}' (this processor and program have: {})", text, known));
+    throw UsageError(fmt::format("unknown instruction set '{}' (this processor and program have {})", text, known));
 }
 
 }  // namespace steplab

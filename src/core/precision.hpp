@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 namespace steplab {
@@ -8,6 +9,14 @@ namespace steplab {
 enum class Precision { float_, double_ };
 
 constexpr std::string_view id(Precision precision) { return precision == Precision::float_ ? "float" : "double"; }
+
+/// The precision of an id, none if it is not one.
+constexpr std::optional<Precision> parse_precision(std::string_view text) {
+    for (const Precision precision : {Precision::float_, Precision::double_}) {
+        if (text == id(precision)) return precision;
+    }
+    return std::nullopt;
+}
 
 /// The number a run of this precision holds for `value`: unchanged in double, the nearest float in float.
 /// A value too large for float becomes infinite.

@@ -84,10 +84,7 @@ Role role_of(std::string_view name) {
 }
 
 Precision precision_of(const Json& run) {
-    const std::string name = run.at("precision");
-    for (const Precision precision : {Precision::float_, Precision::double_}) {
-        if (id(precision) == name) return precision;
-    }
+    if (const auto precision = parse_precision(run.at("precision").get<std::string>())) return *precision;
     throw std::runtime_error("no precision");
 }
 

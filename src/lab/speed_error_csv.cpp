@@ -98,13 +98,6 @@ std::string speed_error_csv(std::span<const Measurement> measurements) {
     return text;
 }
 
-std::optional<Precision> parse_precision(std::string_view text) {
-    for (const Precision precision : {Precision::float_, Precision::double_}) {
-        if (text == id(precision)) return precision;
-    }
-    return std::nullopt;
-}
-
 std::vector<Measurement> parse_speed_error_csv(std::string_view text) {
     std::vector<Measurement> measurements;
     for (const std::string_view line : split(text, '\n')) {

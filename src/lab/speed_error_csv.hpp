@@ -2,7 +2,6 @@
 
 #include "lab/measurement.hpp"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,9 +16,6 @@ extern const char* const speed_error_header;
 /// has no value for stays empty; tolerance is empty for methods of fixed steps; settings are the parameters that are
 /// not at their defaults, "L=3 v0=1".
 std::string speed_error_csv(std::span<const Measurement> measurements);
-
-/// The precision of this id; none if it is no id of one.
-std::optional<Precision> parse_precision(std::string_view text);
 
 /// Reads them back. Throws FileError naming the line that is not of this form.
 std::vector<Measurement> parse_speed_error_csv(std::string_view text);

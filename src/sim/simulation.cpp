@@ -324,7 +324,8 @@ Simulation::Snapshot Simulation::save() const {
 void Simulation::restore(const Snapshot& snapshot) {
     const FlushSubnormals flush;
     const Snapshot::Content& content = *snapshot.content_;
-    if (content.course.segment_number != segment()) body_->segment = Segment(content.description, Execution(body_->segment.execution));
+    if (content.course.segment_number != segment())
+        body_->segment = Segment(content.description, Execution(body_->segment.execution));
     static_cast<Course&>(*body_) = content.course;
     body_->segment.stepper->restore(content.internal);
     body_->divergence.reset();

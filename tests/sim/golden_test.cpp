@@ -11,10 +11,10 @@ namespace steplab::test {
 namespace {
 
 /// "model method precision" -> hash after 300 steps, for the whole catalogue in small variations.
-std::map<std::string, std::string> computed_hashes() {
+std::map<std::string, std::string> computed_hashes(const Execution& execution) {
     std::map<std::string, std::string> hashes;
-    const auto add = [&](const std::string& name, RunDescription description) {
-        Simulation simulation(std::move(description));
+    const auto add = [&](const std::string& name, const RunDescription& description) {
+        Simulation simulation(description, execution);
         simulation.advance(300);
         hashes[name] = simulation.hash();
     };
@@ -43,10 +43,12 @@ std::map<std::string, std::string> golden_hashes() {
     return hashes;
 }
 
-// The same bits from every compiler, level of optimisation and width of registers: the continuous checks run this test
-// with g++ and clang++, with and without optimisation, for this machine and for any.
-TEST(GoldenHashes, are_those_of_every_compiler) {
-    const auto computed = computed_hashes(), golden = golden_hashes();
+// The same bits from every compiler, level of optimisation and instruction set: the continuous checks run this test
+// with g++ and clang++, with and without optimisation.
+class GoldenHashes : public testing::TestWithParam<Instructions> {};
+
+TEST_P(GoldenHashes, are_those_of_every_compiler) {
+    const auto computed = computed_hashes({.instructions = GetParam()}), golden = golden_hashes();
     EXPECT_EQ(computed.size(), golden.size());
     bool all_equal = true;
     for (const auto& [run, hash] : computed) {
@@ -61,9 +63,12 @@ TEST(GoldenHashes, are_those_of_every_compiler) {
     ADD_FAILURE() << "what was computed is in " << path << "; if the change is meant, copy it to assets/golden/";
 }
 
+INSTANTIATE_TEST_SUITE_P(With, GoldenHashes, testing::ValuesIn(instructions_here().begin(), instructions_here().end()),
+                         [](const auto& instance) { return std::string(id(instance.param)); });
+
 // But in free fall, where several methods are exact, and where there is no drag, without which velocity-verlet takes
 // the very steps of verlet.
-TEST(GoldenHashes, tell_every_run_from_every_other) {
+TEST(Hashes, tell_every_run_from_every_other) {
     std::map<std::string, std::string> runs;
     const std::map<std::string, std::string> golden = golden_hashes();
     for (const auto& [run, hash] : golden) {
