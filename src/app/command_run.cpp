@@ -91,18 +91,16 @@ private:
         Pacer pacer(steps_);
         const auto begin = Clock::now();
         RunSummary summary;
-        Diagnostics now = simulation.diagnostics();
-        summary.energy_start = now.energy;
-        outputs.record(simulation, now);
+        summary.energy_start = simulation.energy();
+        outputs.record(simulation);
         for (std::uint64_t recorded = 0; recorded < steps_ && !simulation.divergence();) {
             pacer.advance(simulation, std::min(steps_, recorded + every), progress);
             if (simulation.step() == recorded) break;  // no step more was good
             recorded = simulation.step();
-            now = simulation.diagnostics();
-            summary.energy_error = std::max(summary.energy_error, std::abs(now.energy_error));
-            outputs.record(simulation, now);
+            summary.energy_error = std::max(summary.energy_error, std::abs(simulation.energy_error()));
+            outputs.record(simulation);
         }
-        summary.energy_end = now.energy;
+        summary.energy_end = simulation.energy();
         summary.wall_seconds = seconds_since(begin);
         describe(simulation, summary);
         return summary;

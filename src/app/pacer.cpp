@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 namespace steplab {
 
@@ -21,11 +22,12 @@ void Pacer::advance(Simulation& simulation, std::uint64_t target, Progress& prog
 void Pacer::make_sure(Simulation& simulation, std::uint64_t target, Progress& progress) {
     const std::uint64_t interval = simulation.check_interval();
     const std::uint64_t next_check = std::min(end_, target - target % interval + interval);
-    const auto here = simulation.save();
+    std::optional<Simulation::Snapshot> here;
+    if (next_check > target) here = simulation.save();
     walk(simulation, next_check, progress);
     if (next_check == end_) simulation.conclude();
     sure_until_ = simulation.step();
-    if (sure_until_ > target) simulation.restore(here);
+    if (here && sure_until_ > target) simulation.restore(*here);
 }
 
 void Pacer::walk(Simulation& simulation, std::uint64_t target, Progress& progress) {

@@ -69,8 +69,8 @@ RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& descr
     if (!options.summary.empty()) summary_file_.emplace(options.summary);
 }
 
-void RunOutputs::record(const Simulation& simulation, const Diagnostics& diagnostics) {
-    if (series_) series_->add(simulation.step(), simulation.time(), diagnostics);
+void RunOutputs::record(const Simulation& simulation) {
+    if (series_) series_->add(simulation.step(), simulation.time(), simulation.diagnostics());
     if (!rows_) return;
     simulation.frame(frame_);
     rows_->add(frame_);

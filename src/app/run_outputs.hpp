@@ -41,7 +41,7 @@ public:
     RunOutputs(const OutputOptions& options, const RunDescription& description);
 
     /// Writes the rows of this moment. Nobody asked for any: nothing.
-    void record(const Simulation& simulation, const Diagnostics& diagnostics);
+    void record(const Simulation& simulation);
     /// All rows are there: the files take their places, the summary last.
     void commit(const RunSummary& summary);
     /// The run was interrupted: what there is of the rows stays under other names, which are returned.

@@ -75,7 +75,7 @@ std::string energy_cell(const Trial& trial, const Method& method, double scale, 
     Simulation simulation = trial.with(method.info.id);
     double worst = 0;
     const bool whole = watched(simulation, trial.steps(), 64, [&](Simulation& s) {
-        worst = std::max(worst, std::abs(s.diagnostics().energy_error) / scale);
+        worst = std::max(worst, std::abs(s.energy_error()) / scale);
     });
     return whole ? number_cell(worst, least) : divergence_cell(simulation);
 }
@@ -106,7 +106,7 @@ std::vector<Curve> energy_curves_of(const Trial& trial, std::span<const std::str
     for (const std::string_view method : methods) {
         double worst = 0;
         const auto largest_so_far = [&](const Simulation& simulation) {
-            return worst = std::max(worst, std::abs(simulation.diagnostics().energy_error) / scale);
+            return worst = std::max(worst, std::abs(simulation.energy_error()) / scale);
         };
         curves.push_back(curve_over_time(trial, method, static_cast<int>(curves.size()), largest_so_far));
     }

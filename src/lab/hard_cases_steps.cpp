@@ -125,7 +125,7 @@ Column change_column(std::string head, Changes changes) {
                 double worst = 0;
                 bool diverged = false;
                 swing(method.info.id, changes, [&](Simulation& simulation) {
-                    worst = std::max(worst, 2 * std::abs(simulation.diagnostics().energy_error));
+                    worst = std::max(worst, 2 * std::abs(simulation.energy_error()));
                     diverged = simulation.divergence().has_value();
                 });
                 return diverged || worst > 1e12 ? "blows up" : number_cell(worst);
@@ -153,7 +153,7 @@ Figure change_figure() {
             double worst = 0;
             int looks = 0;
             swing(id, changes, [&](Simulation& simulation) {
-                worst = std::max(worst, 2 * std::abs(simulation.diagnostics().energy_error));
+                worst = std::max(worst, 2 * std::abs(simulation.energy_error()));
                 if (looks++ % 4 == 0) curve.points.emplace_back(simulation.time() / (4 * quarter), worst);
             });
             figure.curves.push_back(std::move(curve));

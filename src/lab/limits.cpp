@@ -204,7 +204,7 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
                       linearised_.field(modes_.vectors.col(first.mode)), first.omega, size, departure());
     const Above above = just_above(method, held.method_parameters, first.omega, scene_.drag, first.limit);
     const std::uint64_t steps =
-        steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count());
+        steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count);
     limit.measured = Search(run, above, steps).limit(first.limit);
     if (!agree(first.limit, *limit.measured))
         limit.note = disagreement(run, held.precision, first.limit, *limit.measured);

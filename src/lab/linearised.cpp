@@ -83,7 +83,7 @@ Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size) {
 }
 
 LinearisedScene::LinearisedScene(const Scene& scene, const Shape& shape)
-    : start_(scene.start.displacement),
+    : start_(scene.start.state().displacement),
       accelerations_(std::visit(
           [](const auto& forces) -> decltype(accelerations_) {
               return [force = engine<Number>(forces)](const Field<Number>& x, Field<Number>& a) mutable {

@@ -32,7 +32,7 @@ public:
     /// The tangent begins in a direction without any symmetry. Distances of positions count `rate` times, so that they
     /// and those of velocities have one unit.
     TangentRun(const Scene& scene, const LinearisedScene& linear, double rate)
-        : rate_(rate), state_{converted<Number>(scene.start.displacement), converted<Number>(scene.start.velocity)} {
+        : rate_(rate), state_(scene.start.state<Number>()) {
         Eigen::VectorXd direction(linear.size());
         for (Eigen::Index k = 0; k < direction.size(); ++k) direction[k] = std::sin(static_cast<double>(k + 1));
         const Field<double> moved = linear.field(direction);

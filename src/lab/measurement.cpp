@@ -28,7 +28,7 @@ Measurement measure(const RunDescription& run, std::uint64_t steps, const Refere
     for (std::uint64_t look = 1; look <= looks && !simulation.divergence(); ++look) {
         at_look();
         simulation.advance(steps * look / looks - simulation.step());
-        measurement.energy_error = std::max(measurement.energy_error, std::abs(simulation.diagnostics().energy_error));
+        measurement.energy_error = std::max(measurement.energy_error, std::abs(simulation.energy_error()));
     }
     simulation.conclude();
     measurement.evaluations = simulation.evaluations();

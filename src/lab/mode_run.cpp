@@ -49,7 +49,8 @@ struct Balancer {
 }  // namespace
 
 Scene balanced(Scene scene) {
-    std::visit(Balancer{scene.start.displacement}, scene.forces);
+    const Field<double> start = scene.start.state().displacement;
+    std::visit(Balancer{start}, scene.forces);
     return scene;
 }
 
@@ -66,6 +67,7 @@ ModeRun::ModeRun(const Method& method, const ParameterValues& parameters, Precis
       parameters_(parameters),
       precision_(precision),
       scene_(scene),
+      start_(scene.start.state().displacement),
       shape_(shape),
       omega_(omega),
       rate_(std::max(omega, scene.drag)),
@@ -78,7 +80,7 @@ ModeRun::ModeRun(const Method& method, const ParameterValues& parameters, Precis
 template <class Look>
 double ModeRun::take(Motion& motion, double dt, std::uint64_t steps, Look look) const {
     const double before = motion.size(rate_), norm = dot(shape_, shape_);
-    const Field<double>& start = scene_.start.displacement;
+    const Field<double>& start = start_;
     State<double> state{start, Field<double>(start.count())};
     for (std::size_t k = 0; k < shape_.flat().size(); ++k) {
         state.displacement.flat()[k] += motion.x / before * shape_.flat()[k];
@@ -116,10 +118,10 @@ bool ModeRun::grows(double dt, std::uint64_t steps, double allowed) const {
 }
 
 double ModeRun::nonlinearity() const {
-    Field<double> x = scene_.start.displacement;
+    Field<double> x = start_;
     for (std::size_t k = 0; k < shape_.flat().size(); ++k) x.flat()[k] += shape_.flat()[k];
     const Field<double> there = accelerations(scene_.forces, x);
-    const Field<double> here = accelerations(scene_.forces, scene_.start.displacement);
+    const Field<double> here = accelerations(scene_.forces, start_);
     double difference = 0;
     for (std::size_t k = 0; k < shape_.flat().size(); ++k) {
         const double rest = there.flat()[k] - here.flat()[k] + omega_ * omega_ * shape_.flat()[k];

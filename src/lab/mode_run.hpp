@@ -39,6 +39,7 @@ private:
     ParameterValues parameters_;
     Precision precision_;
     const Scene& scene_;
+    Field<double> start_;  ///< displacements of the scene's start
     Field<double> shape_;  ///< largest displacement `size`
     double omega_, rate_, departure_;
 };

@@ -108,7 +108,7 @@ ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const do
                     const Watch& watch) {
     using Force = decltype(engine<Real>(forces));
     ReferenceRun run;
-    State<Real> state{converted<Real>(scene.start.displacement), converted<Real>(scene.start.velocity)};
+    State<Real> state = scene.start.state<Real>();
     double now = 0;
     for (const double time : times) {
         const Real stretch = static_cast<Real>(time) - now;

@@ -51,7 +51,7 @@ Curve energy_curve(const Measurement& run) {
     for (std::uint64_t i = 1; i <= looks; ++i) {
         check_interruption();
         simulation.advance(run.steps * i / looks - simulation.step());
-        largest = std::max(largest, std::abs(simulation.diagnostics().energy_error));
+        largest = std::max(largest, std::abs(simulation.energy_error()));
         if (i % looks_a_span != 0) continue;
         curve.points.emplace_back(simulation.time(), largest);
         largest = 0;

@@ -35,8 +35,11 @@ template <class T>
 class KickDriftSteps {
 public:
     KickDriftSteps() = default;
-    KickDriftSteps(KickDriftStep<T> step, const State<T>& state, bool compensated)
-        : step_(std::move(step)), x_(state.displacement), v_(state.velocity), lost_(compensated, x_.count()) {}
+    KickDriftSteps(KickDriftStep<T> step, State<T> state, bool compensated)
+        : step_(std::move(step)),
+          x_(std::move(state.displacement)),
+          v_(std::move(state.velocity)),
+          lost_(compensated, x_.count()) {}
 
     /// Defined below, so that one translation unit can instantiate it for all methods.
     template <class System>
@@ -44,17 +47,27 @@ public:
 
     template <class System>
     void synchronised(const System& system, State<T>& out) const {
-        out.displacement = x_;
-        out.velocity = v_;
-        if (progress_.fresh) return;
-        Lost<T> lost = lost_;
-        if (step_.rest.gain != T(0)) {
-            const FieldLanes<T> velocity(out.velocity);
+        if (out.velocity.count() != x_.count()) out = {Field<T>(x_.count()), Field<T>(x_.count())};
+        const FieldLanes<T> displacement(out.displacement), velocity(out.velocity);
+        look(system, [&](std::size_t r, const Vector<N>& at, const Vector<N>& moving) {
+            displacement.set(r, at);
+            velocity.set(r, moving);
+        });
+    }
+
+    /// Calls sink(r, x, v) with displacements and velocities of one time for every register r of particles in turn.
+    template <class System, class Sink>
+    void look(const System& system, Sink sink) const {
+        const FieldLanes<const T> position(x_), velocity(v_);
+        if (progress_.fresh || step_.rest.gain == T(0)) {
+            const std::size_t registers = (x_.count() + N::count - 1) / N::count;
+            for (std::size_t r = 0; r < registers; ++r) sink(r, drifted(r), velocity.get(r));
+        } else {
             system.look(x_, [&](std::size_t r, const Vector<N>& a) {
-                velocity.set(r, velocity.get(r) + (N(step_.rest.gain) * a - N(step_.rest.loss) * velocity.get(r)));
+                const Vector<N> before = velocity.get(r);
+                sink(r, position.get(r), before + (N(step_.rest.gain) * a - N(step_.rest.loss) * before));
             });
         }
-        if (step_.rest.drift != T(0)) drift(step_.rest.drift, out.displacement, out.velocity, lost);
     }
 
     template <class Self, class F>
@@ -133,6 +146,17 @@ private:
             return sum;
         }
     };
+
+    /// Displacements of one time with the velocities.
+    Vector<N> drifted(std::size_t r) const {
+        Vector<N> at = FieldLanes<const T>(x_).get(r);
+        if (progress_.fresh || step_.rest.drift == T(0)) return at;
+        const Vector<N> change = N(step_.rest.drift) * FieldLanes<const T>(v_).get(r);
+        if (!lost_.kept()) return at + change;
+        Vector<N> low = FieldLanes<const T>(lost_.x).get(r);
+        add_compensated(at, low, change);
+        return at;
+    }
 
     /// x += drift v.
     static void drift(T drift, Field<T>& x, const Field<T>& v, Lost<T>& lost) {

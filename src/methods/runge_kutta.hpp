@@ -34,8 +34,8 @@ public:
     explicit RungeKutta(const ParameterValues& values) : Synchronised<T>(values) {}
 
     template <class System>
-    void start(System&, const State<T>& state) {
-        this->begin(state);
+    void start(System&, State<T> state) {
+        this->begin(std::move(state));
         if constexpr (stages > 1) temporary_.fill(Field<T>(x_.count()));
     }
 

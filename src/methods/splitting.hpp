@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 namespace steplab {
 
@@ -42,8 +43,8 @@ public:
     explicit Splitting(const ParameterValues& values) : compensated_(asks_for_compensated_sums(values)) {}
 
     template <class System>
-    void start(System& system, const State<T>& state) {
-        steps_ = KickDriftSteps<T>(step_of(system.dt(), system.drag()), state, compensated_);
+    void start(System& system, State<T> state) {
+        steps_ = KickDriftSteps<T>(step_of(system.dt(), system.drag()), std::move(state), compensated_);
     }
 
     template <class System>
@@ -58,6 +59,10 @@ public:
     template <class System>
     void synchronised(const System& system, State<T>& out) const {
         steps_.synchronised(system, out);
+    }
+    template <class System, class Sink>
+    void look(const System& system, Sink sink) const {
+        steps_.look(system, sink);
     }
 
     template <class Self, class F>

@@ -2,7 +2,11 @@
 
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "core/field_lanes.hpp"
 #include "methods/compensated.hpp"
+
+#include <cstddef>
+#include <utility>
 
 namespace steplab {
 
@@ -19,6 +23,13 @@ public:
         out.displacement = x_;
         out.velocity = v_;
     }
+    /// Calls sink(r, x, v) with displacements and velocities of every register r of particles in turn.
+    template <class System, class Sink>
+    void look(const System&, Sink sink) const {
+        const FieldLanes<const T> position(x_), velocity(v_);
+        const std::size_t registers = (x_.count() + Lanes<T>::count - 1) / Lanes<T>::count;
+        for (std::size_t r = 0; r < registers; ++r) sink(r, position.get(r), velocity.get(r));
+    }
 
     template <class Self, class F>
     static void each_part(Self& self, F f) {
@@ -29,9 +40,9 @@ public:
     }
 
 protected:
-    void begin(const State<T>& state) {
-        x_ = state.displacement;
-        v_ = state.velocity;
+    void begin(State<T> state) {
+        x_ = std::move(state.displacement);
+        v_ = std::move(state.velocity);
         lost_ = Lost<T>(compensated_, x_.count());
     }
 

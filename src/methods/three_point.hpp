@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace steplab {
 
@@ -22,9 +23,9 @@ public:
         : substeps_(substeps), compensated_(asks_for_compensated_sums(values)) {}
 
     template <class System>
-    void start(System& system, const State<T>& state) {
+    void start(System& system, State<T> state) {
         steps_ =
-            KickDriftSteps<T>(substep(system.dt() / static_cast<T>(substeps_), system.drag()), state, compensated_);
+            KickDriftSteps<T>(substep(system.dt() / static_cast<T>(substeps_), system.drag()), std::move(state), compensated_);
     }
 
     template <class System>
@@ -39,6 +40,10 @@ public:
     template <class System>
     void synchronised(const System& system, State<T>& out) const {
         steps_.synchronised(system, out);
+    }
+    template <class System, class Sink>
+    void look(const System& system, Sink sink) const {
+        steps_.look(system, sink);
     }
 
     template <class Self, class F>

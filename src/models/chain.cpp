@@ -33,15 +33,12 @@ ChainModes modes(const ParameterValues& values) {
 }
 
 Scene scene(const ParameterValues& values) {
-    const std::size_t n = values.count("n");
-    Scene scene = line_scene({.count = n,
-                              .first_fixed = values["fixed"] != 0,
-                              .mass = values["m"],
-                              .k = values["k"],
-                              .rest_length = values["L"]},
-                             values["c"] / values["m"]);
-    scene.start.velocity.set(n - 1, {values["v0"], 0, 0});
-    return scene;
+    return line_scene({.count = values.count("n"),
+                       .first_fixed = values["fixed"] != 0,
+                       .mass = values["m"],
+                       .k = values["k"],
+                       .rest_length = values["L"]},
+                      values["c"] / values["m"], {values["v0"], 0, 0});
 }
 
 Shape shape(const ParameterValues& values) {

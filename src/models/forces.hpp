@@ -29,9 +29,10 @@ struct LineForces {
     double gravity = 0;      ///< acceleration along -y
 };
 
-/// Springs to the 8 neighbours of a dim x dim grid in the xz plane, its border fixed.  grid.hpp
+/// Springs to the 8 neighbours of a grid in the xz plane, its border fixed.  grid.hpp
 struct GridForces {
-    std::size_t dim = 0;
+    std::size_t rows = 0;
+    std::size_t columns = 0;
     double mass = 1;
     double k = 1;
     double rest_length = 1;  ///< of the springs along the axes; the diagonal ones have sqrt(2) times it
@@ -58,7 +59,7 @@ using Forces = std::variant<ConstantForces, LineForces, GridForces, PairForces, 
 /// Which particles act on which.
 inline Coupling coupling(const ConstantForces& forces) { return {Coupling::Kind::none, forces.count}; }
 inline Coupling coupling(const LineForces& forces) { return {Coupling::Kind::chain, forces.count}; }
-inline Coupling coupling(const GridForces& forces) { return {Coupling::Kind::sheet, forces.dim * forces.dim}; }
+inline Coupling coupling(const GridForces& forces) { return {Coupling::Kind::sheet, forces.rows * forces.columns}; }
 inline Coupling coupling(const PairForces& forces) { return {Coupling::Kind::all, forces.count}; }
 inline Coupling coupling(const NearPairForces& forces) { return {Coupling::Kind::near, forces.count}; }
 

@@ -31,12 +31,11 @@ private:
 
 Scene scene(const ParameterValues& values) {
     const std::size_t n = values.count("n");
-    Scene scene{.mass = values["m"],
-                .forces = ConstantForces{.count = n, .mass = values["m"]},
-                .reference = Field<double>(n),
-                .start = {Field<double>(n), Field<double>(n)}};
-    for (std::size_t i = 0; i < n; ++i) scene.start.displacement.x()[i] = static_cast<double>(i);
-    return scene;
+    const auto at_rest = [](std::size_t i) { return Start::Particle{{static_cast<double>(i), 0, 0}, {}}; };
+    return {.mass = values["m"],
+            .forces = ConstantForces{.count = n, .mass = values["m"]},
+            .reference = {.count = n},
+            .start = {n, at_rest}};
 }
 
 Shape shape(const ParameterValues& values) {

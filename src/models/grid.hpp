@@ -18,7 +18,7 @@
 
 namespace steplab {
 
-/// GridForces at work. Particle (row i, column j) has index i * dim + j and reference position (j L, 0, -i L).
+/// GridForces at work. Particle (row i, column j) has index i * columns + j and reference position (j L, 0, -i L).
 /// Every spring is computed once, with its first particle: to the east (i, j+1), south (i+1, j), south-east and
 /// south-west. The acceleration is k / m times (E - E of west) + ((S + (SE + SW)) - (S of north + (SE of north-west +
 /// SW of north-east))). The particles of the border are fixed. The grid is one run of particles, a register of them at
@@ -38,8 +38,8 @@ public:
           stiffness_(static_cast<T>(forces.k) / static_cast<T>(forces.mass)),
           length_(static_cast<T>(forces.rest_length)),
           diagonal_(static_cast<T>(std::sqrt(2.0) * forces.rest_length)),
-          inner_(forces.dim + width) {
-        for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = T(k % forces.dim > 0 && (k + 1) % forces.dim > 0);
+          inner_(forces.columns + width) {
+        for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = T(k % forces.columns > 0 && (k + 1) % forces.columns > 0);
     }
 
     /// The same forces in another number type.
@@ -67,7 +67,7 @@ public:
         void to(const Grid& grid, std::size_t end, Positions positions, Sink sink) {
             if (at_ == 0) begin(grid);
             Passed passed = passed_;
-            if (grid.forces_.dim >= 4 * width) {
+            if (grid.forces_.columns >= 4 * width) {
                 for (; at_ < end; ++at_) {
                     const Own own = pass(grid, at_, positions, passed);
                     sink(at_, sum(grid, at_, own));
@@ -94,7 +94,7 @@ public:
         };
 
         void begin(const Grid& grid) {
-            const std::size_t size = std::bit_ceil(grid.forces_.dim + (behind + 2) * width);
+            const std::size_t size = std::bit_ceil(grid.forces_.columns + (behind + 2) * width);
             if (ring_ != size) from_north_.assign(3 * (size + width), T(0));
             ring_ = size;
             const N zero(T(0));
@@ -107,11 +107,11 @@ public:
         /// begins at their eastern neighbours, so that all of them join four places.
         template <class Positions>
         [[gnu::always_inline]] Own pass(const Grid& grid, std::size_t r, const Positions& positions, Passed& passed) {
-            const std::size_t p = r * width, dim = grid.forces_.dim;
-            if (p >= (dim - 1) * dim) return {};
+            const std::size_t p = r * width, columns = grid.forces_.columns;
+            if (p >= grid.last_row()) return {};
             const N length(grid.length_), back = N(T(0)) - length, diagonal(grid.diagonal_), k(grid.stiffness_);
             const Vec here = positions.get(r), at_east = positions.get_from(p + 1);
-            const Vec at_south = positions.get_from(p + dim), at_south_east = positions.get_from(p + dim + 1);
+            const Vec at_south = positions.get_from(p + columns), at_south_east = positions.get_from(p + columns + 1);
             const Vec east = spring_pull(Offset<N, Zero, Zero>{length, {}, {}}, length, k, at_east - here);
             const Vec south = spring_pull(Offset<Zero, Zero, N>{{}, {}, back}, length, k, at_south - here);
             const Vec south_east = spring_pull(Offset<N, Zero, N>{length, {}, back}, diagonal, k, at_south_east - here);
@@ -140,14 +140,14 @@ public:
         /// The accelerations of the r-th register of particles: none on the border.
         [[gnu::always_inline]] Vec sum(const Grid& grid, std::size_t r, const Own& own) {
             const N zero(T(0));
-            const std::size_t dim = grid.forces_.dim, last_row = (dim - 1) * dim, p = r * width;
-            if (p + width <= dim || p >= last_row) return {zero, zero, zero};
-            const auto inner = N::load_anywhere(grid.inner_.data() + p % dim) > zero;
-            const std::size_t place = (p - dim) & (ring_ - 1);
+            const std::size_t columns = grid.forces_.columns, last_row = grid.last_row(), p = r * width;
+            if (p + width <= columns || p >= last_row) return {zero, zero, zero};
+            const auto inner = N::load_anywhere(grid.inner_.data() + p % columns) > zero;
+            const std::size_t place = (p - columns) & (ring_ - 1);
             const auto component = [&](const N& along_row, const N& south, std::size_t c)
                 __attribute__((always_inline)) {
                 N a = where(inner, along_row + (south - N::load_anywhere(from_north(c) + place)), zero);
-                if (p < dim) a = where(N::first(dim - p), zero, a);
+                if (p < columns) a = where(N::first(columns - p), zero, a);
                 if (p + width > last_row) a = where(N::first(last_row - p), a, zero);
                 return a;
             };
@@ -164,15 +164,17 @@ public:
     };
 
     /// How many registers ahead of its place a sweep reads.
-    std::size_t registers_ahead() const { return behind + (forces_.dim + 1) / width + 2; }
+    std::size_t registers_ahead() const { return behind + (forces_.columns + 1) / width + 2; }
     static constexpr std::size_t sweeps_together() { return 1; }
 
-    PotentialEnergy potential(const Field<T>& u) const {
+    PotentialEnergy potential(const Field<T>& u) const { return potential(u, forces_.rows); }
+    /// Of the springs that begin at the particles of the first `own` rows.
+    PotentialEnergy potential(const Field<T>& u, std::size_t own) const {
         LanesSum<Many> sum;
         for (std::size_t d = east; d <= south_west; ++d) {
             const Direction way = direction(d);
-            for (std::size_t row = 0; row + way.rows < forces_.dim; ++row)
-                add_energies(u, way, row * forces_.dim + way.first, way.last - way.first, sum);
+            for (std::size_t row = 0; row < std::min(own, forces_.rows - way.rows); ++row)
+                add_energies(u, way, row * forces_.columns + way.first, way.last - way.first, sum);
         }
         const double value = forces_.k * sum.value();
         return {value, value, 0};
@@ -183,8 +185,8 @@ public:
     void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
         for (std::size_t d = east; d <= south_west; ++d) {
             const Direction way = direction(d);
-            for (std::size_t i = 0; i + way.rows < forces_.dim; ++i) {
-                const std::size_t start = i * forces_.dim + way.first;
+            for (std::size_t i = 0; i + way.rows < forces_.rows; ++i) {
+                const std::size_t start = i * forces_.columns + way.first;
                 const auto turned = [&, offset = way.offset](std::size_t j) {
                     return turned_round(spring(from, way, start + j, offset), spring(to, way, start + j, offset));
                 };
@@ -199,8 +201,8 @@ public:
 
     Coupling coupling() const { return steplab::coupling(forces_); }
     bool moves(std::size_t p) const {
-        const std::size_t last = forces_.dim - 1, row = p / forces_.dim, column = p % forces_.dim;
-        return row > 0 && row < last && column > 0 && column < last;
+        const std::size_t row = p / forces_.columns, column = p % forces_.columns;
+        return row > 0 && row + 1 < forces_.rows && column > 0 && column + 1 < forces_.columns;
     }
     Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
 
@@ -215,11 +217,11 @@ public:
     /// Springs between two particles of the border are left out.
     template <class F>
     void each_interaction(const Field<T>&, F f) const {
-        const std::size_t dim = forces_.dim;
+        const std::size_t columns = forces_.columns;
         for (std::size_t d = east; d <= south_west; ++d) {
             const Direction way = direction(d);
-            for (std::size_t i = 0; i + way.rows < dim; ++i) {
-                for (std::size_t p = i * dim + way.first; p < i * dim + way.last; ++p) {
+            for (std::size_t i = 0; i + way.rows < forces_.rows; ++i) {
+                for (std::size_t p = i * columns + way.first; p < i * columns + way.last; ++p) {
                     if (moves(p) || moves(p + way.offset)) f(p, p + way.offset, d);
                 }
             }
@@ -229,15 +231,16 @@ public:
     /// The vector from particle i to particle j.
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
         const auto steps = [](std::size_t from, std::size_t to) { return static_cast<T>(to) - static_cast<T>(from); };
-        const T columns = steps(i % forces_.dim, j % forces_.dim), rows = steps(i / forces_.dim, j / forces_.dim);
-        return {length_ * columns + (u.x()[j] - u.x()[i]), u.y()[j] - u.y()[i], (u.z()[j] - u.z()[i]) - length_ * rows};
+        const std::size_t columns = forces_.columns;
+        const T along_row = steps(i % columns, j % columns), rows = steps(i / columns, j / columns);
+        return {length_ * along_row + (u.x()[j] - u.x()[i]), u.y()[j] - u.y()[i],
+                (u.z()[j] - u.z()[i]) - length_ * rows};
     }
 
 private:
-    static std::size_t padded(std::size_t n) { return (n + width - 1) / width * width; }
-    std::size_t registers() const { return (forces_.dim * forces_.dim + width - 1) / width; }
-    /// Those of the last row belong to fixed particles alone.
-    std::size_t spring_registers() const { return ((forces_.dim - 1) * forces_.dim + width - 1) / width; }
+    std::size_t registers() const { return (forces_.rows * forces_.columns + width - 1) / width; }
+    /// The first particle of the last row; its springs join fixed particles alone.
+    std::size_t last_row() const { return (forces_.rows - 1) * forces_.columns; }
 
     /// The springs a particle is the first particle of.
     enum : std::size_t { east, south, south_east, south_west };
@@ -251,17 +254,17 @@ private:
     };
 
     Direction direction(std::size_t d) const {
-        const std::size_t dim = forces_.dim;
+        const std::size_t columns = forces_.columns;
         const T l = length_, o = T(0);
         switch (d) {
             case east:
-                return {{l, o, o}, length_, 1, 0, 0, dim - 1};
+                return {{l, o, o}, length_, 1, 0, 0, columns - 1};
             case south:
-                return {{o, o, -l}, length_, dim, 1, 0, dim};
+                return {{o, o, -l}, length_, columns, 1, 0, columns};
             case south_east:
-                return {{l, o, -l}, diagonal_, dim + 1, 1, 0, dim - 1};
+                return {{l, o, -l}, diagonal_, columns + 1, 1, 0, columns - 1};
             default:
-                return {{-l, o, -l}, diagonal_, dim - 1, 1, 1, dim};
+                return {{-l, o, -l}, diagonal_, columns - 1, 1, 1, columns};
         }
     }
 

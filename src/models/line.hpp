@@ -94,16 +94,18 @@ public:
         accelerate_in_turn<1>(u, a);
     }
 
-    PotentialEnergy potential(const Field<T>& u) const {
+    PotentialEnergy potential(const Field<T>& u) const { return potential(u, forces_.count); }
+    /// Of the first `own` particles and the springs that begin at them.
+    PotentialEnergy potential(const Field<T>& u, std::size_t own) const {
         using Many = CacheLineLanes<T>;
         const BasicFieldLanes<const T, Many> at(u);
-        const std::size_t springs = forces_.count - 1;
+        const std::size_t springs = std::min(own, forces_.count - 1);
         LanesSum<Many> energies, heights;
-        for (std::size_t i = 0; i < forces_.count; i += Many::count) {
+        for (std::size_t i = 0; i < own; i += Many::count) {
             const Vector<Many> here = at.get_from(i), e = at.get_from(i + 1) - here;
             const Many energy = spring_energy(Offset<Many, Zero, Zero>{Many(length_), {}, {}}, Many(length_), e);
             energies.add(where(Many::first(springs - std::min(springs, i)), energy, Many(T(0))));
-            if (falls_) heights.add(here.y);
+            if (falls_) heights.add(where(Many::first(own - i), here.y, Many(T(0))));
         }
         const double elastic = forces_.k * energies.value();
         const double external = forces_.mass * forces_.gravity * heights.value();

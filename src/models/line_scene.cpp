@@ -2,15 +2,12 @@
 
 namespace steplab {
 
-Scene line_scene(const LineForces& forces, double drag) {
-    const std::size_t n = forces.count;
-    Scene scene{.mass = forces.mass,
-                .drag = drag,
-                .forces = forces,
-                .reference = Field<double>(n),
-                .start = {Field<double>(n), Field<double>(n)}};
-    for (std::size_t i = 0; i < n; ++i) scene.reference.x()[i] = static_cast<double>(i) * forces.rest_length;
-    return scene;
+Scene line_scene(const LineForces& forces, double drag, Vec3 kick) {
+    return {.mass = forces.mass,
+            .drag = drag,
+            .forces = forces,
+            .reference = {.count = forces.count, .along_row = {forces.rest_length, 0, 0}},
+            .start = Start::kick(forces.count, forces.count - 1, kick)};
 }
 
 Shape line_shape(std::size_t count, double rest_length, bool first_fixed) {

@@ -38,19 +38,18 @@ std::size_t kicked_particle(const ParameterValues& values) {
     return kicked_row(values) * values.count("dim") + kicked_row(values);
 }
 
-Vec3 rest_position(const ParameterValues& values, std::size_t row, std::size_t column) {
-    return {static_cast<double>(column) * values["L"], 0, -static_cast<double>(row) * values["L"]};
+Lattice lattice(const ParameterValues& values) {
+    const std::size_t dim = values.count("dim");
+    return {.count = dim * dim, .columns = dim, .along_row = {values["L"], 0, 0}, .between_rows = {0, 0, -values["L"]}};
 }
 
 Scene scene(const ParameterValues& values) {
     const std::size_t dim = values.count("dim"), n = dim * dim;
-    Scene scene{.mass = values["m"],
-                .forces = GridForces{.dim = dim, .mass = values["m"], .k = values["k"], .rest_length = values["L"]},
-                .reference = Field<double>(n),
-                .start = {Field<double>(n), Field<double>(n)}};
-    for (std::size_t i = 0; i < n; ++i) scene.reference.set(i, rest_position(values, i / dim, i % dim));
-    scene.start.velocity.set(kicked_particle(values), {0, values["v0"], 0});
-    return scene;
+    return {.mass = values["m"],
+            .forces = GridForces{
+                .rows = dim, .columns = dim, .mass = values["m"], .k = values["k"], .rest_length = values["L"]},
+            .reference = lattice(values),
+            .start = Start::kick(n, kicked_particle(values), {0, values["v0"], 0})};
 }
 
 /// To the east, south, south-east and south-west: each spring once, in the order of its first particle.
@@ -78,7 +77,7 @@ Shape shape(const ParameterValues& values) {
     for (std::size_t i = 0; i < dim * dim; ++i) {
         const std::size_t row = i / dim, column = i % dim;
         const bool border = row == 0 || column == 0 || row + 1 == dim || column + 1 == dim;
-        shape.rest.push_back(rest_position(values, row, column));
+        shape.rest.push_back(lattice(values).at(i));
         shape.roles.push_back(border ? Role::fixed : Role::moving);
     }
     shape.roles[kicked_particle(values)] = Role::kicked;

@@ -2,7 +2,9 @@
 
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "core/lattice.hpp"
 #include "core/shape.hpp"
+#include "core/start.hpp"
 #include "models/forces.hpp"
 
 #include <memory>
@@ -34,8 +36,8 @@ struct Scene {
     double mass = 1;  ///< of each particle, > 0
     double drag = 0;  ///< rate gamma = c / m of the drag -c v, >= 0
     Forces forces;
-    Field<double> reference;  ///< absolute position = reference + displacement
-    State<double> start;
+    Lattice reference;  ///< absolute position = reference + displacement
+    Start start;
 };
 
 /// A model: how it describes itself and what it makes of its parameters. The functions take checked values.

@@ -83,13 +83,10 @@ Forces forces(const ParameterValues& values) {
 
 Scene scene(const ParameterValues& values) {
     const std::size_t n = count(values);
-    Scene scene{.mass = values["m"],
-                .forces = forces(values),
-                .reference = Field<double>(n),
-                .start = {Field<double>(n), Field<double>(n)}};
-    for (std::size_t i = 0; i < n; ++i) scene.start.displacement.set(i, start_position(values, i));
-    scene.start.velocity.set(n - 1, {values["v0"], 0, 0});
-    return scene;
+    State<double> start{Field<double>(n), Field<double>(n)};
+    for (std::size_t i = 0; i < n; ++i) start.displacement.set(i, start_position(values, i));
+    start.velocity.set(n - 1, {values["v0"], 0, 0});
+    return {.mass = values["m"], .forces = forces(values), .reference = {.count = n}, .start = std::move(start)};
 }
 
 Shape shape(const ParameterValues& values) {

@@ -1,5 +1,5 @@
 #include "models/linear_response.hpp"
-#include "models/model.hpp"
+#include "models/line_scene.hpp"
 #include "models/parameters.hpp"
 
 #include <cmath>
@@ -38,14 +38,9 @@ private:
 
 /// Particle 0 is the fixed end of the spring, at the origin; particle 1 is the one that swings.
 Scene scene(const ParameterValues& values) {
-    Scene scene{
-        .mass = values["m"],
-        .drag = values["c"] / values["m"],
-        .forces = LineForces{.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
-        .reference = Field<double>(2),
-        .start = {Field<double>(2), Field<double>(2)}};
-    scene.start.velocity.set(1, {values["v0"], 0, 0});
-    return scene;
+    return line_scene(
+        {.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
+        values["c"] / values["m"], {values["v0"], 0, 0});
 }
 
 Shape shape(const ParameterValues& values) {

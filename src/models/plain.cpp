@@ -30,16 +30,16 @@ template <class T>
 void Plain<T>::add(const GridForces& forces) {
     mass_ = static_cast<T>(forces.mass);
     k_ = static_cast<T>(forces.k);
-    const std::size_t dim = forces.dim;
+    const std::size_t rows = forces.rows, columns = forces.columns;
     const T length = static_cast<T>(forces.rest_length), diagonal = static_cast<T>(std::sqrt(2.0) * forces.rest_length);
-    for (std::size_t i = 0; i < dim; ++i) {
-        for (std::size_t j = 0; j < dim; ++j) {
-            const std::size_t p = i * dim + j;
-            if (j + 1 < dim) springs_.push_back({p, p + 1, length});
-            if (i + 1 < dim) springs_.push_back({p, p + dim, length});
-            if (i + 1 < dim && j + 1 < dim) springs_.push_back({p, p + dim + 1, diagonal});
-            if (i + 1 < dim && j > 0) springs_.push_back({p, p + dim - 1, diagonal});
-            if (i == 0 || j == 0 || i + 1 == dim || j + 1 == dim) fixed_.push_back(p);
+    for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = 0; j < columns; ++j) {
+            const std::size_t p = i * columns + j;
+            if (j + 1 < columns) springs_.push_back({p, p + 1, length});
+            if (i + 1 < rows) springs_.push_back({p, p + columns, length});
+            if (i + 1 < rows && j + 1 < columns) springs_.push_back({p, p + columns + 1, diagonal});
+            if (i + 1 < rows && j > 0) springs_.push_back({p, p + columns - 1, diagonal});
+            if (i == 0 || j == 0 || i + 1 == rows || j + 1 == columns) fixed_.push_back(p);
         }
     }
 }

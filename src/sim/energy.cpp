@@ -1,11 +1,10 @@
 #include "sim/energy.hpp"
 
 #include "core/lanes.hpp"
-#include "core/sum.hpp"
 
-#include <cstddef>
+#include <algorithm>
 #include <limits>
-#include <span>
+#include <variant>
 
 namespace steplab {
 
@@ -22,27 +21,97 @@ double spring_floor(double k, double length, std::size_t springs) {
 double floor_of(const ConstantForces& forces) { return spring_floor(forces.mass * forces.step, 1, forces.count); }
 double floor_of(const LineForces& forces) { return spring_floor(forces.k, forces.rest_length, forces.count); }
 double floor_of(const GridForces& forces) {
-    return spring_floor(forces.k, forces.rest_length, 4 * forces.dim * forces.dim);
+    return spring_floor(forces.k, forces.rest_length, 4 * forces.rows * forces.columns);
 }
 double floor_of(const PairForces& forces) { return forces.depth * static_cast<double>(forces.count); }
+
+/// Particles of a piece, about: some of them are in the first-level cache.
+constexpr std::size_t piece_length = 4096;
+
+/// Particles that neighbouring pieces share; none where a scene is not taken in pieces.
+std::size_t shared(const LineForces&) { return 1; }
+std::size_t shared(const GridForces& forces) { return forces.columns; }
+template <class Whole>
+std::size_t shared(const Whole&) {
+    return 0;
+}
+
+/// Energy of what pulls at the first `own` of these particles from one another and from those behind them.
+PotentialEnergy energy_of_piece(LineForces forces, const Field<double>& u, std::size_t held, std::size_t own) {
+    forces.count = held;
+    return Line<double>(forces).potential(u, own);
+}
+PotentialEnergy energy_of_piece(GridForces forces, const Field<double>& u, std::size_t held, std::size_t own) {
+    forces.rows = held / forces.columns;
+    return Grid<double>(forces).potential(u, own / forces.columns);
+}
+template <class Whole>
+PotentialEnergy energy_of_piece(const Whole& forces, const Field<double>& u, std::size_t, std::size_t) {
+    return engine<double>(forces).potential(u);
+}
+
+double sum_of_squares(const Field<double>& v, std::size_t count) {
+    using Many = CacheLineLanes<double>;
+    LanesSum<Many> squares;
+    for (const double* component : {v.x(), v.y(), v.z()}) {
+        for (std::size_t i = 0; i < count; i += Many::count) {
+            const Many velocities = where(Many::first(count - i), Many::load(component + i), Many(0.0));
+            squares.add(velocities * velocities);
+        }
+    }
+    return squares.value();
+}
+
+/// Copies particles to another place.
+void copy(const Field<double>& from, std::size_t first, std::size_t count, Field<double>& to, std::size_t place) {
+    std::copy_n(from.x() + first, count, to.x() + place);
+    std::copy_n(from.y() + first, count, to.y() + place);
+    std::copy_n(from.z() + first, count, to.z() + place);
+}
 
 }  // namespace
 
 EnergyMeter::EnergyMeter(const Scene& scene)
     : mass_(scene.mass),
-      engine_(std::visit([](const auto& forces) { return Engine(engine<double>(forces)); }, scene.forces)),
-      floor_(std::visit([](const auto& forces) { return floor_of(forces); }, scene.forces)) {}
+      forces_(scene.forces),
+      floor_(std::visit([](const auto& forces) { return floor_of(forces); }, forces_)),
+      count_(scene.reference.count),
+      unit_(std::visit([](const auto& forces) { return shared(forces); }, forces_)),
+      length_(unit_ > 0 ? std::max<std::size_t>(1, piece_length / unit_) * unit_ : count_) {}
 
-Energy EnergyMeter::energy(const State<double>& state) {
-    using Many = CacheLineLanes<double>;
-    LanesSum<Many> squares;
-    const std::span<const double> v = state.velocity.flat();
-    for (std::size_t k = 0; k < v.size(); k += Many::count) {
-        const Many velocities = Many::load(v.data() + k);
-        squares.add(velocities * velocities);
+void EnergyMeter::begin() {
+    const std::size_t capacity = std::min(count_, length_ + unit_);
+    if (piece_.velocity.count() != capacity) piece_ = {Field<double>(capacity), Field<double>(capacity)};
+    held_ = taken_ = 0;
+    squares_ = value_ = magnitude_ = external_ = {};
+}
+
+Energy EnergyMeter::energy(const std::function<void(const PortionSink&)>& look) {
+    begin();
+    look([this](const Portion& portion) { add(portion); });
+    return {mass_ / 2 * squares_.value(), {value_.value(), magnitude_.value(), external_.value()}};
+}
+
+void EnergyMeter::add(const Portion& portion) {
+    for (std::size_t from = 0; from < portion.count;) {
+        const std::size_t more = std::min(portion.count - from, piece_.velocity.count() - held_);
+        copy(portion.state.displacement, from, more, piece_.displacement, held_);
+        copy(portion.state.velocity, from, more, piece_.velocity, held_);
+        held_ += more, from += more, taken_ += more;
+        if (held_ == piece_.velocity.count() || taken_ == count_) finish_piece();
     }
-    const auto potential = std::visit([&](auto& forces) { return forces.potential(state.displacement); }, engine_);
-    return {mass_ / 2 * squares.value(), potential};
+}
+
+void EnergyMeter::finish_piece() {
+    const bool last = taken_ == count_;
+    const std::size_t own = last ? held_ : length_;
+    const auto potential = std::visit(
+        [&](const auto& forces) { return energy_of_piece(forces, piece_.displacement, held_, own); }, forces_);
+    squares_.add(sum_of_squares(piece_.velocity, own));
+    value_.add(potential.value), magnitude_.add(potential.magnitude), external_.add(potential.external);
+    held_ -= own;
+    copy(piece_.displacement, own, held_, piece_.displacement, 0);
+    copy(piece_.velocity, own, held_, piece_.velocity, 0);
 }
 
 }  // namespace steplab

@@ -2,10 +2,13 @@
 
 #include "core/diagnostics.hpp"
 #include "core/field.hpp"
+#include "core/sum.hpp"
 #include "models/layouts.hpp"
 #include "models/model.hpp"
+#include "sim/stepper.hpp"
 
-#include <variant>
+#include <cstddef>
+#include <functional>
 
 namespace steplab {
 
@@ -17,21 +20,34 @@ struct Energy {
     double total() const { return kinetic + potential.value; }
 };
 
-/// Computes sums over a scene's particles in double, from the synchronised state.
+/// Computes sums over a scene's particles in double. Chains and grids are taken piece by piece, each of as many
+/// particles whoever asks, so that neither memory for all of them is needed nor does it matter in which portions they
+/// come.
 class EnergyMeter {
 public:
     explicit EnergyMeter(const Scene& scene);
 
-    Energy energy(const State<double>& state);
+    /// Of all particles, which `look` shows to what it is given, as Stepper::look() does.
+    Energy energy(const std::function<void(const PortionSink&)>& look);
     /// An energy no run of this scene may be judged by the changes of: rounding, and the depth of potential wells.
     double floor() const { return floor_; }
 
 private:
-    using Engine = std::variant<Constant<double>, Line<double>, Grid<double>, Pairs<double>, NearPairs<double>>;
+    void begin();
+    void add(const Portion& portion);
+    void finish_piece();
 
     double mass_;
-    Engine engine_;
+    Forces forces_;
     double floor_;
+    std::size_t count_;   ///< particles of the scene
+    std::size_t unit_;    ///< particles that pieces have in common: one of a chain, a row of a grid
+    std::size_t length_;  ///< particles of a piece, without those it has in common with the next
+
+    State<double> piece_;
+    std::size_t held_ = 0;   ///< particles in it
+    std::size_t taken_ = 0;  ///< particles of the scene that were shown
+    CompensatedSum squares_, value_, magnitude_, external_;
 };
 
 }  // namespace steplab

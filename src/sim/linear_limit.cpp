@@ -16,7 +16,7 @@ Scene damped_oscillator(double omega, double gamma) {
     return {.mass = 1,
             .drag = gamma,
             .forces = LineForces{.count = 2, .first_fixed = true, .mass = 1, .k = omega * omega, .rest_length = 0},
-            .reference = Field<double>(2),
+            .reference = {.count = 2},
             .start = {}};
 }
 

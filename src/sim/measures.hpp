@@ -5,8 +5,10 @@
 #include "core/frame.hpp"
 #include "core/precision.hpp"
 #include "models/model.hpp"
+#include "sim/stepper.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace steplab {
@@ -19,7 +21,8 @@ Diagnostics sums_over_particles(const State<double>& state, const Scene& scene, 
 /// Largest distance of a particle from the exact solution.
 double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time);
 
-/// Of the step's number and the bits of the state as the precision holds it: 16 hexadecimal digits.
-std::string hash_of(std::uint64_t step, Precision precision, const State<double>& state);
+/// Of the step's number and the bits of the state as the precision holds it: 16 hexadecimal digits. `look` shows all
+/// particles to what it is given, as Stepper::look() does.
+std::string hash_of(std::uint64_t step, Precision precision, const std::function<void(const PortionSink&)>& look);
 
 }  // namespace steplab

@@ -28,13 +28,13 @@ double system_memory() {
 /// How many pairs act on each other in the scene as it starts.
 double pairs(const ConstantForces&, const Scene&) { return 0; }
 double pairs(const LineForces& forces, const Scene&) { return static_cast<double>(forces.count); }
-double pairs(const GridForces& forces, const Scene&) { return 4.0 * static_cast<double>(forces.dim * forces.dim); }
+double pairs(const GridForces& forces, const Scene&) { return 4.0 * static_cast<double>(forces.rows * forces.columns); }
 double pairs(const PairForces& forces, const Scene&) {
     return static_cast<double>(forces.count) * static_cast<double>(forces.count) / 2;
 }
 double pairs(const NearPairForces& forces, const Scene& scene) {
     Neighbours neighbours(forces.cutoff);
-    neighbours.follow(scene.start.displacement);
+    neighbours.follow(scene.start.state().displacement);
     double sum = 0;
     for (std::size_t i = 0; i < forces.count; ++i) sum += static_cast<double>(neighbours.of(i).size());
     return sum / 2;

@@ -10,24 +10,24 @@ Segment::Segment(const RunDescription& given, const Execution& how)
       execution(how),
       scene(model(held.model).scene(held.scene)),
       meter(scene) {
-    start(scene.start);
-    scene.start = {};
+    restart();
 }
 
-Segment::Segment(const RunDescription& given, const Execution& how, const State<double>& state)
+Segment::Segment(const RunDescription& given, const Execution& how, const Start& start)
     : description(given),
       held(as_held(given)),
       execution(how),
       scene(model(held.model).scene(held.scene)),
       meter(scene) {
-    start(state);
-    scene.start = {};
+    scene.start = start;
+    restart();
 }
 
-void Segment::start(const State<double>& state) {
+void Segment::restart() {
     const FlushSubnormals flush;
+    stepper.reset();
     stepper = method(held.method)
-                  .make({scene, state, held.method_parameters, held.precision, held.dt, execution.instructions});
+                  .make({scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions});
 }
 
 const std::optional<StabilityLimit>& Segment::limit() const {

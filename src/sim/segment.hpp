@@ -15,21 +15,22 @@ struct Segment {
     RunDescription description;  ///< as given
     RunDescription held;         ///< with dt and parameters as the precision holds them
     Execution execution;
-    Scene scene;
+    Scene scene;  ///< its start is that of the segment
     EnergyMeter meter;
     std::unique_ptr<Stepper> stepper;
 
     /// Begins at the scene's own start. Throws UsageError if the description cannot be run.
     explicit Segment(const RunDescription& description, const Execution& execution = {});
     /// Begins at a synchronised state.
-    Segment(const RunDescription& description, const Execution& execution, const State<double>& state);
+    Segment(const RunDescription& description, const Execution& execution, const Start& start);
+
+    /// Puts the stepper back to where the segment began.
+    void restart();
 
     /// stability_limit() of the held description; computed when first asked for.
     const std::optional<StabilityLimit>& limit() const;
 
 private:
-    void start(const State<double>& state);
-
     mutable bool limit_known_ = false;
     mutable std::optional<StabilityLimit> limit_;
 };

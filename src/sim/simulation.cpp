@@ -13,9 +13,12 @@ namespace steplab {
 
 namespace {
 
-/// Steps between two checks of the energy, which is as costly as some evaluations. Large scenes are checked more often,
-/// because stepping again from the last check must not take long.
-std::uint64_t interval_for(std::size_t particles) { return particles <= 16384 ? 256 : 32; }
+/// Steps between two checks of the energy, which is as costly as some evaluations.
+constexpr std::uint64_t interval = 256;
+
+/// Bytes of an internal state up to which a copy is kept to come back to. A larger one would cost memory that scenes of
+/// millions of particles need for themselves: they step again from where their segment began.
+constexpr std::size_t most_kept = std::size_t{4} << 20;
 
 /// True if only what may change under way differs between the two.
 bool continues(const RunDescription& from, const RunDescription& to) {
@@ -34,13 +37,15 @@ struct Course {
     std::uint64_t evaluations_before = 0;  // of the segments before
     Energy baseline;
     std::uint64_t baseline_step = 0;
-    std::shared_ptr<const ExactSolution> exact;
+    /// What the motion is to be by its exact solution, if it has one: none once the scene was changed under way.
+    std::optional<ParameterValues> exact_scene;
 };
 
 }  // namespace
 
 struct Simulation::Snapshot::Content {
     RunDescription description;
+    Start start;  ///< of the segment
     Course course;
     std::any internal;
     std::size_t bytes;
@@ -50,13 +55,12 @@ struct Simulation::Body : Course {
     Segment segment;
     mutable std::shared_ptr<const Shape> shape;
 
-    std::any kept;  // internal state at a step known to be good
+    std::any kept;  // internal state at a step known to be good; none of large scenes
     std::uint64_t kept_step = 0;
     std::optional<Divergence> divergence;
 
     Body(const RunDescription& description, const Execution& execution) : segment(description, execution) {
-        const FlushSubnormals flush;
-        exact = model(segment.held.model).exact(segment.held.scene);
+        exact_scene = segment.held.scene;
         baseline = energy();
         keep();
     }
@@ -72,11 +76,22 @@ struct Simulation::Body : Course {
         state_known = true;
         return looked_at;
     }
+    void look(const PortionSink& sink) {
+        const FlushSubnormals flush;
+        if (state_known) return sink({0, looked_at.velocity.count(), looked_at});
+        segment.stepper->look(sink);
+    }
     const Energy& energy() {
         const FlushSubnormals flush;
-        if (!energy_known) measured = segment.meter.energy(state());
+        if (!energy_known) measured = segment.meter.energy([this](const PortionSink& sink) { look(sink); });
         energy_known = true;
         return measured;
+    }
+    const ExactSolution* exact() {
+        if (!exact_scene) return nullptr;
+        if (!exact_known) solution = model(segment.held.model).exact(*exact_scene);
+        exact_known = true;
+        return solution.get();
     }
     void moved() { state_known = energy_known = settled = false; }
 
@@ -90,12 +105,16 @@ struct Simulation::Body : Course {
     bool is_good() { return segment.stepper->finite() && energy_is_good(); }
 
     void keep() {
-        segment.stepper->save(kept);
+        if (segment.stepper->bytes() <= most_kept) {
+            segment.stepper->save(kept);
+        } else {
+            kept.reset();
+        }
         kept_step = step;
     }
+    void go_back_to_kept();
 
-    std::uint64_t interval() const { return interval_for(segment.scene.reference.count()); }
-    std::uint64_t steps_to_check() const { return interval() - (step - segment_step) % interval(); }
+    std::uint64_t steps_to_check() const { return interval - (step - segment_step) % interval; }
 
     void advance(std::uint64_t steps);
     void settle();
@@ -111,6 +130,8 @@ private:
     Energy measured;
     bool state_known = false, energy_known = false;  // of the present step
     bool settled = false;                            // its numbers are finite
+    bool exact_known = false;
+    std::shared_ptr<const ExactSolution> solution;
 };
 
 void Simulation::Body::take(std::uint64_t steps) {
@@ -125,7 +146,7 @@ void Simulation::Body::advance(std::uint64_t steps) {
         const std::uint64_t taken = std::min(steps, steps_to_check());
         take(taken);
         steps -= taken;
-        if (steps_to_check() != interval()) continue;
+        if (steps_to_check() != interval) continue;
         if (!is_good()) return go_back_to_last_good();
         settled = true;
         keep();
@@ -148,17 +169,26 @@ void Simulation::Body::conclude() {
 
 /// Steps again from the kept state to find the first bad step, and once more to stand at the step before it.
 void Simulation::Body::go_back_to_last_good() {
-    segment.stepper->restore(kept);
-    step = kept_step;
+    go_back_to_kept();
     do take(1);
     while (is_good());
     divergence.emplace();
     divergence->particle = wildest_particle(state());
-    segment.stepper->restore(kept);
     const std::uint64_t good = step - 1;
-    step = kept_step;
+    go_back_to_kept();
     take(good - kept_step);
     diverged();
+}
+
+void Simulation::Body::go_back_to_kept() {
+    if (kept.has_value()) {
+        segment.stepper->restore(kept);
+        step = kept_step;
+    } else {
+        segment.restart();
+        step = segment_step;
+        take(kept_step - segment_step);
+    }
 }
 
 void Simulation::Body::diverged() {
@@ -171,7 +201,7 @@ void Simulation::Body::diverged() {
 /// Begins a new segment at the synchronised state.
 void Simulation::Body::go_on(const RunDescription& description, bool energy_changed) {
     const FlushSubnormals flush;
-    Segment next(description, segment.execution, state());
+    Segment next(description, segment.execution, Start(State<double>(state())));
     evaluations_before += segment.stepper->evaluations();
     segment_time = time_at(step);
     segment_step = step;
@@ -182,7 +212,7 @@ void Simulation::Body::go_on(const RunDescription& description, bool energy_chan
     if (energy_changed) {
         baseline = energy();
         baseline_step = step;
-        exact = nullptr;
+        exact_scene.reset();
     }
     keep();
 }
@@ -210,11 +240,11 @@ const RunDescription& Simulation::description() const { return body_->segment.de
 std::uint64_t Simulation::step() const { return settled().step; }
 double Simulation::time() const { return settled().time_at(settled().step); }
 double Simulation::dt() const { return body_->segment.held.dt; }
-std::size_t Simulation::particles() const { return body_->segment.scene.reference.count(); }
+std::size_t Simulation::particles() const { return body_->segment.scene.reference.count; }
 std::uint64_t Simulation::segment() const { return body_->segment_number; }
 double Simulation::segment_start() const { return body_->segment_time; }
 std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
-bool Simulation::has_exact() const { return body_->exact != nullptr; }
+bool Simulation::has_exact() const { return body_->exact() != nullptr; }
 const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
 const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
 
@@ -226,7 +256,7 @@ CollisionRecord Simulation::collisions() const { return settled().segment.steppe
 
 void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
 void Simulation::conclude() { body_->conclude(); }
-std::uint64_t Simulation::check_interval() const { return body_->interval(); }
+std::uint64_t Simulation::check_interval() const { return interval; }
 
 Frame Simulation::frame() const {
     Frame out;
@@ -235,7 +265,7 @@ Frame Simulation::frame() const {
 }
 
 void Simulation::frame(Frame& out) const {
-    const Field<double>& reference = body_->segment.scene.reference;
+    const Lattice& reference = body_->segment.scene.reference;
     const State<double>& state = this->state();
     const Precision precision = body_->segment.held.precision;
     out.step = step();
@@ -260,7 +290,10 @@ std::shared_ptr<const Shape> Simulation::shape() const {
     return body_->shape;
 }
 
-std::string Simulation::hash() const { return hash_of(step(), body_->segment.held.precision, state()); }
+std::string Simulation::hash() const {
+    Body& body = settled();
+    return hash_of(body.step, body.segment.held.precision, [&](const PortionSink& sink) { body.look(sink); });
+}
 
 const State<double>& Simulation::state() const { return settled().state(); }
 
@@ -271,14 +304,18 @@ Diagnostics Simulation::diagnostics() const {
     sums.potential = body.energy().potential.value;
     sums.energy = body.energy().total();
     sums.energy_error = sums.energy - body.baseline.total();
-    if (has_exact() && time() <= body.exact->valid_until())
-        sums.error = largest_error(body.state().displacement, *body.exact, time());
+    if (has_exact() && time() <= body.exact()->valid_until())
+        sums.error = largest_error(body.state().displacement, *body.exact(), time());
     return sums;
 }
 
+double Simulation::energy() const { return settled().energy().total(); }
+double Simulation::energy_error() const { return energy() - body_->baseline.total(); }
+
 std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time) const {
-    if (!has_exact() || time > body_->exact->valid_until()) return std::nullopt;
-    return body_->segment.scene.reference.at(particle) + body_->exact->displacement(particle, time);
+    const ExactSolution* const exact = body_->exact();
+    if (!exact || time > exact->valid_until()) return std::nullopt;
+    return body_->segment.scene.reference.at(particle) + exact->displacement(particle, time);
 }
 
 Change Simulation::change(const RunDescription& description) {
@@ -317,7 +354,7 @@ Simulation::Snapshot Simulation::save() const {
     stepper.save(internal);
     Snapshot snapshot;
     snapshot.content_ = std::make_shared<const Snapshot::Content>(
-        Snapshot::Content{description(), course, std::move(internal), stepper.bytes()});
+        Snapshot::Content{description(), body_->segment.scene.start, course, std::move(internal), stepper.bytes()});
     return snapshot;
 }
 
@@ -325,7 +362,7 @@ void Simulation::restore(const Snapshot& snapshot) {
     const FlushSubnormals flush;
     const Snapshot::Content& content = *snapshot.content_;
     if (content.course.segment_number != segment())
-        body_->segment = Segment(content.description, Execution(body_->segment.execution));
+        body_->segment = Segment(content.description, Execution(body_->segment.execution), content.start);
     static_cast<Course&>(*body_) = content.course;
     body_->segment.stepper->restore(content.internal);
     body_->divergence.reset();

@@ -65,6 +65,9 @@ public:
     Frame frame() const;
     void frame(Frame& out) const;
     Diagnostics diagnostics() const;
+    /// Those two of them that cost least.
+    double energy() const;
+    double energy_error() const;
     /// Displacements from the reference positions and velocities of the moment, with all the digits the run has.
     const State<double>& state() const;
     /// The unchanging part of the scene; built when first asked for.

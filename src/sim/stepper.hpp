@@ -2,15 +2,26 @@
 
 #include "core/collision.hpp"
 #include "core/entry.hpp"
+#include "core/field.hpp"
 #include "core/instructions.hpp"
 #include "core/precision.hpp"
+#include "core/start.hpp"
 #include "models/model.hpp"
 
 #include <any>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 namespace steplab {
+
+/// Some particles as seen from outside: the first `count` of `state` are the particles from `first` on.
+struct Portion {
+    std::size_t first, count;
+    const State<double>& state;  ///< displacement and velocity of one time, each number one that the precision holds
+};
+using PortionSink = std::function<void(const Portion&)>;
 
 /// A method at work on a scene in one precision; the face behind which everything is static.
 class Stepper {
@@ -19,8 +30,11 @@ public:
     virtual void advance(std::uint64_t steps) = 0;
     /// True if every number of the internal state is finite.
     virtual bool finite() const = 0;
-    /// Displacement and velocity of one time, each number one that the precision holds. Changes nothing.
-    virtual void synchronised(State<double>& out) const = 0;
+    virtual std::size_t particles() const = 0;
+    /// Shows all particles at the present time, portion after portion in their order. Changes nothing.
+    virtual void look(const PortionSink& sink) const = 0;
+    /// The same in one piece; the memory of `out` is used again.
+    void synchronised(State<double>& out) const;
     /// Accelerations computed since the stepper was made, start-up included.
     virtual std::uint64_t evaluations() const = 0;
     /// Collisions where a force jumps, as adaptive methods find them; their times since the stepper was made.
@@ -35,7 +49,7 @@ public:
 /// What a method needs to begin a segment.
 struct StepperSetup {
     const Scene& scene;
-    const State<double>& state;  ///< synchronised state to start from
+    Start start;  ///< synchronised state to start from
     const ParameterValues& parameters;
     Precision precision;
     double dt;

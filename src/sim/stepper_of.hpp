@@ -11,6 +11,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,12 +54,14 @@ public:
     StepperOf(const StepperSetup& setup, Force force)
         : system_(std::move(force), static_cast<T>(setup.scene.drag), static_cast<T>(setup.dt)),
           integrator_(setup.parameters) {
-        State<T> state{converted<T>(setup.state.displacement), converted<T>(setup.state.velocity)};
+        State<T> state = setup.start.state<T>();
+        particles_ = state.displacement.count();
         if constexpr (is_plain<Method>) {
-            reference_ = converted<T>(setup.scene.reference);
+            reference_ = Field<T>(particles_);
+            for (std::size_t i = 0; i < particles_; ++i) reference_.set(i, setup.scene.reference.at(i));
             add_reference(state.displacement, T(1));
         }
-        integrator_.start(system_, state);
+        integrator_.start(system_, std::move(state));
     }
 
     void advance(std::uint64_t steps) override {
@@ -75,11 +78,16 @@ public:
         return all;
     }
 
-    void synchronised(State<double>& out) const override {
-        integrator_.synchronised(system_, seen_);
-        if constexpr (is_plain<Method>) add_reference(seen_.displacement, T(-1));
-        convert(seen_.displacement, out.displacement);
-        convert(seen_.velocity, out.velocity);
+    std::size_t particles() const override { return particles_; }
+
+    void look(const PortionSink& sink) const override {
+        if constexpr (shows_registers) {
+            show_in_portions(sink);
+        } else {
+            integrator_.synchronised(system_, seen_);
+            if constexpr (is_plain<Method>) add_reference(seen_.displacement, T(-1));
+            show(sink, 0, particles_);
+        }
     }
 
     std::uint64_t evaluations() const override { return system_.evaluations(); }
@@ -120,6 +128,39 @@ public:
 
 private:
     using Integrator = typename Method::template Integrator<T>;
+    using Vec = Vector<Lanes<T>>;
+
+    static constexpr bool shows_registers =
+        !is_plain<Method> && requires(const Integrator& integrator, const System<T, Force>& system) {
+            integrator.look(system, [](std::size_t, const Vec&, const Vec&) {});
+        };
+
+    /// Particles of a portion: a multiple of every register's.
+    static constexpr std::size_t portion = 1024;
+
+    void show_in_portions(const PortionSink& sink) const {
+        const std::size_t size = std::min(portion, particles_);
+        if (seen_.velocity.count() != size) seen_ = {Field<T>(size), Field<T>(size)};
+        const FieldLanes<T> displacement(seen_.displacement), velocity(seen_.velocity);
+        constexpr std::size_t width = Lanes<T>::count, registers = portion / width;
+        integrator_.look(system_, [&](std::size_t r, const Vec& x, const Vec& v) {
+            displacement.set(r % registers, x);
+            velocity.set(r % registers, v);
+            const std::size_t shown = r / registers * portion, behind = (r + 1) * width;
+            if (behind >= particles_ || behind % portion == 0) show(sink, shown, std::min(behind, particles_) - shown);
+        });
+    }
+
+    /// What was seen are the particles from `first` on.
+    void show(const PortionSink& sink, std::size_t first, std::size_t count) const {
+        if constexpr (std::is_same_v<T, double>) {
+            sink({first, count, seen_});
+        } else {
+            convert(seen_.displacement, shown_.displacement);
+            convert(seen_.velocity, shown_.velocity);
+            sink({first, count, shown_});
+        }
+    }
 
     struct Saved {
         std::vector<Field<T>> parts;
@@ -148,7 +189,9 @@ private:
     System<T, Force> system_;
     Integrator integrator_;
     Field<T> reference_;     ///< of plain methods
-    mutable State<T> seen_;  ///< memory for synchronised()
+    std::size_t particles_ = 0;
+    mutable State<T> seen_;        ///< memory for look()
+    mutable State<double> shown_;  ///< the same in double
 };
 
 /// Chooses at the border what is static inside: precision and layout of forces.

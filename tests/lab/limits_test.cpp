@@ -98,7 +98,7 @@ TEST(Balanced, scene_rests_at_its_start) {
     const RunDescription run = run_of("morse", "rk4", Precision::double_, 0.1);
     const Scene scene = balanced(model("morse").scene(run.scene));
     const Scene plain = model("morse").scene(run.scene);
-    State<double> state{scene.start.displacement, Field<double>(scene.start.displacement.count())};
+    State<double> state{scene.start.state().displacement, Field<double>(scene.start.count())};
     const auto moved = [&](const Scene& where) {
         const auto stepper = method("rk4").make({where, state, run.method_parameters, Precision::double_, 0.1});
         stepper->advance(10);

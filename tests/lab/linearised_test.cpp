@@ -88,7 +88,7 @@ TEST(Jacobian, is_the_derivative_of_the_forces) {
         for (Eigen::Index k = 0; k < u.size(); ++k) u[k] = std::sin(static_cast<double>(k) + 1);
         const auto accelerations = [&](double along) {
             const Field<double> step = linear.field(along * u);
-            Field<double> x = scene.start.displacement, a(x.count());
+            Field<double> x = scene.start.state().displacement, a(x.count());
             for (std::size_t k = 0; k < x.flat().size(); ++k) x.flat()[k] += step.flat()[k];
             std::visit([&](const auto& forces) { engine<double>(forces).accelerations(x, a); }, scene.forces);
             return linear.vector(a);

@@ -92,7 +92,7 @@ Field<double> misplaced_run(const RunDescription& description, double time, Real
     ParameterValues values(std::span(&tolerance_parameter, 1));
     values.set(tolerance_parameter.name, 1e-15);
     AdaptiveSteps<Real, ExtrapolationRule<Real>> integrator(values);
-    integrator.start(system, {converted<Real>(scene.start.displacement), converted<Real>(scene.start.velocity)});
+    integrator.start(system, scene.start.state<Real>());
     integrator.step(system);
     State<Real> state;
     integrator.synchronised(system, state);
@@ -127,7 +127,7 @@ TEST(ReferenceOfTheCollidingCube, supports_answers_at_1e_10) {
     const ReferenceMoment& end = right.moments.back();
     EXPECT_NE(right.how.find("6 collisions crossed"), std::string::npos) << right.how;
     EXPECT_LT(end.error, 3e-11);
-    const double start = energy(model("morse").scene(cube.scene).start);
+    const double start = energy(model("morse").scene(cube.scene).start.state());
     EXPECT_NEAR(energy(end.state), start, 1e-12);
 
     const Advice advice = advise(plan, 1e-10, right, [](double) {});

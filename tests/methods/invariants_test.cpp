@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, Invariants, testing::ValuesIn(working_method
 double distance_after_return(std::string_view method, Precision precision) {
     const RunDescription description = run_of("morse", method, precision, 0.02, {{"spacing", 0.3}});
     Scene scene = model("morse").scene(description.scene);
-    State<double> state = scene.start;
+    State<double> state = scene.start.state();
     const auto run = [&](std::uint64_t steps) {
         const auto stepper =
             steplab::method(method).make({scene, state, description.method_parameters, precision, description.dt});
@@ -69,8 +69,8 @@ double distance_after_return(std::string_view method, Precision precision) {
     for (double& v : state.velocity.flat()) v = -v;
     run(100);
     double largest = 0;
-    for (std::size_t i = 0; i < scene.start.displacement.count(); ++i) {
-        largest = std::max(largest, length(state.displacement.at(i) - scene.start.displacement.at(i)));
+    for (std::size_t i = 0; i < scene.start.count(); ++i) {
+        largest = std::max(largest, length(state.displacement.at(i) - scene.start[i].displacement));
     }
     return largest;
 }

@@ -56,7 +56,7 @@ TEST(StageLanes, give_the_bits_of_plain_numbers_in_every_layout) {
     expect_the_same_bits(ConstantForces{.count = 6}, 6);
     expect_the_same_bits(rope, 5);
     expect_the_same_bits(LineForces{.count = 19, .first_fixed = false, .mass = 2, .k = 3, .rest_length = 1}, 19);
-    expect_the_same_bits(GridForces{.dim = 4, .mass = 2, .k = 3, .rest_length = 1}, 16);
+    expect_the_same_bits(GridForces{.rows = 4, .columns = 4, .mass = 2, .k = 3, .rest_length = 1}, 16);
     expect_the_same_bits(PairForces{.count = 7}, 7);
     NearPairForces near;
     near.count = 20;

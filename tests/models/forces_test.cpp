@@ -18,6 +18,7 @@ namespace {
 struct ForcesCase {
     std::string name;
     Scene scene;
+    Field<double> displacement;  ///< off the places of rest at random
     std::vector<Role> roles;
 };
 
@@ -25,13 +26,14 @@ ForcesCase forces_case(std::string name, std::string_view model_id, Settings set
     const RunDescription description = run_of(model_id, "rk4", Precision::double_, 0.1, settings);
     Scene scene = model(model_id).scene(description.scene);
     auto roles = model(model_id).shape(description.scene).roles;
+    State<double> start = scene.start.state();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> moved(-0.2, 0.2);
     for (std::size_t i = 0; i < roles.size(); ++i) {
         const Vec3 shift{moved(random), moved(random), moved(random)};
-        if (roles[i] != Role::fixed) scene.start.displacement.set(i, scene.start.displacement.at(i) + shift);
+        if (roles[i] != Role::fixed) start.displacement.set(i, start.displacement.at(i) + shift);
     }
-    return {std::move(name), std::move(scene), std::move(roles)};
+    return {std::move(name), std::move(scene), std::move(start.displacement), std::move(roles)};
 }
 
 std::vector<ForcesCase> all_forces() {
@@ -67,11 +69,11 @@ double component(Vec3 v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 
 /// Largest difference of m a from minus the central difference of the potential, over the moving particles.
 double worst_gradient_error(const ForcesCase& c, double strength) {
     constexpr double h = 1e-5;
-    const Field<double> a = accelerations(c.scene.forces, c.scene.start.displacement);
+    const Field<double> a = accelerations(c.scene.forces, c.displacement);
     double worst = 0;
     for (std::size_t i = 0; i < c.roles.size(); ++i) {
         for (std::size_t axis = 0; c.roles[i] != Role::fixed && axis < 3; ++axis) {
-            Field<double> x = c.scene.start.displacement;
+            Field<double> x = c.displacement;
             component(x, i, axis) += h;
             const double above = potential(c.scene.forces, x);
             component(x, i, axis) -= 2 * h;
@@ -98,10 +100,10 @@ TEST(Forces, that_are_one_per_mille_wrong_are_not_the_gradient) {
 // rounding 1e-14 and k <= 200 leave differences of a few 1e-12; accelerations are of the order 0.1 to 100.
 TEST(Forces, of_every_layout_agree_with_the_plain_loop) {
     for (const auto& c : all_forces()) {
-        const Field<double> a = accelerations(c.scene.forces, c.scene.start.displacement);
+        const Field<double> a = accelerations(c.scene.forces, c.displacement);
         Field<double> positions(a.count()), expected(a.count());
         for (std::size_t i = 0; i < a.count(); ++i)
-            positions.set(i, c.scene.reference.at(i) + c.scene.start.displacement.at(i));
+            positions.set(i, c.scene.reference.at(i) + c.displacement.at(i));
         Plain<double>(c.scene.forces).accelerations(positions, expected);
         for (std::size_t i = 0; i < a.count(); ++i)
             ASSERT_LT(length(a.at(i) - expected.at(i)), 1e-11) << c.name << " particle " << i;
@@ -110,7 +112,7 @@ TEST(Forces, of_every_layout_agree_with_the_plain_loop) {
 
 TEST(Forces, never_move_a_fixed_particle) {
     for (const auto& c : all_forces()) {
-        const Field<double> a = accelerations(c.scene.forces, c.scene.start.displacement);
+        const Field<double> a = accelerations(c.scene.forces, c.displacement);
         for (std::size_t i = 0; i < a.count(); ++i) {
             if (c.roles[i] != Role::fixed) continue;
             EXPECT_EQ(a.at(i), Vec3{}) << c.name << " particle " << i;
@@ -120,7 +122,7 @@ TEST(Forces, never_move_a_fixed_particle) {
 
 TEST(Forces, leave_the_padding_zero) {
     for (const auto& c : all_forces()) {
-        const Field<double> a = accelerations(c.scene.forces, c.scene.start.displacement);
+        const Field<double> a = accelerations(c.scene.forces, c.displacement);
         for (const double* axis : {a.x(), a.y(), a.z()}) {
             for (std::size_t i = a.count(); i % Field<double>::granule != 0; ++i) EXPECT_EQ(axis[i], 0) << c.name;
         }
@@ -131,7 +133,7 @@ TEST(Forces, leave_the_padding_zero) {
 TEST(Forces, of_closed_systems_add_up_to_nothing) {
     for (const auto& c : {forces_case("free chain", "chain", {{"fixed", 0}}), forces_case("morse", "morse", {}),
                           forces_case("morse with cut-off", "morse", {{"cutoff", 0.8}})}) {
-        const Field<double> a = accelerations(c.scene.forces, c.scene.start.displacement);
+        const Field<double> a = accelerations(c.scene.forces, c.displacement);
         Vec3 sum;
         for (std::size_t i = 0; i < a.count(); ++i) sum = sum + a.at(i);
         EXPECT_LT(length(sum), 1e-13) << c.name;
@@ -140,7 +142,7 @@ TEST(Forces, of_closed_systems_add_up_to_nothing) {
 
 TEST(Forces, between_coincident_particles_are_finite) {
     for (auto c : all_forces()) {
-        Field<double> x(c.scene.start.displacement.count());
+        Field<double> x(c.displacement.count());
         for (std::size_t i = 0; i < x.count(); ++i) x.set(i, -1 * c.scene.reference.at(i));
         const Field<double> a = accelerations(c.scene.forces, x);
         for (const double number : a.flat()) EXPECT_TRUE(std::isfinite(number)) << c.name;
@@ -149,7 +151,7 @@ TEST(Forces, between_coincident_particles_are_finite) {
 
 TEST(Forces, are_the_same_formulas_in_every_number_type) {
     for (const auto& c : all_forces()) {
-        const Field<double>& x = c.scene.start.displacement;
+        const Field<double>& x = c.displacement;
         const Field<double> in_double = accelerations(c.scene.forces, x);
         const Field<float> in_float = accelerations(c.scene.forces, converted<float>(x));
         const Field<long double> in_long = accelerations(c.scene.forces, converted<long double>(x));
@@ -168,10 +170,10 @@ TEST(Forces, have_their_exact_jacobian_in_dual_numbers) {
         constexpr double h = 1e-6;
         const std::size_t last = c.roles.size() - 1 - (c.name == "mesh" ? c.roles.size() / 2 - 5 : 0);
         if (c.roles[last] == Role::fixed) continue;
-        Field<double> above = c.scene.start.displacement, below = above;
+        Field<double> above = c.displacement, below = above;
         above.y()[last] += h;
         below.y()[last] -= h;
-        Field<Dual<double>> x = converted<Dual<double>>(c.scene.start.displacement);
+        Field<Dual<double>> x = converted<Dual<double>>(c.displacement);
         x.y()[last].derivative = 1;
         const auto derivative = accelerations(c.scene.forces, x);
         const auto a = accelerations(c.scene.forces, above), b = accelerations(c.scene.forces, below);

@@ -16,7 +16,7 @@ Scene scene_of(std::string_view id, Settings settings = {}) {
 }
 
 Vec3 start_position(const Scene& scene, std::size_t i) {
-    return scene.reference.at(i) + scene.start.displacement.at(i);
+    return scene.reference.at(i) + scene.start[i].displacement;
 }
 
 TEST(Scenes, have_a_shape_that_agrees_with_their_start) {
@@ -27,7 +27,7 @@ TEST(Scenes, have_a_shape_that_agrees_with_their_start) {
         const std::size_t n = static_cast<std::size_t>(model.particles(defaults));
         ASSERT_EQ(shape.rest.size(), n) << model.info.id;
         ASSERT_EQ(shape.roles.size(), n) << model.info.id;
-        ASSERT_EQ(scene.reference.count(), n) << model.info.id;
+        ASSERT_EQ(scene.reference.count, n) << model.info.id;
         for (std::size_t i = 0; i < n; ++i)
             EXPECT_EQ(shape.rest[i], start_position(scene, i)) << model.info.id << " " << i;
         EXPECT_GT(shape.spacing, 0) << model.info.id;
@@ -40,7 +40,7 @@ TEST(Scenes, kick_one_particle_only_and_mark_it) {
         const Shape shape = model.shape(defaults);
         const Scene scene = model.scene(defaults);
         for (std::size_t i = 0; i < shape.roles.size(); ++i) {
-            const bool moves = !(scene.start.velocity.at(i) == Vec3{});
+            const bool moves = !(scene.start[i].velocity == Vec3{});
             EXPECT_EQ(moves, shape.roles[i] == Role::kicked || shape.roles[i] == Role::bullet)
                 << model.info.id << " " << i;
         }
@@ -58,7 +58,7 @@ TEST(Scenes, are_laid_out_as_documented) {
     EXPECT_EQ(shape_of("morse").rest[27], (Vec3{-10, 0, 0}));
     EXPECT_EQ(shape_of("morse", {{"edge", 1}}).rest.size(), 2u);
     EXPECT_EQ(shape_of("chain").rest[9], (Vec3{18, 0, 0}));
-    EXPECT_EQ(scene_of("chain").start.velocity.at(9), (Vec3{2, 0, 0}));
+    EXPECT_EQ(scene_of("chain").start[9].velocity, (Vec3{2, 0, 0}));
     EXPECT_EQ(shape_of("free").rest[9], (Vec3{9, 0, 0}));
 }
 
