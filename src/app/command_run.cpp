@@ -44,6 +44,8 @@ public:
         text_option(app, "--isa", isa_, "SET",
                     "Instruction set of the processor (default: the fastest; no result depends on it)")
             ->group("Computing");
+        text_option(app, "--threads", threads_, "N", "At most so many, where they pay (default: all processors)")
+            ->group("Computing");
         app.footer([] { return std::string(examples) + catalogue_help(); });
     }
 
@@ -71,7 +73,18 @@ private:
     Execution execution() const {
         Execution execution;
         if (!isa_.empty()) execution.instructions = parse_instructions(isa_);
+        if (!threads_.empty()) execution.threads = parse_threads();
         return execution;
+    }
+
+    std::size_t parse_threads() const {
+        constexpr ParameterInfo info{.name = "--threads",
+                                     .kind = ParameterInfo::Kind::integer,
+                                     .unit = "",
+                                     .minimum = 1,
+                                     .maximum = 1024,
+                                     .what = "threads that step a run, at most"};
+        return static_cast<std::size_t>(parse_value(info, threads_));
     }
 
     std::uint64_t parse_every() const {
@@ -142,7 +155,7 @@ private:
     SceneOptions scene_;
     TimeOptions time_{1000};
     std::string every_;
-    std::string isa_;
+    std::string isa_, threads_;
     OutputOptions output_;
     std::uint64_t steps_ = 0;
 };

@@ -78,6 +78,9 @@ public:
         f(self.lost_.v);
     }
 
+    /// Springs that a step reaches.
+    std::size_t reach() const { return step_.parts.size(); }
+
     struct Progress {
         bool fresh = true;  ///< no step was taken yet
     };

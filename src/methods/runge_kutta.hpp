@@ -56,6 +56,8 @@ public:
         system.sweep(kept, steps, stages, Stage<false>(system));
     }
 
+    std::size_t reach() const { return stages; }
+
 private:
     using Synchronised<T>::x_, Synchronised<T>::v_, Synchronised<T>::lost_;
     using N = Lanes<T>;

@@ -65,6 +65,8 @@ public:
         steps_.look(system, sink);
     }
 
+    std::size_t reach() const { return steps_.reach(); }
+
     template <class Self, class F>
     static void each_part(Self& self, F f) {
         KickDriftSteps<T>::each_part(self.steps_, f);

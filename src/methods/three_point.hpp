@@ -46,6 +46,8 @@ public:
         steps_.look(system, sink);
     }
 
+    std::size_t reach() const { return substeps_ * steps_.reach(); }
+
     template <class Self, class F>
     static void each_part(Self& self, F f) {
         KickDriftSteps<T>::each_part(self.steps_, f);

@@ -95,8 +95,8 @@ Energy EnergyMeter::energy(const std::function<void(const PortionSink&)>& look) 
 void EnergyMeter::add(const Portion& portion) {
     for (std::size_t from = 0; from < portion.count;) {
         const std::size_t more = std::min(portion.count - from, piece_.velocity.count() - held_);
-        copy(portion.state.displacement, from, more, piece_.displacement, held_);
-        copy(portion.state.velocity, from, more, piece_.velocity, held_);
+        copy(portion.state.displacement, portion.place + from, more, piece_.displacement, held_);
+        copy(portion.state.velocity, portion.place + from, more, piece_.velocity, held_);
         held_ += more, from += more, taken_ += more;
         if (held_ == piece_.velocity.count() || taken_ == count_) finish_piece();
     }

@@ -52,7 +52,7 @@ std::uint64_t hash_in(std::uint64_t step, const std::function<void(const Portion
     for (std::size_t c = 0; c < 6; ++c) {
         XXH64_reset(stream.get(), hash);
         look([&](const Portion& portion) {
-            const double* const numbers = component(portion.state, c);
+            const double* const numbers = component(portion.state, c) + portion.place;
             held.resize(portion.count);
             std::transform(numbers, numbers + portion.count, held.begin(),
                            [](double number) { return static_cast<T>(number); });

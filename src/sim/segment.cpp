@@ -1,6 +1,7 @@
 #include "sim/segment.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "sim/bands.hpp"
 
 namespace steplab {
 
@@ -26,8 +27,9 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
 void Segment::restart() {
     const FlushSubnormals flush;
     stepper.reset();
-    stepper = method(held.method)
-                  .make({scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions});
+    stepper = make_stepper(method(held.method),
+                           {scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions},
+                           execution);
 }
 
 const std::optional<StabilityLimit>& Segment::limit() const {

@@ -13,13 +13,15 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace steplab {
 
-/// Some particles as seen from outside: the first `count` of `state` are the particles from `first` on.
+/// Some particles as seen from outside: from `place` on, `state` holds the particles from `first` on.
 struct Portion {
     std::size_t first, count;
     const State<double>& state;  ///< displacement and velocity of one time, each number one that the precision holds
+    std::size_t place = 0;
 };
 using PortionSink = std::function<void(const Portion&)>;
 
@@ -44,6 +46,12 @@ public:
     virtual void restore(const std::any& saved) = 0;
     /// Size of the internal state.
     virtual std::size_t bytes() const = 0;
+
+    /// How many springs far what happens to a particle reaches in one step; none: there is no such bound.
+    virtual std::optional<std::size_t> reach() const = 0;
+    /// Particles from `to` on become what those from `from` on are in a stepper of the same method, precision and
+    /// layout that took as many steps.
+    virtual void take_over(const Stepper& other, std::size_t from, std::size_t to, std::size_t count) = 0;
 };
 
 /// What a method needs to begin a segment.

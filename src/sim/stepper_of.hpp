@@ -126,6 +126,28 @@ public:
         return sum;
     }
 
+    std::optional<std::size_t> reach() const override {
+        if constexpr (requires { integrator_.reach(); }) {
+            return integrator_.reach();
+        } else {
+            return std::nullopt;
+        }
+    }
+
+    void take_over(const Stepper& other, std::size_t from, std::size_t to, std::size_t count) override {
+        std::vector<const Field<T>*> theirs;
+        Integrator::each_part(static_cast<const StepperOf&>(other).integrator_,
+                              [&](const Field<T>& part) { theirs.push_back(&part); });
+        auto their = theirs.begin();
+        Integrator::each_part(integrator_, [&](Field<T>& mine) {
+            const Field<T>& part = **their++;
+            if (part.count() == 0) return;
+            std::copy_n(part.x() + from, count, mine.x() + to);
+            std::copy_n(part.y() + from, count, mine.y() + to);
+            std::copy_n(part.z() + from, count, mine.z() + to);
+        });
+    }
+
 private:
     using Integrator = typename Method::template Integrator<T>;
     using Vec = Vector<Lanes<T>>;

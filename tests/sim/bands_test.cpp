@@ -1,0 +1,99 @@
+#include "support/runs.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+Execution by_threads(std::size_t count) { return {.threads = count, .particles_a_thread = 1}; }
+
+/// Chains, ropes and grids that are cut unevenly, whatever the number of threads.
+std::vector<RunDescription> runs_in_bands(const MethodCase& c) {
+    std::vector<RunDescription> runs{run_of("chain", c.info->id, c.precision, 0.1, {{"n", 331}, {"c", 0.2}}),
+                                     run_of("chain", c.info->id, c.precision, 0.1, {{"n", 150}, {"fixed", 0}}),
+                                     run_of("rope", c.info->id, c.precision, 0.005, {{"n", 129}}),
+                                     run_of("mesh", c.info->id, c.precision, 0.1, {{"dim", 61}}),
+                                     run_of("mesh", c.info->id, c.precision, 0.1, {{"dim", 45}, {"v0", 30}})};
+    for (std::size_t i = 0; i < 5; i += 3) {
+        if (!runs[i].method_parameters.contains("compensated")) continue;
+        runs.push_back(runs[i]);
+        runs.back().method_parameters.set("compensated", 1);
+    }
+    return runs;
+}
+
+class Bands : public testing::TestWithParam<MethodCase> {};
+
+// What is wrong at the ends of a band comes in by one spring an evaluation: 100 steps are enough for it to be seen, in a
+// run whose particles all move from early on.
+TEST_P(Bands, step_every_particle_as_one_thread_does) {
+    for (const RunDescription& run : runs_in_bands(GetParam())) {
+        Simulation one(run, by_threads(1));
+        one.advance(100);
+        for (const std::size_t threads : {2, 3, 5}) {
+            Simulation several(run, by_threads(threads));
+            several.advance(41);
+            EXPECT_EQ(several.energy(), [&] {
+                Simulation same(run, by_threads(1));
+                same.advance(41);
+                return same.energy();
+            }());
+            several.advance(59);
+            EXPECT_EQ(several.hash(), one.hash()) << run.model << " by " << threads;
+            EXPECT_EQ(several.evaluations(), one.evaluations());
+        }
+    }
+}
+
+TEST_P(Bands, go_on_from_a_kept_moment) {
+    for (const RunDescription& run : runs_in_bands(GetParam())) {
+        Simulation simulation(run, by_threads(3));
+        simulation.advance(20);
+        const auto moment = simulation.save();
+        simulation.advance(30);
+        const std::string hash = simulation.hash();
+        simulation.restore(moment);
+        EXPECT_EQ(simulation.step(), 20u);
+        simulation.advance(30);
+        EXPECT_EQ(simulation.hash(), hash) << run.model;
+    }
+}
+
+std::vector<MethodCase> methods_of_fixed_steps() {
+    std::vector<MethodCase> cases;
+    for (const MethodCase& c : all_methods()) {
+        if (!ParameterValues(c.info->parameters).contains("tolerance")) cases.push_back(c);
+    }
+    return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Bands, testing::ValuesIn(methods_of_fixed_steps()), case_name);
+
+// A wave that has passed all borders, on a mesh large enough for several steps between two meetings.
+TEST(LargeBands, meet_only_every_few_steps) {
+    for (const char* method : {"velocity-verlet", "rk4", "forest-ruth"}) {
+        const RunDescription run = run_of("mesh", method, Precision::float_, 0.5, {{"dim", 900}, {"v0", 100}});
+        Simulation one(run, {.threads = 1}), two(run, {.threads = 2});
+        one.advance(60);
+        two.advance(60);
+        EXPECT_EQ(one.hash(), two.hash()) << method;
+    }
+}
+
+TEST(LargeBands, diverge_at_the_step_and_particle_at_which_one_thread_does) {
+    const RunDescription run = run_of("mesh", "rk4", Precision::double_, 1.1, {{"dim", 60}, {"v0", 10}});
+    Simulation one(run, by_threads(1)), three(run, by_threads(3));
+    one.advance(2000);
+    three.advance(2000);
+    ASSERT_TRUE(one.divergence() && three.divergence());
+    EXPECT_EQ(one.divergence()->step, three.divergence()->step);
+    EXPECT_EQ(one.divergence()->particle, three.divergence()->particle);
+    EXPECT_EQ(one.hash(), three.hash());
+}
+
+}  // namespace
+}  // namespace steplab::test
