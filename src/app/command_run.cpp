@@ -42,7 +42,7 @@ public:
         text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
         output_.declare(app);
         text_option(app, "--isa", isa_, "SET",
-                    "Instruction set of the processor (default: the fastest; no result depends on it)")
+                    "Instruction set of the processor (default: the fastest)")
             ->group("Computing");
         app.footer([] { return std::string(examples) + catalogue_help(); });
     }

@@ -104,8 +104,9 @@ TYPED_TEST(LanesTest, raise_e_to_each_lane_as_to_a_number_by_itself) {
 TYPED_TEST(LanesTest, load_and_store_anywhere) {
     using T = TypeParam;
     using N = Lanes<T>;
-    alignas(64) T numbers[2 * N::count];
-    for (std::size_t i = 0; i < 2 * N::count; ++i) numbers[i] = static_cast<T>(i);
+    constexpr std::size_t size = N::count + 4;
+    alignas(64) T numbers[size];
+    for (std::size_t i = 0; i < size; ++i) numbers[i] = static_cast<T>(i);
     N::load_anywhere(numbers + 3).store_anywhere(numbers + 1);
     for (std::size_t i = 0; i < N::count; ++i) EXPECT_EQ(numbers[i + 1], static_cast<T>(i + 3));
     EXPECT_EQ(numbers[0], T(0));
@@ -115,8 +116,9 @@ TYPED_TEST(LanesTest, load_and_store_anywhere) {
 TYPED_TEST(LanesTest, shift_through_neighbouring_registers) {
     using T = TypeParam;
     using N = Lanes<T>;
-    alignas(64) T numbers[2 * N::count];
-    for (std::size_t i = 0; i < 2 * N::count; ++i) numbers[i] = static_cast<T>(i);
+    constexpr std::size_t size = N::count + 4;
+    alignas(64) T numbers[size];
+    for (std::size_t i = 0; i < size; ++i) numbers[i] = static_cast<T>(i);
     const N first = N::load(numbers), second = N::load(numbers + N::count);
     for (std::size_t i = 0; i < N::count; ++i) {
         EXPECT_EQ(N::shifted_down(first, second)[i], static_cast<T>(i + 1));
