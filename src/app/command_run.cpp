@@ -41,8 +41,7 @@ public:
         time_.declare(app);
         text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
         output_.declare(app);
-        text_option(app, "--isa", isa_, "SET",
-                    "Instruction set of the processor (default: the fastest)")
+        text_option(app, "--isa", isa_, "SET", "Instruction set of the processor (default: the fastest)")
             ->group("Computing");
         text_option(app, "--threads", threads_, "N", "At most so many, where they pay (default: all processors)")
             ->group("Computing");

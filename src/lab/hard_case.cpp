@@ -74,9 +74,8 @@ std::string divergence_cell(const Simulation& simulation) {
 std::string energy_cell(const Trial& trial, const Method& method, double scale, double least) {
     Simulation simulation = trial.with(method.info.id);
     double worst = 0;
-    const bool whole = watched(simulation, trial.steps(), 64, [&](Simulation& s) {
-        worst = std::max(worst, std::abs(s.energy_error()) / scale);
-    });
+    const bool whole = watched(simulation, trial.steps(), 64,
+                               [&](Simulation& s) { worst = std::max(worst, std::abs(s.energy_error()) / scale); });
     return whole ? number_cell(worst, least) : divergence_cell(simulation);
 }
 

@@ -24,8 +24,8 @@ public:
 
     template <class System>
     void start(System& system, State<T> state) {
-        steps_ =
-            KickDriftSteps<T>(substep(system.dt() / static_cast<T>(substeps_), system.drag()), std::move(state), compensated_);
+        steps_ = KickDriftSteps<T>(substep(system.dt() / static_cast<T>(substeps_), system.drag()), std::move(state),
+                                   compensated_);
     }
 
     template <class System>

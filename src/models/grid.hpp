@@ -39,7 +39,8 @@ public:
           length_(static_cast<T>(forces.rest_length)),
           diagonal_(static_cast<T>(std::sqrt(2.0) * forces.rest_length)),
           inner_(forces.columns + width) {
-        for (std::size_t k = 0; k < inner_.size(); ++k) inner_[k] = T(k % forces.columns > 0 && (k + 1) % forces.columns > 0);
+        for (std::size_t k = 0; k < inner_.size(); ++k)
+            inner_[k] = T(k % forces.columns > 0 && (k + 1) % forces.columns > 0);
     }
 
     /// The same forces in another number type.

@@ -45,11 +45,12 @@ Lattice lattice(const ParameterValues& values) {
 
 Scene scene(const ParameterValues& values) {
     const std::size_t dim = values.count("dim"), n = dim * dim;
-    return {.mass = values["m"],
-            .forces = GridForces{
-                .rows = dim, .columns = dim, .mass = values["m"], .k = values["k"], .rest_length = values["L"]},
-            .reference = lattice(values),
-            .start = Start::kick(n, kicked_particle(values), {0, values["v0"], 0})};
+    return {
+        .mass = values["m"],
+        .forces =
+            GridForces{.rows = dim, .columns = dim, .mass = values["m"], .k = values["k"], .rest_length = values["L"]},
+        .reference = lattice(values),
+        .start = Start::kick(n, kicked_particle(values), {0, values["v0"], 0})};
 }
 
 /// To the east, south, south-east and south-west: each spring once, in the order of its first particle.

@@ -1,5 +1,5 @@
-#include "models/linear_response.hpp"
 #include "models/line_scene.hpp"
+#include "models/linear_response.hpp"
 #include "models/parameters.hpp"
 
 #include <cmath>
@@ -38,9 +38,8 @@ private:
 
 /// Particle 0 is the fixed end of the spring, at the origin; particle 1 is the one that swings.
 Scene scene(const ParameterValues& values) {
-    return line_scene(
-        {.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
-        values["c"] / values["m"], {values["v0"], 0, 0});
+    return line_scene({.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
+                      values["c"] / values["m"], {values["v0"], 0, 0});
 }
 
 Shape shape(const ParameterValues& values) {

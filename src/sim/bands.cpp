@@ -42,8 +42,8 @@ constexpr std::size_t band_over_border = 50;
 /// Steps from one meeting to the next, at most.
 constexpr std::size_t most_steps = 64;
 
-/// Units from `begin` to `end`, with borders of units that belong to others: they are stepped along for as many steps as
-/// it takes what is wrong at their ends to come in, and then taken from their owners again.
+/// Units from `begin` to `end`, with borders of units that belong to others: they are stepped along for as many steps
+/// as it takes what is wrong at their ends to come in, and then taken from their owners again.
 struct Band {
     std::size_t begin, end;
     std::size_t before, behind;  ///< units of the borders

@@ -45,16 +45,22 @@ double pairs(const NearPairForces& forces, const Scene& scene) {
 double available_memory() { return std::max(0.0, 0.9 * system_memory()); }
 
 double bytes_per_particle(const RunDescription& description) {
-    const double number = description.precision == Precision::float_ ? 4 : 8;
-    const MethodInfo& info = method(description.method).info;
-    // Of the integrator, stages included. With steps of its own it holds both ends of the last one in two parts, and
-    // stages or terms of it, all of them once more in the state to come back to.
+    const double number = description.precision == Precision::float_ ? 4 : 8, vector = 3 * number;
+    const Method& entry = method(description.method);
+    const double seen = 2 * 3 * 8.0, frame = 2 * 3 * 8.0;  // in double, whatever the precision
+    const double shape = 3 * 8.0 + 1 + 4 * 16.0;           // a particle has up to 4 springs of its own
+    const double shown = seen + frame + shape;
     const bool own_steps = description.method_parameters.contains("tolerance");
-    const double stages = std::min(info.evaluations, 20), fields = own_steps ? 20 + 4 * stages : 3 + 2 * stages;
-    const double scene_and_state = 5 * 3 * 8.0, frame = 2 * 3 * 8.0;  // in double, whatever the precision
-    const double kept = 3 * 3 * number;                               // the state to come back to
-    const double shape = 3 * 8.0 + 1 + 4 * 16.0;                      // a particle has up to 4 springs of its own
-    return fields * 3 * number + scene_and_state + kept + frame + shape;
+    if (!own_steps && !entry.bytes_of_interactions) {
+        // position and velocity, what a stage of Runge-Kutta methods adds, what rounding cuts off, a state to come back
+        // to
+        const double fields = 2 + (entry.info.evaluations > 1 ? 4 : 0) + 2 + 4;
+        return fields * vector + shown;
+    }
+    // With steps of its own it holds both ends of the last one in two parts, and stages or terms of it, all of them
+    // once more in the state to come back to.
+    const double stages = std::min(entry.info.evaluations, 20), fields = own_steps ? 20 + 4 * stages : 3 + 2 * stages;
+    return (fields + 3) * vector + 2 * seen + shown;
 }
 
 double bytes_of_interactions(const RunDescription& description, const Scene& scene) {

@@ -27,9 +27,9 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
 void Segment::restart() {
     const FlushSubnormals flush;
     stepper.reset();
-    stepper = make_stepper(method(held.method),
-                           {scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions},
-                           execution);
+    stepper = make_stepper(
+        method(held.method),
+        {scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions}, execution);
 }
 
 const std::optional<StabilityLimit>& Segment::limit() const {

@@ -154,8 +154,8 @@ private:
 
     static constexpr bool shows_registers =
         !is_plain<Method> && requires(const Integrator& integrator, const System<T, Force>& system) {
-            integrator.look(system, [](std::size_t, const Vec&, const Vec&) {});
-        };
+        integrator.look(system, [](std::size_t, const Vec&, const Vec&) {});
+    };
 
     /// Particles of a portion: a multiple of every register's.
     static constexpr std::size_t portion = 1024;
@@ -210,7 +210,7 @@ private:
 
     System<T, Force> system_;
     Integrator integrator_;
-    Field<T> reference_;     ///< of plain methods
+    Field<T> reference_;  ///< of plain methods
     std::size_t particles_ = 0;
     mutable State<T> seen_;        ///< memory for look()
     mutable State<double> shown_;  ///< the same in double

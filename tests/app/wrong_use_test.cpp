@@ -29,6 +29,8 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--model", "chains"}, {"unknown model 'chains'", "did you mean 'chain'", "free", "rope", "morse"}},
     {{"run", "--method", "rk5"}, {"unknown method 'rk5'", "did you mean 'rk4'", "euler", "verlet"}},
     {{"run", "--precision", "half"}, {"unknown precision 'half'", "float", "double"}},
+    {{"run", "--threads", "0"}, {"--threads", "0", "a whole number from 1"}},
+    {{"run", "--threads", "two"}, {"--threads", "two"}},
     {{"run", "--isa", "sse9"}, {"unknown instruction set 'sse9'", "baseline"}},
     {{"run", "--stpes", "5"}, {"unknown option '--stpes'", "did you mean '--steps'", "--until"}},
     {{"run", "--stpes=5"}, {"unknown option '--stpes'"}},

@@ -46,13 +46,14 @@ Field<double> blocks_times(const Scene& scene, const Field<double>& direction, d
     std::visit(
         [&](const auto& forces) {
             auto force = engine<double>(forces);
-            each_block(force, scene.start.state().displacement, [&](std::size_t i, std::size_t j, const Block<double>& block) {
-                const Vec3 d = direction.at(j) - direction.at(i);
-                const auto change = (strength * block) * std::array<double, 3>{d.x, d.y, d.z};
-                const Vec3 slope{change[0], change[1], change[2]};
-                if (force.moves(i)) product.set(i, product.at(i) + slope);
-                if (force.moves(j)) product.set(j, product.at(j) - slope);
-            });
+            each_block(force, scene.start.state().displacement,
+                       [&](std::size_t i, std::size_t j, const Block<double>& block) {
+                           const Vec3 d = direction.at(j) - direction.at(i);
+                           const auto change = (strength * block) * std::array<double, 3>{d.x, d.y, d.z};
+                           const Vec3 slope{change[0], change[1], change[2]};
+                           if (force.moves(i)) product.set(i, product.at(i) + slope);
+                           if (force.moves(j)) product.set(j, product.at(j) - slope);
+                       });
         },
         scene.forces);
     return product;

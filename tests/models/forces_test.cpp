@@ -102,8 +102,7 @@ TEST(Forces, of_every_layout_agree_with_the_plain_loop) {
     for (const auto& c : all_forces()) {
         const Field<double> a = accelerations(c.scene.forces, c.displacement);
         Field<double> positions(a.count()), expected(a.count());
-        for (std::size_t i = 0; i < a.count(); ++i)
-            positions.set(i, c.scene.reference.at(i) + c.displacement.at(i));
+        for (std::size_t i = 0; i < a.count(); ++i) positions.set(i, c.scene.reference.at(i) + c.displacement.at(i));
         Plain<double>(c.scene.forces).accelerations(positions, expected);
         for (std::size_t i = 0; i < a.count(); ++i)
             ASSERT_LT(length(a.at(i) - expected.at(i)), 1e-11) << c.name << " particle " << i;

@@ -15,9 +15,7 @@ Scene scene_of(std::string_view id, Settings settings = {}) {
     return model(id).scene(run_of(id, "rk4", Precision::double_, 0.1, settings).scene);
 }
 
-Vec3 start_position(const Scene& scene, std::size_t i) {
-    return scene.reference.at(i) + scene.start[i].displacement;
-}
+Vec3 start_position(const Scene& scene, std::size_t i) { return scene.reference.at(i) + scene.start[i].displacement; }
 
 TEST(Scenes, have_a_shape_that_agrees_with_their_start) {
     for (const Model& model : models()) {

@@ -82,7 +82,7 @@ TEST(RunDescription, refuses_more_particles_than_memory_before_allocating) {
 
 TEST(RunDescription, memory_is_counted_in_bytes_of_the_right_size) {
     const double in_double = bytes_per_particle(describe("mesh", "rk4"));
-    EXPECT_GT(in_double, 10 * 3 * 8);  // rk4 alone holds ten fields
+    EXPECT_GT(in_double, 6 * 3 * 8);  // rk4 alone holds six fields
     EXPECT_LT(in_double, 2000);
     EXPECT_GT(available_memory(), 1e8);
 }
