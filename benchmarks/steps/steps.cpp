@@ -28,7 +28,8 @@ struct Row {
     std::string_view id, model, parameter;
     double value;  ///< of the parameter
     double dt;
-    std::size_t steps;  ///< of a batch: where it is short, with its share of steplab's checks of the energy, each 256 steps
+    std::size_t
+        steps;  ///< of a batch: where it is short, with its share of steplab's checks of the energy, each 256 steps
     std::vector<std::string_view> methods;
 };
 

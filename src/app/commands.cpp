@@ -2,6 +2,7 @@
 
 #include "app/catalogue_text.hpp"
 #include "app/command_advise.hpp"
+#include "app/command_bench.hpp"
 #include "app/command_convert.hpp"
 #include "app/command_limits.hpp"
 #include "app/command_line.hpp"
@@ -71,6 +72,7 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     all.push_back(limits_command());
     all.push_back(report_command());
     all.push_back(advise_command());
+    all.push_back(bench_command());
     all.push_back(view_command(arguments));
     return all;
 }
