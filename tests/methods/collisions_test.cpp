@@ -115,7 +115,7 @@ TEST(MovingAxes, are_those_of_positions_velocities_and_forces) {
     EXPECT_EQ(axes({0, 0, 0}, {0, -1, 0}, 0), 2u);
     EXPECT_EQ(axes({0, 0, -1}, {0, 0, 0}, 0), 3u);
     EXPECT_EQ(axes({0, 0, 0}, {0, 0, 1}, 0), 3u);
-    const System<double, Grid<double>> mesh(Grid<double>({.dim = 3}), 0, 1);
+    const System<double, Grid<double>> mesh(Grid<double>({.rows = 3, .columns = 3}), 0, 1);
     EXPECT_EQ(moving_axes(mesh, State<double>{Field<double>(9), Field<double>(9)}), 3u);
 }
 

@@ -87,8 +87,10 @@ protected:
     /// Narrower than a register, narrow and wide.
     template <class Method>
     static void grids() {
-        for (const std::size_t dim : {3, 4, 7, 8, 10, 17, 31, 64, 70})
-            expect_same_bits<Method, T>(Grid<T>({.dim = dim, .k = 2}), dim * dim);
+        for (const std::size_t dim : {3, 4, 7, 8, 10, 17, 31, 64, 70}) {
+            expect_same_bits<Method, T>(Grid<T>({.rows = dim, .columns = dim, .k = 2}), dim * dim);
+            expect_same_bits<Method, T>(Grid<T>({.rows = 5, .columns = dim, .k = 2}), 5 * dim);
+        }
     }
 };
 

@@ -21,7 +21,7 @@ PairList passing(Force force, const Field<double>& from, const Field<double>& to
 }
 
 const LineForces line{.count = 20, .rest_length = 1};
-const GridForces grid{.dim = 5, .rest_length = 1};
+const GridForces grid{.rows = 5, .columns = 5, .rest_length = 1};
 const PairForces pairs{.count = 20};
 
 TEST(PassingPairs, of_a_line_are_neighbours_that_change_places) {

@@ -53,7 +53,7 @@ protected:
     static constexpr double tolerance = 1000 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
     static double worst_of_grid(std::size_t dim, double k) {
-        const GridForces forces{.dim = dim, .mass = 2, .k = 3, .rest_length = 1.5};
+        const GridForces forces{.rows = dim, .columns = dim, .mass = 2, .k = 3, .rest_length = 1.5};
         GridForces other = forces;
         other.k = k;
         const Field<T> u = scattered<T>(dim * dim, 0.3);
