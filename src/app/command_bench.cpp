@@ -20,7 +20,7 @@ constexpr const char* notes =
     "Examples:\n"
     "  steplab bench\n"
     "  steplab bench --method rk4 --json\n\n"
-    "It takes less than a minute, and is most exact on a machine that does nothing else.\n";
+    "It takes less than a minute, and is most exact on a machine that does nothing else.";
 
 class BenchCommand final : public Command {
 public:

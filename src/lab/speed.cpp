@@ -61,15 +61,19 @@ double seconds_a_step(const RunDescription& run, const Execution& execution) {
     return least;
 }
 
-/// Of one model's sizes in one precision: by how the time for a particle changes with their number.
-void find_bounds(std::span<Speed> of_a_model) {
-    const auto for_a_particle = [](const Speed& speed) { return speed.seconds / static_cast<double>(speed.particles); };
+/// Of one model's sizes in one precision, small ones first: by how the time for a particle changes from one to the
+/// next.
+void find_bounds(std::span<Speed> sizes) {
     constexpr double clearly = 1.25;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Speed& speed : of_a_model) least = std::min(least, for_a_particle(speed));
-    for (Speed& speed : of_a_model) {
-        if (for_a_particle(speed) < clearly * least && speed.particles > 100) continue;
-        speed.bound = speed.particles < 10000 ? Bound::latency : Bound::memory;
+    constexpr std::size_t few = 100, many = 100000;
+    const auto slower = [&](const Speed& a, const Speed& b) {
+        return a.seconds / static_cast<double>(a.particles) > clearly * b.seconds / static_cast<double>(b.particles);
+    };
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const bool alone = sizes.size() == 1;
+        if (sizes[i].particles <= few && (alone || (i + 1 < sizes.size() && slower(sizes[i], sizes[i + 1]))))
+            sizes[i].bound = Bound::latency;
+        if (sizes[i].particles >= many && i > 0 && slower(sizes[i], sizes[i - 1])) sizes[i].bound = Bound::memory;
     }
 }
 

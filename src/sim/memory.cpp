@@ -51,6 +51,7 @@ double bytes_per_particle(const RunDescription& description) {
     const double shape = 3 * 8.0 + 1 + 4 * 16.0;           // a particle has up to 4 springs of its own
     const double shown = seen + frame + shape;
     const bool own_steps = description.method_parameters.contains("tolerance");
+    if (entry.info.curiosity) return 8 * vector + 4 * 3 * 8.0 + 2 * seen + shown;  // it lists its springs
     if (!own_steps && !entry.bytes_of_interactions) {
         // position and velocity, what a stage of Runge-Kutta methods adds, what rounding cuts off, a state to come back
         // to
