@@ -14,7 +14,8 @@ struct Lattice {
     Vec3 between_rows{};          ///< from a point to the one in the next row
 
     Vec3 at(std::size_t i) const {
-        return static_cast<double>(i % columns) * along_row + static_cast<double>(i / columns) * between_rows;
+        const std::size_t row = i / columns, column = i % columns;
+        return static_cast<double>(column) * along_row + static_cast<double>(row) * between_rows;
     }
 };
 
