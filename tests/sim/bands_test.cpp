@@ -36,7 +36,7 @@ TEST_P(Bands, step_every_particle_as_one_thread_does) {
     for (const RunDescription& run : runs_in_bands(GetParam())) {
         Simulation one(run, by_threads(1));
         one.advance(100);
-        for (const std::size_t threads : {2, 3, 5}) {
+        for (const std::size_t threads : {2U, 3U, 5U}) {
             Simulation several(run, by_threads(threads));
             several.advance(41);
             several.advance(59);
