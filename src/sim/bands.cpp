@@ -95,7 +95,7 @@ public:
                 const std::size_t from = first + portion.first, to = from + portion.count;
                 const std::size_t own = std::max(from, begin);
                 if (own < std::min(to, end))
-                    sink({own, std::min(to, end) - own, portion.state, portion.place});
+                    sink({own, std::min(to, end) - own, portion.state, portion.place + own - from});
             });
         }
     }
