@@ -77,7 +77,7 @@ protected:
     /// In registers, in one block and in many; ends before, at and after the end of a register.
     template <class Method>
     static void lines() {
-        for (const std::size_t count : {2, 3, 8, 9, 10, 16, 17, 32, 33, 64, 500, 1601}) {
+        for (const std::size_t count : {2U, 3U, 8U, 9U, 10U, 16U, 17U, 32U, 33U, 64U, 500U, 1601U}) {
             for (const double gravity : {0.0, 1.0}) {
                 const LineForces forces{.count = count, .first_fixed = count % 2 == 0, .k = 2, .gravity = gravity};
                 expect_same_bits<Method, T>(Line<T>(forces), count);
@@ -87,7 +87,7 @@ protected:
     /// Narrower than a register, narrow and wide.
     template <class Method>
     static void grids() {
-        for (const std::size_t dim : {3, 4, 7, 8, 10, 17, 31, 64, 70}) {
+        for (const std::size_t dim : {3U, 4U, 7U, 8U, 10U, 17U, 31U, 64U, 70U}) {
             expect_same_bits<Method, T>(Grid<T>({.rows = dim, .columns = dim, .k = 2}), dim * dim);
             expect_same_bits<Method, T>(Grid<T>({.rows = 5, .columns = dim, .k = 2}), 5 * dim);
         }
