@@ -51,7 +51,9 @@ public:
     int run() override {
         const RunDescription description = scene_.description();
         steps_ = time_.steps(description);
-        const std::uint64_t every = every_.empty() ? std::max<std::uint64_t>(1, steps_) : parse_every();
+        const std::uint64_t every = every_.empty()
+                                        ? std::max<std::uint64_t>(1, steps_)
+                                        : whole_number("--every", every_, 9007199254740992.0, "steps between two rows");
         output_.check();
         catch_interruptions();
         RunOutputs outputs(output_, description);
@@ -72,28 +74,20 @@ private:
     Execution execution() const {
         Execution execution;
         if (!isa_.empty()) execution.instructions = parse_instructions(isa_);
-        if (!threads_.empty()) execution.threads = parse_threads();
+        if (!threads_.empty())
+            execution.threads = whole_number("--threads", threads_, 1024, "threads that step a run, at most");
         return execution;
     }
 
-    std::size_t parse_threads() const {
-        constexpr ParameterInfo info{.name = "--threads",
-                                     .kind = ParameterInfo::Kind::integer,
-                                     .unit = "",
-                                     .minimum = 1,
-                                     .maximum = 1024,
-                                     .what = "threads that step a run, at most"};
-        return static_cast<std::size_t>(parse_value(info, threads_));
-    }
-
-    std::uint64_t parse_every() const {
-        constexpr ParameterInfo info{.name = "--every",
-                                     .kind = ParameterInfo::Kind::integer,
-                                     .unit = "",
-                                     .minimum = 1,
-                                     .maximum = 9007199254740992.0,
-                                     .what = "steps between two rows"};
-        return static_cast<std::uint64_t>(parse_value(info, every_));
+    static std::uint64_t whole_number(std::string_view option, const std::string& text, double maximum,
+                                      std::string_view what) {
+        const ParameterInfo info{.name = option,
+                                 .kind = ParameterInfo::Kind::integer,
+                                 .unit = "",
+                                 .minimum = 1,
+                                 .maximum = maximum,
+                                 .what = what};
+        return static_cast<std::uint64_t>(parse_value(info, text));
     }
 
     /// Takes the steps and records the first one, every K-th and the last one.

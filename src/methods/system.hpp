@@ -106,11 +106,11 @@ private:
 //   void step(System&)                        one step of dt; an adaptive one takes steps of its own until dt is behind
 //   void advance(System&, std::uint64_t)       the same, so many times, where that is faster
 //   void synchronised(const System&, State<T>& out) const   x and v of one time, without changing anything
-//   void look(const System&, sink) const       the same where it needs no memory: sink(r, x, v) for every register r
-//   std::size_t reach() const                  springs that a step reaches, where a step needs nothing of the whole
-//   scene static void each_part(self, f)             calls f(field) for every field of self's internal state Progress
-//   progress() const; void progress(const Progress&)   where its internal state is more than fields: plain data const
-//   CollisionRecord& collisions() const   where it finds collisions (collisions.hpp); part of Progress
+//   void look(const System&, sink) const   the same where it needs no memory: sink(r, x, v) for every register r
+//   std::size_t reach() const   springs that a step reaches; where a step needs the whole scene it is left out
+//   static void each_part(self, f)   calls f(field) for every field of self's internal state
+//   Progress progress() const, void progress(const Progress&)   plain data of its internal state that is no field
+//   const CollisionRecord& collisions() const   where it finds collisions (collisions.hpp); part of Progress
 // Everything else it holds is scratch: the internal state alone decides how the run goes on.
 
 }  // namespace steplab
