@@ -22,6 +22,17 @@ struct Contestant {
     std::function<Stepping()> start;
 };
 
+/// Some who take turns at the same, in batches of so many steps each.
+struct Comparison {
+    struct Entry {
+        Contestant contestant;
+        std::size_t steps;
+    };
+    std::string name;           ///< row/method/precision
+    std::size_t particles = 0;  ///< or numbers, whatever a step goes over
+    std::vector<Entry> entries;
+};
+
 /// What every peer is given.
 struct Problem {
     std::string_view model, method;

@@ -1,9 +1,12 @@
 // The time of a step: steplab's methods beside hand-written loops, Boost.odeint, GSL and SUNDIALS on the same scene, in
-// one process, interleaved. Prints one line of CSV for each: the least time of all batches of steps of all repetitions,
-// and for steplab the hash of the state at the end of a batch, which begins at the scene's start.
+// one process, interleaved; then steplab alone on scenes of 10 to 10^7 particles, by one thread and by more; then what
+// the machine can do at most. Prints one line of CSV for each: the least time of all batches of steps of all
+// repetitions, and for steplab the hash of the state at the end of a batch, which begins at the scene's start.
 // Usage: steps [--benchmark_filter=REGEX on row/method/precision] [further options of Google Benchmark]
 
 #include "core/flush_subnormals.hpp"
+#include "machine.hpp"
+#include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
 #include "stepping.hpp"
 
@@ -12,12 +15,15 @@
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
 #include <regex>
+#include <thread>
 #include <utility>
 
 namespace steplab::benchmark {
@@ -44,6 +50,25 @@ const std::vector<Row>& rows() {
     return all;
 }
 
+/// Rows of a scene that grows; peers have no part in them.
+const std::vector<Row>& growing_rows() {
+    static const std::vector<Row> all = [] {
+        std::vector<Row> growing;
+        const auto add = [&](std::string_view id, std::string_view model, std::string_view parameter,
+                             std::initializer_list<double> values, int power) {
+            for (const double value : values) {
+                const double particles = std::pow(value, power);
+                const std::size_t steps = particles > 2e5 ? 32 : particles > 2e4 ? 256 : particles > 2e3 ? 2560 : 10240;
+                growing.push_back({id, model, parameter, value, 0.1, steps, {"velocity-verlet"}});
+            }
+        };
+        add("growing-chain", "chain", "n", {10, 100, 1000, 1e4, 1e5, 1e6, 1e7}, 1);
+        add("growing-mesh", "mesh", "dim", {10, 32, 100, 317, 1000, 3163}, 2);
+        return growing;
+    }();
+    return all;
+}
+
 RunDescription description_of(const Row& row, std::string_view method, Precision precision) {
     RunDescription description = describe(row.model, method);
     description.scene.set(row.parameter, row.value);
@@ -52,9 +77,9 @@ RunDescription description_of(const Row& row, std::string_view method, Precision
     return description;
 }
 
-Contestant ourselves(const RunDescription& description) {
-    return {"steplab", [description] {
-                auto simulation = std::make_shared<Simulation>(description, Execution{.threads = 1});
+Contestant ourselves(const RunDescription& description, std::size_t threads) {
+    return {threads > 1 ? fmt::format("steplab {} threads", threads) : "steplab", [description, threads] {
+                auto simulation = std::make_shared<Simulation>(description, Execution{.threads = threads});
                 return Stepping{[simulation](std::size_t steps) { simulation->advance(steps); },
                                 [simulation] { return simulation->hash(); }};
             }};
@@ -65,6 +90,32 @@ std::vector<Contestant> peers_of(const Simulation& simulation) {
     const Frame start = simulation.frame();
     const Problem problem{run.model, run.method, run.dt, start.positions, start.velocities};
     return run.precision == Precision::float_ ? peers_in_float(problem) : peers_in_double(problem);
+}
+
+std::string name_of(const Row& row, std::string_view method, Precision precision) {
+    return fmt::format("{}/{}/{}", row.id, method, id(precision));
+}
+
+Comparison with_peers(const Row& row, std::string_view method, Precision precision) {
+    const RunDescription description = description_of(row, method, precision);
+    const Simulation simulation(description);
+    Comparison comparison{
+        name_of(row, method, precision), simulation.particles(), {{ourselves(description, 1), row.steps}}};
+    // without checks, each step of theirs is alike
+    for (const Contestant& peer : peers_of(simulation)) comparison.entries.push_back({peer, row.steps / 4});
+    return comparison;
+}
+
+/// By one thread and, of many particles, by two, four ... of them.
+Comparison with_threads(const Row& row, std::string_view method, Precision precision) {
+    constexpr double many = 1e5;
+    const RunDescription description = description_of(row, method, precision);
+    const double particles = model(description.model).particles(description.scene);
+    Comparison comparison{name_of(row, method, precision), static_cast<std::size_t>(particles), {}};
+    const std::size_t most = particles < 0.9 * many ? 1 : std::max(1U, std::thread::hardware_concurrency());
+    for (std::size_t threads = 1; threads <= most; threads *= 2)
+        comparison.entries.push_back({ourselves(description, threads), row.steps});
+    return comparison;
 }
 
 /// Batches from the start; what comes before a batch fills the caches and is not counted.
@@ -116,34 +167,39 @@ private:
     std::map<std::int64_t, std::string> lines_;
 };
 
-void compare(const Row& row, std::string_view method, Precision precision, Lines& lines) {
-    const RunDescription description = description_of(row, method, precision);
-    const Simulation simulation(description);
-    const std::size_t particles = simulation.particles(), steps = row.steps;
+void run(const Comparison& comparison, Lines& lines) {
     google::ClearRegisteredBenchmarks();
-    const auto enter = [&](const Contestant& contestant, std::size_t batch) {
-        const std::string name = fmt::format("{}/{}/{}/{}", row.id, method, id(precision), contestant.who);
-        google::RegisterBenchmark(name.c_str(), [=](google::State& state) {
-            measure(state, contestant, batch, particles);
+    for (const auto& [contestant, steps] : comparison.entries) {
+        const std::string name = fmt::format("{}/{}", comparison.name, contestant.who);
+        google::RegisterBenchmark(name.c_str(), [contestant = contestant, steps = steps,
+                                                 particles = comparison.particles](google::State& state) {
+            measure(state, contestant, steps, particles);
         })->UseManualTime();
-    };
-    enter(ourselves(description), steps);
-    for (const Contestant& peer : peers_of(simulation)) enter(peer, steps / 4);  // without checks, each step is alike
+    }
     google::RunSpecifiedBenchmarks(&lines, "all");
 }
 
-void compare_all() {
+template <class Compared>
+void run_rows(const std::vector<Row>& all, const std::regex& wanted, Lines& lines, Compared compared) {
+    for (const Row& row : all) {
+        for (const std::string_view method : row.methods) {
+            for (const Precision precision : {Precision::double_, Precision::float_}) {
+                if (std::regex_search(name_of(row, method, precision), wanted))
+                    run(compared(row, method, precision), lines);
+            }
+        }
+    }
+}
+
+void run_all() {
     const std::string filter = google::GetBenchmarkFilter();
     const std::regex wanted(filter == "all" ? "" : filter);
     Lines lines;
     fmt::print("row,method,precision,particles,who,ns_per_step,ns_per_particle,hash\n");
-    for (const Row& row : rows()) {
-        for (const std::string_view method : row.methods) {
-            for (const Precision precision : {Precision::double_, Precision::float_}) {
-                if (std::regex_search(fmt::format("{}/{}/{}", row.id, method, id(precision)), wanted))
-                    compare(row, method, precision, lines);
-            }
-        }
+    run_rows(rows(), wanted, lines, with_peers);
+    run_rows(growing_rows(), wanted, lines, with_threads);
+    for (const Comparison& comparison : machine_comparisons()) {
+        if (std::regex_search(comparison.name, wanted)) run(comparison, lines);
     }
 }
 
@@ -160,5 +216,5 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&count, arguments.data());
     if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
     const steplab::FlushSubnormals flush;  // for the peers too
-    steplab::benchmark::compare_all();
+    steplab::benchmark::run_all();
 }

@@ -1,6 +1,8 @@
-/// Draws the diagrams of docs/hard-cases.md: draw_diagrams FOLDER [ID...]
+/// Draws the diagrams of docs/hard-cases.md and docs/performance.md: draw_diagrams FOLDER [ID of a hard case |
+/// speed]...
 
 #include "lab/page.hpp"
+#include "speed_figures.hpp"
 #include "tables.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include <regex>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -22,13 +25,21 @@ std::string tidy(const std::string& text) {
     return std::regex_replace(std::regex_replace(text, ends, "\n"), tabs, " ");
 }
 
-void draw(const std::string& folder, const std::vector<std::string>& wanted) {
+void draw(const std::string& path, const steplab::Figure& figure) {
+    std::ofstream(path) << tidy(steplab::svg_file(steplab::svg_figures(std::span(&figure, 1)).front()));
+    fmt::print("{}\n", path);
+}
+
+void draw_all(const std::string& folder, const std::vector<std::string>& wanted) {
+    const auto is_wanted = [&](std::string_view id) {
+        return wanted.empty() || std::find(wanted.begin(), wanted.end(), id) != wanted.end();
+    };
     for (const steplab::HardCase& each : steplab::hard_cases()) {
-        if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), each.id) == wanted.end()) continue;
-        const steplab::Figure figure = each.figure();
-        const std::string path = folder + "/" + steplab::docs::picture_name(each);
-        std::ofstream(path) << tidy(steplab::svg_file(steplab::svg_figures(std::span(&figure, 1)).front()));
-        fmt::print("{}\n", path);
+        if (is_wanted(each.id)) draw(folder + "/" + steplab::docs::picture_name(each), each.figure());
+    }
+    if (!is_wanted("speed")) return;
+    for (const auto& results : steplab::docs::read_results(STEPLAB_RESULTS)) {
+        for (const auto& each : steplab::docs::speed_figures(results)) draw(folder + "/" + each.file, each.figure);
     }
 }
 
@@ -36,11 +47,11 @@ void draw(const std::string& folder, const std::vector<std::string>& wanted) {
 
 int main(int count, char** arguments) {
     if (count < 2) {
-        fmt::print(stderr, "usage: draw_diagrams FOLDER [ID...]\n");
+        fmt::print(stderr, "usage: draw_diagrams FOLDER [ID of a hard case | speed]...\n");
         return 2;
     }
     try {
-        draw(arguments[1], {arguments + 2, arguments + count});
+        draw_all(arguments[1], {arguments + 2, arguments + count});
     } catch (const std::exception& error) {
         fmt::print(stderr, "draw_diagrams: {}\n", error.what());
         return 1;

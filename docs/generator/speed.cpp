@@ -1,83 +1,18 @@
 #include "speed.hpp"
 
 #include "lab/table.hpp"
+#include "results.hpp"
+#include "speed_figures.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <stdexcept>
 #include <string_view>
-#include <vector>
 
 namespace steplab::docs {
 namespace {
 
-/// Who took how long for a step.
-struct Time {
-    std::string who;
-    double step = 0, particle = 0;  ///< ns a step; ns a step and particle
-};
-
-struct Row {
-    std::string id, method;
-    double particles = 0;
-    std::map<std::string, std::vector<Time>> times;  ///< by precision
-};
-
-struct Results {
-    std::string name;
-    std::string about;  ///< lines "key: value"
-    std::vector<Row> rows;
-};
-
+bool is_peer(const Time& time) { return time.who.find("steplab") == std::string::npos && time.who != "machine"; }
 bool is_lammps(const Time& time) { return time.who.starts_with("LAMMPS"); }
-
-std::vector<std::string> cells_of(const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    return cells;
-}
-
-void add(Results& results, const std::vector<std::string>& cells) {
-    const auto same = [&](const Row& row) { return row.id == cells[0] && row.method == cells[1]; };
-    auto row = std::find_if(results.rows.begin(), results.rows.end(), same);
-    if (row == results.rows.end()) row = results.rows.insert(row, {cells[0], cells[1], std::stod(cells[3]), {}});
-    row->times[cells[2]].push_back({cells[4], std::stod(cells[5]), std::stod(cells[6])});
-}
-
-Results read(const std::filesystem::path& path) {
-    Results results{path.stem().string(), {}, {}};
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);) {
-        if (line.starts_with("# ")) {
-            results.about += fmt::format("- {}\n", line.substr(2));
-        } else if (!line.starts_with("row,")) {
-            const auto cells = cells_of(line);
-            if (cells.size() < 7) throw std::runtime_error(path.string() + " has a line that is no result: " + line);
-            add(results, cells);
-        }
-    }
-    return results;
-}
-
-/// The fastest of those that are wanted.
-template <class Wanted>
-const Time* fastest(const Row& row, const std::string& precision, Wanted wanted) {
-    const Time* best = nullptr;
-    if (!row.times.contains(precision)) return nullptr;
-    for (const Time& time : row.times.at(precision)) {
-        if (wanted(time) && (!best || time.step < best->step)) best = &time;
-    }
-    return best;
-}
-
-const Time* own(const Row& row, const std::string& precision) {
-    return fastest(row, precision, [](const Time& time) { return time.who == "steplab"; });
-}
 
 /// What the project wants to reach: times as fast as the best peer.
 struct Goal {
@@ -114,7 +49,7 @@ std::string peer_table(const Results& results) {
     for (const Row& row : results.rows) {
         for (const std::string precision : {"double", "float"}) {
             const Time* theirs =
-                fastest(row, precision, [](const Time& time) { return time.who != "steplab" && !is_lammps(time); });
+                fastest(row, precision, [](const Time& time) { return is_peer(time) && !is_lammps(time); });
             if (!theirs) continue;
             const Time* ours = own(row, precision);
             table.rows.push_back({row.id, fmt::format("`{}`", row.method), precision, time_text(row, ours),
@@ -141,19 +76,60 @@ std::string lammps_table(const Results& results) {
     return table.rows.empty() ? "" : "\nBeside LAMMPS, which computes in double:\n\n" + markdown(table);
 }
 
+/// A scene as it grows: ns a step and particle, by one thread and by the most that were tried.
+std::string growing_table(const Results& results, std::string_view id) {
+    Table table{
+        {"particles", "double, ns", "with threads", "times as fast", "float, ns", "with threads", "times as fast"}, {}};
+    for (const Row* row : rows_of(results, id)) {
+        std::vector<std::string> cells{fmt::format("{:.0f}", row->particles)};
+        for (const std::string precision : {"double", "float"}) {
+            const Time *one = own(*row, precision), *threads = own_by_threads(*row, precision);
+            cells.push_back(one ? fmt::format("{:.2f}", one->particle) : "-");
+            cells.push_back(threads ? fmt::format("{:.2f} ({})", threads->particle, threads->who.substr(8)) : "");
+            cells.push_back(threads ? ratio_text(threads, one) : "");
+        }
+        table.rows.push_back(cells);
+    }
+    return markdown(table);
+}
+
+/// What the machine can do at most.
+std::string machine_table(const Results& results) {
+    Table table{{"one core at most", "double", "float"}, {}};
+    for (const Row* row : rows_of(results, "machine-springs")) {
+        std::vector<std::string> cells{"square root and division"};
+        for (const std::string precision : {"double", "float"})
+            cells.push_back(fmt::format("{:.2f} ns", machine_time(*row, precision)));
+        table.rows.push_back(cells);
+    }
+    for (const Bandwidth& each : bandwidths(results)) {
+        const std::string speed = fmt::format("{:.0f} GB/s", each.bytes_a_second / 1e9);
+        table.rows.push_back({fmt::format("two reads and a write over {}", size_text(each.size)), speed, speed});
+    }
+    return markdown(table);
+}
+
+std::string picture(const Results& results, std::string_view of, std::string_view caption) {
+    return fmt::format("![{}](images/{})\n", caption, speed_picture_name(results, of));
+}
+
+std::string growing_section(const Results& results) {
+    if (rows_of(results, "growing-chain").empty()) return "";
+    return fmt::format(
+        "\n{}\nA `chain` that grows, `velocity-verlet`, ns a step and particle:\n\n{}\n"
+        "A `mesh` that grows:\n\n{}\nWhat one core can do at most, and how near steplab comes to it:\n\n{}\n{}",
+        picture(results, "growing", "ns a step and particle over the number of particles"),
+        growing_table(results, "growing-chain"), growing_table(results, "growing-mesh"), machine_table(results),
+        picture(results, "roofline", "springs a second over springs a byte, below the roofs of the machine"));
+}
+
 }  // namespace
 
 std::string speed_tables(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() == ".csv") files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
     std::string text;
-    for (const auto& path : files) {
-        const Results results = read(path);
-        text += fmt::format("{}### {}\n\n{}\n{}{}", text.empty() ? "" : "\n", results.name, results.about,
-                            peer_table(results), lammps_table(results));
+    for (const Results& results : read_results(folder)) {
+        text += fmt::format("{}### {}\n\n{}\n{}{}{}", text.empty() ? "" : "\n", results.name, results.about,
+                            peer_table(results), lammps_table(results), growing_section(results));
     }
     return text;
 }

@@ -116,7 +116,7 @@ TYPED_TEST(LanesTest, load_and_store_anywhere) {
 TYPED_TEST(LanesTest, shift_through_neighbouring_registers) {
     using T = TypeParam;
     using N = Lanes<T>;
-    constexpr std::size_t size = N::count + 4;
+    constexpr std::size_t size = 2 * N::count;
     alignas(64) T numbers[size];
     for (std::size_t i = 0; i < size; ++i) numbers[i] = static_cast<T>(i);
     const N first = N::load(numbers), second = N::load(numbers + N::count);

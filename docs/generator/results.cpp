@@ -1,0 +1,91 @@
+#include "results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace steplab::docs {
+namespace {
+
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    return cells;
+}
+
+void add(Results& results, const std::vector<std::string>& cells) {
+    const auto same = [&](const Row& row) {
+        return row.id == cells[0] && row.method == cells[1] && row.particles == std::stod(cells[3]);
+    };
+    auto row = std::find_if(results.rows.begin(), results.rows.end(), same);
+    if (row == results.rows.end()) row = results.rows.insert(row, {cells[0], cells[1], std::stod(cells[3]), {}});
+    row->times[cells[2]].push_back({cells[4], std::stod(cells[5]), std::stod(cells[6])});
+}
+
+Results read(const std::filesystem::path& path) {
+    Results results{path.stem().string(), {}, {}};
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("# ")) {
+            results.about += fmt::format("- {}\n", line.substr(2));
+        } else if (!line.starts_with("row,")) {
+            const auto cells = cells_of(line);
+            if (cells.size() < 7) throw std::runtime_error(path.string() + " has a line that is no result: " + line);
+            add(results, cells);
+        }
+    }
+    return results;
+}
+
+}  // namespace
+
+std::vector<Results> read_results(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() == ".csv") files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<Results> all;
+    for (const auto& path : files) all.push_back(read(path));
+    return all;
+}
+
+const Time* own(const Row& row, const std::string& precision) {
+    return fastest(row, precision, [](const Time& time) { return time.who == "steplab"; });
+}
+
+const Time* own_by_threads(const Row& row, const std::string& precision) {
+    const Time* most = nullptr;  // they come in the order of their threads
+    if (!row.times.contains(precision)) return nullptr;
+    for (const Time& time : row.times.at(precision)) {
+        if (time.who.starts_with("steplab ")) most = &time;
+    }
+    return most;
+}
+
+double machine_time(const Row& row, const std::string& precision) {
+    const Time* time = fastest(row, precision, [](const Time&) { return true; });
+    if (!time) throw std::runtime_error("no " + precision + " in the results' row " + row.id);
+    return time->particle;
+}
+
+std::vector<Bandwidth> bandwidths(const Results& results) {
+    std::vector<Bandwidth> all;
+    for (const Row* row : rows_of(results, "machine-memory"))  // y += c x: two numbers are read, one is written
+        all.push_back({2 * sizeof(double) * row->particles, 3 * sizeof(double) / machine_time(*row, "double") * 1e9});
+    return all;
+}
+
+std::vector<const Row*> rows_of(const Results& results, std::string_view id) {
+    std::vector<const Row*> rows;
+    for (const Row& row : results.rows) {
+        if (row.id == id) rows.push_back(&row);
+    }
+    return rows;
+}
+
+}  // namespace steplab::docs

@@ -1,0 +1,116 @@
+#include "speed_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace steplab::docs {
+namespace {
+
+/// A scene that grows, in one precision.
+struct Series {
+    std::string_view row, name, precision;
+    double springs;  ///< of a particle
+    int colour;
+};
+constexpr std::array<Series, 4> all_series{{{"growing-chain", "chain", "double", 1, 0},
+                                            {"growing-chain", "chain", "float", 1, 1},
+                                            {"growing-mesh", "mesh", "double", 4, 2},
+                                            {"growing-mesh", "mesh", "float", 4, 3}}};
+
+Curve curve_of(const Series& series, std::string name) {
+    return {.name = std::move(name), .points = {}, .colour = series.colour};
+}
+
+/// ns a step and particle; dashed with threads.
+void add_growing(const Results& results, const Series& series, std::vector<Curve>& curves) {
+    const std::string precision(series.precision);
+    Curve one = curve_of(series, fmt::format("{}, {}", series.name, precision));
+    Curve threads = curve_of(series, "");
+    threads.dashed = true;
+    for (const Row* row : rows_of(results, series.row)) {
+        if (const Time* time = own(*row, precision)) one.points.emplace_back(row->particles, time->particle);
+        if (const Time* time = own_by_threads(*row, precision)) {
+            threads.name = fmt::format("{}, {}, {}", series.name, precision, time->who.substr(8));
+            threads.points.emplace_back(row->particles, time->particle);
+        }
+    }
+    curves.push_back(one);
+    if (!threads.points.empty()) curves.push_back(threads);
+}
+
+Figure growing(const Results& results) {
+    Figure figure{.x = {.label = "particles", .quantity = Quantity::count},
+                  .y = {.label = "time [ns a step and particle]"},
+                  .curves = {}};
+    for (const Series& series : all_series) add_growing(results, series, figure.curves);
+    return figure;
+}
+
+/// Of velocity-verlet: a sweep reads and writes positions and velocities.
+double springs_a_byte(const Series& series) {
+    const double number = series.precision == "double" ? sizeof(double) : sizeof(float);
+    return series.springs / (12 * number);
+}
+
+/// Springs a second of scenes too large to be bound by latency, one mark each.
+void add_reached(const Results& results, const Series& series, std::vector<Curve>& curves) {
+    constexpr double many = 1e4;
+    Curve curve = curve_of(series, fmt::format("{}, {}", series.name, series.precision));
+    for (const Row* row : rows_of(results, series.row)) {
+        const Time* time = own(*row, std::string(series.precision));
+        if (time && row->particles > 0.9 * many)
+            curve.points.emplace_back(springs_a_byte(series), series.springs / time->particle * 1e9);
+    }
+    curves.push_back(curve);
+}
+
+/// A roof: springs a second at both ends of the diagram.
+template <class Height>
+void add_roof(std::string name, int colour, bool dashed, Height height, std::vector<Curve>& curves) {
+    constexpr double from = 0.005, to = 0.2;
+    Curve roof{.name = std::move(name), .points = {}, .colour = colour, .dashed = dashed, .marks = false};
+    for (const double x : {from, to}) roof.points.emplace_back(x, height(x));
+    curves.push_back(roof);
+}
+
+Figure roofline(const Results& results) {
+    Figure figure{.x = {.label = "springs a byte read or written"}, .y = {.label = "springs a second"}, .curves = {}};
+    for (const Series& series : all_series) add_reached(results, series, figure.curves);
+    int colour = 4;
+    for (const Bandwidth& each : bandwidths(results)) {
+        add_roof(
+            fmt::format("{} ({:.0f} GB/s)", size_text(each.size), each.bytes_a_second / 1e9), colour++, false,
+            [&](double x) { return x * each.bytes_a_second; }, figure.curves);
+    }
+    for (const Row* row : rows_of(results, "machine-springs")) {
+        for (const std::string precision : {"double", "float"}) {
+            const double most = 1e9 / machine_time(*row, precision);
+            add_roof(
+                "square roots and divisions, " + precision, colour++, true, [=](double) { return most; },
+                figure.curves);
+        }
+    }
+    return figure;
+}
+
+}  // namespace
+
+std::vector<SpeedFigure> speed_figures(const Results& results) {
+    if (rows_of(results, "growing-chain").empty()) return {};
+    return {{speed_picture_name(results, "growing"), growing(results)},
+            {speed_picture_name(results, "roofline"), roofline(results)}};
+}
+
+std::string speed_picture_name(const Results& results, std::string_view of) {
+    return fmt::format("speed-{}-{}.svg", results.name, of);
+}
+
+std::string size_text(double bytes) {
+    constexpr double kilo = 1024;
+    return bytes < kilo * kilo ? fmt::format("{:.0f} KB", bytes / kilo)
+                               : fmt::format("{:.0f} MB", bytes / (kilo * kilo));
+}
+
+}  // namespace steplab::docs

@@ -1,0 +1,80 @@
+#include "speed.hpp"
+
+#include "io/temporary_folder.hpp"
+#include "speed_figures.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <stdexcept>
+
+namespace steplab::docs {
+namespace {
+
+using testing::HasSubstr;
+using testing::Pair;
+
+constexpr const char* measured =
+    "# processor: one of the kind\n"
+    "row,method,precision,particles,who,ns_per_step,ns_per_particle,hash\n"
+    "chain-10,rk4,double,10,steplab,100,10,0123\n"
+    "chain-10,rk4,double,10,loops plain,400,40,\n"
+    "chain-10,rk4,double,10,odeint gather,250,25,\n"
+    "growing-chain,velocity-verlet,double,10,steplab,50,5,45\n"
+    "growing-chain,velocity-verlet,double,100000,steplab,400000,4,67\n"
+    "growing-chain,velocity-verlet,double,100000,steplab 2 threads,250000,2.5,67\n"
+    "growing-chain,velocity-verlet,double,100000,steplab 4 threads,200000,2,67\n"
+    "machine-springs,-,double,1024,machine,1024,1,\n"
+    "machine-springs,-,float,1024,machine,512,0.5,\n"
+    "machine-memory,-,double,2048,machine,2048,1,\n";
+
+class SpeedTables : public testing::Test {
+protected:
+    void write(const std::string& text) { std::ofstream(folder_.file("some.csv")) << text; }
+    std::vector<Results> results() const { return read_results(folder_.path()); }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(SpeedTables, name_the_best_peer_and_the_goal) {
+    write(measured);
+    EXPECT_THAT(speed_tables(folder_.path()),
+                HasSubstr("| chain-10 | `rk4` | double | 100.0 | 250.0 | odeint gather | 2.50 | 2.0 |"));
+}
+
+TEST_F(SpeedTables, tell_what_most_threads_gain) {
+    write(measured);
+    const std::string text = speed_tables(folder_.path());
+    EXPECT_THAT(text, HasSubstr("| 10 | 5.00 |  |  |"));
+    EXPECT_THAT(text, HasSubstr("| 100000 | 4.00 | 2.00 (4 threads) | 2.00 |"));
+}
+
+// 2048 pairs of doubles are 32 KB; three times 8 bytes a ns are 24 GB/s.
+TEST_F(SpeedTables, tell_the_limits_of_the_machine) {
+    write(measured);
+    const std::string text = speed_tables(folder_.path());
+    EXPECT_THAT(text, HasSubstr("| square root and division | 1.00 ns | 0.50 ns |"));
+    EXPECT_THAT(text, HasSubstr("| two reads and a write over 32 KB | 24 GB/s | 24 GB/s |"));
+}
+
+// A chain has a spring for each particle, which in double has 96 bytes of position and velocity, read and written.
+TEST_F(SpeedTables, roofline_has_springs_a_second_over_springs_a_byte) {
+    write(measured);
+    const auto figures = speed_figures(results().front());
+    ASSERT_EQ(figures.size(), 2U);
+    EXPECT_EQ(figures[1].file, "speed-some-roofline.svg");
+    EXPECT_THAT(figures[1].figure.curves.front().points, testing::ElementsAre(Pair(1.0 / 96, 0.25e9)));
+}
+
+TEST_F(SpeedTables, are_without_diagrams_where_nothing_grows) {
+    write("chain-10,rk4,double,10,steplab,100,10,0123\n");
+    EXPECT_TRUE(speed_figures(results().front()).empty());
+}
+
+TEST_F(SpeedTables, refuse_what_is_no_result) {
+    write("chain-10,rk4,double\n");
+    EXPECT_THROW(results(), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace steplab::docs
