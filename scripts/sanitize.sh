@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# The core under sanitizers, assertions on, hardly optimised: scripts/sanitize.sh [arguments of ctest]
+#
+# Its results have to be the same bits there too. It has to build where no OpenGL package is installed: nothing it
+# compiled has read a header of one. Takes half an hour on two cores, which is why .ci/run leaves it out: run it before
+# a release and after work on memory, threads or files.
+set -euo pipefail
+# shellcheck source=scripts/lib.sh
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
+
+ensure_packages core checks
+build asan -DSTEPLAB_WERROR=ON # by clang++, which takes half of the time that g++ takes here
+say "no OpenGL, GLFW or ImGui header was read"
+if ninja -C "$root/build/asan" -t deps | grep -E '/(GL|GLES[0-9]*|EGL|KHR|GLFW|glm|imgui)/|imgui\.h'; then
+    fail "the core has read the headers above"
+fi
+# minutes of runs through code that other tests run too, and memory that a sanitizer adds to
+quiet_tests asan -E 'HardCase|LongTime|LargeRun|repository' "$@"
