@@ -1,0 +1,107 @@
+#pragma once
+
+#include "core/lanes.hpp"
+#include "core/number.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace steplab {
+
+/// A quotient that has not been divided yet: whoever divides anyway does it once.
+template <class N>
+struct Fraction {
+    N numerator, denominator;
+};
+
+namespace detail {
+
+/// 2^f = (q + f p) / (q - f p) for |f| <= 1/2, with polynomials p and q of f^2: f p / q is tanh(f ln(2) / 2), met at
+/// the Chebyshev nodes of f^2.
+template <class T>
+struct PowerOfTwoTraits;
+
+template <>
+struct PowerOfTwoTraits<float> : ExponentialTraits<float> {
+    static constexpr std::array p{0x1.cdc302p+2f, 0x1.d8ae82p-5f};
+    static constexpr std::array q{0x1.4d1738p+4f, 1.0f};  // errors below 6e-9
+};
+
+template <>
+struct PowerOfTwoTraits<double> : ExponentialTraits<double> {
+    static constexpr std::array p{0x1.7a771689fae49p+10, 0x1.433a0b00c025ep+4, 0x1.7a60ee97ff5f1p-6};
+    static constexpr std::array q{0x1.110142bebb5f8p+12, 0x1.d25b024e90d89p+7, 1.0};  // errors below 2e-17
+};
+
+/// 2^n, whose n a shift has moved into the last bits of a number.
+template <std::floating_point T>
+T two_to_the(T shifted) {
+    using Traits = ExponentialTraits<T>;
+    using Bits = typename Traits::Bits;
+    constexpr Bits bias = Traits::bias - __builtin_bit_cast(Bits, Traits::shift);
+    return __builtin_bit_cast(T, (__builtin_bit_cast(Bits, shifted) + bias) << Traits::mantissa);
+}
+template <class T, std::size_t Count>
+[[gnu::always_inline]] inline RegisterLanes<T, Count> two_to_the(const RegisterLanes<T, Count>& shifted) {
+    using Traits = ExponentialTraits<T>;
+    using Lanes = RegisterLanes<T, Count>;
+    constexpr auto bias = Traits::bias - __builtin_bit_cast(typename Traits::Bits, Traits::shift);
+    auto registers = shifted.registers();
+    for (auto& lanes : registers) {
+        const auto bits = (__builtin_bit_cast(typename Lanes::Bits, lanes) + bias) << Traits::mantissa;
+        lanes = __builtin_bit_cast(typename Lanes::Register, bits);
+    }
+    return Lanes(registers);
+}
+
+/// c[0] + c[1] x + ... + c[Last] x^Last by Horner's scheme.
+template <std::size_t From, class N, class T, std::size_t Count>
+[[gnu::always_inline]] inline N polynomial(const std::array<T, Count>& c, const N& x) {
+    if constexpr (From + 1 == Count) {
+        return N(c[From]);
+    } else if constexpr (From + 2 == Count) {
+        if (c[From + 1] == T(1)) return N(c[From]) + x;
+        return N(c[From]) + N(c[From + 1]) * x;
+    } else {
+        return N(c[From]) + polynomial<From + 1>(c, x) * x;
+    }
+}
+
+template <class T, class N>
+[[gnu::always_inline]] inline Fraction<N> power_of_two_of(const N& x) {
+    using Traits = PowerOfTwoTraits<T>;
+    const N lowest(T(-Traits::bias)), highest(T(Traits::bias + 1)), shift(Traits::shift);
+    const N inside = where(x < lowest, lowest, where(x > highest, highest, x));
+    const N shifted = inside + shift;
+    const N f = inside - (shifted - shift), f2 = f * f;
+    const N odd = f * polynomial<0>(Traits::p, f2), even = polynomial<0>(Traits::q, f2);
+    return {(even + odd) * two_to_the(shifted), even - odd};
+}
+
+template <class T>
+concept InRegisters = std::is_same_v<T, float> || std::is_same_v<T, double>;
+
+}  // namespace detail
+
+/// 2^x as a fraction whose quotient is within 3 ulp, the same bits on every system. x is taken apart without rounding;
+/// a power of e, whose exponent is multiplied by 1 / ln 2 before, has the error |x| ulp of that product beside. Below
+/// the range of normal numbers it is 0, above it infinite.
+template <detail::InRegisters T>
+Fraction<T> power_of_two(T x) {
+    return detail::power_of_two_of<T>(x);
+}
+template <class T, std::size_t Count>
+[[gnu::always_inline]] inline Fraction<RegisterLanes<T, Count>> power_of_two(const RegisterLanes<T, Count>& x) {
+    return detail::power_of_two_of<T>(x);
+}
+
+/// Numbers with such powers.
+template <class N>
+concept WithPowersOfTwo = requires(const N& x) {
+    power_of_two(x);
+};
+
+}  // namespace steplab
