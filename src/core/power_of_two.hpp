@@ -26,14 +26,16 @@ struct PowerOfTwoTraits;
 
 template <>
 struct PowerOfTwoTraits<float> : ExponentialTraits<float> {
-    static constexpr std::array p{0x1.cdc302p+2f, 0x1.d8ae82p-5f};
-    static constexpr std::array q{0x1.4d1738p+4f, 1.0f};  // errors below 6e-9
+    static constexpr float p_last = 0x1.d8ae82p-5f, q_last = 0x1.4d1738p+4f;
+    static constexpr std::array p{0x1.cdc302p+2f};
+    static constexpr std::array<float, 0> q{};  // errors below 6e-9
 };
 
 template <>
 struct PowerOfTwoTraits<double> : ExponentialTraits<double> {
-    static constexpr std::array p{0x1.7a771689fae49p+10, 0x1.433a0b00c025ep+4, 0x1.7a60ee97ff5f1p-6};
-    static constexpr std::array q{0x1.110142bebb5f8p+12, 0x1.d25b024e90d89p+7, 1.0};  // errors below 2e-17
+    static constexpr double p_last = 0x1.7a60ee97ff5f1p-6, q_last = 0x1.d25b024e90d89p+7;
+    static constexpr std::array p{0x1.7a771689fae49p+10, 0x1.433a0b00c025ep+4};
+    static constexpr std::array q{0x1.110142bebb5f8p+12};  // errors below 2e-17
 };
 
 /// 2^n, whose n a shift has moved into the last bits of a number.
@@ -57,17 +59,11 @@ template <class T, std::size_t Count>
     return Lanes(registers);
 }
 
-/// c[0] + c[1] x + ... + c[Last] x^Last by Horner's scheme.
-template <std::size_t From, class N, class T, std::size_t Count>
-[[gnu::always_inline]] inline N polynomial(const std::array<T, Count>& c, const N& x) {
-    if constexpr (From + 1 == Count) {
-        return N(c[From]);
-    } else if constexpr (From + 2 == Count) {
-        if (c[From + 1] == T(1)) return N(c[From]) + x;
-        return N(c[From]) + N(c[From + 1]) * x;
-    } else {
-        return N(c[From]) + polynomial<From + 1>(c, x) * x;
-    }
+/// c[0] + c[1] x + ... + c[Count - 1] x^(Count - 1) + `rest` x^Count by Horner's scheme.
+template <class N, class T, std::size_t Count>
+[[gnu::always_inline]] inline N polynomial(const std::array<T, Count>& c, const N& x, N rest) {
+    for (std::size_t k = Count; k > 0; --k) rest = N(c[k - 1]) + rest * x;
+    return rest;
 }
 
 template <class T, class N>
@@ -77,7 +73,8 @@ template <class T, class N>
     const N inside = where(x < lowest, lowest, where(x > highest, highest, x));
     const N shifted = inside + shift;
     const N f = inside - (shifted - shift), f2 = f * f;
-    const N odd = f * polynomial<0>(Traits::p, f2), even = polynomial<0>(Traits::q, f2);
+    const N odd = f * polynomial(Traits::p, f2, N(Traits::p_last));
+    const N even = polynomial(Traits::q, f2, f2 + N(Traits::q_last));
     return {(even + odd) * two_to_the(shifted), even - odd};
 }
 
