@@ -200,7 +200,7 @@ public:
 
     [[gnu::always_inline]] friend RegisterLanes square_root(const RegisterLanes& x) {
         return of_each([&](std::size_t p) {
-            Register root;
+            Register root = x.registers_[p];  // every lane of it is set below
             for (std::size_t lane = 0; lane < width; ++lane) root[lane] = std::sqrt(x.registers_[p][lane]);
             return root;
         });

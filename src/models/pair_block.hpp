@@ -176,27 +176,26 @@ template <class T, class Pulls>
 namespace detail {
 
 /// The terms of pull_within() from `Shift` on.
-template <std::size_t Shift, class T, class Pulls>
+template <std::size_t Shift, bool Full, class T, class Pulls>
 [[gnu::always_inline]] inline void add_circles(const Pulls& pulls, const Vector<BlockLanes<T>>& block,
-                                               const BlockLanes<T>& there, std::size_t count,
-                                               const Measured<BlockLanes<T>>& now, Vector<BlockLanes<T>>& sum) {
+                                               const BlockLanes<T>& there, const Measured<BlockLanes<T>>& now,
+                                               Vector<BlockLanes<T>>& sum) {
     using N = BlockLanes<T>;
     constexpr std::size_t half = block_size<T> / 2;
     const auto measured = [&]<std::size_t By>(std::integral_constant<std::size_t, By>) {
         return pulls.measured(block - Vector<N>{rotated<By>(block.x), rotated<By>(block.y), rotated<By>(block.z)});
     };
-    if (Shift >= count) return;  // nobody is that far ahead
     Measured<N> next = now;
     if constexpr (Shift < half) next = measured(std::integral_constant<std::size_t, Shift + 1>{});
     Vector<N> pull = pulls.pull(now);
-    if (count < block_size<T>) {
+    if constexpr (!Full) {
         const auto both = there * rotated<Shift>(there) > N(T(0));
         pull = {where(both, pull.x, N(T(0))), where(both, pull.y, N(T(0))), where(both, pull.z, N(T(0)))};
     }
     if constexpr (Shift < half) {
         constexpr std::size_t back = block_size<T> - Shift;
         sum = sum + (pull - Vector<N>{rotated<back>(pull.x), rotated<back>(pull.y), rotated<back>(pull.z)});
-        add_circles<Shift + 1, T>(pulls, block, there, count, next, sum);
+        add_circles<Shift + 1, Full, T>(pulls, block, there, next, sum);
     } else {
         sum = sum + pull;
     }
@@ -215,7 +214,11 @@ template <class T, class Pulls>
     const N there = where(N::first(count), N(T(1)), N(T(0)));
     Vector<N> sum{N(T(0)), N(T(0)), N(T(0))};
     const auto first = pulls.measured(u - Vector<N>{rotated<1>(u.x), rotated<1>(u.y), rotated<1>(u.z)});
-    detail::add_circles<1, T>(pulls, u, there, count, first, sum);
+    if (count == block_size<T>) {
+        detail::add_circles<1, true, T>(pulls, u, there, first, sum);
+    } else {
+        detail::add_circles<1, false, T>(pulls, u, there, first, sum);
+    }
     return sum;
 }
 
