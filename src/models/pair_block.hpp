@@ -5,9 +5,9 @@
 #include "core/vector.hpp"
 #include "models/morse_pair.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace steplab {
 

@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <type_traits>
+#include <utility>
 
 namespace steplab {
 
