@@ -102,12 +102,9 @@ private:
 template <class T, std::size_t Count = detail::register_bytes / sizeof(T)>
 class RegisterLanes {
     static constexpr std::size_t bytes = std::min(Count * sizeof(T), detail::register_bytes);
-    static constexpr std::size_t width = bytes / sizeof(T), parts = Count / width;
-    using Parts = std::make_index_sequence<parts>;
-    using Places = std::make_index_sequence<width>;
 
 public:
-    static constexpr std::size_t count = Count;
+    static constexpr std::size_t count = Count, width = bytes / sizeof(T), parts = Count / width;
     using Register = typename detail::RegisterOf<T, bytes>::type;
     using Bits = decltype(Register{} < Register{});
     /// All bits set in the lanes where a condition holds.
@@ -203,7 +200,7 @@ public:
 
     [[gnu::always_inline]] friend RegisterLanes square_root(const RegisterLanes& x) {
         return of_each([&](std::size_t p) {
-            Register root;
+            Register root = x.registers_[p];  // every lane of it is set below
             for (std::size_t lane = 0; lane < width; ++lane) root[lane] = std::sqrt(x.registers_[p][lane]);
             return root;
         });
@@ -218,9 +215,13 @@ public:
     }
 
     explicit RegisterLanes(Register lanes) requires(parts == 1) : registers_{lanes} {}
+    explicit RegisterLanes(const std::array<Register, parts>& registers) : registers_(registers) {}
     const std::array<Register, parts>& registers() const { return registers_; }
 
 private:
+    using Parts = std::make_index_sequence<parts>;
+    using Places = std::make_index_sequence<width>;
+
     template <class F>
     [[gnu::always_inline]] static RegisterLanes of_each(F f) {
         return of_each(f, Parts{});

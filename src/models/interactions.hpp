@@ -40,7 +40,7 @@ struct MorseFormula {
 
     template <class N>
     Vector<N> operator()(const N& ex, const N& ey, const N& ez) const {
-        const MorseConstants<N> constants{N(morse.depth), N(morse.b), N(morse.r0), N(morse.strength)};
+        const auto constants = constants_as<N>(morse);
         const Vector<N> push = morse_pull(constants, Vector<N>{ex, ey, ez});
         return {N(T(0)) - push.x, N(T(0)) - push.y, N(T(0)) - push.z};
     }

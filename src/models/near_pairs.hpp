@@ -126,7 +126,7 @@ private:
         if constexpr (width == 1) {
             if (nowhere(near)) return;
         }
-        const MorseConstants<N> morse{N(morse_.depth), N(morse_.b), N(morse_.r0), N(morse_.strength)};
+        const auto morse = constants_as<N>(morse_);
         const Vector<N> pull = morse_pull(morse, d);
         const N zero(T(0)), x = where(near, pull.x, zero), y = where(near, pull.y, zero), z = where(near, pull.z, zero);
         for (std::size_t lane = 0; lane < others.size(); ++lane) {

@@ -2,17 +2,20 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
-#include "core/lanes.hpp"
+#include "core/stages.hpp"
 #include "core/sum.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
 #include "models/morse_pair.hpp"
+#include "models/pair_block.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <type_traits>
+#include <utility>
 
 namespace steplab {
 
@@ -42,21 +45,15 @@ private:
     Field<T> accelerations_;
 };
 
-/// PairForces at work. Every pair is computed once, the pairs of all particles i with i + s, counted in a circle, side
-/// by side: P_s(i) is the pull of i + s at i. The acceleration of i is (P_1(i) - P_1(i - 1)) + (P_2(i) - P_2(i - 2)) +
-/// ... up to half of the circle, from left to right; of an even number of particles the last term is P_(n/2)(i) alone.
+/// PairForces at work. Every pair is computed once, in blocks of 8 particles (float: 16) that follow each other,
+/// whatever the registers of the machine. The acceleration of i is: its sum in the circle of its own block (as
+/// pull_within() has it), plus the pulls of all particles of earlier blocks: those of the same place in their blocks in
+/// turn, then the places in halves (as RowSums has it); minus its pulls at the particles of later blocks in turn.
 template <class T>
 class Pairs {
 public:
     explicit Pairs(const PairForces& forces)
-        : forces_(forces),
-          count_(forces.count),
-          morse_(morse_constants<T>(forces)),
-          lead_(padded(count_ / 2 + width)),
-          stride_(lead_ + padded(count_) + width),
-          positions_(3 * stride_, T(0)),
-          pulls_{positions_, positions_},
-          balance_(forces) {}
+        : forces_(forces), count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
 
     /// The same forces in another number type.
     template <class N>
@@ -65,13 +62,12 @@ public:
     }
 
     void accelerations(const Field<T>& u, Field<T>& a) {
-        repeat_positions(u);
-        std::fill(a.flat().begin(), a.flat().end(), T(0));
-        for (std::size_t ahead = 1; ahead <= count_ / 2; ++ahead) {
-            compute_pulls(ahead);
-            if (ahead > 1) add_pulls(a, ahead - 1);  // one behind: what has just been stored is slow to load in parts
+        if constexpr (detail::InRegisters<T>) {
+            pull_blocks({u.x(), u.y(), u.z()}, {a.x(), a.y(), a.z()});
+        } else {
+            std::fill(a.flat().begin(), a.flat().end(), T(0));
+            pull_one_by_one(u, a);
         }
-        if (count_ > 1) add_pulls(a, count_ / 2);
         balance_.take_off(a);
     }
 
@@ -121,74 +117,79 @@ public:
     }
 
 private:
-    using N = Lanes<T>;
-    using Vec = Vector<N>;
-    using Numbers = std::vector<T, CacheLineAllocator<T>>;
-    static constexpr std::size_t width = N::count;
-    static std::size_t padded(std::size_t n) { return (n + width - 1) / width * width; }
+    /// Particles of a block: of numbers side by side as of each of them by itself.
+    static constexpr std::size_t width = [] {
+        if constexpr (SideBySide<T>) return block_size<std::remove_cvref_t<decltype(std::declval<T>()[0])>>;
+        return std::max<std::size_t>(block_size<T>, 8);
+    }();
 
-    /// One component, of 3, of numbers that are there for all particles and for some of them once more: behind
-    /// the last one in positions_, in front of the first one in pulls_.
-    T* component(Numbers& numbers, std::size_t c) { return numbers.data() + c * stride_; }
-
-    void repeat_positions(const Field<T>& u) {
-        const std::array<const T*, 3> from{u.x(), u.y(), u.z()};
-        for (std::size_t c = 0; c < 3; ++c) {
-            T* const to = component(positions_, c);
-            for (std::size_t k = 0; k < count_; k += width) N::load(from[c] + k).store(to + k);
-            for (std::size_t k = 0; k < lead_; k += width) N::load(from[c] + k).store_anywhere(to + count_ + k);
+    /// By itself, so that the constants are in registers.
+    [[gnu::noinline]] void pull_blocks(const Components<const T>& u, const Components<T>& a) const {
+        const MorsePulls<T> pulls{morse_};
+        for (std::size_t first = 0; first < count_; first += width) {
+            const Components<const T> rows = u.from(first);
+            const std::size_t size = std::min(width, count_ - first);
+            auto sum = pull_within(pulls, rows, size);
+            if (first > 0) {
+                RowSums<T> row_sums;
+                for (std::size_t other = 0; other < first; other += width)
+                    pull_across(pulls, rows, size, row_sums, u.from(other), a.from(other));
+                sum = sum + row_sums.sums();
+            }
+            store_block(a.from(first), sum);
         }
     }
 
-    /// Of every particle by the one that is so far ahead of it. By itself, so that its constants are in registers.
-    [[gnu::noinline]] void compute_pulls(std::size_t ahead) {
-        const T *const x = component(positions_, 0), *const y = component(positions_, 1),
-                       *const z = component(positions_, 2);
-        const MorseConstants<N> morse{N(morse_.depth), N(morse_.b), N(morse_.r0), N(morse_.strength)};
-        Numbers& pulls = pulls_[ahead % 2];
-        T *const px = component(pulls, 0) + lead_, *const py = component(pulls, 1) + lead_,
-                 *const pz = component(pulls, 2) + lead_;
-        const std::size_t count = count_;
-        // from behind, so that the numbers of the first particles are the last to be stored
-        for (std::size_t i = padded(count); i > 0;) {
-            i -= width;
-            const auto difference = [&](const T* along) {
-                return N::load(along + i) - N::load_anywhere(along + i + ahead);
-            };
-            const Vec pull = morse_pull(morse, Vec{difference(x), difference(y), difference(z)});
-            if (i + width + ahead > count) {
-                pull.x.store_anywhere(px + i - count);
-                pull.y.store_anywhere(py + i - count);
-                pull.z.store_anywhere(pz + i - count);
+    /// The same sums for numbers that no register holds.
+    void pull_one_by_one(const Field<T>& u, Field<T>& a) const {
+        for (std::size_t first = 0; first < count_; first += width) {
+            const std::size_t size = std::min(width, count_ - first);
+            pull_in_circle(u, a, first, size);
+            for (std::size_t i = first; i < first + size; ++i) {
+                std::array<Vec, width> row;
+                row.fill({T(0), T(0), T(0)});
+                for (std::size_t j = 0; j < first; ++j) {
+                    const Vec pull = morse_pull(morse_, separation(u, j, i));
+                    row[j % width] = row[j % width] + pull;
+                    set(a, j, at(a, j) - pull);
+                }
+                for (std::size_t half = width / 2; half > 0; half /= 2) {
+                    for (std::size_t place = 0; place < half; ++place) row[place] = row[place] + row[place + half];
+                }
+                set(a, i, at(a, i) + row[0]);
             }
-            pull.x.store(px + i);
-            pull.y.store(py + i);
-            pull.z.store(pz + i);
         }
     }
 
-    /// Each pull to its particle and its opposite to the other one; opposite particles have both been computed.
-    void add_pulls(Field<T>& a, std::size_t ahead) {
-        const std::array<T*, 3> sums{a.x(), a.y(), a.z()};
-        const bool opposite = 2 * ahead == count_;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const T* const pull = component(pulls_[ahead % 2], c) + lead_;
-            for (std::size_t i = 0; i < count_; i += width) {
-                N change = N::load(pull + i);
-                if (!opposite) change = change - N::load_anywhere(pull + i - ahead);
-                if (i + width > count_) change = where(N::first(count_ - i), change, N(T(0)));
-                (N::load(sums[c] + i) + change).store(sums[c] + i);
+    /// Of `size` particles from `first` on, by each other.
+    void pull_in_circle(const Field<T>& u, Field<T>& a, std::size_t first, std::size_t size) const {
+        for (std::size_t ahead = 1; ahead <= width / 2; ++ahead) {
+            std::array<Vec, width> pulls;
+            pulls.fill({T(0), T(0), T(0)});
+            for (std::size_t place = 0; place < size; ++place) {
+                const std::size_t other = (place + ahead) % width;
+                if (other < size) pulls[place] = morse_pull(morse_, separation(u, first + other, first + place));
+            }
+            for (std::size_t place = 0; place < size; ++place) {
+                const std::size_t behind = (place + width - ahead) % width;
+                const Vec change = ahead < width / 2 ? pulls[place] - pulls[behind] : pulls[place];
+                set(a, first + place, at(a, first + place) + change);
             }
         }
+    }
+
+    using Vec = Vector<T>;
+    static inline const Vec zero{T(0), T(0), T(0)};
+    static Vec at(const Field<T>& field, std::size_t i) { return {field.x()[i], field.y()[i], field.z()[i]}; }
+    static void set(Field<T>& field, std::size_t i, const Vec& vector) {
+        field.x()[i] = vector.x;
+        field.y()[i] = vector.y;
+        field.z()[i] = vector.z;
     }
 
     PairForces forces_;
     std::size_t count_;
     MorseConstants<T> morse_;
-    std::size_t lead_;    ///< particles that are there twice
-    std::size_t stride_;  ///< from one component to the next
-    Numbers positions_;
-    std::array<Numbers, 2> pulls_;  ///< of the last two distances of indices
     Balance<T> balance_;
 };
 
