@@ -1,26 +1,33 @@
 #pragma once
 
-#include "core/frame.hpp"
-#include "render/colouring.hpp"
 #include "render/instances.hpp"
+#include "render/particle_blocks.hpp"
 #include "render/shader_program.hpp"
+#include "render/shot.hpp"
+
+#include <vector>
 
 namespace steplab::render {
 
-/// Draws the springs of a frame as thin round rods, all in one draw.
+/// Draws the springs of a frame as thin round rods.
 class Springs {
 public:
     Springs();
     /// Uploads the springs that the picture shows; those of neighbours only a few pixels apart are left out, as their
     /// particles already cover the picture there.
-    void prepare(const Frame& frame, const Style& style, std::span<const Rgb> colours, const Projection& projection);
+    void prepare(const Shot& shot, const ParticleBlocks& blocks);
     void draw(const ViewUniforms& view, double pixel_scale) const;
 
 private:
-    ShaderProgram program_;
+    /// Rods that show that they are round, or too thin for it.
+    struct Rods {
+        std::vector<Rod> listed;  ///< kept for its memory
+        RodList list;
+    };
+
+    ShaderProgram round_program_, thin_program_;
     float radius_ = 0;
-    std::vector<Rod> rods_;  ///< kept for its memory
-    RodList list_;
+    Rods round_, thin_;
 };
 
 }  // namespace steplab::render
