@@ -5,9 +5,10 @@ layout(location = 0) in vec3 a_centre;
 layout(location = 1) in vec4 a_colour;
 
 uniform float u_radius;
-uniform float u_least_radius;   // pixels
+uniform float u_least_radius;  // pixels
 
 #include "view.glsl"
+#include "front.glsl"
 #include "lighting.glsl"
 
 flat out vec3 v_colour;
@@ -20,6 +21,6 @@ void main() {
     // A ball is darker towards its outline: the mean over its disc.
     float mean = 1.0 - 0.12 * min(radius * radius, 1.0);
     v_colour = mean * lit(a_colour.rgb, vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0));
-    gl_Position = u_clip * vec4(centre, 1.0);
+    gl_Position = front_of_ball(centre, u_radius);
     gl_PointSize = side_of_disc * radius;
 }

@@ -58,6 +58,9 @@ void Ground::draw_axes(const Axes& axes, const ViewUniforms& view, const Palette
     view.apply(line_);
     line_.set("u_radius", 0.0F);
     line_.set("u_least_width", 1.2F * static_cast<float>(pixel_scale));
+    line_.set("u_breadth", 1.0F);
+    line_.set("u_faded", -1.0F);
+    line_.set("u_fading", 0.0F);
     line_.set("u_lit", 0.0F);
     lines_.draw();
 }

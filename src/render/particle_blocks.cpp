@@ -11,7 +11,7 @@ namespace {
 
 // Up to these radii in pixels nothing of a ball's shading, and nothing of its depth, could be seen.
 constexpr double dot_radius = 1.0;
-constexpr double point_radius = 2.5;
+constexpr double point_radius = 3.5;
 // Around what is drawn of a particle at least, in pixels.
 constexpr float margin = 2;
 

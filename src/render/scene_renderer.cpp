@@ -39,6 +39,7 @@ struct SceneRenderer::Body {
 
     void draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
                     const Tile& tile, const RenderTarget& target);
+    void draw_grid(const Style& style, const AxesBox& box, const ViewUniforms& view);
     void draw_flat(const Style& style, const Projection& projection, const std::optional<ColourScale>& scale,
                    const Axes& axes, const Occupancy& taken, const Tile& tile, PictureSize part);
 };
@@ -55,20 +56,31 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     ground.draw_backdrop(colours, tile, target);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    // All is above the grid: seen from above, it is behind all.
+    const bool from_above = view.projection().eye().y > box.bounds.low.y;
+    if (style.grid && from_above) draw_grid(style, box, view);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     if (style.springs) springs.draw(view, style.pixel_scale);
     particles.draw(view, target);
     if (style.grid) ground.draw_axes(axes, view, colours, style.pixel_scale);
+    if (style.grid && !from_above) draw_grid(style, box, view);
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    if (style.grid) ground.draw_grid(box, view, colours, style.pixel_scale);
     particles.draw_rings(view, style.pixel_scale);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     target.resolve();
+}
+
+void SceneRenderer::Body::draw_grid(const Style& style, const AxesBox& box, const ViewUniforms& view) {
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    ground.draw_grid(box, view, palette(style.background), style.pixel_scale);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
 }
 
 void SceneRenderer::Body::draw_flat(const Style& style, const Projection& projection,

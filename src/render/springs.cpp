@@ -3,13 +3,16 @@
 #include "render/bounds.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steplab::render {
 namespace {
 
 constexpr float least_width = 1.15F;   // pixels
-constexpr float least_length = 5;      // pixels
+constexpr float least_length = 10;     // pixels
+constexpr float full_length = 18;      // pixels: shorter rods are paler
 
+constexpr float widest_line = 1.5F;    // pixels: up to this a line of OpenGL, one pixel wide, will do
 constexpr float round_width = 2;       // pixels: thinner ones do not show that they are round
 
 /// What of the view decides whether a rod is drawn, and how.
@@ -30,11 +33,15 @@ public:
         const glm::vec3 a = start - eye_, b = end - eye_, along = end - start;
         const float depth = std::max(glm::dot(a, forward_), glm::dot(b, forward_));
         const float least = least_length * depth / pixels_;
-        return depth > 0 && glm::dot(along, along) >= least * least && !outside(a, b);
+        // What of its length is seen, the rest being along the line of sight.
+        const float ahead = glm::dot(along, a);
+        const float seen = glm::dot(along, along) - ahead * ahead / glm::dot(a, a);
+        return depth > 0 && seen >= least * least && !outside(a, b);
     }
-    bool is_round(glm::vec3 start, glm::vec3 end, float radius) const {
+    /// How many pixels a rod of this radius is thick where it is nearest.
+    float thickness(glm::vec3 start, glm::vec3 end, float radius) const {
         const float nearest = std::min(glm::dot(start - eye_, forward_), glm::dot(end - eye_, forward_));
-        return 2 * radius * pixels_ > round_width * nearest;
+        return nearest > 0 ? 2 * radius * pixels_ / nearest : INFINITY;
     }
 
 private:
@@ -61,29 +68,41 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
     const double thickness = style.colouring == Colouring::strain ? 2 : 1;
     radius_ = vertex_length(projection, thickness * known.sizes.spring_radius());
     const RodFilter filter(projection, radius_);
-    round_.listed.clear();
-    thin_.listed.clear();
+    for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->listed.clear();
+    const float least = least_width * static_cast<float>(style.pixel_scale);
     const std::span<const Spring> springs = known.shape->springs;
     for (std::size_t i = 0; i < springs.size(); ++i) {
         const glm::vec3 start = blocks.vertices()[springs[i].first], end = blocks.vertices()[springs[i].second];
         if (!filter.worth_drawing(start, end)) continue;
         if (!drawable(frame.positions[springs[i].first]) || !drawable(frame.positions[springs[i].second])) continue;
-        auto& list = filter.is_round(start, end, radius_) ? round_.listed : thin_.listed;
-        list.push_back({start, end, vertex_colour(spring_colour(frame, style, scale, i))});
+        list_for(filter.thickness(start, end, radius_), least).push_back({start, end, vertex_colour(spring_colour(frame, style, scale, i))});
     }
-    for (Rods* rods : {&round_, &thin_}) rods->list.upload(std::span<const Rod>(rods->listed));
+
+    for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->list.upload(std::span<const Rod>(rods->listed));
+}
+
+/// For a rod of this thickness where the least is `least`, both in pixels.
+std::vector<Rod>& Springs::list_for(float thickness, float least) {
+    if (thickness > round_width) return round_.listed;
+    return thickness > least || least > widest_line ? thin_.listed : thinnest_.listed;
 }
 
 void Springs::draw(const ViewUniforms& view, double pixel_scale) const {
-    const auto draw = [&](const ShaderProgram& program, const Rods& rods) {
+    const auto use = [&](const ShaderProgram& program, float breadth) {
         view.apply(program);
         program.set("u_radius", radius_);
         program.set("u_least_width", least_width * static_cast<float>(pixel_scale));
+        program.set("u_faded", least_length);
+        program.set("u_fading", full_length);
+        program.set("u_breadth", breadth);
         program.set("u_lit", 1.0F);
-        rods.list.draw();
     };
-    draw(round_program_, round_);
-    draw(thin_program_, thin_);
+    use(round_program_, 1);
+    round_.list.draw();
+    use(thin_program_, 1);
+    thin_.list.draw();
+    use(thin_program_, 0);
+    thinnest_.list.draw_lines();
 }
 
 }  // namespace steplab::render

@@ -19,15 +19,17 @@ public:
     void draw(const ViewUniforms& view, double pixel_scale) const;
 
 private:
-    /// Rods that show that they are round, or too thin for it.
+    /// Rods that are drawn alike: round ones; those too thin to show it; and of these the thinnest, drawn as lines.
     struct Rods {
         std::vector<Rod> listed;  ///< kept for its memory
         RodList list;
     };
 
+    std::vector<Rod>& list_for(float thickness, float least);
+
     ShaderProgram round_program_, thin_program_;
     float radius_ = 0;
-    Rods round_, thin_;
+    Rods round_, thin_, thinnest_;
 };
 
 }  // namespace steplab::render

@@ -297,7 +297,7 @@ TEST_F(Picture, small_balls_become_points_without_a_jump) {
         }
         return sum;
     };
-    EXPECT_NEAR(brightness(2.499), brightness(2.501), 0.1 * brightness(2.5));
+    EXPECT_NEAR(brightness(3.499), brightness(3.501), 0.1 * brightness(3.5));
 }
 
 }  // namespace
