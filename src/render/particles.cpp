@@ -7,6 +7,8 @@ namespace steplab::render {
 namespace {
 
 constexpr float least_radius = 0.75F;  // pixels
+// Up to this radius in pixels a cube or an octahedron is a point: nothing of its shape could be seen.
+constexpr double special_point_radius = 2.5;
 
 constexpr float ring_radius = 1.55F;  // in radii of the particle
 constexpr float ring_width = 1.6F;    // pixels
@@ -88,7 +90,7 @@ void Particles::gather_special(const Shot& shot, Occupancy& taken) {
         if (outside(*centre, 2 * radius + 1, projection.size())) continue;
         taken.mark(*centre, radius);
         Kind& kind = kinds_[index(role)];
-        auto& list = detail_of(radius) == Detail::body ? kind.listed_bodies : kind.listed_points;
+        auto& list = radius > special_point_radius ? kind.listed_bodies : kind.listed_points;
         list.push_back({vertex(projection, position),
                         vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i))});
     }
