@@ -92,10 +92,9 @@ glm::mat4 clip_matrix(const Camera& camera) {
     const double nearest = 0.01 * camera.distance, farthest = 100 * camera.distance;
     const glm::dvec4 ahead = row(p.forward(), 1);
     const double slope = (farthest + nearest) / (farthest - nearest);
-    const glm::dvec4 depth =
-        slope * ahead - glm::dvec4(0, 0, 0, 2 * farthest * nearest / (farthest - nearest));
-    return glm::mat4(glm::transpose(
-        glm::dmat4(row(p.right(), 1 / p.half_width()), row(p.up(), 1 / p.half_height()), depth, ahead)));
+    const glm::dvec4 depth = slope * ahead - glm::dvec4(0, 0, 0, 2 * farthest * nearest / (farthest - nearest));
+    return glm::mat4(
+        glm::transpose(glm::dmat4(row(p.right(), 1 / p.half_width()), row(p.up(), 1 / p.half_height()), depth, ahead)));
 }
 
 std::vector<std::vector<float>> arrays_of(const Frame& frame) {

@@ -24,9 +24,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::duration<double> round_time{2.0};
 constexpr std::chrono::microseconds frame_time{16667};
 
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 struct Watched {
     double steps_per_second = 0;

@@ -28,8 +28,7 @@ void Ground::draw_backdrop(const Palette& palette, const Tile& tile, const Rende
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Ground::draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette,
-                       double pixel_scale) const {
+void Ground::draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, double pixel_scale) const {
     const Projection& projection = view.projection();
     const Vec3 middle = box.bounds.centre();
     const Vec3 centre{middle.x, box.bounds.low.y, middle.z};

@@ -13,8 +13,7 @@ public:
     /// Fills the target; nothing else needs to be cleared but the depth.
     void draw_backdrop(const Palette& palette, const Tile& tile, const RenderTarget& target) const;
     /// The grid on the lower side of the box; blended, so after everything solid.
-    void draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette,
-                   double pixel_scale) const;
+    void draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, double pixel_scale) const;
     void draw_axes(const Axes& axes, const ViewUniforms& view, const Palette& palette, double pixel_scale);
 
     /// How far the grid reaches from the middle of the box.

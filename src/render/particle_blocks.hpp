@@ -59,7 +59,8 @@ private:
     };
 
     /// The box of the block's positions; none if none of them can be drawn.
-    std::optional<Bounds> place_block(const Frame& frame, const Projection& projection, std::size_t first, std::size_t count);
+    std::optional<Bounds> place_block(const Frame& frame, const Projection& projection, std::size_t first,
+                                      std::size_t count);
 
     std::vector<glm::vec3> vertices_;
     std::vector<std::optional<Box>> boxes_;  ///< of each block's vertices

@@ -84,15 +84,14 @@ void Particles::gather_special(const Shot& shot, Occupancy& taken) {
         const auto centre = drawable(position) ? projection.pixel(position) : std::nullopt;
         if (!centre) continue;
         const Role role = shot.known.shape->roles[i];
-        const double radius =
-            shot.known.sizes.radius(role) * projection.pixels_per_unit(projection.depth(position));
+        const double radius = shot.known.sizes.radius(role) * projection.pixels_per_unit(projection.depth(position));
         // The picture of a ball near the edge is longer than its radius.
         if (outside(*centre, 2 * radius + 1, projection.size())) continue;
         taken.mark(*centre, radius);
         Kind& kind = kinds_[index(role)];
         auto& list = radius > special_point_radius ? kind.listed_bodies : kind.listed_points;
-        list.push_back({vertex(projection, position),
-                        vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i))});
+        list.push_back(
+            {vertex(projection, position), vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i))});
     }
     for (Kind& kind : kinds_) {
         kind.bodies.upload(std::span<const Dot>(kind.listed_bodies));

@@ -8,12 +8,12 @@
 namespace steplab::render {
 namespace {
 
-constexpr float least_width = 1.15F;   // pixels
-constexpr float least_length = 10;     // pixels
-constexpr float full_length = 18;      // pixels: shorter rods are paler
+constexpr float least_width = 1.15F;  // pixels
+constexpr float least_length = 10;    // pixels
+constexpr float full_length = 18;     // pixels: shorter rods are paler
 
-constexpr float widest_line = 1.5F;    // pixels: up to this a line of OpenGL, one pixel wide, will do
-constexpr float round_width = 2;       // pixels: thinner ones do not show that they are round
+constexpr float widest_line = 1.5F;  // pixels: up to this a line of OpenGL, one pixel wide, will do
+constexpr float round_width = 2;     // pixels: thinner ones do not show that they are round
 
 /// What of the view decides whether a rod is drawn, and how.
 class RodFilter {
@@ -75,7 +75,8 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
         const glm::vec3 start = blocks.vertices()[springs[i].first], end = blocks.vertices()[springs[i].second];
         if (!filter.worth_drawing(start, end)) continue;
         if (!drawable(frame.positions[springs[i].first]) || !drawable(frame.positions[springs[i].second])) continue;
-        list_for(filter.thickness(start, end, radius_), least).push_back({start, end, vertex_colour(spring_colour(frame, style, scale, i))});
+        list_for(filter.thickness(start, end, radius_), least)
+            .push_back({start, end, vertex_colour(spring_colour(frame, style, scale, i))});
     }
 
     for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->list.upload(std::span<const Rod>(rods->listed));

@@ -51,8 +51,8 @@ glm::vec3 in_float(Vec3 v) { return glm::vec3(glm::dvec3(v.x, v.y, v.z)); }
 
 glm::vec3 as_vec3(Rgb colour) { return glm::vec3(colour.red, colour.green, colour.blue) / 255.0f; }
 
-ViewUniforms::ViewUniforms(const Projection& projection, const Bounds& scene, const Tile& tile,
-                           PictureSize part, const Palette& palette)
+ViewUniforms::ViewUniforms(const Projection& projection, const Bounds& scene, const Tile& tile, PictureSize part,
+                           const Palette& palette)
     : projection_(projection),
       clip_(clip_matrix(projection, depth_range(projection, scene), tile, part)),
       backdrop_(0.5f * (as_vec3(palette.top) + as_vec3(palette.bottom))),

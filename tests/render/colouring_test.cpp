@@ -73,9 +73,7 @@ TEST(ParticleColours, follow_the_value) {
     frame.velocities[1] = {0, 1, 0};
     frame.positions[2] = {2, 1, 0};
     Style style = coloured_by(Colouring::speed);
-    const auto colour = [&](std::size_t i) {
-        return particle_colour(frame, style, colour_scale(frame, style), i);
-    };
+    const auto colour = [&](std::size_t i) { return particle_colour(frame, style, colour_scale(frame, style), i); };
     EXPECT_EQ(colour(0), viridis(0));
     EXPECT_EQ(colour(1), viridis(1));
     style = coloured_by(Colouring::displacement);

@@ -1,5 +1,6 @@
-#include "render/drawn_sizes.hpp"
 #include "render/particle_blocks.hpp"
+
+#include "render/drawn_sizes.hpp"
 #include "render/view_uniforms.hpp"
 #include "scenes.hpp"
 
@@ -64,7 +65,8 @@ TEST(ParticleBlocks, nothing_outside_the_view_is_drawn) {
 }
 
 TEST(ParticleBlocks, what_straddles_the_border_is_drawn) {
-    const double edge = 4 * Projection(straight, size).half_width(), high = 4 * Projection(straight, size).half_height();
+    const double edge = 4 * Projection(straight, size).half_width(),
+                 high = 4 * Projection(straight, size).half_height();
     for (const Vec3& place : {Vec3{edge, 0, 0}, Vec3{-edge, 0, 0}, Vec3{0, high, 0}, Vec3{0, -high, 0}}) {
         EXPECT_EQ(drawn(heaps_at({place}), straight), block);
         // Outside by less than the radius of its balls, by a heap and more.
