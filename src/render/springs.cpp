@@ -9,8 +9,16 @@ namespace steplab::render {
 namespace {
 
 constexpr float least_width = 1.15F;  // pixels
-constexpr float least_length = 10;    // pixels
-constexpr float full_length = 18;     // pixels: shorter rods are paler
+/// Lengths in pixels: of the shortest rod that is drawn, and of the shortest that is not paler for it.
+struct LengthsDrawn {
+    float least, full;
+};
+constexpr LengthsDrawn of_few{5, 5.01F};
+// Of many, short ones would be but a haze over their particles.
+constexpr LengthsDrawn of_many{10, 18};
+constexpr std::size_t few = 10000;
+
+LengthsDrawn lengths_drawn(std::size_t springs) { return springs <= few ? of_few : of_many; }
 
 constexpr float widest_line = 1.5F;  // pixels: up to this a line of OpenGL, one pixel wide, will do
 constexpr float round_width = 2;     // pixels: thinner ones do not show that they are round
@@ -18,7 +26,7 @@ constexpr float round_width = 2;     // pixels: thinner ones do not show that th
 /// What of the view decides whether a rod is drawn, and how.
 class RodFilter {
 public:
-    RodFilter(const Projection& p, float radius)
+    RodFilter(const Projection& p, float radius, float least_length)
         : eye_(vertex(p, p.eye())),
           right_(in_float(p.right())),
           up_(in_float(p.up())),
@@ -26,13 +34,14 @@ public:
           half_width_(static_cast<float>(p.half_width())),
           half_height_(static_cast<float>(p.half_height())),
           pixels_(static_cast<float>(p.pixels_per_unit(1))),
-          margin_(2 * radius) {}
+          margin_(2 * radius),
+          least_length_(least_length) {}
 
     /// True if it is long enough and not all of it lies beyond one edge of the picture.
     bool worth_drawing(glm::vec3 start, glm::vec3 end) const {
         const glm::vec3 a = start - eye_, b = end - eye_, along = end - start;
         const float depth = std::max(glm::dot(a, forward_), glm::dot(b, forward_));
-        const float least = least_length * depth / pixels_;
+        const float least = least_length_ * depth / pixels_;
         // What of its length is seen, the rest being along the line of sight.
         const float ahead = glm::dot(along, a);
         const float seen = glm::dot(along, along) - ahead * ahead / glm::dot(a, a);
@@ -55,7 +64,7 @@ private:
     }
 
     glm::vec3 eye_, right_, up_, forward_;
-    float half_width_, half_height_, pixels_, margin_;
+    float half_width_, half_height_, pixels_, margin_, least_length_;
 };
 
 }  // namespace
@@ -67,7 +76,10 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
     // Colours are seen only on what is thick enough.
     const double thickness = style.colouring == Colouring::strain ? 2 : 1;
     radius_ = vertex_length(projection, thickness * known.sizes.spring_radius());
-    const RodFilter filter(projection, radius_);
+    const auto [least_length, full_length] = lengths_drawn(known.shape->springs.size());
+    least_length_ = least_length;
+    full_length_ = full_length;
+    const RodFilter filter(projection, radius_, least_length);
     for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->listed.clear();
     const float least = least_width * static_cast<float>(style.pixel_scale);
     const std::span<const Spring> springs = known.shape->springs;
@@ -93,8 +105,8 @@ void Springs::draw(const ViewUniforms& view, double pixel_scale) const {
         view.apply(program);
         program.set("u_radius", radius_);
         program.set("u_least_width", least_width * static_cast<float>(pixel_scale));
-        program.set("u_faded", least_length);
-        program.set("u_fading", full_length);
+        program.set("u_faded", least_length_);
+        program.set("u_fading", full_length_);
         program.set("u_breadth", breadth);
         program.set("u_lit", 1.0F);
     };

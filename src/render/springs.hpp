@@ -29,6 +29,7 @@ private:
 
     ShaderProgram round_program_, thin_program_;
     float radius_ = 0;
+    float least_length_ = 0, full_length_ = 1;  ///< pixels: shorter ones are left out, or paler
     Rods round_, thin_, thinnest_;
 };
 
