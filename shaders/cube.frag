@@ -1,11 +1,11 @@
 #version 330 core
-// A cube along the axes of space, its corners on the ball of u_radius, its edges softened by the light.
-#extension GL_ARB_sample_shading : enable
+// A cube along the axes of space, its corners on the ball of v_radius, its edges softened by the light.
 
-uniform float u_radius;
+flat in float v_radius;
 
 #include "view.glsl"
 #include "lighting.glsl"
+#include "covered.glsl"
 
 // Where a ray in the cube's own axes enters and leaves it.
 vec2 crossed(vec3 closest, vec3 direction, float half_side) {
@@ -17,16 +17,13 @@ vec2 crossed(vec3 closest, vec3 direction, float half_side) {
     return vec2(max(enters.x, max(enters.y, enters.z)), min(leaves.x, min(leaves.y, leaves.z)));
 }
 
-bool hit(vec3 closest, vec3 direction) {
-    vec2 range = crossed(closest * u_rotation, direction * u_rotation, u_radius * inversesqrt(3.0));
-    return range.x <= range.y;
-}
-
-float surface(vec3 closest, vec3 direction, out vec3 normal) {
-    float half_side = u_radius * inversesqrt(3.0);
+float surface(vec3 closest, vec3 direction, out vec3 normal, out float coverage) {
+    float half_side = v_radius * inversesqrt(3.0);
     vec3 from = closest * u_rotation;
     vec3 along = direction * u_rotation;
-    float distance = crossed(from, along, half_side).x;
+    vec2 range = crossed(from, along, half_side);
+    coverage = covered_by(range.y - range.x);
+    float distance = min(range.x, 0.5 * (range.x + range.y));
     vec3 part = (from + distance * along) / half_side;
     vec3 squared = part * part;
     vec3 rounded = part * squared * squared * squared;  // nearly a face's normal but for the edges

@@ -1,12 +1,10 @@
 #version 330 core
-// A small ball: lit like a large one, flat in depth, its outline smoothed by the samples it covers.
-#extension GL_ARB_sample_shading : enable
+// A small ball: lit like a large one, flat in depth, its outline smooth by how far it is from the pixel.
 
 flat in vec3 v_colour;
 flat in float v_radius;
 
-uniform vec2 u_samples[16];
-uniform int u_sample_count;
+uniform float u_least_coverage;  // of a pixel that is drawn at all
 
 #include "view.glsl"
 #include "lighting.glsl"
@@ -15,19 +13,10 @@ out vec4 f_colour;
 
 void main() {
     vec2 place = (gl_PointCoord - 0.5) * vec2(1.0, -1.0) * (2.0 * v_radius + 1.0);  // pixels from the centre, up
-#ifdef GL_ARB_sample_shading
-    int mask = 0;
-    for (int i = 0; i < u_sample_count; ++i) {
-        vec2 at = place + u_samples[i];
-        if (dot(at, at) <= v_radius * v_radius) mask |= 1 << i;
-    }
-    if (mask == 0) discard;
-    gl_SampleMask[0] = mask;
-#else
-    if (dot(place, place) > v_radius * v_radius) discard;
-#endif
-    vec2 across = place / max(v_radius, 1.0);
-    float squared = min(dot(across, across), 1.0);
-    vec3 normal = normalize(vec3(across, sqrt(1.0 - squared)));
-    f_colour = vec4(lit(v_colour, normal, vec3(0.0, 0.0, 1.0)), 1.0);
+    float off = length(place);
+    float coverage = clamp(v_radius - off + 0.5, 0.0, 1.0);
+    if (coverage <= u_least_coverage) discard;
+    vec2 across = place / max(v_radius, off);
+    vec3 normal = vec3(across, sqrt(max(1.0 - dot(across, across), 0.0)));
+    f_colour = vec4(lit(v_colour, normal, vec3(0.0, 0.0, 1.0)), coverage);
 }

@@ -5,18 +5,18 @@ layout(location = 0) in vec3 a_centre;
 layout(location = 1) in vec4 a_colour;
 
 uniform float u_radius;
-uniform float u_resolution;     // pixels of the framebuffer per pixel of the picture
-uniform float u_least_radius;   // pixels
+uniform float u_least_radius;  // pixels
 
 #include "view.glsl"
+#include "front.glsl"
 
 flat out vec3 v_colour;
-flat out float v_radius;  // pixels of the framebuffer
+flat out float v_radius;  // pixels
 
 void main() {
     vec3 centre = seen(a_centre);
     v_colour = a_colour.rgb;
-    v_radius = u_resolution * max(u_radius * u_pixels / -centre.z, u_least_radius);
-    gl_Position = u_clip * vec4(centre, 1.0);
+    v_radius = max(u_radius * u_pixels / -centre.z, u_least_radius);
+    gl_Position = front_of_ball(centre, u_radius);
     gl_PointSize = 2.0 * v_radius + 1.0;
 }

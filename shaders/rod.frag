@@ -6,8 +6,6 @@ in float v_roundness;
 in vec3 v_side;
 in vec3 v_position;
 
-uniform float u_lit;  // 1: a round rod under the light; 0: a plain line
-
 #include "view.glsl"
 #include "lighting.glsl"
 
@@ -19,6 +17,5 @@ void main() {
     vec3 front = normalize(to_eye - side * dot(side, to_eye));
     float across = v_roundness * clamp(v_across, -1.0, 1.0);
     vec3 normal = side * across + front * sqrt(1.0 - across * across);
-    vec3 colour = mix(v_colour.rgb, lit(v_colour.rgb, normal, to_eye), u_lit);
-    f_colour = vec4(mix(u_backdrop, colour, v_colour.a), 1.0);
+    f_colour = vec4(mix(u_backdrop, lit(v_colour.rgb, normal, to_eye), v_colour.a), 1.0);
 }

@@ -1,17 +1,17 @@
 #version 330 core
 // A ball.
-#extension GL_ARB_sample_shading : enable
 
-uniform float u_radius;
+flat in float v_radius;
+flat in float v_scale;  // pixels of a length of 1 where the ball is
 
 #include "view.glsl"
 #include "lighting.glsl"
 
-bool hit(vec3 closest, vec3 direction) { return dot(closest, closest) <= u_radius * u_radius; }
-
-float surface(vec3 closest, vec3 direction, out vec3 normal) {
-    float along = -sqrt(max(u_radius * u_radius - dot(closest, closest), 0.0));
-    normal = (closest + along * direction) / u_radius;
+float surface(vec3 closest, vec3 direction, out vec3 normal, out float coverage) {
+    float off = length(closest);
+    coverage = clamp((v_radius - off) * v_scale + 0.5, 0.0, 1.0);
+    float along = -sqrt(max(v_radius * v_radius - off * off, 0.0));
+    normal = (closest + along * direction) / max(v_radius, off);
     return along;
 }
 

@@ -13,9 +13,22 @@ struct Lattice {
     Vec3 along_row{};             ///< from a point to the next of its row
     Vec3 between_rows{};          ///< from a point to the one in the next row
 
-    Vec3 at(std::size_t i) const {
-        const std::size_t row = i / columns, column = i % columns;
+    Vec3 at(std::size_t i) const { return at(i / columns, i % columns); }
+    Vec3 at(std::size_t row, std::size_t column) const {
         return static_cast<double>(column) * along_row + static_cast<double>(row) * between_rows;
+    }
+
+    /// Calls visit(i, at(i)) for `some` points from `first` on, in their order.
+    template <class Visit>
+    void each(std::size_t first, std::size_t some, const Visit& visit) const {
+        if (some == 0) return;
+        std::size_t row = first / columns, column = first % columns;
+        for (std::size_t i = first; i < first + some; ++i) {
+            visit(i, at(row, column));
+            if (++column < columns) continue;
+            column = 0;
+            ++row;
+        }
     }
 };
 

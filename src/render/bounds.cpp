@@ -57,8 +57,11 @@ Bounds expected_bounds(const Shape& shape) {
 }
 
 AxesBox axes_box(const Frame& frame) {
-    const Bounds usual = widened(expected_bounds(*frame.shape), 0.75 * frame.shape->spacing);
-    const Bounds now = bounds_of(frame.positions);
+    return axes_box(expected_bounds(*frame.shape), frame.shape->spacing, bounds_of(frame.positions));
+}
+
+AxesBox axes_box(const Bounds& expected, double spacing, const Bounds& now) {
+    const Bounds usual = widened(expected, 0.75 * spacing);
     const Bounds whole = joined(usual, now);
     const double step = round_number_from(largest(whole.size()) / wanted_cells);
     const auto low = [step](double usual_low, double seen) {

@@ -38,5 +38,7 @@ struct AxesBox {
     double step = 1;  ///< of the ground grid: 1, 2 or 5 times a power of ten
 };
 AxesBox axes_box(const Frame& frame);
+/// The same of a scene with these expected_bounds() and distance of neighbours whose particles are in the box `now`.
+AxesBox axes_box(const Bounds& expected, double spacing, const Bounds& now);
 
 }  // namespace steplab::render

@@ -15,24 +15,27 @@ constexpr std::array<Rgb, 16> viridis_stops = {rgb(0x440154), rgb(0x481a6c), rgb
 
 Rgb mixed(Rgb a, Rgb b, double part) {
     const auto channel = [part](std::uint8_t from, std::uint8_t to) {
-        return static_cast<std::uint8_t>(std::lround(from + part * (to - from)));
+        return static_cast<std::uint8_t>(from + part * (to - from) + 0.5);
     };
     return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }
 
+/// In the arithmetic of the drawing: of places that drawable() lets through.
+double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
+
 double particle_value(const Frame& frame, const Style& style, std::size_t i) {
     switch (style.colouring) {
         case Colouring::speed:
-            return length(frame.velocities[i]);
+            return size_of(frame.velocities[i]);
         case Colouring::kinetic_energy:
             return 0.5 * style.mass * dot(frame.velocities[i], frame.velocities[i]);
         default:
-            return length(frame.positions[i] - frame.shape->rest[i]);
+            return size_of(frame.positions[i] - frame.shape->rest[i]);
     }
 }
 
 double strain(const Frame& frame, const Spring& spring) {
-    const double now = length(frame.positions[spring.second] - frame.positions[spring.first]);
+    const double now = size_of(frame.positions[spring.second] - frame.positions[spring.first]);
     // A spring of no rest length has no strain: its length itself tells how far it is pulled.
     return spring.rest_length > 0 ? now / spring.rest_length - 1 : now;
 }
@@ -86,28 +89,22 @@ std::string_view title(Colouring colouring) {
     return titles[static_cast<std::size_t>(colouring)];
 }
 
-std::vector<Rgb> particle_colours(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale) {
+Rgb role_colour(const Style& style, Role role) {
     const Palette& colours = palette(style.background);
-    const bool by_value = scale && scale->colouring != Colouring::strain;
-    auto by_role = colours.roles;
-    if (scale && !by_value) by_role[static_cast<std::size_t>(Role::moving)] = colours.neutral;
-    std::vector<Rgb> result(frame.positions.size());
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const Role role = frame.shape->roles[i];
-        const bool valued = by_value && role != Role::fixed;
-        result[i] =
-            valued ? scale->colour(particle_value(frame, style, i), colours) : by_role[static_cast<std::size_t>(role)];
-    }
-    return result;
+    const bool neutral = style.colouring == Colouring::strain && role == Role::moving;
+    return neutral ? colours.neutral : colours.roles[static_cast<std::size_t>(role)];
 }
 
-std::vector<Rgb> spring_colours(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale) {
+Rgb particle_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i) {
+    const Role role = frame.shape->roles[i];
+    if (!scale || !tells_values(scale->colouring) || role == Role::fixed) return role_colour(style, role);
+    return scale->colour(particle_value(frame, style, i), palette(style.background));
+}
+
+Rgb spring_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i) {
     const Palette& colours = palette(style.background);
-    std::vector<Rgb> result(frame.shape->springs.size(), colours.spring);
-    if (!scale || scale->colouring != Colouring::strain) return result;
-    std::transform(frame.shape->springs.begin(), frame.shape->springs.end(), result.begin(),
-                   [&](const Spring& spring) { return scale->colour(strain(frame, spring), colours); });
-    return result;
+    if (!scale || scale->colouring != Colouring::strain) return colours.spring;
+    return scale->colour(strain(frame, frame.shape->springs[i]), colours);
 }
 
 }  // namespace steplab::render

@@ -4,9 +4,9 @@
 #include "render/palette.hpp"
 #include "render/style.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 namespace steplab::render {
 
@@ -29,9 +29,15 @@ std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style);
 /// "displacement [m]"
 std::string_view title(Colouring colouring);
 
-/// One colour per particle. Fixed particles keep the colour of their role.
-std::vector<Rgb> particle_colours(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale);
-/// One colour per spring.
-std::vector<Rgb> spring_colours(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale);
+/// True if the particles have colours by their values, not by their roles.
+constexpr bool tells_values(Colouring colouring) {
+    return colouring != Colouring::role && colouring != Colouring::strain;
+}
+/// The colour of all particles of a role, where colours do not tell their values.
+Rgb role_colour(const Style& style, Role role);
+/// The colour of a particle. Fixed particles keep the colour of their role.
+Rgb particle_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i);
+/// The colour of a spring.
+Rgb spring_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i);
 
 }  // namespace steplab::render

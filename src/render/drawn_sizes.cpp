@@ -1,7 +1,5 @@
 #include "render/drawn_sizes.hpp"
 
-#include "render/bounds.hpp"
-
 #include <algorithm>
 
 namespace steplab::render {
@@ -13,9 +11,11 @@ constexpr double part_of_scene = 0.014;  // of the scene's diagonal
 
 }  // namespace
 
-DrawnSizes::DrawnSizes(const Shape& shape) {
-    const double wanted = part_of_scene * length(expected_bounds(shape).size());
-    ball_ = std::clamp(wanted, usual_part * shape.spacing, largest_part * shape.spacing);
+DrawnSizes::DrawnSizes(const Shape& shape) : DrawnSizes(expected_bounds(shape), shape.spacing) {}
+
+DrawnSizes::DrawnSizes(const Bounds& expected, double spacing) {
+    const double wanted = part_of_scene * length(expected.size());
+    ball_ = std::clamp(wanted, usual_part * spacing, largest_part * spacing);
 }
 
 double DrawnSizes::radius(Role role) const {

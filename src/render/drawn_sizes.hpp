@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/shape.hpp"
+#include "render/bounds.hpp"
 
 namespace steplab::render {
 
@@ -9,6 +10,8 @@ namespace steplab::render {
 class DrawnSizes {
 public:
     explicit DrawnSizes(const Shape& shape);
+    /// Of a scene with these expected_bounds() and distance of neighbours.
+    DrawnSizes(const Bounds& expected, double spacing);
     /// Of a particle: of the ball, or of the ball around the body that it is drawn as.
     double radius(Role role) const;
     double spring_radius() const { return 0.1 * ball_; }

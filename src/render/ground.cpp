@@ -11,7 +11,7 @@ constexpr float axis_strength = 0.55F;
 
 }  // namespace
 
-Ground::Ground() : backdrop_("backdrop"), ground_("ground"), rod_("rod") {}
+Ground::Ground() : backdrop_("backdrop"), ground_("ground"), line_("line") {}
 
 double Ground::reach(const AxesBox& box) {
     const Vec3 size = box.bounds.size();
@@ -28,8 +28,7 @@ void Ground::draw_backdrop(const Palette& palette, const Tile& tile, const Rende
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Ground::draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, const RenderTarget& target,
-                       double pixel_scale) const {
+void Ground::draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, double pixel_scale) const {
     const Projection& projection = view.projection();
     const Vec3 middle = box.bounds.centre();
     const Vec3 centre{middle.x, box.bounds.low.y, middle.z};
@@ -40,7 +39,7 @@ void Ground::draw_grid(const AxesBox& box, const ViewUniforms& view, const Palet
     const auto to_line = [&](double place) { return vertex_length(projection, std::remainder(-place, 5 * box.step)); };
     ground_.set("u_origin", glm::vec2(to_line(centre.x), to_line(centre.z)));
     ground_.set("u_step", vertex_length(projection, box.step));
-    ground_.set("u_width", static_cast<float>(pixel_scale * target.supersampling()));
+    ground_.set("u_width", static_cast<float>(pixel_scale));
     ground_.set("u_colour", as_vec3(palette.grid));
     ground_.set("u_strength", grid_strength);
     glBindVertexArray(no_vertices_.id());
@@ -55,10 +54,13 @@ void Ground::draw_axes(const Axes& axes, const ViewUniforms& view, const Palette
                         vertex_colour(palette.grid, alpha)});
     }
     lines_.upload(std::span<const Rod>(rods));
-    view.apply(rod_);
-    rod_.set("u_radius", 0.0F);
-    rod_.set("u_least_width", 1.2F * static_cast<float>(pixel_scale));
-    rod_.set("u_lit", 0.0F);
+    view.apply(line_);
+    line_.set("u_radius", 0.0F);
+    line_.set("u_least_width", 1.2F * static_cast<float>(pixel_scale));
+    line_.set("u_breadth", 1.0F);
+    line_.set("u_faded", -1.0F);
+    line_.set("u_fading", 0.0F);
+    line_.set("u_lit", 0.0F);
     lines_.draw();
 }
 

@@ -13,15 +13,14 @@ public:
     /// Fills the target; nothing else needs to be cleared but the depth.
     void draw_backdrop(const Palette& palette, const Tile& tile, const RenderTarget& target) const;
     /// The grid on the lower side of the box; blended, so after everything solid.
-    void draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, const RenderTarget& target,
-                   double pixel_scale) const;
+    void draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, double pixel_scale) const;
     void draw_axes(const Axes& axes, const ViewUniforms& view, const Palette& palette, double pixel_scale);
 
     /// How far the grid reaches from the middle of the box.
     static double reach(const AxesBox& box);
 
 private:
-    ShaderProgram backdrop_, ground_, rod_;
+    ShaderProgram backdrop_, ground_, line_;
     VertexArray no_vertices_;  ///< the shaders make their own
     RodList lines_;
 };

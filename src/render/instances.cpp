@@ -55,4 +55,10 @@ void RodList::upload(std::span<const Rod> rods) {
 
 void RodList::draw() const { draw_quad_each(vertex_array_, count_); }
 
+void RodList::draw_lines() const {
+    if (count_ == 0) return;
+    glBindVertexArray(vertex_array_.id());
+    glDrawArraysInstanced(GL_LINES, 0, 2, count_);
+}
+
 }  // namespace steplab::render

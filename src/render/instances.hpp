@@ -34,12 +34,15 @@ private:
     VertexArray per_vertex_, per_instance_;
 };
 
-/// A list of rods on the graphics processor, drawn as one quad each.
+/// A list of rods on the graphics processor.
 class RodList {
 public:
     RodList();
     void upload(std::span<const Rod> rods);
+    /// As one quad each.
     void draw() const;
+    /// As one line each, whose vertices are numbered as the first two of the quad.
+    void draw_lines() const;
 
 private:
     GLsizei count_ = 0;

@@ -6,15 +6,16 @@
 namespace steplab::render {
 namespace {
 
-// Up to this radius in pixels a particle is a point: nothing of its shape could be seen.
-constexpr double point_radius = 2.5;
-constexpr float least_radius = 0.75F;
+constexpr float least_radius = 0.75F;  // pixels
+// Up to this radius in pixels a cube or an octahedron is a point: nothing of its shape could be seen.
+constexpr double special_point_radius = 2.5;
 
 constexpr float ring_radius = 1.55F;  // in radii of the particle
 constexpr float ring_width = 1.6F;    // pixels
 constexpr float least_ring_radius = 6;
 
 std::size_t index(Role role) { return static_cast<std::size_t>(role); }
+std::size_t index(Detail detail) { return static_cast<std::size_t>(detail); }
 
 ShaderProgram impostor(const char* fragment_file) {
     return ShaderProgram("impostor.vert", fragment_file, shader_folders());
@@ -25,6 +26,14 @@ bool outside(PixelPoint centre, double radius, PictureSize size) {
            centre.y > size.height + radius;
 }
 
+/// Of particles whose outline the shader smooths.
+void use(const ShaderProgram& program, const ViewUniforms& view, float radius, float least_coverage) {
+    view.apply(program);
+    program.set("u_radius", radius);
+    program.set("u_least_radius", least_radius);
+    program.set("u_least_coverage", least_coverage);
+}
+
 }  // namespace
 
 Particles::Particles()
@@ -32,44 +41,70 @@ Particles::Particles()
       cube_(impostor("cube.frag")),
       octahedron_(impostor("octahedron.frag")),
       point_("point"),
+      dot_("dot"),
       ring_("ring") {}
 
-void Particles::prepare(const Frame& frame, const Style& style, std::span<const Rgb> colours,
-                        const Projection& projection, Occupancy& taken) {
-    const DrawnSizes sizes(*frame.shape);
-    sort(frame, colours, projection, sizes, taken);
+void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& taken) {
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
-        kinds_[kind].radius = vertex_length(projection, sizes.radius(static_cast<Role>(kind)));
-        kinds_[kind].bodies.upload(std::span<const Dot>(bodies_[kind]));
-        kinds_[kind].points.upload(std::span<const Dot>(points_[kind]));
+        kinds_[kind].radius = vertex_length(shot.projection, shot.known.sizes.radius(static_cast<Role>(kind)));
     }
-    prepare_rings(frame, style, projection);
+    const double radius = shot.known.sizes.radius(Role::moving);
+    for (const std::uint32_t i : shot.known.special) blocks.hide(i);
+    chosen_ = blocks.choose(shot.projection, shot.tile, shot.part, radius);
+    for (const auto& ranges : chosen_) blocks.mark(shot.projection, ranges, radius, taken);
+    moving_.upload(blocks.vertices());
+    colour_moving(shot);
+    gather_special(shot, taken);
+    prepare_rings(shot);
 }
 
-void Particles::sort(const Frame& frame, std::span<const Rgb> colours, const Projection& projection,
-                     const DrawnSizes& sizes, Occupancy& taken) {
-    for (auto* lists : {&bodies_, &points_}) {
-        for (auto& list : *lists) list.clear();
+void Particles::colour_moving(const Shot& shot) {
+    if (!tells_values(shot.style.colouring)) {
+        return moving_.colour(vertex_colour(role_colour(shot.style, Role::moving)));
     }
-    for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-        const Role role = frame.shape->roles[i];
-        const auto centre = drawable(frame.positions[i]) ? projection.pixel(frame.positions[i]) : std::nullopt;
+    colours_.resize(shot.frame.positions.size());
+    for (const auto& ranges : chosen_) {
+        for (const auto& [first, count] : ranges) {
+            for (std::size_t i = first; i < first + count; ++i) {
+                colours_[i] = vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i));
+            }
+        }
+    }
+    moving_.colour(colours_);
+}
+
+void Particles::gather_special(const Shot& shot, Occupancy& taken) {
+    const Projection& projection = shot.projection;
+    for (Kind& kind : kinds_) {
+        kind.listed_bodies.clear();
+        kind.listed_points.clear();
+    }
+    for (const std::uint32_t i : shot.known.special) {
+        const Vec3 position = shot.frame.positions[i];
+        const auto centre = drawable(position) ? projection.pixel(position) : std::nullopt;
         if (!centre) continue;
-        const double scale = projection.pixels_per_unit(projection.depth(frame.positions[i]));
-        const double radius = scale * sizes.radius(role);
+        const Role role = shot.known.shape->roles[i];
+        const double radius = shot.known.sizes.radius(role) * projection.pixels_per_unit(projection.depth(position));
         // The picture of a ball near the edge is longer than its radius.
         if (outside(*centre, 2 * radius + 1, projection.size())) continue;
         taken.mark(*centre, radius);
-        auto& lists = radius > point_radius ? bodies_ : points_;
-        lists[index(role)].push_back({vertex(projection, frame.positions[i]), vertex_colour(colours[i])});
+        Kind& kind = kinds_[index(role)];
+        auto& list = radius > special_point_radius ? kind.listed_bodies : kind.listed_points;
+        list.push_back(
+            {vertex(projection, position), vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i))});
+    }
+    for (Kind& kind : kinds_) {
+        kind.bodies.upload(std::span<const Dot>(kind.listed_bodies));
+        kind.points.upload(std::span<const Dot>(kind.listed_points));
     }
 }
 
-void Particles::prepare_rings(const Frame& frame, const Style& style, const Projection& projection) {
+void Particles::prepare_rings(const Shot& shot) {
+    const auto& [frame, known, style, scale, projection, tile, part] = shot;
     const Palette& colours = palette(style.background);
     std::vector<Dot> kicked;
-    for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-        if (frame.shape->roles[i] != Role::kicked || !drawable(frame.positions[i])) continue;
+    for (const std::uint32_t i : known.special) {
+        if (known.shape->roles[i] != Role::kicked || !drawable(frame.positions[i])) continue;
         kicked.push_back(
             {vertex(projection, frame.positions[i]), vertex_colour(colours.roles[index(Role::kicked)], 210)});
     }
@@ -78,26 +113,36 @@ void Particles::prepare_rings(const Frame& frame, const Style& style, const Proj
     if (style.selected && *style.selected < frame.positions.size() && drawable(frame.positions[*style.selected])) {
         const std::size_t i = *style.selected;
         selected.push_back({vertex(projection, frame.positions[i]), vertex_colour(colours.selection, 235)});
-        selected_radius_ = kinds_[index(frame.shape->roles[i])].radius;
+        selected_radius_ = kinds_[index(known.shape->roles[i])].radius;
     }
     selected_ring_.upload(std::span<const Dot>(selected));
 }
 
 void Particles::draw(const ViewUniforms& view, const RenderTarget& target) const {
+    const bool sampled = target.samples() > 1;
+    // Covered samples follow the alpha of outlines; the picture itself has none.
+    const float least_coverage = sampled ? 0.0F : 0.5F;
+    const float radius = kinds_[index(Role::moving)].radius;
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    if (sampled) glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    use(sphere_, view, radius, least_coverage);
+    moving_.draw_quads(chosen_[index(Detail::body)]);
     const ShaderProgram* programs[] = {&sphere_, &cube_, &sphere_, &octahedron_};
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
-        view.apply(*programs[kind]);
-        programs[kind]->set("u_radius", kinds_[kind].radius);
+        use(*programs[kind], view, kinds_[kind].radius, least_coverage);
         kinds_[kind].bodies.draw_quads();
     }
-    glEnable(GL_PROGRAM_POINT_SIZE);
-    view.apply(point_);
-    point_.set("u_resolution", static_cast<float>(target.supersampling()));
-    point_.set("u_least_radius", least_radius);
     for (const Kind& kind : kinds_) {
-        point_.set("u_radius", kind.radius);
+        use(point_, view, kind.radius, least_coverage);
         kind.points.draw_points();
     }
+    use(point_, view, radius, least_coverage);
+    moving_.draw_points(chosen_[index(Detail::point)]);
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    use(dot_, view, radius, least_coverage);
+    moving_.draw_points(chosen_[index(Detail::dot)]);
 }
 
 void Particles::draw_rings(const ViewUniforms& view, double pixel_scale) const {

@@ -1,44 +1,49 @@
 #pragma once
 
-#include "core/frame.hpp"
-#include "render/colouring.hpp"
-#include "render/drawn_sizes.hpp"
 #include "render/instances.hpp"
 #include "render/occupancy.hpp"
+#include "render/particle_arrays.hpp"
+#include "render/particle_blocks.hpp"
 #include "render/shader_program.hpp"
+#include "render/shot.hpp"
 
 #include <array>
+#include <vector>
 
 namespace steplab::render {
 
 /// Draws the particles of a frame: balls; cubes where they are fixed; an octahedron for the bullet; a ring around the
-/// kicked and around the selected one. Particles of one kind are one draw; those of few pixels are drawn as points.
+/// kicked and around the selected one. Moving particles are drawn as they come from the run, block by block; the few
+/// others are gathered.
 class Particles {
 public:
     Particles();
 
-    /// Sorts the particles that the picture shows by kind and size and uploads them. Marks where they are in `taken`.
-    void prepare(const Frame& frame, const Style& style, std::span<const Rgb> colours, const Projection& projection,
-                 Occupancy& taken);
+    /// Uploads the particles and finds out what of them the picture shows. Marks where that is in `taken`.
+    void prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& taken);
     /// Draws the bodies.
     void draw(const ViewUniforms& view, const RenderTarget& target) const;
     /// Draws the rings; they are blended, so after everything solid.
     void draw_rings(const ViewUniforms& view, double pixel_scale) const;
 
 private:
-    /// One kind of particle: all of a role.
+    /// The particles of a role.
     struct Kind {
         float radius = 0;
         DotList bodies, points;
+        std::vector<Dot> listed_bodies, listed_points;  ///< kept for their memory
     };
 
-    void sort(const Frame& frame, std::span<const Rgb> colours, const Projection& projection, const DrawnSizes& sizes,
-              Occupancy& taken);
-    void prepare_rings(const Frame& frame, const Style& style, const Projection& projection);
+    void gather_special(const Shot& shot, Occupancy& taken);
+    void colour_moving(const Shot& shot);
+    void prepare_rings(const Shot& shot);
+    void draw_special(const ViewUniforms& view) const;
 
-    ShaderProgram sphere_, cube_, octahedron_, point_, ring_;
-    std::array<Kind, 4> kinds_;                        ///< by Role
-    std::array<std::vector<Dot>, 4> bodies_, points_;  ///< kept for their memory
+    ShaderProgram sphere_, cube_, octahedron_, point_, dot_, ring_;
+    ParticleArrays moving_;
+    std::array<std::vector<IndexRange>, details> chosen_;  ///< of the moving ones, by Detail
+    std::vector<VertexColour> colours_;                    ///< kept for its memory
+    std::array<Kind, 4> kinds_;                            ///< by Role
     DotList kicked_ring_, selected_ring_;
     float selected_radius_ = 0;
 };

@@ -46,63 +46,35 @@ void require_size(PictureSize size) {
                                     size.width, size.height));
 }
 
-void blit(const Framebuffer& from, PictureSize from_size, const Framebuffer& to, PictureSize to_size, GLenum filter) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.id());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.id());
-    glBlitFramebuffer(0, 0, from_size.width, from_size.height, 0, 0, to_size.width, to_size.height, GL_COLOR_BUFFER_BIT,
-                      filter);
-}
-
-/// Of the framebuffer that is bound.
-std::vector<glm::vec2> places_of_samples(int count) {
-    std::vector<glm::vec2> places(static_cast<std::size_t>(count), glm::vec2(0));
-    if (count == 1) return places;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), &places[i].x);
-        places[i] -= glm::vec2(0.5F);
-    }
-    return places;
-}
-
-PictureSize times(PictureSize size, int factor) { return {size.width * factor, size.height * factor}; }
-
 }  // namespace
 
-RenderTarget::RenderTarget(PictureSize size, int supersampling) : size_(size), supersampling_(supersampling) {
-    const int samples = std::clamp(integer(GL_MAX_SAMPLES), 1, wanted_samples);
-    const PictureSize drawn = times(size, supersampling);
-    require_size(drawn);
+RenderTarget::RenderTarget(PictureSize size) : size_(size) {
+    samples_ = std::clamp(integer(GL_MAX_SAMPLES), 1, wanted_samples);
+    require_size(size);
     while (glGetError() != GL_NO_ERROR) {
     }
-    make_storage(colour_, GL_RGBA8, samples, drawn);
-    make_storage(depth_, GL_DEPTH_COMPONENT24, samples, drawn);
+    make_storage(colour_, GL_RGBA8, samples_, size);
+    make_storage(depth_, GL_DEPTH_COMPONENT24, samples_, size);
     glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
-    require_complete(drawn);
-    sample_places_ = places_of_samples(samples);
-    if (supersampling > 1) {
-        intermediate_.emplace();
-        make_colour_texture(intermediate_->texture, intermediate_->framebuffer, drawn);
-        require_complete(drawn);
-    }
+    require_complete(size);
     make_colour_texture(texture_, framebuffer_, size);
     require_complete(size);
 }
 
 void RenderTarget::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, multisampled_.id());
-    glViewport(0, 0, size_.width * supersampling_, size_.height * supersampling_);
+    glViewport(0, 0, size_.width, size_.height);
 }
 
 void RenderTarget::resolve() const {
-    const PictureSize drawn = times(size_, supersampling_);
-    const Framebuffer& resolved = intermediate_ ? intermediate_->framebuffer : framebuffer_;
     glDisable(GL_SCISSOR_TEST);
-    blit(multisampled_, drawn, resolved, drawn, GL_NEAREST);
-    if (intermediate_) blit(resolved, drawn, framebuffer_, size_, GL_LINEAR);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
+    const auto [width, height] = size_;
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    glViewport(0, 0, size_.width, size_.height);
 }
 
 std::vector<std::uint8_t> RenderTarget::read() const {

@@ -3,11 +3,7 @@
 #include "render/camera.hpp"
 #include "render/gl_objects.hpp"
 
-#include <glm/vec2.hpp>
-
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace steplab::render {
@@ -16,13 +12,11 @@ namespace steplab::render {
 class RenderTarget {
 public:
     /// Throws GraphicsError if this OpenGL cannot make it; the message tells the largest size.
-    /// `supersampling` 2 draws at twice the width and height and averages: finer edges at four times the cost.
-    explicit RenderTarget(PictureSize size, int supersampling = 1);
+    explicit RenderTarget(PictureSize size);
 
     PictureSize size() const { return size_; }
-    int supersampling() const { return supersampling_; }
-    /// Where the samples of a pixel of the multisampled framebuffer lie, from its centre, in pixels.
-    std::span<const glm::vec2> sample_places() const { return sample_places_; }
+    /// Samples of a pixel; 1 where this OpenGL has no more.
+    int samples() const { return samples_; }
 
     /// Makes the multisampled framebuffer the one drawn into, its viewport the whole of it.
     void bind() const;
@@ -34,18 +28,10 @@ public:
     std::vector<std::uint8_t> read() const;
 
 private:
-    /// What is drawn at `supersampling` times the size is averaged twice, by way of this.
-    struct Intermediate {
-        Texture texture;
-        Framebuffer framebuffer;
-    };
-
     PictureSize size_;
-    int supersampling_;
-    std::vector<glm::vec2> sample_places_;
+    int samples_;
     Renderbuffer colour_, depth_;
     Framebuffer multisampled_;
-    std::optional<Intermediate> intermediate_;
     Texture texture_;
     Framebuffer framebuffer_;
 };

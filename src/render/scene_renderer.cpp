@@ -1,9 +1,11 @@
 #include "render/scene_renderer.hpp"
 
-#include "render/drawn_sizes.hpp"
 #include "render/ground.hpp"
+#include "render/known_shape.hpp"
 #include "render/overlay.hpp"
+#include "render/particle_blocks.hpp"
 #include "render/particles.hpp"
+#include "render/shot.hpp"
 #include "render/springs.hpp"
 
 namespace steplab::render {
@@ -15,9 +17,8 @@ bool has_room(PictureSize size, double pixel_scale) {
 }
 
 /// Everything that is drawn, for the near and far planes.
-Bounds drawn_bounds(const Frame& frame, const AxesBox& box, bool grid) {
-    const double radius = DrawnSizes(*frame.shape).radius(Role::bullet);
-    const Bounds bodies = joined(widened(bounds_of(frame.positions), radius), box.bounds);
+Bounds drawn_bounds(const Bounds& positions, const DrawnSizes& sizes, const AxesBox& box, bool grid) {
+    const Bounds bodies = joined(widened(positions, sizes.radius(Role::bullet)), box.bounds);
     if (!grid) return bodies;
     const double reach = Ground::reach(box);
     const Vec3 middle = box.bounds.centre();
@@ -33,9 +34,12 @@ struct SceneRenderer::Body {
     Springs springs;
     Particles particles;
     Sketch sketch;
+    ParticleBlocks blocks;
+    std::optional<KnownShape> known;  ///< of the last frame
 
     void draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
                     const Tile& tile, const RenderTarget& target);
+    void draw_grid(const Style& style, const AxesBox& box, const ViewUniforms& view);
     void draw_flat(const Style& style, const Projection& projection, const std::optional<ColourScale>& scale,
                    const Axes& axes, const Occupancy& taken, const Tile& tile, PictureSize part);
 };
@@ -52,20 +56,31 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
     ground.draw_backdrop(colours, tile, target);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    // All is above the grid: seen from above, it is behind all.
+    const bool from_above = view.projection().eye().y > box.bounds.low.y;
+    if (style.grid && from_above) draw_grid(style, box, view);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     if (style.springs) springs.draw(view, style.pixel_scale);
     particles.draw(view, target);
     if (style.grid) ground.draw_axes(axes, view, colours, style.pixel_scale);
+    if (style.grid && !from_above) draw_grid(style, box, view);
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    if (style.grid) ground.draw_grid(box, view, colours, target, style.pixel_scale);
     particles.draw_rings(view, style.pixel_scale);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
     target.resolve();
+}
+
+void SceneRenderer::Body::draw_grid(const Style& style, const AxesBox& box, const ViewUniforms& view) {
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    ground.draw_grid(box, view, palette(style.background), style.pixel_scale);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
 }
 
 void SceneRenderer::Body::draw_flat(const Style& style, const Projection& projection,
@@ -90,13 +105,18 @@ void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& c
     const Tile tile = part.value_or(Tile{target.size()});
     const Projection projection(camera, tile.whole);
     const auto scale = colour_scale(frame, style);
-    const AxesBox box = axes_box(frame);
+    auto& [ground, springs, particles, sketch, blocks, known] = *body_;
+    if (!known || known->shape != frame.shape) known.emplace(frame.shape);
+    blocks.place(frame, projection);
+    const AxesBox box = axes_box(known->expected, frame.shape->spacing, blocks.bounds());
     const Axes axes = style.grid ? axes_of(box, projection, style.pixel_scale) : Axes{};
     Occupancy taken(tile.whole);
     mark_cross(taken, tile.whole, style.pixel_scale);
-    body_->particles.prepare(frame, style, particle_colours(frame, style, scale), projection, taken);
-    if (style.springs) body_->springs.prepare(frame, style, spring_colours(frame, style, scale), projection);
-    const ViewUniforms view(projection, drawn_bounds(frame, box, style.grid), tile, target, palette(style.background));
+    const Shot shot{frame, *known, style, scale, projection, tile, target.size()};
+    if (style.springs) springs.prepare(shot, blocks);
+    particles.prepare(shot, blocks, taken);
+    const ViewUniforms view(projection, drawn_bounds(blocks.bounds(), known->sizes, box, style.grid), tile,
+                            target.size(), palette(style.background));
     body_->draw_space(style, box, axes, view, tile, target);
     body_->draw_flat(style, projection, scale, axes, taken, tile, target.size());
 }

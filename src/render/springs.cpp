@@ -1,57 +1,121 @@
 #include "render/springs.hpp"
 
 #include "render/bounds.hpp"
-#include "render/drawn_sizes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steplab::render {
 namespace {
 
 constexpr float least_width = 1.15F;  // pixels
-constexpr double least_length = 5;    // pixels
+/// Lengths in pixels: of the shortest rod that is drawn, and of the shortest that is not paler for it.
+struct LengthsDrawn {
+    float least, full;
+};
+constexpr LengthsDrawn of_few{5, 5.01F};
+// Of many, short ones would be but a haze over their particles.
+constexpr LengthsDrawn of_many{10, 18};
+constexpr std::size_t few = 10000;
 
-/// True if both ends lie beyond the same edge of the picture.
-bool outside(PixelPoint a, PixelPoint b, PictureSize size) {
-    return std::max(a.x, b.x) < 0 || std::max(a.y, b.y) < 0 || std::min(a.x, b.x) > size.width ||
-           std::min(a.y, b.y) > size.height;
-}
+LengthsDrawn lengths_drawn(std::size_t springs) { return springs <= few ? of_few : of_many; }
 
-bool worth_drawing(Vec3 start, Vec3 end, const Projection& projection) {
-    if (!drawable(start) || !drawable(end)) return false;
-    const double depth = std::max(projection.depth(start), projection.depth(end));
-    if (depth <= 0 || length(end - start) * projection.pixels_per_unit(depth) < least_length) return false;
-    const auto a = projection.pixel(start);
-    const auto b = projection.pixel(end);
-    return !a || !b || !outside(*a, *b, projection.size());
-}
+constexpr float widest_line = 1.5F;  // pixels: up to this a line of OpenGL, one pixel wide, will do
+constexpr float round_width = 2;     // pixels: thinner ones do not show that they are round
+
+/// What of the view decides whether a rod is drawn, and how.
+class RodFilter {
+public:
+    RodFilter(const Projection& p, float radius, float least_length)
+        : eye_(vertex(p, p.eye())),
+          right_(in_float(p.right())),
+          up_(in_float(p.up())),
+          forward_(in_float(p.forward())),
+          half_width_(static_cast<float>(p.half_width())),
+          half_height_(static_cast<float>(p.half_height())),
+          pixels_(static_cast<float>(p.pixels_per_unit(1))),
+          margin_(2 * radius),
+          least_length_(least_length) {}
+
+    /// True if it is long enough and not all of it lies beyond one edge of the picture.
+    bool worth_drawing(glm::vec3 start, glm::vec3 end) const {
+        const glm::vec3 a = start - eye_, b = end - eye_, along = end - start;
+        const float depth = std::max(glm::dot(a, forward_), glm::dot(b, forward_));
+        const float least = least_length_ * depth / pixels_;
+        // What of its length is seen, the rest being along the line of sight.
+        const float ahead = glm::dot(along, a);
+        const float seen = glm::dot(along, along) - ahead * ahead / glm::dot(a, a);
+        return depth > 0 && seen >= least * least && !outside(a, b);
+    }
+    /// How many pixels a rod of this radius is thick where it is nearest.
+    float thickness(glm::vec3 start, glm::vec3 end, float radius) const {
+        const float nearest = std::min(glm::dot(start - eye_, forward_), glm::dot(end - eye_, forward_));
+        return nearest > 0 ? 2 * radius * pixels_ / nearest : INFINITY;
+    }
+
+private:
+    bool outside(glm::vec3 a, glm::vec3 b) const {
+        const float ax = glm::dot(a, right_), ay = glm::dot(a, up_), bx = glm::dot(b, right_), by = glm::dot(b, up_);
+        const float a_depth = glm::dot(a, forward_), b_depth = glm::dot(b, forward_);
+        const float a_width = half_width_ * a_depth + margin_, b_width = half_width_ * b_depth + margin_;
+        const float a_height = half_height_ * a_depth + margin_, b_height = half_height_ * b_depth + margin_;
+        return (ax > a_width && bx > b_width) || (-ax > a_width && -bx > b_width) || (ay > a_height && by > b_height) ||
+               (-ay > a_height && -by > b_height);
+    }
+
+    glm::vec3 eye_, right_, up_, forward_;
+    float half_width_, half_height_, pixels_, margin_, least_length_;
+};
 
 }  // namespace
 
-Springs::Springs() : program_("rod") {}
+Springs::Springs() : round_program_("rod"), thin_program_("line") {}
 
-void Springs::prepare(const Frame& frame, const Style& style, std::span<const Rgb> colours,
-                      const Projection& projection) {
-    rods_.clear();
+void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
+    const auto& [frame, known, style, scale, projection, tile, part] = shot;
     // Colours are seen only on what is thick enough.
     const double thickness = style.colouring == Colouring::strain ? 2 : 1;
-    radius_ = vertex_length(projection, thickness * DrawnSizes(*frame.shape).spring_radius());
-    for (std::size_t i = 0; i < frame.shape->springs.size(); ++i) {
-        const Spring& spring = frame.shape->springs[i];
-        const Vec3 start = frame.positions[spring.first];
-        const Vec3 end = frame.positions[spring.second];
-        if (!worth_drawing(start, end, projection)) continue;
-        rods_.push_back({vertex(projection, start), vertex(projection, end), vertex_colour(colours[i])});
+    radius_ = vertex_length(projection, thickness * known.sizes.spring_radius());
+    const auto [least_length, full_length] = lengths_drawn(known.shape->springs.size());
+    least_length_ = least_length;
+    full_length_ = full_length;
+    const RodFilter filter(projection, radius_, least_length);
+    for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->listed.clear();
+    const float least = least_width * static_cast<float>(style.pixel_scale);
+    const std::span<const Spring> springs = known.shape->springs;
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const glm::vec3 start = blocks.vertices()[springs[i].first], end = blocks.vertices()[springs[i].second];
+        if (!filter.worth_drawing(start, end)) continue;
+        if (!drawable(frame.positions[springs[i].first]) || !drawable(frame.positions[springs[i].second])) continue;
+        list_for(filter.thickness(start, end, radius_), least)
+            .push_back({start, end, vertex_colour(spring_colour(frame, style, scale, i))});
     }
-    list_.upload(std::span<const Rod>(rods_));
+
+    for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->list.upload(std::span<const Rod>(rods->listed));
+}
+
+/// For a rod of this thickness where the least is `least`, both in pixels.
+std::vector<Rod>& Springs::list_for(float thickness, float least) {
+    if (thickness > round_width) return round_.listed;
+    return thickness > least || least > widest_line ? thin_.listed : thinnest_.listed;
 }
 
 void Springs::draw(const ViewUniforms& view, double pixel_scale) const {
-    view.apply(program_);
-    program_.set("u_radius", radius_);
-    program_.set("u_least_width", least_width * static_cast<float>(pixel_scale));
-    program_.set("u_lit", 1.0F);
-    list_.draw();
+    const auto use = [&](const ShaderProgram& program, float breadth) {
+        view.apply(program);
+        program.set("u_radius", radius_);
+        program.set("u_least_width", least_width * static_cast<float>(pixel_scale));
+        program.set("u_faded", least_length_);
+        program.set("u_fading", full_length_);
+        program.set("u_breadth", breadth);
+        program.set("u_lit", 1.0F);
+    };
+    use(round_program_, 1);
+    round_.list.draw();
+    use(thin_program_, 1);
+    thin_.list.draw();
+    use(thin_program_, 0);
+    thinnest_.list.draw_lines();
 }
 
 }  // namespace steplab::render

@@ -45,20 +45,19 @@ glm::mat4 clip_matrix(const Projection& projection, DepthRange range, const Tile
     return glm::mat4(clip);
 }
 
-glm::vec3 in_float(Vec3 v) { return glm::vec3(glm::dvec3(v.x, v.y, v.z)); }
-
 }  // namespace
+
+glm::vec3 in_float(Vec3 v) { return glm::vec3(glm::dvec3(v.x, v.y, v.z)); }
 
 glm::vec3 as_vec3(Rgb colour) { return glm::vec3(colour.red, colour.green, colour.blue) / 255.0f; }
 
-ViewUniforms::ViewUniforms(const Projection& projection, const Bounds& scene, const Tile& tile,
-                           const RenderTarget& target, const Palette& palette)
+ViewUniforms::ViewUniforms(const Projection& projection, const Bounds& scene, const Tile& tile, PictureSize part,
+                           const Palette& palette)
     : projection_(projection),
-      clip_(clip_matrix(projection, depth_range(projection, scene), tile, target.size())),
+      clip_(clip_matrix(projection, depth_range(projection, scene), tile, part)),
       backdrop_(0.5f * (as_vec3(palette.top) + as_vec3(palette.bottom))),
       sky_(static_cast<float>(palette.sky)),
-      earth_(static_cast<float>(palette.earth)),
-      samples_(target.sample_places().begin(), target.sample_places().end()) {}
+      earth_(static_cast<float>(palette.earth)) {}
 
 glm::vec3 vertex(const Projection& projection, Vec3 point) {
     const Camera& camera = projection.camera();
@@ -77,8 +76,6 @@ void ViewUniforms::apply(const ShaderProgram& program) const {
     program.set("u_eye", vertex(p, p.eye()));
     program.set("u_clip", clip_);
     program.set("u_pixels", static_cast<float>(p.pixels_per_unit(1)));
-    program.set("u_samples", std::span<const glm::vec2>(samples_));
-    program.set("u_sample_count", static_cast<int>(samples_.size()));
     program.set("u_backdrop", backdrop_);
     program.set("u_sky", sky_);
     program.set("u_earth", earth_);

@@ -7,10 +7,9 @@
 
 #include <glm/glm.hpp>
 
-#include <vector>
-
 namespace steplab::render {
 
+glm::vec3 in_float(Vec3 v);
 /// A point as the shaders get it: relative to the camera's focus and in units of its distance, so that float is enough
 /// wherever and however large or small the scene is.
 glm::vec3 vertex(const Projection& projection, Vec3 point);
@@ -20,12 +19,12 @@ float vertex_length(const Projection& projection, double length);
 /// What every shader of the scene is told about the eye and the picture.
 class ViewUniforms {
 public:
-    /// `scene` holds everything that is drawn; the near and far planes follow it.
-    ViewUniforms(const Projection& projection, const Bounds& scene, const Tile& tile, const RenderTarget& target,
+    /// `scene` holds everything that is drawn; the near and far planes follow it. `part` is the size of the tile.
+    ViewUniforms(const Projection& projection, const Bounds& scene, const Tile& tile, PictureSize part,
                  const Palette& palette);
 
     const Projection& projection() const { return projection_; }
-    /// Makes the program the current one and sets what shaders/view.glsl and the samples of a pixel need.
+    /// Makes the program the current one and sets what shaders/view.glsl and shaders/lighting.glsl need.
     void apply(const ShaderProgram& program) const;
 
 private:
@@ -33,7 +32,6 @@ private:
     glm::mat4 clip_;
     glm::vec3 backdrop_;
     float sky_, earth_;
-    std::vector<glm::vec2> samples_;
 };
 
 glm::vec3 as_vec3(Rgb colour);

@@ -10,18 +10,23 @@
 
 namespace steplab {
 
-Diagnostics sums_over_particles(const State<double>& state, const Scene& scene, const Shape& shape) {
-    Diagnostics sums;
-    for (std::size_t i = 0; i < state.velocity.count(); ++i) {
-        const Vec3 position = scene.reference.at(i) + state.displacement.at(i), v = state.velocity.at(i);
-        const Vec3 displacement = position - shape.rest[i];
-        sums.momentum = sums.momentum + v;
-        sums.angular_momentum = sums.angular_momentum + cross(position, v);
-        sums.max_displacement = std::max(sums.max_displacement, dot(displacement, displacement));
-        sums.max_speed = std::max(sums.max_speed, dot(v, v));
-    }
-    sums.momentum = scene.mass * sums.momentum;
-    sums.angular_momentum = scene.mass * sums.angular_momentum;
+void ParticleSums::add(const Portion& portion) {
+    const Field<double>&u = portion.state.displacement, &velocity = portion.state.velocity;
+    scene_.reference.each(portion.first, portion.count, [&](std::size_t i, Vec3 reference) {
+        const std::size_t place = portion.place + (i - portion.first);
+        const Vec3 position = reference + u.at(place), v = velocity.at(place);
+        const Vec3 displacement = position - shape_.rest[i];
+        sums_.momentum = sums_.momentum + v;
+        sums_.angular_momentum = sums_.angular_momentum + cross(position, v);
+        sums_.max_displacement = std::max(sums_.max_displacement, dot(displacement, displacement));
+        sums_.max_speed = std::max(sums_.max_speed, dot(v, v));
+    });
+}
+
+Diagnostics ParticleSums::result() const {
+    Diagnostics sums = sums_;
+    sums.momentum = scene_.mass * sums.momentum;
+    sums.angular_momentum = scene_.mass * sums.angular_momentum;
     sums.max_displacement = std::sqrt(sums.max_displacement);
     sums.max_speed = std::sqrt(sums.max_speed);
     return sums;

@@ -15,8 +15,18 @@ namespace steplab {
 
 // What is measured of all particles at one moment.
 
-/// Momentum, angular momentum and the largest displacement and speed.
-Diagnostics sums_over_particles(const State<double>& state, const Scene& scene, const Shape& shape);
+/// Momentum, angular momentum and the largest displacement and speed, of particles that are shown in their order.
+class ParticleSums {
+public:
+    ParticleSums(const Scene& scene, const Shape& shape) : scene_(scene), shape_(shape) {}
+    void add(const Portion& portion);
+    Diagnostics result() const;
+
+private:
+    const Scene& scene_;
+    const Shape& shape_;
+    Diagnostics sums_;
+};
 
 /// Largest distance of a particle from the exact solution.
 double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time);

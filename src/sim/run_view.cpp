@@ -17,8 +17,7 @@ Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_
 
 void look(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
     view.description = simulation.description();
-    simulation.frame(view.frame);
-    view.diagnostics = simulation.diagnostics();
+    view.diagnostics = simulation.look(view.frame);
     view.tracked.reset();
     if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
     view.divergence = simulation.divergence();

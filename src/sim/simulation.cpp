@@ -61,20 +61,35 @@ Frame Simulation::frame() const {
 }
 
 void Simulation::frame(Frame& out) const {
-    const Lattice& reference = body_->segment.scene.reference;
-    const State<double>& state = this->state();
-    const Precision precision = body_->segment.held.precision;
+    Body& body = settled();
+    prepare(out);
+    body.look([&](const Portion& portion) { fill(out, portion); });
+}
+
+/// All of a frame but for its particles.
+void Simulation::prepare(Frame& out) const {
     out.step = step();
     out.time = time();
-    out.precision = precision;
+    out.precision = body_->segment.held.precision;
     out.shape = shape();
     out.positions.resize(particles());
     out.velocities.resize(particles());
-    for (std::size_t i = 0; i < particles(); ++i) {
-        const Vec3 position = reference.at(i) + state.displacement.at(i);
-        out.positions[i] = {rounded_to(precision, position.x), rounded_to(precision, position.y),
-                            rounded_to(precision, position.z)};
-        out.velocities[i] = state.velocity.at(i);
+}
+
+void Simulation::fill(Frame& out, const Portion& portion) const {
+    const auto& [first, count, state, place] = portion;
+    const auto copy = [&](const auto& rounded) {
+        body_->segment.scene.reference.each(first, count, [&](std::size_t i, Vec3 reference) {
+            const std::size_t k = place + (i - first);
+            const Vec3 position = reference + state.displacement.at(k);
+            out.positions[i] = {rounded(position.x), rounded(position.y), rounded(position.z)};
+            out.velocities[i] = state.velocity.at(k);
+        });
+    };
+    if (out.precision == Precision::float_) {
+        copy([](double x) { return rounded_to(Precision::float_, x); });
+    } else {
+        copy([](double x) { return x; });
     }
 }
 
@@ -95,7 +110,25 @@ const State<double>& Simulation::state() const { return settled().state(); }
 
 Diagnostics Simulation::diagnostics() const {
     Body& body = settled();
-    Diagnostics sums = sums_over_particles(body.state(), body.segment.scene, *shape());
+    ParticleSums sums(body.segment.scene, *shape());
+    body.look([&](const Portion& portion) { sums.add(portion); });
+    return measured(sums);
+}
+
+Diagnostics Simulation::look(Frame& out) const {
+    Body& body = settled();
+    prepare(out);
+    ParticleSums sums(body.segment.scene, *out.shape);
+    body.measure([&](const Portion& portion) {
+        fill(out, portion);
+        sums.add(portion);
+    });
+    return measured(sums);
+}
+
+Diagnostics Simulation::measured(const ParticleSums& particles) const {
+    Body& body = *body_;
+    Diagnostics sums = particles.result();
     sums.kinetic = body.energy().kinetic;
     sums.potential = body.energy().potential.value;
     sums.energy = body.energy().total();

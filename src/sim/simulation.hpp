@@ -14,6 +14,8 @@
 
 namespace steplab {
 
+class ParticleSums;
+
 /// How a run ended that could not go on.
 struct Divergence {
     std::uint64_t step = 0;    ///< the last good step; the run stands there
@@ -65,6 +67,8 @@ public:
     Frame frame() const;
     void frame(Frame& out) const;
     Diagnostics diagnostics() const;
+    /// Both, in one pass over the run's memory.
+    Diagnostics look(Frame& out) const;
     /// Those two of them that cost least.
     double energy() const;
     double energy_error() const;
@@ -113,6 +117,9 @@ public:
 
 private:
     struct Body;
+    void fill(Frame& out, const Portion& portion) const;
+    void prepare(Frame& out) const;
+    Diagnostics measured(const ParticleSums& sums) const;
     /// The run as somebody who looks finds it: numbers that are not finite have been noticed.
     Body& settled() const;
     std::unique_ptr<Body> body_;

@@ -37,10 +37,19 @@ void Simulation::Body::look(const PortionSink& sink) {
 }
 
 const Energy& Simulation::Body::energy() {
-    const FlushSubnormals flush;
-    if (!energy_known) measured = segment.meter.energy([this](const PortionSink& sink) { look(sink); });
-    energy_known = true;
+    if (!energy_known) measure([](const Portion&) {});
     return measured;
+}
+
+void Simulation::Body::measure(const PortionSink& also) {
+    const FlushSubnormals flush;
+    measured = segment.meter.energy([&](const PortionSink& sink) {
+        look([&](const Portion& portion) {
+            also(portion);
+            sink(portion);
+        });
+    });
+    energy_known = true;
 }
 
 const ExactSolution* Simulation::Body::exact() {

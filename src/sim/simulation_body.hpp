@@ -53,6 +53,8 @@ struct Simulation::Body : Course {
     const State<double>& state();
     void look(const PortionSink& sink);
     const Energy& energy();
+    /// Shows all particles to `also`, and measures the energy on the way.
+    void measure(const PortionSink& also);
     const ExactSolution* exact();
 
     bool energy_is_good();

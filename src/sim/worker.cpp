@@ -2,6 +2,7 @@
 
 #include "sim/history.hpp"
 #include "sim/pace.hpp"
+#include "sim/share.hpp"
 
 #include <algorithm>
 #include <condition_variable>
@@ -21,6 +22,8 @@ using Clock = std::chrono::steady_clock;
 constexpr Pace::Duration slice{0.008};
 /// A view that nobody has taken yet is replaced by a newer one after this time.
 constexpr Pace::Duration stale{0.05};
+/// Of the time of a run that has none to spare: for views, and for moments to come back to.
+constexpr double part_for_views = 0.03, part_for_history = 0.01;
 
 }  // namespace
 
@@ -46,6 +49,7 @@ struct Worker::Body {
     std::string error;
     RunView view;
     Clock::time_point published;
+    Share views{part_for_views}, moments{part_for_history};
     std::thread thread;
 
     explicit Body(const RunDescription& description) : simulation(description) {
@@ -66,6 +70,8 @@ struct Worker::Body {
     void wait_for_work();
     bool carry_out_commands();
     void take_steps();
+    void keep_moment();
+    bool affordable() const;
     void publish();
     void apply(const RunDescription& description);
     void begin_anew();
@@ -79,11 +85,10 @@ void Worker::Body::loop() {
             const std::lock_guard lock(mutex);
             if (stopping) return;
         }
-        bool something_new = carry_out_commands();
+        const bool told = carry_out_commands();
         const std::uint64_t before = simulation.step();
         if (playing) take_steps();
-        something_new = something_new || simulation.step() != before || simulation.divergence().has_value();
-        if (something_new) publish();
+        if (told || ((simulation.step() != before || simulation.divergence()) && affordable())) publish();
     }
 }
 
@@ -122,15 +127,30 @@ void Worker::Body::take_steps() {
     const std::uint64_t taken = std::max(simulation.step(), before) - before;
     pace.took(taken, std::max(simulation.evaluations(), evaluations) - evaluations,
               static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), rate);
-    history.offer(simulation);
+    keep_moment();
     if (simulation.divergence()) playing = false;
+}
+
+/// Something to come back to; in a large scene that is a copy as costly as some steps.
+void Worker::Body::keep_moment() {
+    const auto begin = Clock::now();
+    if (!moments.due(begin)) return;
+    history.offer(simulation);
+    moments.took(begin, Clock::now());
+}
+
+/// True if a view would cost the run no more than its part, or the run has time to spare.
+bool Worker::Body::affordable() const {
+    const auto now = Clock::now();
+    return !playing || views.due(now) || pace.next_due(now, rate, simulation.dt()) > now;
 }
 
 /// Makes a view of the present moment, unless the last one is still waiting and has not grown stale.
 void Worker::Body::publish() {
+    const auto begin = Clock::now();
     {
         const std::lock_guard lock(mutex);
-        if (playing && fresh && Clock::now() - published < stale) return;
+        if (playing && fresh && begin - published < stale) return;
     }
     look(simulation, tracked, view);
     view.playing = playing;
@@ -148,6 +168,7 @@ void Worker::Body::publish() {
         call = wake;
     }
     published = Clock::now();
+    views.took(begin, published);
     if (call) call();
 }
 

@@ -52,9 +52,9 @@ TEST(ColourScale, of_strain_tells_pressed_from_pulled) {
     const Style style = coloured_by(Colouring::strain);
     const auto scale = colour_scale(frame, style);
     EXPECT_DOUBLE_EQ(scale->minimum, -scale->maximum);
-    const auto colours = spring_colours(frame, style, scale);
-    EXPECT_GT(colours[0].red, colours[0].blue);
-    EXPECT_GT(colours[1].blue, colours[1].red);
+    const Rgb stretched = spring_colour(frame, style, scale, 0), pressed = spring_colour(frame, style, scale, 1);
+    EXPECT_GT(stretched.red, stretched.blue);
+    EXPECT_GT(pressed.blue, pressed.red);
 }
 
 TEST(ParticleColours, fixed_ones_stay_grey_whatever_is_shown) {
@@ -63,7 +63,7 @@ TEST(ParticleColours, fixed_ones_stay_grey_whatever_is_shown) {
     for (const Colouring colouring :
          {Colouring::role, Colouring::speed, Colouring::kinetic_energy, Colouring::displacement, Colouring::strain}) {
         const Style style = coloured_by(colouring);
-        const Rgb colour = particle_colours(frame, style, colour_scale(frame, style))[0];
+        const Rgb colour = particle_colour(frame, style, colour_scale(frame, style), 0);
         EXPECT_EQ(colour, palette(Background::dark).roles[static_cast<std::size_t>(Role::fixed)]);
     }
 }
@@ -73,13 +73,12 @@ TEST(ParticleColours, follow_the_value) {
     frame.velocities[1] = {0, 1, 0};
     frame.positions[2] = {2, 1, 0};
     Style style = coloured_by(Colouring::speed);
-    auto colours = particle_colours(frame, style, colour_scale(frame, style));
-    EXPECT_EQ(colours[0], viridis(0));
-    EXPECT_EQ(colours[1], viridis(1));
+    const auto colour = [&](std::size_t i) { return particle_colour(frame, style, colour_scale(frame, style), i); };
+    EXPECT_EQ(colour(0), viridis(0));
+    EXPECT_EQ(colour(1), viridis(1));
     style = coloured_by(Colouring::displacement);
-    colours = particle_colours(frame, style, colour_scale(frame, style));
-    EXPECT_EQ(colours[1], viridis(0));
-    EXPECT_EQ(colours[2], viridis(1));
+    EXPECT_EQ(colour(1), viridis(0));
+    EXPECT_EQ(colour(2), viridis(1));
 }
 
 TEST(ParticleColours, kinetic_energy_takes_the_mass) {

@@ -146,6 +146,29 @@ TEST_F(WorkerTest, pulls_a_particle) {
     EXPECT_FALSE(view.has_exact);
 }
 
+TEST_F(WorkerTest, hands_over_whole_moments_that_grow_newer) {
+    worker.set_rate({true, 1});
+    worker.play(true);
+    Simulation simulation(view.description);
+    for (std::uint64_t last = 0; last < 5000; last = view.frame.step) {
+        ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step > last; }));
+        simulation.advance(view.frame.step - last);
+        // Were a frame written to while it is looked at, or made of two moments, some number would differ.
+        ASSERT_EQ(view.frame.positions, simulation.frame().positions) << view.frame.step;
+        ASSERT_EQ(view.frame.velocities, simulation.frame().velocities) << view.frame.step;
+        ASSERT_EQ(view.diagnostics.energy, simulation.diagnostics().energy) << view.frame.step;
+        ASSERT_EQ(view.frame.time, simulation.time());
+    }
+}
+
+TEST_F(WorkerTest, of_several_views_the_newest_is_taken) {
+    for (int i = 0; i < 3; ++i) worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 3; }));
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 3).positions);
+    EXPECT_NE(view.frame.positions, frame_after(view.description, 2).positions);
+    EXPECT_FALSE(worker.take(view)) << "an older one was kept";
+}
+
 TEST_F(WorkerTest, stops_while_playing) {
     worker.set_rate({true, 1});
     worker.play(true);

@@ -1,0 +1,113 @@
+// What handing its moments over costs a run: steps a second of a mesh that plays as fast as it can while a window takes
+// every new view sixty times a second, beside the same steps taken with nobody watching.
+//
+//     watching [ROUNDS [PRECISION [DIM...]]]
+//         rounds of two seconds each way (default 5), medians are told; meshes of DIM x DIM (default 100, 316, 1000)
+
+#include "sim/worker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace steplab;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::duration<double> round_time{2.0};
+constexpr std::chrono::microseconds frame_time{16667};
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+struct Watched {
+    double steps_per_second = 0;
+    double views_per_second = 0;
+};
+
+/// A run with a window that looks at it.
+class Watching {
+public:
+    explicit Watching(const RunDescription& description) : worker_(description) { worker_.set_rate({true, 1}); }
+
+    Watched measure() {
+        worker_.play(true);
+        while (!take() || !view_.playing) std::this_thread::sleep_for(frame_time);
+        const auto begin = Clock::now();
+        const std::uint64_t first = view_.frame.step;
+        int views = 0;
+        // The last view may be a while old: the time counts until it came.
+        double seconds = 0;
+        while (seconds_since(begin) < round_time.count() || views == 0) {
+            std::this_thread::sleep_for(frame_time);
+            if (!take()) continue;
+            ++views;
+            seconds = seconds_since(begin);
+        }
+        const double steps = static_cast<double>(view_.frame.step - first);
+        worker_.play(false);
+        while (!take() || view_.playing) std::this_thread::sleep_for(frame_time);
+        return {steps / seconds, views / seconds};
+    }
+
+private:
+    bool take() { return worker_.take(view_); }
+
+    Worker worker_;
+    RunView view_;
+};
+
+/// Steps a second in portions as a worker takes them.
+double alone(Simulation& simulation) {
+    std::uint64_t portion = 1, steps = 0;
+    const auto begin = Clock::now();
+    while (seconds_since(begin) < round_time.count()) {
+        const auto portion_begin = Clock::now();
+        simulation.advance(portion);
+        steps += portion;
+        if (seconds_since(portion_begin) < 0.004) portion *= 2;
+    }
+    return static_cast<double>(steps) / seconds_since(begin);
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+void compare(const RunDescription& description, int rounds) {
+    Simulation simulation(description);
+    Watching watching(description);
+    std::vector<double> by_itself, watched, views, cost;
+    for (int i = 0; i < rounds; ++i) {
+        by_itself.push_back(alone(simulation));
+        const Watched now = watching.measure();
+        watched.push_back(now.steps_per_second);
+        views.push_back(now.views_per_second);
+        cost.push_back(100 * (1 - watched.back() / by_itself.back()));
+    }
+    fmt::print("{:8} particles  alone {:9.1f} steps/s  watched {:9.1f} steps/s  {:5.1f} views/s  cost {:5.1f} %\n",
+               simulation.particles(), median(by_itself), median(watched), median(views), median(cost));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const int rounds = words.empty() ? 5 : std::max(1, std::atoi(words[0].c_str()));
+    RunDescription description = describe("mesh", "velocity-verlet");
+    if (words.size() > 1) description.precision = words[1] == "float" ? Precision::float_ : Precision::double_;
+    std::vector<double> dims{100, 316, 1000};
+    if (words.size() > 2) dims.clear();
+    for (std::size_t i = 2; i < words.size(); ++i) dims.push_back(std::atof(words[i].c_str()));
+    for (const double dim : dims) {
+        description.scene.set("dim", dim);
+        compare(description, rounds);
+    }
+}

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/shape.hpp"
+#include "render/bounds.hpp"
+#include "render/drawn_sizes.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace steplab::render {
+
+/// What every picture asks of a shape; found once.
+struct KnownShape {
+    explicit KnownShape(std::shared_ptr<const Shape> shape);
+
+    std::shared_ptr<const Shape> shape;
+    Bounds expected;
+    DrawnSizes sizes;
+    std::vector<std::uint32_t> special;  ///< particles that are drawn one by one: all but Role::moving
+};
+
+}  // namespace steplab::render

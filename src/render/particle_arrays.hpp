@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/gl_objects.hpp"
+#include "render/particle_blocks.hpp"
+#include "render/view_uniforms.hpp"
+
+#include <glm/glm.hpp>
+
+#include <span>
+
+namespace steplab::render {
+
+/// Particles on the graphics processor, in the order of the run; ranges of them are drawn by the program in use: as
+/// points, or as one quad each. Attribute 0 is the centre, attribute 1 the colour.
+class ParticleArrays {
+public:
+    ParticleArrays();
+
+    void upload(std::span<const glm::vec3> centres);
+    /// One colour for each.
+    void colour(std::span<const VertexColour> colours);
+    /// One colour for all.
+    void colour(VertexColour colour);
+
+    void draw_points(std::span<const IndexRange> ranges) const;
+    void draw_quads(std::span<const IndexRange> ranges) const;
+
+private:
+    void bind(const VertexArray& vertex_array, std::size_t first) const;
+
+    Buffer centres_, colours_;
+    VertexArray points_, quads_;
+    bool one_colour_ = true;
+    VertexColour colour_{};
+};
+
+}  // namespace steplab::render
