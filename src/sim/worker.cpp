@@ -24,6 +24,8 @@ constexpr Pace::Duration slice{0.008};
 constexpr Pace::Duration stale{0.05};
 /// Of the time of a run that has none to spare: for views, and for moments to come back to.
 constexpr double part_for_views = 0.03, part_for_history = 0.01;
+/// But a picture that moves less often than this is of no use to who watches.
+constexpr std::chrono::milliseconds longest_without_view{500};
 
 }  // namespace
 
@@ -49,7 +51,7 @@ struct Worker::Body {
     std::string error;
     RunView view;
     Clock::time_point published;
-    Share views{part_for_views}, moments{part_for_history};
+    Share views{part_for_views, longest_without_view}, moments{part_for_history};
     std::thread thread;
 
     explicit Body(const RunDescription& description) : simulation(description) {

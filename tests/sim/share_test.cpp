@@ -17,6 +17,14 @@ TEST(Share, is_due_at_first_and_then_after_a_time_in_proportion) {
     EXPECT_TRUE(share.due(begin + milliseconds(201)));
 }
 
+TEST(Share, waits_no_longer_than_it_may) {
+    Share share(0.05, milliseconds(100));
+    const Share::Time begin{};
+    share.took(begin, begin + milliseconds(10));
+    EXPECT_FALSE(share.due(begin + milliseconds(109)));
+    EXPECT_TRUE(share.due(begin + milliseconds(110)));
+}
+
 TEST(Share, of_what_costs_nothing_is_always_due) {
     Share share(0.01);
     const Share::Time begin{};
