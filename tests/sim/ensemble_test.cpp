@@ -78,8 +78,11 @@ void expect_same(const EnsembleResult& result, const EnsembleResult& expected) {
     EXPECT_EQ(result.energy_start, expected.energy_start);
     EXPECT_EQ(result.energy_end, expected.energy_end);
     ASSERT_EQ(result.divergence.has_value(), expected.divergence.has_value());
-    if (result.divergence) EXPECT_EQ(result.divergence->message, expected.divergence->message);
-    if (!result.divergence) EXPECT_EQ(result.energy_error, expected.energy_error);
+    if (result.divergence) {
+        EXPECT_EQ(result.divergence->message, expected.divergence->message);
+    } else {
+        EXPECT_EQ(result.energy_error, expected.energy_error);
+    }
 }
 
 std::size_t side_by_side(const std::vector<EnsembleResult>& results) {
