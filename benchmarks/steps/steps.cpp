@@ -4,7 +4,9 @@
 // Usage: steps [--benchmark_filter=REGEX on row/method/precision] [further options of Google Benchmark]
 
 #include "core/flush_subnormals.hpp"
+#include "sim/ensemble.hpp"
 #include "sim/simulation.hpp"
+#include "sim/spread.hpp"
 #include "stepping.hpp"
 
 #include <fmt/format.h>
@@ -31,11 +33,13 @@ struct Row {
     std::size_t
         steps;  ///< of a batch: where it is short, with its share of steplab's checks of the energy, each 256 steps
     std::vector<std::string_view> methods;
+    std::size_t runs = 1;  ///< of an ensemble that differ in k: the time is of a step of one of them
 };
 
 const std::vector<Row>& rows() {
     static const std::vector<Row> all{
         {"chain-10", "chain", "n", 10, 0.1, 64 * 256, {"euler", "velocity-verlet", "midpoint", "rk4"}},
+        {"chain-10-ensemble", "chain", "n", 10, 0.1, 64 * 256, {"euler", "velocity-verlet", "rk4"}, 64},
         {"chain-100000", "chain", "n", 100000, 0.1, 256, {"euler", "velocity-verlet", "midpoint", "rk4"}},
         {"mesh-100x100", "mesh", "dim", 100, 0.1, 256, {"euler", "velocity-verlet", "rk4"}},
         {"mesh-1000x1000", "mesh", "dim", 1000, 0.1, 32, {"euler", "velocity-verlet", "rk4"}},
@@ -57,6 +61,20 @@ Contestant ourselves(const RunDescription& description) {
                 auto simulation = std::make_shared<Simulation>(description, Execution{.threads = 1});
                 return Stepping{[simulation](std::size_t steps) { simulation->advance(steps); },
                                 [simulation] { return simulation->hash(); }};
+            }};
+}
+
+/// Every time from the start, which counts; a batch is the steps of all runs together.
+Contestant our_ensemble(const RunDescription& description, std::size_t runs) {
+    return {"steplab", [description, runs] {
+                return Stepping{[description, runs](std::size_t steps) {
+                                    const std::vector<Spread> spreads{{"k", 1, 2}};
+                                    std::vector<EnsembleRun> all;
+                                    for (std::size_t i = 0; i < runs; ++i)
+                                        all.push_back({spread_run(description, spreads, i, runs), steps / runs});
+                                    run_ensemble(all, steps, {.threads = 1});
+                                },
+                                {}};
             }};
 }
 
@@ -127,8 +145,12 @@ void compare(const Row& row, std::string_view method, Precision precision, Lines
             measure(state, contestant, batch, particles);
         })->UseManualTime();
     };
-    enter(ourselves(description), steps);
-    for (const Contestant& peer : peers_of(simulation)) enter(peer, steps / 4);  // without checks, each step is alike
+    if (row.runs > 1) {
+        enter(our_ensemble(description, row.runs), steps * row.runs);
+    } else {
+        enter(ourselves(description), steps);
+        for (const Contestant& peer : peers_of(simulation)) enter(peer, steps / 4);  // without checks, all alike
+    }
     google::RunSpecifiedBenchmarks(&lines, "all");
 }
 

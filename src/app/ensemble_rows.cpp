@@ -21,9 +21,7 @@ void append_number_of(std::string& line, Precision precision, double value) {
     }
 }
 
-bool has_exact(const EnsembleRun& run) {
-    return model(run.description.model).exact(run.description.scene) != nullptr;
-}
+bool has_exact(const EnsembleRun& run) { return model(run.description.model).exact(run.description.scene) != nullptr; }
 
 }  // namespace
 

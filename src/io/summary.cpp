@@ -86,8 +86,8 @@ std::string summary_text(const RunSummary& s) {
 }
 
 std::size_t EnsembleSummary::diverged() const {
-    return static_cast<std::size_t>(std::count_if(
-        runs.begin(), runs.end(), [](const Run& run) { return run.summary.diverged_step.has_value(); }));
+    return static_cast<std::size_t>(
+        std::count_if(runs.begin(), runs.end(), [](const Run& run) { return run.summary.diverged_step.has_value(); }));
 }
 
 std::string summary_json(const EnsembleSummary& summary) {
@@ -115,8 +115,8 @@ std::string summary_json(const EnsembleSummary& summary) {
 
 std::string summary_text(const EnsembleSummary& s) {
     const RunSummary& first = s.runs.front().summary;
-    std::string text = fmt::format("{} runs of {} with {}, {}\n", s.runs.size(), first.model, first.method,
-                                   id(first.precision));
+    std::string text =
+        fmt::format("{} runs of {} with {}, {}\n", s.runs.size(), first.model, first.method, id(first.precision));
     const auto line = [&text](std::string_view what, const std::string& value) {
         text += fmt::format("  {:<14}{}\n", what, value);
     };
@@ -129,8 +129,8 @@ std::string summary_text(const EnsembleSummary& s) {
     line(first.drag ? "energy change" : "energy error",
          fmt::format("{:.3g} at most, over all runs and the steps looked at (--every)", error));
     line("wall time", duration_text(s.wall_seconds));
-    line("status", s.diverged() == 0 ? "ok" : fmt::format("{} diverged, {} ok", s.diverged(),
-                                                          s.runs.size() - s.diverged()));
+    line("status",
+         s.diverged() == 0 ? "ok" : fmt::format("{} diverged, {} ok", s.diverged(), s.runs.size() - s.diverged()));
     return text;
 }
 

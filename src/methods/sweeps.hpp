@@ -121,9 +121,9 @@ private:
     [[gnu::always_inline]] void sweep_in_turn(const Force& force, Particles& particles, std::size_t part, Stage stage) {
         stage(
             part, [&](auto q, auto sink) __attribute__((always_inline)) {
-                force.sweep_in_turn(PositionsOf<Particles, q>{particles},
-                                    [&](std::size_t r, const auto& a)
-                                        __attribute__((always_inline)) { sink(particles, r, a); });
+                force.sweep_in_turn(
+                    PositionsOf<Particles, q>{particles}, [&](std::size_t r, const auto& a) __attribute__((
+                                                              always_inline)) { sink(particles, r, a); });
             });
     }
 

@@ -87,8 +87,8 @@ public:
         : runs_(runs), every_(every), execution_(execution), watch_(watch), results_(runs.size()) {}
 
     std::vector<EnsembleResult> results() {
-        const std::size_t most = execution_.threads > 0 ? execution_.threads
-                                                        : std::max(1u, std::thread::hardware_concurrency());
+        const std::size_t most =
+            execution_.threads > 0 ? execution_.threads : std::max(1u, std::thread::hardware_concurrency());
         const std::size_t threads = std::min(most, (runs_.size() + runs_at_once - 1) / runs_at_once);
         {
             std::vector<std::jthread> others;
@@ -120,8 +120,9 @@ private:
             const std::span<const EnsembleRun> left = runs_.subspan(first, end - first);
             const auto together = run_side_by_side(left, every_, execution_, done);
             for (std::size_t i = 0; i < std::max<std::size_t>(1, together.size()); ++i, ++first)
-                results_[first] = i < together.size() && together[i] ? *together[i]
-                                                                     : run_alone(runs_[first], every_, execution_, done);
+                results_[first] = i < together.size() && together[i]
+                                      ? *together[i]
+                                      : run_alone(runs_[first], every_, execution_, done);
         }
     }
 
@@ -146,8 +147,7 @@ private:
 }  // namespace
 
 std::vector<EnsembleResult> run_ensemble(std::span<const EnsembleRun> runs, std::uint64_t every,
-                                         const Execution& execution,
-                                         const std::function<void(std::uint64_t)>& watch) {
+                                         const Execution& execution, const std::function<void(std::uint64_t)>& watch) {
     return Work(runs, every, execution, watch).results();
 }
 

@@ -39,8 +39,8 @@ struct EnsembleResult {
 
 /// Computes runs that need not have anything in common, each bit for bit as a Simulation by itself: neighbours that
 /// differ in numbers alone side by side in the lanes of vector registers where their method and scene allow it, and
-/// groups of them on several threads. `every`, at least 1: K of energy_error. `watch` hears, from any of the threads but
-/// one at a time, how many steps of all runs are done; what it throws ends the ensemble. Throws UsageError if a run
+/// groups of them on several threads. `every`, at least 1: K of energy_error. `watch` hears, from any of the threads
+/// but one at a time, how many steps of all runs are done; what it throws ends the ensemble. Throws UsageError if a run
 /// cannot be computed.
 std::vector<EnsembleResult> run_ensemble(std::span<const EnsembleRun> runs, std::uint64_t every,
                                          const Execution& execution = {},

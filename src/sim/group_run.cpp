@@ -28,10 +28,7 @@ struct Member {
     bool diverged = false;  ///< or may have done so
 
     explicit Member(const EnsembleRun& run)
-        : held(as_held(run.description)),
-          scene(model(held.model).scene(held.scene)),
-          meter(scene),
-          steps(run.steps) {}
+        : held(as_held(run.description)), scene(model(held.model).scene(held.scene)), meter(scene), steps(run.steps) {}
 
     StepperSetup setup(const Execution& execution) const {
         return {scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions};

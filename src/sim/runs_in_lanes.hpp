@@ -42,8 +42,7 @@ template <class T, class Part>
 Field<InLanes<T>> field_in_lanes(const std::vector<State<T>>& states, Part part) {
     Field<InLanes<T>> all((states.front().*part).count());
     for (std::size_t k = 0; k < all.flat().size(); ++k) {
-        all.flat()[k] =
-            in_lanes<T>(states.size(), [&](std::size_t run) { return (states[run].*part).flat()[k]; });
+        all.flat()[k] = in_lanes<T>(states.size(), [&](std::size_t run) { return (states[run].*part).flat()[k]; });
     }
     return all;
 }

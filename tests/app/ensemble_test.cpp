@@ -1,7 +1,8 @@
+#include "sim/ensemble.hpp"
+
 #include "app/program.hpp"
 #include "app/tables.hpp"
 #include "io/files.hpp"
-#include "sim/ensemble.hpp"
 #include "sim/spread.hpp"
 
 #include <fmt/format.h>
@@ -31,8 +32,8 @@ Json alone(double k, double dt, const std::vector<std::string>& more) {
 TEST(EnsembleCommand, tells_of_every_run_what_it_tells_of_the_run_alone) {
     for (const std::string precision : {"float", "double"}) {
         const std::vector<std::string> common{"--until", "20", "--every", "30", "--precision", precision};
-        std::vector<std::string> all{"--ensemble", "19", "--spread", "k=1:2", "--spread", "dt=0.02:0.05", "--summary",
-                                     "-"};
+        std::vector<std::string> all{"--ensemble", "19",           "--spread",  "k=1:2",
+                                     "--spread",   "dt=0.02:0.05", "--summary", "-"};
         all.insert(all.end(), common.begin(), common.end());
         const Outcome outcome = run_chain(all);
         ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -42,7 +43,8 @@ TEST(EnsembleCommand, tells_of_every_run_what_it_tells_of_the_run_alone) {
         EXPECT_EQ(json["precision"], precision);
         EXPECT_EQ(json["ensemble"], 19);
         EXPECT_EQ(json["diverged"], 0);
-        EXPECT_EQ(json["spread"], Json::parse(R"([{"name":"k","from":1.0,"to":2.0},{"name":"dt","from":0.02,"to":0.05}])"));
+        EXPECT_EQ(json["spread"],
+                  Json::parse(R"([{"name":"k","from":1.0,"to":2.0},{"name":"dt","from":0.02,"to":0.05}])"));
         ASSERT_EQ(json["runs"].size(), 19u);
         for (const std::size_t i : {0, 7, 18}) {
             const Json& run = json["runs"][i];
@@ -63,7 +65,7 @@ TEST(EnsembleCommand, rows_are_those_of_the_runs_behind_their_numbers) {
     const TemporaryFolder folder;
     const Surroundings here{.folder = folder.path()};
     const std::vector<std::string> common{"--steps", "7", "--every", "3", "--particles", "9,2", "--precision", "float"};
-    std::vector<std::string> all{"--ensemble", "3",     "--spread", "k=1:2",    "--out",
+    std::vector<std::string> all{"--ensemble", "3",        "--spread",     "k=1:2",     "--out",
                                  "e.csv",      "--series", "e.series.csv", "--summary", "e.json"};
     all.insert(all.end(), common.begin(), common.end());
     ASSERT_EQ(run_chain(all, here).code, 0);
@@ -86,8 +88,8 @@ TEST(EnsembleCommand, rows_are_those_of_the_runs_behind_their_numbers) {
     EXPECT_EQ(text_of(folder.file("e.csv")), rows);
     EXPECT_EQ(text_of(folder.file("e.series.csv")), series);
     // with rows the runs are computed one by one, without them side by side: they are the same
-    std::vector<std::string> plain{"--ensemble", "3", "--spread", "k=1:2", "--summary", "-", "--steps", "7",
-                                   "--every",    "3", "--precision", "float"};
+    std::vector<std::string> plain{"--ensemble", "3", "--spread", "k=1:2", "--summary",   "-",
+                                   "--steps",    "7", "--every",  "3",     "--precision", "float"};
     Json with = Json::parse(text_of(folder.file("e.json"))), without = Json::parse(run_chain(plain).out);
     with.erase("wall_seconds"), without.erase("wall_seconds");
     EXPECT_EQ(with, without);
@@ -105,7 +107,8 @@ TEST(EnsembleCommand, ends_with_4_if_a_run_diverged_and_tells_which) {
     EXPECT_GT(diverged, 0u);
     EXPECT_LT(diverged, 40u);
     EXPECT_EQ(json["diverged"], diverged);
-    EXPECT_THAT(outcome.err, HasSubstr(fmt::format("{} of 40 runs diverged, the first of them run {}", diverged, first)));
+    EXPECT_THAT(outcome.err,
+                HasSubstr(fmt::format("{} of 40 runs diverged, the first of them run {}", diverged, first)));
 }
 
 TEST(EnsembleCommand, tells_a_person_how_it_went) {

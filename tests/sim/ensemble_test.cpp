@@ -6,10 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace steplab {
 namespace {
@@ -21,8 +25,14 @@ constexpr std::size_t count = 37;
 
 struct Case {
     std::string_view model;
-    test::Settings settings;
+    std::vector<std::pair<std::string_view, double>> settings;
     std::vector<Spread> spreads;
+
+    RunDescription run(const std::string& method, Precision precision, double dt) const {
+        RunDescription description = test::run_of(model, method, precision, dt);
+        for (const auto& [name, value] : settings) description.scene.set(name, value);
+        return description;
+    }
 };
 
 /// Scenes of every layout of forces, and what differs from run to run: start, parameters, dt.
@@ -96,9 +106,7 @@ TEST_P(Ensembles, have_the_bits_of_their_runs_alone) {
     constexpr std::uint64_t every = 100;
     for (const Case& scene : cases()) {
         SCOPED_TRACE(scene.model);
-        const RunDescription description =
-            test::run_of(scene.model, GetParam().id(), GetParam().precision, 0.02, scene.settings);
-        const auto runs = runs_of(description, scene.spreads, 300);
+        const auto runs = runs_of(scene.run(GetParam().id(), GetParam().precision, 0.02), scene.spreads, 300);
         const auto results = run_ensemble(runs, every);
         for (std::size_t i = 0; i < runs.size(); ++i) {
             SCOPED_TRACE(i);
@@ -155,7 +163,7 @@ TEST(Ensemble, runs_may_differ_in_everything) {
     for (const Case& scene : cases()) {
         for (const Method& method : methods()) {
             for (const Precision precision : test::precisions)
-                runs.push_back({test::run_of(scene.model, method.info.id, precision, 0.01, scene.settings), ++steps});
+                runs.push_back({scene.run(std::string(method.info.id), precision, 0.01), ++steps});
         }
     }
     const auto results = run_ensemble(runs, 7);
