@@ -50,7 +50,7 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--ensemble", "2", "--spread", "k=1:two"}, {"k", "two"}},
     {{"run", "--ensemble", "2", "--spread", "k=0:1"}, {"k", "> 0"}},
     {{"run", "--ensemble", "2", "--spread", "dt=0:1"}, {"dt", "> 0"}},
-    {{"run", "--ensemble", "2", "--spread", "kk=1:2"}, {"unknown parameter 'kk'", "did you mean 'k'", "dt"}},
+    {{"run", "--ensemble", "2", "--spread", "kk=1:2"}, {"unknown parameter 'kk'", "dt", "compensated"}},
     {{"run", "--ensemble", "2", "--spread", "kick=centre:corner"}, {"kick", "only numbers"}},
     {{"run", "--ensemble", "3", "--spread", "dim=5:6"}, {"run 1", "dim", "5.5"}},
     {{"run", "--ensemble", "2", "--spread", "k=1:2", "--spread", "k=1:3"}, {"'k'", "more than once"}},
