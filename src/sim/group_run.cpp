@@ -97,7 +97,7 @@ private:
         Member& member = *members_[run];
         const Energy& start = member.baseline;
         const double bound = 2 * member.scene.mass * group_.energy_bound(run);  // twice, for its rounding
-        if (bound < start.kinetic + start.potential.magnitude + member.meter.floor()) return true;
+        if (energy_is_surely_possible(bound, start, member.meter.floor())) return true;
         return energy_is_possible(energy(run), start, member.meter.floor());
     }
 
