@@ -1,13 +1,16 @@
 // The time of a step: steplab's methods beside hand-written loops, Boost.odeint, GSL and SUNDIALS on the same scene, in
-// one process, interleaved; then steplab alone on scenes of 10 to 10^7 particles, by one thread and by more; then what
-// the machine can do at most. Prints one line of CSV for each: the least time of all batches of steps of all
-// repetitions, and for steplab the hash of the state at the end of a batch, which begins at the scene's start.
-// Usage: steps [--benchmark_filter=REGEX on row/method/precision] [further options of Google Benchmark]
+// one process, interleaved; then an ensemble beside a single run; then steplab alone on scenes of 10 to 10^7 particles,
+// by one thread and by more; then what the machine can do at most. Prints one line of CSV for each: the least time of
+// all batches of steps of all repetitions, and for steplab the hash of the state at the end of a batch, which begins at
+// the scene's start. Usage: steps [--benchmark_filter=REGEX on row/method/precision] [further options of Google
+// Benchmark]
 
 #include "core/flush_subnormals.hpp"
 #include "machine.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/ensemble.hpp"
 #include "sim/simulation.hpp"
+#include "sim/spread.hpp"
 #include "stepping.hpp"
 
 #include <fmt/format.h>
@@ -50,6 +53,13 @@ const std::vector<Row>& rows() {
     return all;
 }
 
+/// Rows of an ensemble beside a single run of it.
+const std::vector<Row>& ensemble_rows() {
+    static const std::vector<Row> all{
+        {"chain-10-ensemble", "chain", "n", 10, 0.1, 64 * 256, {"euler", "velocity-verlet", "rk4"}}};
+    return all;
+}
+
 /// Rows of a scene that grows; peers have no part in them.
 const std::vector<Row>& growing_rows() {
     static const std::vector<Row> all = [] {
@@ -85,6 +95,20 @@ Contestant ourselves(const RunDescription& description, std::size_t threads) {
             }};
 }
 
+/// Runs that differ in k, every time from the start, which counts; a batch is the steps of all runs together.
+Contestant our_ensemble(const RunDescription& description, std::size_t runs) {
+    return {"steplab ensemble", [description, runs] {
+                return Stepping{[description, runs](std::size_t steps) {
+                                    const std::vector<Spread> spreads{{"k", 1, 2}};
+                                    std::vector<EnsembleRun> all;
+                                    for (std::size_t i = 0; i < runs; ++i)
+                                        all.push_back({spread_run(description, spreads, i, runs), steps / runs});
+                                    run_ensemble(all, steps, {.threads = 1});
+                                },
+                                {}};
+            }};
+}
+
 std::vector<Contestant> peers_of(const Simulation& simulation) {
     const RunDescription& run = simulation.description();
     const Frame start = simulation.frame();
@@ -104,6 +128,14 @@ Comparison with_peers(const Row& row, std::string_view method, Precision precisi
     // without checks, each step of theirs is alike
     for (const Contestant& peer : peers_of(simulation)) comparison.entries.push_back({peer, row.steps / 4});
     return comparison;
+}
+
+Comparison with_ensemble(const Row& row, std::string_view method, Precision precision) {
+    constexpr std::size_t runs = 64;
+    const RunDescription description = description_of(row, method, precision);
+    return {name_of(row, method, precision),
+            static_cast<std::size_t>(model(description.model).particles(description.scene)),
+            {{ourselves(description, 1), row.steps}, {our_ensemble(description, runs), row.steps * runs}}};
 }
 
 /// By one thread and, of many particles, by two, four ... of them.
@@ -197,6 +229,7 @@ void run_all() {
     Lines lines;
     fmt::print("row,method,precision,particles,who,ns_per_step,ns_per_particle,hash\n");
     run_rows(rows(), wanted, lines, with_peers);
+    run_rows(ensemble_rows(), wanted, lines, with_ensemble);
     run_rows(growing_rows(), wanted, lines, with_threads);
     for (const Comparison& comparison : machine_comparisons()) {
         if (std::regex_search(comparison.name, wanted)) run(comparison, lines);

@@ -58,13 +58,13 @@ const Time* own(const Row& row, const std::string& precision) {
     return fastest(row, precision, [](const Time& time) { return time.who == "steplab"; });
 }
 
-const Time* own_by_threads(const Row& row, const std::string& precision) {
-    const Time* most = nullptr;  // they come in the order of their threads
+const Time* own_with(const Row& row, const std::string& precision) {
+    const Time* last = nullptr;  // threads come in the order of their threads
     if (!row.times.contains(precision)) return nullptr;
     for (const Time& time : row.times.at(precision)) {
-        if (time.who.starts_with("steplab ")) most = &time;
+        if (time.who.starts_with("steplab ")) last = &time;
     }
-    return most;
+    return last;
 }
 
 double machine_time(const Row& row, const std::string& precision) {

@@ -43,8 +43,8 @@ const Time* fastest(const Row& row, const std::string& precision, Wanted wanted)
 
 /// steplab itself, by one thread.
 const Time* own(const Row& row, const std::string& precision);
-/// steplab by the most threads that were tried; null if that was one.
-const Time* own_by_threads(const Row& row, const std::string& precision);
+/// steplab in another way: by the most threads that were tried, or in an ensemble; null if there is none.
+const Time* own_with(const Row& row, const std::string& precision);
 
 /// ns that the machine takes at most for a number, in a row of its limits.
 double machine_time(const Row& row, const std::string& precision);

@@ -76,6 +76,21 @@ std::string lammps_table(const Results& results) {
     return table.rows.empty() ? "" : "\nBeside LAMMPS, which computes in double:\n\n" + markdown(table);
 }
 
+/// Many runs at once beside one: ns a run and step.
+std::string ensemble_table(const Results& results) {
+    Table table{{"method", "precision", "one run, ns", "in an ensemble, ns", "times as fast", "goal"}, {}};
+    for (const Row* row : rows_of(results, "chain-10-ensemble")) {
+        for (const std::string precision : {"double", "float"}) {
+            const Time *one = own(*row, precision), *many = own_with(*row, precision);
+            const std::string goal = row->method != "euler" ? "" : precision == "double" ? "2.4" : "6.0";
+            table.rows.push_back({fmt::format("`{}`", row->method), precision, time_text(*row, one),
+                                  time_text(*row, many), ratio_text(many, one), goal});
+        }
+    }
+    return table.rows.empty() ? ""
+                              : "\nEnsembles of 64 runs of a `chain` of 10 that differ in k:\n\n" + markdown(table);
+}
+
 /// A scene as it grows: ns a step and particle, by one thread and by the most that were tried.
 std::string growing_table(const Results& results, std::string_view id) {
     Table table{
@@ -83,7 +98,7 @@ std::string growing_table(const Results& results, std::string_view id) {
     for (const Row* row : rows_of(results, id)) {
         std::vector<std::string> cells{fmt::format("{:.0f}", row->particles)};
         for (const std::string precision : {"double", "float"}) {
-            const Time *one = own(*row, precision), *threads = own_by_threads(*row, precision);
+            const Time *one = own(*row, precision), *threads = own_with(*row, precision);
             cells.push_back(one ? fmt::format("{:.2f}", one->particle) : "-");
             cells.push_back(threads ? fmt::format("{:.2f} ({})", threads->particle, threads->who.substr(8)) : "");
             cells.push_back(threads ? ratio_text(threads, one) : "");
@@ -128,8 +143,9 @@ std::string growing_section(const Results& results) {
 std::string speed_tables(const std::filesystem::path& folder) {
     std::string text;
     for (const Results& results : read_results(folder)) {
-        text += fmt::format("{}### {}\n\n{}\n{}{}{}", text.empty() ? "" : "\n", results.name, results.about,
-                            peer_table(results), lammps_table(results), growing_section(results));
+        text +=
+            fmt::format("{}### {}\n\n{}\n{}{}{}{}", text.empty() ? "" : "\n", results.name, results.about,
+                        peer_table(results), lammps_table(results), ensemble_table(results), growing_section(results));
     }
     return text;
 }

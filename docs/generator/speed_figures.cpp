@@ -31,7 +31,7 @@ void add_growing(const Results& results, const Series& series, std::vector<Curve
     threads.dashed = true;
     for (const Row* row : rows_of(results, series.row)) {
         if (const Time* time = own(*row, precision)) one.points.emplace_back(row->particles, time->particle);
-        if (const Time* time = own_by_threads(*row, precision)) {
+        if (const Time* time = own_with(*row, precision)) {
             threads.name = fmt::format("{}, {}, {}", series.name, precision, time->who.substr(8));
             threads.points.emplace_back(row->particles, time->particle);
         }
@@ -88,7 +88,7 @@ Figure roofline(const Results& results) {
         for (const std::string precision : {"double", "float"}) {
             const double most = 1e9 / machine_time(*row, precision);
             add_roof(
-                "square roots and divisions, " + precision, colour++, true, [=](double) { return most; },
+                "square roots and divisions, " + precision, colour++, true, [=](double) { return last; },
                 figure.curves);
         }
     }

@@ -2,8 +2,10 @@
 
 #include "app/catalogue_text.hpp"
 #include "app/command_line.hpp"
-#include "app/pacer.hpp"
+#include "app/ensemble_job.hpp"
+#include "app/ensemble_options.hpp"
 #include "app/progress.hpp"
+#include "app/recorded_run.hpp"
 #include "app/run_outputs.hpp"
 #include "app/scene_options.hpp"
 #include "core/error.hpp"
@@ -13,8 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <unistd.h>
 
@@ -22,14 +22,11 @@ namespace steplab {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
 constexpr const char* examples =
     "Examples:\n"
     "  steplab run --model chain --set n=20 --until 100 --every 10 --out chain.csv\n"
-    "  steplab run --model rope --method rk4 --dt 0.02 --series energy.csv --summary -\n\n";
+    "  steplab run --model rope --method rk4 --dt 0.02 --series energy.csv --summary -\n"
+    "  steplab run --model chain --ensemble 100 --spread dt=0.01:0.1 --spread k=1:2 --until 50 --summary -\n\n";
 
 class RunCommand final : public Command {
 public:
@@ -41,6 +38,7 @@ public:
         time_.declare(app);
         text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
         output_.declare(app);
+        ensemble_.declare(app);
         text_option(app, "--isa", isa_, "SET", "Instruction set of the processor (default: the fastest)")
             ->group("Computing");
         text_option(app, "--threads", threads_, "N", "At most so many, where they pay (default: all processors)")
@@ -50,16 +48,17 @@ public:
 
     int run() override {
         const RunDescription description = scene_.description();
-        steps_ = time_.steps(description);
-        const std::uint64_t every = every_.empty()
-                                        ? std::max<std::uint64_t>(1, steps_)
-                                        : whole_number("--every", every_, 9007199254740992.0, "steps between two rows");
         output_.check();
+        if (ensemble_.asked()) return run_ensemble(description);
+        const std::uint64_t steps = time_.steps(description), rows_every = every(steps);
         catch_interruptions();
         RunOutputs outputs(output_, description);
         Simulation simulation(description, execution());
         try {
-            const RunSummary summary = compute(simulation, every, outputs);
+            const bool rows_on_terminal = output_.standard_output_taken() && isatty(STDOUT_FILENO) != 0;
+            Progress progress(steps, isatty(STDERR_FILENO) != 0 && !rows_on_terminal);
+            const RunSummary summary = record_run(simulation, steps, rows_every, progress,
+                                                  [&outputs](const Simulation& now) { outputs.record(now); });
             outputs.commit(summary);
             show(summary);
         } catch (const Interrupted&) {
@@ -71,6 +70,26 @@ public:
     }
 
 private:
+    int run_ensemble(const RunDescription& description) const {
+        const std::vector<Spread> spreads = ensemble_.spreads(description);
+        EnsembleJob job{.spreads = spreads,
+                        .runs = ensemble_.runs(description, spreads, time_),
+                        .output = output_,
+                        .execution = execution()};
+        std::uint64_t most = 0;
+        for (const EnsembleRun& run : job.runs) most = std::max(most, run.steps);
+        job.every = every(most);
+        catch_interruptions();
+        job.run();
+        return static_cast<int>(ExitCode::done);
+    }
+
+    /// Steps between two rows of a run of so many.
+    std::uint64_t every(std::uint64_t steps) const {
+        if (every_.empty()) return std::max<std::uint64_t>(1, steps);
+        return whole_number("--every", every_, 9007199254740992.0, "steps between two rows");
+    }
+
     Execution execution() const {
         Execution execution;
         if (!isa_.empty()) execution.instructions = parse_instructions(isa_);
@@ -88,44 +107,6 @@ private:
                                  .maximum = maximum,
                                  .what = what};
         return static_cast<std::uint64_t>(parse_value(info, text));
-    }
-
-    /// Takes the steps and records the first one, every K-th and the last one.
-    RunSummary compute(Simulation& simulation, std::uint64_t every, RunOutputs& outputs) {
-        const bool rows_on_terminal = output_.standard_output_taken() && isatty(STDOUT_FILENO) != 0;
-        Progress progress(steps_, isatty(STDERR_FILENO) != 0 && !rows_on_terminal);
-        Pacer pacer(steps_);
-        const auto begin = Clock::now();
-        RunSummary summary;
-        summary.energy_start = simulation.energy();
-        outputs.record(simulation);
-        for (std::uint64_t recorded = 0; recorded < steps_ && !simulation.divergence();) {
-            pacer.advance(simulation, std::min(steps_, recorded + every), progress);
-            if (simulation.step() == recorded) break;  // no step more was good
-            recorded = simulation.step();
-            summary.energy_error = std::max(summary.energy_error, std::abs(simulation.energy_error()));
-            outputs.record(simulation);
-        }
-        summary.energy_end = simulation.energy();
-        summary.wall_seconds = seconds_since(begin);
-        describe(simulation, summary);
-        return summary;
-    }
-
-    static void describe(const Simulation& simulation, RunSummary& summary) {
-        const RunDescription& description = simulation.description();
-        summary.model = description.model;
-        summary.method = description.method;
-        summary.precision = description.precision;
-        summary.dt = simulation.dt();
-        summary.steps = simulation.step();
-        summary.time = simulation.time();
-        summary.particles = simulation.particles();
-        summary.evaluations = simulation.evaluations();
-        summary.hash = simulation.hash();
-        summary.collisions = simulation.collisions();
-        summary.drag = has_drag(description);
-        if (simulation.divergence()) summary.diverged_step = simulation.step() + 1;
     }
 
     void show(const RunSummary& summary) const {
@@ -150,7 +131,7 @@ private:
     std::string every_;
     std::string isa_, threads_;
     OutputOptions output_;
-    std::uint64_t steps_ = 0;
+    EnsembleOptions ensemble_;
 };
 
 }  // namespace

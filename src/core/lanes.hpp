@@ -193,6 +193,13 @@ public:
     }
     [[gnu::always_inline]] friend Mask operator>(const RegisterLanes& a, const RegisterLanes& b) { return b < a; }
 
+    /// In all lanes.
+    friend bool operator==(const RegisterLanes& a, const RegisterLanes& b) {
+        bool equal = true;
+        for (std::size_t lane = 0; lane < Count; ++lane) equal = equal && a[lane] == b[lane];
+        return equal;
+    }
+
     [[gnu::always_inline]] friend RegisterLanes where(const Mask& condition, const RegisterLanes& then,
                                                       const RegisterLanes& otherwise) {
         return of_each([&](std::size_t p) { return condition.bits[p] ? then.registers_[p] : otherwise.registers_[p]; });

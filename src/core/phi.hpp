@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/number.hpp"
+#include "core/stages.hpp"
 
 #include <cmath>
 #include <type_traits>
@@ -18,6 +19,12 @@ T phi_1(T z) {
     Wide sum = 0;
     for (int k = 18; k >= 1; --k) sum = (Wide(1) + sum) * x / static_cast<Wide>(k + 1);  // 0.5^18 / 19! = 3e-23
     return static_cast<T>(Wide(1) + sum);
+}
+
+/// In every lane that of a number by itself.
+template <SideBySide N>
+N phi_1(N z) {
+    return N::each([&](std::size_t lane) { return phi_1(z[lane]); });
 }
 
 }  // namespace steplab

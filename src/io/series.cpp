@@ -4,15 +4,21 @@
 
 namespace steplab {
 
-SeriesWriter::SeriesWriter(OutputFile& file, bool with_error) : file_(file), with_error_(with_error) {
+SeriesWriter::SeriesWriter(OutputFile& file, bool with_error, bool with_run)
+    : file_(file), with_error_(with_error), with_run_(with_run) {
+    if (with_run) file_.write("run,");
     file_.write(
         "step,time,kinetic,potential,energy,energy_error,px,py,pz,lx,ly,lz,"
         "max_displacement,max_speed");
     file_.write(with_error_ ? ",error\n" : "\n");
 }
 
-void SeriesWriter::add(std::uint64_t step, double time, const Diagnostics& d) {
+void SeriesWriter::add(std::uint64_t step, double time, const Diagnostics& d, std::size_t run) {
     std::string line;
+    if (with_run_) {
+        append_number(line, run);
+        line += ',';
+    }
     append_number(line, step);
     const auto append = [&line](double value) {
         line += ',';

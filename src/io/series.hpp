@@ -3,6 +3,7 @@
 #include "core/diagnostics.hpp"
 #include "io/output_file.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace steplab {
@@ -12,13 +13,14 @@ namespace steplab {
 /// solution is known, error.
 class SeriesWriter {
 public:
-    /// `file` must outlive the writer.
-    SeriesWriter(OutputFile& file, bool with_error);
-    void add(std::uint64_t step, double time, const Diagnostics& diagnostics);
+    /// `file` must outlive the writer. Of several runs, every line begins with the run's number.
+    SeriesWriter(OutputFile& file, bool with_error, bool with_run = false);
+    void add(std::uint64_t step, double time, const Diagnostics& diagnostics, std::size_t run = 0);
 
 private:
     OutputFile& file_;
     bool with_error_;
+    bool with_run_;
 };
 
 }  // namespace steplab

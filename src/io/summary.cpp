@@ -26,6 +26,23 @@ nlohmann::ordered_json collisions_json(const CollisionRecord& collisions) {
     return {{"count", collisions.count()}, {"first", kept}};
 }
 
+/// What may differ between runs of an ensemble, which have no wall time of their own.
+void add_course(nlohmann::ordered_json& json, const RunSummary& summary, bool timed) {
+    json["dt"] = shortest(summary.precision, summary.dt);
+    json["steps"] = summary.steps;
+    json["time"] = summary.time;
+    json["particles"] = summary.particles;
+    json["evaluations"] = summary.evaluations;
+    json["energy_start"] = summary.energy_start;
+    json["energy_end"] = summary.energy_end;
+    json["energy_error"] = summary.energy_error;
+    if (timed) json["wall_seconds"] = summary.wall_seconds;
+    json["hash"] = summary.hash;
+    json["status"] = summary.diverged_step ? "diverged" : "ok";
+    if (summary.diverged_step) json["diverged_step"] = *summary.diverged_step;
+    if (summary.collisions.count() > 0) json["collisions"] = collisions_json(summary.collisions);
+}
+
 /// "6: particles 6 and 18 at t = 0.937855, 8 and 20 at 0.938226, ..."
 std::string collisions_text(const CollisionRecord& collisions) {
     constexpr std::size_t most = 4;
@@ -41,22 +58,9 @@ std::string collisions_text(const CollisionRecord& collisions) {
 }  // namespace
 
 std::string summary_json(const RunSummary& summary) {
-    nlohmann::ordered_json json{{"model", summary.model},
-                                {"method", summary.method},
-                                {"precision", id(summary.precision)},
-                                {"dt", shortest(summary.precision, summary.dt)},
-                                {"steps", summary.steps},
-                                {"time", summary.time},
-                                {"particles", summary.particles},
-                                {"evaluations", summary.evaluations},
-                                {"energy_start", summary.energy_start},
-                                {"energy_end", summary.energy_end},
-                                {"energy_error", summary.energy_error},
-                                {"wall_seconds", summary.wall_seconds},
-                                {"hash", summary.hash},
-                                {"status", summary.diverged_step ? "diverged" : "ok"}};
-    if (summary.diverged_step) json["diverged_step"] = *summary.diverged_step;
-    if (summary.collisions.count() > 0) json["collisions"] = collisions_json(summary.collisions);
+    nlohmann::ordered_json json{
+        {"model", summary.model}, {"method", summary.method}, {"precision", id(summary.precision)}};
+    add_course(json, summary, true);
     return json.dump(2) + "\n";
 }
 
@@ -78,6 +82,55 @@ std::string summary_text(const RunSummary& s) {
     line("wall time", duration_text(s.wall_seconds));
     line("hash", s.hash);
     line("status", status);
+    return text;
+}
+
+std::size_t EnsembleSummary::diverged() const {
+    return static_cast<std::size_t>(
+        std::count_if(runs.begin(), runs.end(), [](const Run& run) { return run.summary.diverged_step.has_value(); }));
+}
+
+std::string summary_json(const EnsembleSummary& summary) {
+    const RunSummary& first = summary.runs.front().summary;
+    nlohmann::ordered_json spread = nlohmann::ordered_json::array(), runs = nlohmann::ordered_json::array();
+    for (const auto& [name, from, to] : summary.spreads) spread.push_back({{"name", name}, {"from", from}, {"to", to}});
+    for (std::size_t i = 0; i < summary.runs.size(); ++i) {
+        nlohmann::ordered_json set = nlohmann::ordered_json::object(), run{{"run", i}};
+        for (std::size_t k = 0; k < summary.spreads.size(); ++k)
+            set[summary.spreads[k].name] = summary.runs[i].values[k];
+        run["set"] = set;
+        add_course(run, summary.runs[i].summary, false);
+        runs.push_back(std::move(run));
+    }
+    const nlohmann::ordered_json json{{"model", first.model},
+                                      {"method", first.method},
+                                      {"precision", id(first.precision)},
+                                      {"ensemble", summary.runs.size()},
+                                      {"spread", spread},
+                                      {"diverged", summary.diverged()},
+                                      {"wall_seconds", summary.wall_seconds},
+                                      {"runs", runs}};
+    return json.dump(2) + "\n";
+}
+
+std::string summary_text(const EnsembleSummary& s) {
+    const RunSummary& first = s.runs.front().summary;
+    std::string text =
+        fmt::format("{} runs of {} with {}, {}\n", s.runs.size(), first.model, first.method, id(first.precision));
+    const auto line = [&text](std::string_view what, const std::string& value) {
+        text += fmt::format("  {:<14}{}\n", what, value);
+    };
+    for (const auto& [name, from, to] : s.spreads)
+        line(name, fmt::format("{} to {}", number_text(from), number_text(to)));
+    std::uint64_t steps = 0;
+    double error = 0;
+    for (const auto& run : s.runs) steps += run.summary.steps, error = std::max(error, run.summary.energy_error);
+    line("steps", fmt::format("{} in all", steps));
+    line(first.drag ? "energy change" : "energy error",
+         fmt::format("{:.3g} at most, over all runs and the steps looked at (--every)", error));
+    line("wall time", duration_text(s.wall_seconds));
+    line("status",
+         s.diverged() == 0 ? "ok" : fmt::format("{} diverged, {} ok", s.diverged(), s.runs.size() - s.diverged()));
     return text;
 }
 

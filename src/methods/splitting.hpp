@@ -40,6 +40,9 @@ constexpr std::array<KickAndDrift, N + 1> composition(const std::array<long doub
 template <class T, class Table>
 class Splitting {
 public:
+    /// Every lane of a number type T that has lanes goes its own way.
+    static constexpr bool goes_in_lanes = true;
+
     explicit Splitting(const ParameterValues& values) : compensated_(asks_for_compensated_sums(values)) {}
 
     template <class System>

@@ -35,6 +35,12 @@ concept SweepingInRegisters = Sweeping<Force> && requires {
     Force::most_registers;
 };
 
+/// Layouts that sweep particle after particle where numbers have lanes.
+template <class Force>
+concept SweepingInTurn = requires {
+    Force::sweeps_in_turn;
+};
+
 namespace detail {
 
 template <class Force>
@@ -78,11 +84,16 @@ public:
     template <std::size_t Quantities, class Stage>
     void run(Force& force, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps, std::size_t parts,
              Stage stage) {
-        if constexpr (SideBySide<T> || !Sweeping<Force>) {
+        if constexpr (SideBySide<T> && SweepingInTurn<Force>) {
+            InMemory<T, Quantities> particles(fields);
+            for (std::uint64_t s = 0; s < steps; ++s) {
+                for (std::size_t part = 0; part < parts; ++part) sweep_in_turn(force, particles, part, stage);
+            }
+        } else if constexpr (!Sweeping<Force>) {
             for (std::uint64_t s = 0; s < steps * parts; ++s) sweep_whole(force, fields, s % parts, stage);
         } else {
             const std::size_t registers = (fields[0]->count() + width - 1) / width;
-            if constexpr (SweepingInRegisters<Force> && Stage::in_registers) {
+            if constexpr (SweepingInRegisters<Force> && Stage::in_registers && !SideBySide<T>) {
                 if (registers <= Force::most_registers)
                     return run_in_registers<Force::most_registers>(force, fields, registers, steps, parts, stage);
             }
@@ -104,6 +115,16 @@ private:
             const std::size_t registers = (fields[0]->count() + width - 1) / width;
             for (std::size_t r = 0; r < registers; ++r) sink(particles, r, accelerations.get(0, r));
         });
+    }
+
+    template <class Particles, class Stage>
+    [[gnu::always_inline]] void sweep_in_turn(const Force& force, Particles& particles, std::size_t part, Stage stage) {
+        stage(
+            part, [&](auto q, auto sink) __attribute__((always_inline)) {
+                force.sweep_in_turn(
+                    PositionsOf<Particles, q>{particles}, [&](std::size_t r, const auto& a) __attribute__((
+                                                              always_inline)) { sink(particles, r, a); });
+            });
     }
 
     /// The same for few particles, in code of its own for every number of registers.

@@ -22,6 +22,20 @@ auto force_in(const Force& force) {
     }
 }
 
+namespace detail {
+
+template <class T, class Force>
+struct AtStages {
+    using Type = decltype(force_in<Stages<T>>(std::declval<const Force&>()));
+};
+/// Runs side by side have no stages side by side.
+template <SideBySide T, class Force>
+struct AtStages<T, Force> {
+    struct Type {};
+};
+
+}  // namespace detail
+
 /// What a method integrates: x'' = a(x) - gamma v, in steps of dt. Force is the layout's engine; it is known at compile
 /// time, so nothing is called through a pointer inside a step.
 template <class T, class Force>
@@ -93,7 +107,7 @@ public:
 
 private:
     mutable Force force_;  ///< its memory is scratch: accelerations depend on positions alone
-    std::optional<decltype(force_in<Stages<T>>(std::declval<const Force&>()))> force_at_stages_;  ///< once asked for
+    std::optional<typename detail::AtStages<T, Force>::Type> force_at_stages_;  ///< once asked for
     Sweeps<T, Force> sweeps_;
     T drag_;
     T dt_;

@@ -19,6 +19,9 @@ namespace steplab {
 template <class T>
 class ThreePoint {
 public:
+    /// Every lane of a number type T that has lanes goes its own way.
+    static constexpr bool goes_in_lanes = true;
+
     ThreePoint(const ParameterValues& values, std::size_t substeps)
         : substeps_(substeps), compensated_(asks_for_compensated_sums(values)) {}
 

@@ -49,6 +49,12 @@ public:
         return Grid<N>(forces_);
     }
 
+    /// Calls f(number) for the numbers that the scene's parameters make.
+    template <class Self, class F>
+    static void each_constant(Self& self, F f) {
+        f(self.stiffness_), f(self.length_), f(self.diagonal_);
+    }
+
     void accelerations(const Field<T>& u, Field<T>& a) {
         const FieldLanes<T> out(a);
         sweep_.restart();

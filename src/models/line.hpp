@@ -45,6 +45,12 @@ public:
         return Line<N>(forces_);
     }
 
+    /// Calls f(number) for the numbers that the scene's parameters make.
+    template <class Self, class F>
+    static void each_constant(Self& self, F f) {
+        f(self.stiffness_), f(self.length_), f(self.gravity_);
+    }
+
     void accelerations(const Field<T>& u, Field<T>& a) const {
         if constexpr (SideBySide<T>) return accelerate_in_turn<3>(u, a);
         const FieldLanes<T> out(a);
@@ -89,6 +95,31 @@ public:
         (std::make_index_sequence<Registers>{});
     }
 
+    static constexpr bool sweeps_in_turn = true;
+    /// A whole sweep, particle after particle, where numbers have lanes. It computes two springs ahead: the processor
+    /// begins a root and a division while it waits for those of the springs before.
+    template <class Positions, class Sink>
+    [[gnu::always_inline]] void sweep_in_turn(const Positions& positions, Sink sink) const requires SideBySide<T> {
+        const N zero(T(0));
+        const Vec none{zero, zero, zero};
+        const std::size_t count = forces_.count;
+        Vec before = none, first = none, second = none, here = positions.get(0);
+        for (std::size_t i = 0; i < count + 2; ++i) {
+            Vec third = none;
+            if (i + 1 < count) {
+                const Vec next = positions.get(i + 1);
+                third = pulls(here, next);
+                here = next;
+            }
+            if (i >= 2) {
+                Vec sum = first - before;
+                if (falls_) sum.y = sum.y - N(gravity_);
+                sink(i - 2, i - 2 < first_moving_ ? none : sum);
+            }
+            before = first, first = second, second = third;
+        }
+    }
+
     /// The same where all particles move along x alone: the components along x of `a`.
     void accelerations_along_x(const Field<T>& u, Field<T>& a) const requires SideBySide<T> {
         accelerate_in_turn<1>(u, a);
@@ -110,6 +141,16 @@ public:
         const double elastic = forces_.k * energies.value();
         const double external = forces_.mass * forces_.gravity * heights.value();
         return {elastic + external, elastic + std::abs(external), external};
+    }
+
+    /// k / (2 m) times the sum of |e|^2: no spring stores more energy, since none is stretched by more than |e|.
+    T elastic_bound(const Field<T>& u) const requires SideBySide<T> {
+        T sum(0);
+        for (std::size_t i = 0; i + 1 < forces_.count; ++i) {
+            const T x = u.x()[i + 1] - u.x()[i], y = u.y()[i + 1] - u.y()[i], z = u.z()[i + 1] - u.z()[i];
+            sum += x * x + (y * y + z * z);
+        }
+        return stiffness_ * sum / T(2);
     }
 
     /// Calls f(i, i + 1) for springs that turn round between two positions. Without a rest length the force does not
@@ -173,7 +214,7 @@ private:
     }
 
     /// Of the springs that begin at the particles of one register; `next` holds the particles after them.
-    Vec pulls(const Vec& here, const Vec& next) const {
+    [[gnu::always_inline]] Vec pulls(const Vec& here, const Vec& next) const {
         const Vec e =
             Vec{N::shifted_down(here.x, next.x), N::shifted_down(here.y, next.y), N::shifted_down(here.z, next.z)} -
             here;

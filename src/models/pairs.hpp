@@ -61,6 +61,12 @@ public:
         return Pairs<N>(forces_);
     }
 
+    /// Calls f(number) for the numbers that the scene's parameters make.
+    template <class Self, class F>
+    static void each_constant(Self& self, F f) {
+        f(self.morse_.depth), f(self.morse_.b), f(self.morse_.r0), f(self.morse_.strength);
+    }
+
     void accelerations(const Field<T>& u, Field<T>& a) {
         if constexpr (detail::InRegisters<T>) {
             pull_blocks({u.x(), u.y(), u.z()}, {a.x(), a.y(), a.z()});

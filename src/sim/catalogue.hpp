@@ -3,6 +3,7 @@
 #include "core/coupling.hpp"
 #include "models/model.hpp"
 #include "sim/stepper.hpp"
+#include "sim/stepper_group.hpp"
 
 #include <array>
 #include <cstddef>
@@ -19,6 +20,8 @@ struct Method {
     MethodInfo info;
     /// Its integrator for each of the instruction sets that were compiled, null for the others.
     std::array<std::unique_ptr<Stepper> (*)(const StepperSetup&), 3> makers;
+    /// The same for runs side by side; null for methods that do not go so.
+    std::array<MakeStepperGroup, 3> group_makers;
     /// Why the method cannot run scenes of this coupling, none if it can; null for methods that run any.
     std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
     /// Bytes it holds for a scene's interactions (so many pairs act on each other), no less than it needs; null: none.
@@ -26,6 +29,13 @@ struct Method {
 
     std::unique_ptr<Stepper> make(const StepperSetup& setup) const {
         return makers[static_cast<std::size_t>(setup.instructions)](setup);
+    }
+    /// Whether the method can compute runs side by side.
+    bool goes_in_groups(Instructions instructions) const {
+        return group_makers[static_cast<std::size_t>(instructions)] != nullptr;
+    }
+    std::unique_ptr<StepperGroup> make_group(std::span<const StepperSetup> runs) const {
+        return group_makers[static_cast<std::size_t>(runs.front().instructions)](runs);
     }
 };
 

@@ -48,6 +48,11 @@ bool energy_is_possible(const Energy& now, const Energy& start, double floor) {
     return now.total() - start.total() <= possible_gain * scale;
 }
 
+/// What outer forces have added is their work, which is on the other side too.
+bool energy_is_surely_possible(double bound, const Energy& start, double floor) {
+    return bound <= possible_gain * (start.kinetic + start.potential.magnitude + floor);
+}
+
 std::size_t wildest_particle(const State<double>& state) {
     std::size_t wildest = 0;
     for (std::size_t i = 1; i < state.velocity.count(); ++i) {

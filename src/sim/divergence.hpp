@@ -10,6 +10,9 @@ namespace steplab {
 /// floor. Relative to these, falling and slow gains are not taken for a blow-up. Drag only lowers the energy.
 bool energy_is_possible(const Energy& now, const Energy& start, double floor);
 
+/// True only if it is possible whatever the parts are: `bound` is not below the kinetic energy and that of the springs.
+bool energy_is_surely_possible(double bound, const Energy& start, double floor);
+
 /// The particle farthest from its senses: not finite, or the fastest.
 std::size_t wildest_particle(const State<double>& state);
 

@@ -12,5 +12,11 @@ template void KickDriftSteps<double>::advance(System<double, Line<double>>&, std
 template void KickDriftSteps<double>::advance(System<double, Grid<double>>&, std::uint64_t);
 template void KickDriftSteps<double>::advance(System<double, Pairs<double>>&, std::uint64_t);
 template void KickDriftSteps<double>::advance(System<double, NearPairs<double>>&, std::uint64_t);
+template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Line<InLanes<float>>>&, std::uint64_t);
+template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Grid<InLanes<float>>>&, std::uint64_t);
+template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Pairs<InLanes<float>>>&, std::uint64_t);
+template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Line<InLanes<double>>>&, std::uint64_t);
+template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Grid<InLanes<double>>>&, std::uint64_t);
+template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Pairs<InLanes<double>>>&, std::uint64_t);
 
 }  // namespace steplab

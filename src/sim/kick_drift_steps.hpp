@@ -3,13 +3,14 @@
 #include "methods/kick_drift.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
+#include "sim/runs_in_lanes.hpp"
 
 #include <cstdint>
 
 namespace steplab {
 
-// The steps of kicks and drifts on every layout of forces are compiled once, for all methods that are such steps
-// (kick_drift_steps.cpp).
+// The steps of kicks and drifts on every layout of forces, alone and in lanes, are compiled once, for all methods that
+// are such steps (kick_drift_steps.cpp).
 
 extern template void KickDriftSteps<float>::advance(System<float, Constant<float>>&, std::uint64_t);
 extern template void KickDriftSteps<float>::advance(System<float, Line<float>>&, std::uint64_t);
@@ -21,5 +22,17 @@ extern template void KickDriftSteps<double>::advance(System<double, Line<double>
 extern template void KickDriftSteps<double>::advance(System<double, Grid<double>>&, std::uint64_t);
 extern template void KickDriftSteps<double>::advance(System<double, Pairs<double>>&, std::uint64_t);
 extern template void KickDriftSteps<double>::advance(System<double, NearPairs<double>>&, std::uint64_t);
+extern template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Line<InLanes<float>>>&,
+                                                             std::uint64_t);
+extern template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Grid<InLanes<float>>>&,
+                                                             std::uint64_t);
+extern template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Pairs<InLanes<float>>>&,
+                                                             std::uint64_t);
+extern template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Line<InLanes<double>>>&,
+                                                              std::uint64_t);
+extern template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Grid<InLanes<double>>>&,
+                                                              std::uint64_t);
+extern template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Pairs<InLanes<double>>>&,
+                                                              std::uint64_t);
 
 }  // namespace steplab

@@ -7,6 +7,12 @@
 
 namespace steplab {
 
+/// Methods whose integrator computes in every lane of a number type as in a number by itself.
+template <class Method>
+inline constexpr bool goes_in_lanes = requires {
+    Method::template Integrator<double>::goes_in_lanes;
+};
+
 /// The method's `refusal`, null if it runs every scene.
 template <class Method>
 constexpr auto refusal_of() -> std::optional<std::string> (*)(const Coupling&) {

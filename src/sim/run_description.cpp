@@ -38,6 +38,7 @@ void check_fits(Precision precision, const ParameterInfo& info, double value) {
 void check_memory(const RunDescription& description, double needed_for_interactions) {
     const double particles = model(description.model).particles(description.scene);
     const double needed = particles * bytes_per_particle(description) + needed_for_interactions;
+    if (needed < 1e6) return;  // always there, and to ask the system takes longer than a short run
     const double there = available_memory();
     if (needed <= there && particles <= 4294967295.0) return;
     throw UsageError(fmt::format("{} particles need {:.3g} bytes of memory, {:.3g} are available: choose a smaller {}",

@@ -41,6 +41,21 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--out", "-", "--format", "xzy"}, {"unknown format 'xzy'", "csv", "xyz"}},
     {{"run", "--set", "n=3"}, {"'n'", "mesh", "dim"}},
     {{"run", "--set", "substeps=3"}, {"'substeps'", "rk4"}},
+    // ensembles
+    {{"run", "--spread", "k=1:2"}, {"--spread", "--ensemble"}},
+    {{"run", "--ensemble", "0"}, {"--ensemble", "a whole number from 1"}},
+    {{"run", "--ensemble", "2.5"}, {"--ensemble", "2.5"}},
+    {{"run", "--ensemble", "2", "--spread", "k"}, {"'k'", "name=a:b"}},
+    {{"run", "--ensemble", "2", "--spread", "k=1"}, {"'k=1'", "name=a:b"}},
+    {{"run", "--ensemble", "2", "--spread", "k=1:two"}, {"k", "two"}},
+    {{"run", "--ensemble", "2", "--spread", "k=0:1"}, {"k", "> 0"}},
+    {{"run", "--ensemble", "2", "--spread", "dt=0:1"}, {"dt", "> 0"}},
+    {{"run", "--ensemble", "2", "--spread", "kk=1:2"}, {"unknown parameter 'kk'", "dt", "compensated"}},
+    {{"run", "--ensemble", "2", "--spread", "kick=centre:corner"}, {"kick", "only numbers"}},
+    {{"run", "--ensemble", "3", "--spread", "dim=5:6"}, {"run 1", "dim", "5.5"}},
+    {{"run", "--ensemble", "2", "--spread", "k=1:2", "--spread", "k=1:3"}, {"'k'", "more than once"}},
+    {{"run", "--ensemble", "2", "--out", "a.xyz"}, {"--out", "CSV"}},
+    {{"run", "--ensemble", "2", "--out", "a.csv", "--every", "0"}, {"--every"}},
     // the shape of the command line
     {{"run", "10"}, {"unexpected '10'"}},
     {{"run", "--steps"}, {"--steps needs a value"}},
@@ -166,6 +181,9 @@ TEST(WrongUse, neighbours_of_the_refused_are_accepted) {
              {"run", "--out", "a.csv", "--series", "b.csv", "--summary", "-"},
              {"run", "--out", "a.txt", "--format", "xyz"},
              {"run", "--out", "/dev/null", "--series", "/dev/null"},
+             {"run", "--ensemble", "1", "--spread", "k=1:2", "--steps", "1"},
+             {"run", "--ensemble", "3", "--spread", "dim=5:7", "--steps", "1"},
+             {"run", "--ensemble", "2", "--steps", "0"},
          }) {
         const Outcome outcome = run_program(arguments, {.folder = folder.path()});
         EXPECT_EQ(outcome.code, 0) << testing::PrintToString(arguments) << outcome.err;

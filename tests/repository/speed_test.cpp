@@ -20,6 +20,8 @@ constexpr const char* measured =
     "chain-10,rk4,double,10,steplab,100,10,0123\n"
     "chain-10,rk4,double,10,loops plain,400,40,\n"
     "chain-10,rk4,double,10,odeint gather,250,25,\n"
+    "chain-10-ensemble,euler,double,10,steplab,90,9,45\n"
+    "chain-10-ensemble,euler,double,10,steplab ensemble,30,3,\n"
     "growing-chain,velocity-verlet,double,10,steplab,50,5,45\n"
     "growing-chain,velocity-verlet,double,100000,steplab,400000,4,67\n"
     "growing-chain,velocity-verlet,double,100000,steplab 2 threads,250000,2.5,67\n"
@@ -40,6 +42,11 @@ TEST_F(SpeedTables, name_the_best_peer_and_the_goal) {
     write(measured);
     EXPECT_THAT(speed_tables(folder_.path()),
                 HasSubstr("| chain-10 | `rk4` | double | 100.0 | 250.0 | odeint gather | 2.50 | 2.0 |"));
+}
+
+TEST_F(SpeedTables, tell_what_an_ensemble_gains) {
+    write(measured);
+    EXPECT_THAT(speed_tables(folder_.path()), HasSubstr("| `euler` | double | 90.0 | 30.0 | 3.00 | 2.4 |"));
 }
 
 TEST_F(SpeedTables, tell_what_most_threads_gain) {

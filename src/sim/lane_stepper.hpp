@@ -1,0 +1,133 @@
+#pragma once
+
+#include "methods/system.hpp"
+#include "models/layouts.hpp"
+#include "sim/kick_drift_steps.hpp"
+#include "sim/method_traits.hpp"
+#include "sim/runs_in_lanes.hpp"
+#include "sim/stepper_group.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace steplab {
+
+/// A method in one precision on one layout of forces, for a run in each lane.
+template <class Method, class T, template <class> class Force>
+class LaneStepper final : public StepperGroup {
+public:
+    using N = InLanes<T>;
+
+    /// At least one run, at most N::count. Lanes without a run of their own repeat the last one.
+    template <class Forces>
+    LaneStepper(std::span<const StepperSetup> runs, const std::vector<Forces>& forces)
+        : runs_(runs.size()),
+          system_(forces_in_lanes<Force, T>(forces),
+                  in_lanes<T>(runs.size(), [&](std::size_t run) { return static_cast<T>(runs[run].scene.drag); }),
+                  in_lanes<T>(runs.size(), [&](std::size_t run) { return static_cast<T>(runs[run].dt); })),
+          integrator_(runs.front().parameters) {
+        std::vector<State<T>> starts;
+        for (const StepperSetup& run : runs) starts.push_back(run.start.template state<T>());
+        integrator_.start(system_, state_in_lanes(starts));
+    }
+
+    std::size_t runs() const override { return runs_; }
+
+    void advance(std::uint64_t steps) override {
+        integrator_.advance(system_, steps);
+        seen_known_ = finite_known_ = bound_known_ = false;
+    }
+
+    std::uint64_t evaluations() const override { return system_.evaluations(); }
+
+    bool finite(std::size_t run) const override {
+        if (!finite_known_) differences_ = sum_of_differences();
+        finite_known_ = true;
+        return differences_[run] == T(0);
+    }
+
+    double energy_bound(std::size_t run) const override {
+        if constexpr (requires { system_.force().elastic_bound(seen_.displacement); }) {
+            if (!bound_known_) bound_ = kinetic(seen().velocity) + system_.force().elastic_bound(seen().displacement);
+            bound_known_ = true;
+            return static_cast<double>(bound_[run]);
+        } else {
+            return infinity;
+        }
+    }
+
+    void synchronised(std::size_t run, State<double>& out) const override {
+        take_lane(seen().displacement, run, out.displacement);
+        take_lane(seen().velocity, run, out.velocity);
+    }
+
+private:
+    using Integrator = typename Method::template Integrator<N>;
+
+    const State<N>& seen() const {
+        if (!seen_known_) integrator_.synchronised(system_, seen_);
+        seen_known_ = true;
+        return seen_;
+    }
+
+    /// Zero in the lanes of runs all of whose numbers are finite: only these are zero less themselves.
+    N sum_of_differences() const {
+        N sum(T(0));
+        Integrator::each_part(integrator_, [&](const Field<N>& part) {
+            for (const N& number : part.flat()) sum += number - number;
+        });
+        return sum;
+    }
+
+    static N kinetic(const Field<N>& velocity) {
+        N sum(T(0));
+        for (const N& number : velocity.flat()) sum += number * number;
+        return sum / N(T(2));
+    }
+
+    std::size_t runs_;
+    System<N, Force<N>> system_;
+    Integrator integrator_;
+    // of the present time, once asked for
+    mutable State<N> seen_;
+    mutable N differences_, bound_;
+    mutable bool seen_known_ = false, finite_known_ = false, bound_known_ = false;
+};
+
+template <class Method, class T, template <class> class Force, class Forces>
+std::unique_ptr<StepperGroup> make_group_on(std::span<const StepperSetup> runs, const Forces& first) {
+    using N = InLanes<T>;
+    std::vector<Forces> forces{first};
+    while (forces.size() < std::min(runs.size(), N::count))
+        forces.push_back(std::get<Forces>(runs[forces.size()].scene.forces));
+    if (2 * forces.size() < N::count) return nullptr;
+    return std::make_unique<LaneStepper<Method, T, Force>>(runs.first(forces.size()), forces);
+}
+
+template <class Method, class T>
+std::unique_ptr<StepperGroup> make_group_in(std::span<const StepperSetup> runs) {
+    const Forces& forces = runs.front().scene.forces;
+    if (const auto* line = std::get_if<LineForces>(&forces)) return make_group_on<Method, T, Line>(runs, *line);
+    if (const auto* grid = std::get_if<GridForces>(&forces)) return make_group_on<Method, T, Grid>(runs, *grid);
+    if (const auto* pairs = std::get_if<PairForces>(&forces)) return make_group_on<Method, T, Pairs>(runs, *pairs);
+    return nullptr;
+}
+
+/// `runs` has one at least, all alike (alike.hpp).
+template <class Method>
+std::unique_ptr<StepperGroup> make_stepper_group(std::span<const StepperSetup> runs) {
+    if constexpr (goes_in_lanes<Method>) {
+        return runs.front().precision == Precision::float_ ? make_group_in<Method, float>(runs)
+                                                           : make_group_in<Method, double>(runs);
+    } else {
+        return nullptr;
+    }
+}
+
+}  // namespace steplab
