@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -114,6 +115,16 @@ public:
     struct Mask {
         std::array<Bits, parts> bits;
         auto operator[](std::size_t lane) const { return bits[lane / width][lane % width]; }
+        /// True if it holds in a lane.
+        [[gnu::always_inline]] bool anywhere() const {
+            Bits found = bits[0];
+            for (std::size_t p = 1; p < parts; ++p) found |= bits[p];
+            std::array<std::uint64_t, bytes / 8> words;
+            std::memcpy(words.data(), &found, bytes);
+            std::uint64_t all = 0;
+            for (const std::uint64_t word : words) all |= word;
+            return all != 0;
+        }
     };
 
     RegisterLanes() = default;
@@ -153,6 +164,27 @@ public:
     }
 
     T operator[](std::size_t lane) const { return registers_[lane / width][lane % width]; }
+
+    /// Four numbers again and again.
+    [[gnu::always_inline]] static RegisterLanes repeated(const RegisterLanes<T, 4>& four) requires(Count % 4 == 0) {
+        return of_each([&](std::size_t p) {
+            if constexpr (width <= 4) {
+                return four.registers()[p % (4 / width)];
+            } else {
+                return repeated(four.registers()[0], Places{});
+            }
+        });
+    }
+    /// Each lane of the first half plus that lane of the second half.
+    [[gnu::always_inline]] RegisterLanes<T, Count / 2> halves_added() const {
+        using Half = RegisterLanes<T, Count / 2>;
+        if constexpr (parts > 1) {
+            return Half::of_registers([&](std::size_t p) { return registers_[p] + registers_[p + parts / 2]; });
+        } else {
+            return half<0>(std::make_index_sequence<width / 2>{}) +
+                   half<width / 2>(std::make_index_sequence<width / 2>{});
+        }
+    }
 
     /// Set in the first `number` lanes.
     [[gnu::always_inline]] static Mask first(std::size_t number) {
@@ -218,6 +250,11 @@ public:
     }
 
     explicit RegisterLanes(Register lanes) requires(parts == 1) : registers_{lanes} {}
+    /// f(p) is the p-th register.
+    template <class F>
+    [[gnu::always_inline]] static RegisterLanes of_registers(F f) {
+        return of_each(f);
+    }
     const std::array<Register, parts>& registers() const { return registers_; }
 
 private:
@@ -243,6 +280,16 @@ private:
     template <class F, std::size_t... I>
     [[gnu::always_inline]] static Register register_of_each(F f, std::size_t begin, std::index_sequence<I...>) {
         return Register{f(begin + I)...};
+    }
+    template <std::size_t... I>
+    [[gnu::always_inline]] static Register repeated(typename RegisterLanes<T, 4>::Register four,
+                                                    std::index_sequence<I...>) {
+        return __builtin_shufflevector(four, four, static_cast<int>(I % 4)...);
+    }
+    template <std::size_t First, std::size_t... I>
+    [[gnu::always_inline]] RegisterLanes<T, Count / 2> half(std::index_sequence<I...>) const {
+        return RegisterLanes<T, Count / 2>(
+            __builtin_shufflevector(registers_[0], registers_[0], static_cast<int>(I + First)...));
     }
     template <std::size_t Shift, std::size_t... I>
     [[gnu::always_inline]] static Register shuffled(Register a, Register b, std::index_sequence<I...>) {
