@@ -165,13 +165,23 @@ public:
 
     T operator[](std::size_t lane) const { return registers_[lane / width][lane % width]; }
 
-    /// Four numbers again and again.
-    [[gnu::always_inline]] static RegisterLanes repeated(const RegisterLanes<T, 4>& four) requires(Count % 4 == 0) {
-        return of_each([&](std::size_t p) {
-            if constexpr (width <= 4) {
-                return four.registers()[p % (4 / width)];
+    /// Calls f(lane, four) with the four numbers x[lane], y[lane], z[lane] and one without meaning.
+    template <class F>
+    [[gnu::always_inline]] static void each_vector(const RegisterLanes& x, const RegisterLanes& y,
+                                                   const RegisterLanes& z, F f) {
+        each_part([&](std::size_t p) {
+            if constexpr (width < 4) {
+                for (std::size_t lane = p * width; lane < (p + 1) * width; ++lane)
+                    f(lane, RegisterLanes<T, 4>::each([&](std::size_t c) { return (c == 0 ? x : c == 1 ? y : z)[lane]; }));
             } else {
-                return repeated(four.registers()[0], Places{});
+                const auto group = [&]<std::size_t G>(std::integral_constant<std::size_t, G>) {
+                    each_of_group<G>(interleaved<G>(x.registers_[p], y.registers_[p], z.registers_[p], Places{}),
+                                     p * width, f, std::make_index_sequence<width / 4>{});
+                };
+                [&]<std::size_t... G>(std::index_sequence<G...>) {
+                    (group(std::integral_constant<std::size_t, G>{}), ...);
+                }
+                (std::make_index_sequence<4>{});
             }
         });
     }
@@ -281,10 +291,20 @@ private:
     [[gnu::always_inline]] static Register register_of_each(F f, std::size_t begin, std::index_sequence<I...>) {
         return Register{f(begin + I)...};
     }
-    template <std::size_t... I>
-    [[gnu::always_inline]] static Register repeated(typename RegisterLanes<T, 4>::Register four,
-                                                    std::index_sequence<I...>) {
-        return __builtin_shufflevector(four, four, static_cast<int>(I % 4)...);
+    /// x, y, z, z of the lanes of the G-th quarter, one after the other.
+    template <std::size_t G, std::size_t... I>
+    [[gnu::always_inline]] static Register interleaved(Register x, Register y, Register z, std::index_sequence<I...>) {
+        constexpr std::size_t first = G * (width / 4);
+        const Register xy = __builtin_shufflevector(x, y, static_cast<int>(first + I / 4 + (I % 4 == 1 ? width : 0))...);
+        return __builtin_shufflevector(xy, z, static_cast<int>(I % 4 < 2 ? I : width + first + I / 4)...);
+    }
+    template <std::size_t G, class F, std::size_t... E>
+    [[gnu::always_inline]] static void each_of_group(Register vectors, std::size_t first, F f,
+                                                     std::index_sequence<E...>) {
+        (f(first + G * (width / 4) + E,
+           RegisterLanes<T, 4>(
+               __builtin_shufflevector(vectors, vectors, 4 * static_cast<int>(E), 4 * static_cast<int>(E) + 1, 4 * static_cast<int>(E) + 2, 4 * static_cast<int>(E) + 3))),
+         ...);
     }
     template <std::size_t First, std::size_t... I>
     [[gnu::always_inline]] RegisterLanes<T, Count / 2> half(std::index_sequence<I...>) const {

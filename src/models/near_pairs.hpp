@@ -3,7 +3,7 @@
 #include "core/field.hpp"
 #include "core/stages.hpp"
 #include "core/sum.hpp"
-#include "models/cluster_pairs.hpp"
+#include "models/pair_list.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
 #include "models/morse_pair.hpp"
@@ -17,7 +17,7 @@
 
 namespace steplab {
 
-/// NearPairForces at work. Float and double are summed by clusters (cluster_pairs.hpp), whose last bits hang on where
+/// NearPairForces at work. Float and double are summed by clusters (pair_list.hpp), whose last bits hang on where
 /// their list was made: on the way of a run, of which history() tells. All else goes through the neighbours of each
 /// particle in the order of their indices and depends on positions alone: so do the sums of other number types. Lists
 /// reach a little further than the forces and are renewed when somebody may have come in.
@@ -75,7 +75,7 @@ public:
             magnitude.add(energy < 0 ? -energy : energy);
         };
         if constexpr (by_clusters) {
-            ClusterPairs<T> pairs(forces_, morse_);
+            PairList<T> pairs(forces_, morse_);
             pairs.make_at(u);
             pairs.each_distance2(add);
         } else {
@@ -126,7 +126,7 @@ private:
     };
     template <class Number>
     struct SumsOf<true, Number> {
-        using Type = ClusterPairs<Number>;
+        using Type = PairList<Number>;
     };
 
     /// Calls f(i, j, square of the distance), i < j, for pairs nearer than the cut-off.
