@@ -4,6 +4,7 @@
 #include "core/stages.hpp"
 
 #include <type_traits>
+#include <utility>
 
 namespace steplab {
 
@@ -21,7 +22,7 @@ public:
 private:
     template <class Any>
     struct NumberOf {
-        using Type = Any;
+        using Type = std::remove_cvref_t<decltype(value_of(std::declval<Any>()))>;
     };
     template <SideBySide Any>
     struct NumberOf<Any> {
