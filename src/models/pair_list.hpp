@@ -84,7 +84,7 @@ public:
     void each_distance2(F f) const {
         for (const Row& row : rows_) {
             for (std::uint32_t k = row.begin; k < row.end; k += N::count) {
-                const Vector<N> d = distances<true>(row, k);
+                const Vector<N> d = row.wraps ? distances<true>(row, k) : distances<false>(row, k);
                 const N distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
                 for (std::size_t lane = 0; lane < N::count; ++lane) {
                     if (distance2[lane] < cutoff2_) f(distance2[lane]);
@@ -160,6 +160,9 @@ private:
         };
         const Vector<T> image{shift(0), shift(1), shift(2)};
         const T most = static_cast<T>(reach_ * reach_);
+        // in a small period a second image may be within reach; the nearest one is what counts
+        const T half = period_ > 0 ? static_cast<T>(period_ / 2) : std::numeric_limits<T>::infinity();
+        const auto nearest = [half](T d) { return d >= -half && d < half; };
         const T* const them = positions_.data() + other.cluster() * Clusters::size * stride;
         for (std::size_t i = 0; i < Clusters::size; ++i) {
             const T* const own = positions_.data() + (cluster * Clusters::size + i) * stride;
@@ -168,7 +171,7 @@ private:
                 const T* const their = them + j * stride;
                 const T dx = x - their[0], dy = y - their[1], dz = z - their[2];
                 found_[i][count[i]] = static_cast<std::uint32_t>((other.cluster() * Clusters::size + j) * stride);
-                count[i] += dx * dx + dy * dy + dz * dz < most ? 1 : 0;
+                count[i] += dx * dx + dy * dy + dz * dz < most && nearest(dx) && nearest(dy) && nearest(dz) ? 1 : 0;
             }
         }
     }

@@ -14,9 +14,13 @@ class Periods {
 public:
     explicit Periods(double length) : length_(static_cast<Number>(length)), inverse_(Number(1) / length_) {}
 
-    /// The multiple of the length that is nearest to a number below 10^6 lengths.
+    /// The multiple of the length that is nearest to a number below 10^6 lengths: a constant, where it has derivatives.
     [[gnu::always_inline]] N nearest(const N& x) const {
-        return N(length_) * ((x * N(inverse_) + N(rounding)) - N(rounding));
+        if constexpr (SideBySide<N>) {
+            return N(length_) * ((x * N(inverse_) + N(rounding)) - N(rounding));
+        } else {
+            return N(length_ * ((value_of(x) * inverse_ + rounding) - rounding));
+        }
     }
 
 private:

@@ -50,7 +50,7 @@ double worst(const NearPairForces& forces, const NearPairForces& plain, const Fi
 /// Positions up to 20 leave a distance an error of 20 eps, which b = 5 and the slope of the force multiply, in some
 /// forty pairs.
 template <class T>
-constexpr double tolerance = 20000 * static_cast<double>(std::numeric_limits<T>::epsilon());
+constexpr double tolerance = 5000 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
 template <class T>
 class CrystalForces : public testing::Test {};
@@ -58,7 +58,7 @@ using Numbers = testing::Types<float, double>;
 TYPED_TEST_SUITE(CrystalForces, Numbers);
 
 TYPED_TEST(CrystalForces, are_those_of_all_nearest_images) {
-    for (const double edge : {4.0, 5.0, 6.0, 9.0}) {
+    for (const double edge : {4.0, 5.0, 6.0, 9.0}) {  // the least has two images within the reach of lists
         for (const double spread : {0.05, 0.3, 2.0}) {
             const Scene scene = crystal({{"edge", edge}});
             const Field<TypeParam> u = scattered<TypeParam>(scene, spread);
@@ -69,12 +69,12 @@ TYPED_TEST(CrystalForces, are_those_of_all_nearest_images) {
 
 TYPED_TEST(CrystalForces, are_not_those_of_a_period_or_cut_off_slightly_different) {
     const Scene scene = crystal();
-    const Field<TypeParam> u = scattered<TypeParam>(scene, 0.3);
+    const Field<TypeParam> u = scattered<TypeParam>(scene, 0.05);
     NearPairForces other = forces_of(scene);
     other.period *= 1.01;
     EXPECT_GT(worst(forces_of(scene), other, u), tolerance<TypeParam>);
     other = forces_of(scene);
-    other.cutoff *= 1.1;
+    other.cutoff *= 0.8;
     EXPECT_GT(worst(forces_of(scene), other, u), tolerance<TypeParam>);
 }
 
@@ -218,7 +218,7 @@ TEST(Crystal, keeps_its_energy_under_velocity_verlet) {
     const double coarse = drift(run_of("crystal", "velocity-verlet", Precision::double_, 0.005, {}));
     EXPECT_LT(coarse, 0.02);
     EXPECT_LT(drift(run_of("crystal", "velocity-verlet", Precision::double_, 0.0025, {})), 0.75 * coarse);
-    EXPECT_GT(drift(run_of("crystal", "euler-forward", Precision::double_, 0.005, {})), 0.02);
+    EXPECT_GT(drift(run_of("crystal", "euler", Precision::double_, 0.005, {})), 2 * coarse);
 }
 
 // Lists are part of the state: kept and brought back in the middle of a run, or looked at, it goes on with the same
