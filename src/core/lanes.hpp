@@ -172,7 +172,9 @@ public:
         each_part([&](std::size_t p) {
             if constexpr (width < 4) {
                 for (std::size_t lane = p * width; lane < (p + 1) * width; ++lane)
-                    f(lane, RegisterLanes<T, 4>::each([&](std::size_t c) { return (c == 0 ? x : c == 1 ? y : z)[lane]; }));
+                    f(lane, RegisterLanes<T, 4>::each([&](std::size_t c) {
+                          return (c == 0 ? x : c == 1 ? y : z)[lane];
+                      }));
             } else {
                 const auto group = [&]<std::size_t G>(std::integral_constant<std::size_t, G>) {
                     each_of_group<G>(interleaved<G>(x.registers_[p], y.registers_[p], z.registers_[p], Places{}),
@@ -295,15 +297,16 @@ private:
     template <std::size_t G, std::size_t... I>
     [[gnu::always_inline]] static Register interleaved(Register x, Register y, Register z, std::index_sequence<I...>) {
         constexpr std::size_t first = G * (width / 4);
-        const Register xy = __builtin_shufflevector(x, y, static_cast<int>(first + I / 4 + (I % 4 == 1 ? width : 0))...);
+        const Register xy =
+            __builtin_shufflevector(x, y, static_cast<int>(first + I / 4 + (I % 4 == 1 ? width : 0))...);
         return __builtin_shufflevector(xy, z, static_cast<int>(I % 4 < 2 ? I : width + first + I / 4)...);
     }
     template <std::size_t G, class F, std::size_t... E>
     [[gnu::always_inline]] static void each_of_group(Register vectors, std::size_t first, F f,
                                                      std::index_sequence<E...>) {
-        (f(first + G * (width / 4) + E,
-           RegisterLanes<T, 4>(
-               __builtin_shufflevector(vectors, vectors, 4 * static_cast<int>(E), 4 * static_cast<int>(E) + 1, 4 * static_cast<int>(E) + 2, 4 * static_cast<int>(E) + 3))),
+        (f(first + G * (width / 4) + E, RegisterLanes<T, 4>(__builtin_shufflevector(
+                                            vectors, vectors, 4 * static_cast<int>(E), 4 * static_cast<int>(E) + 1,
+                                            4 * static_cast<int>(E) + 2, 4 * static_cast<int>(E) + 3))),
          ...);
     }
     template <std::size_t First, std::size_t... I>

@@ -113,8 +113,7 @@ private:
         std::array<N, Axes> e;
         for (std::size_t axis = 0; axis < Axes; ++axis) {
             const T* const along = u[axis];
-            e[axis] =
-                N::each([&](std::size_t lane) { return along[group.second[lane]] - along[group.first[lane]]; });
+            e[axis] = N::each([&](std::size_t lane) { return along[group.second[lane]] - along[group.first[lane]]; });
         }
         if constexpr (requires { system.force().difference(x_k, 0, 0); }) {
             if (k > 0) return e;

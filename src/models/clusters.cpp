@@ -78,8 +78,9 @@ void Clusters::sort(const Field<double>& positions) {
         }
         placed_[i] = {key, static_cast<std::uint32_t>(i)};
     }
-    std::sort(placed_.begin(), placed_.end(),
-              [](const Placed& a, const Placed& b) { return a.key != b.key ? a.key < b.key : a.particle < b.particle; });
+    std::sort(placed_.begin(), placed_.end(), [](const Placed& a, const Placed& b) {
+        return a.key != b.key ? a.key < b.key : a.particle < b.particle;
+    });
 }
 
 void Clusters::form_clusters(const Field<double>& positions) {
@@ -91,8 +92,8 @@ void Clusters::form_clusters(const Field<double>& positions) {
         const auto [key, particle] = placed_[k];
         const auto begin = static_cast<std::uint32_t>(bounds_.size());
         if (k == 0 || key >> 32 != placed_[k - 1].key >> 32) {
-            columns_.push_back({static_cast<std::uint32_t>(key >> 48), static_cast<std::uint32_t>(key >> 32 & 0xFFFF),
-                                begin, begin});
+            columns_.push_back(
+                {static_cast<std::uint32_t>(key >> 48), static_cast<std::uint32_t>(key >> 32 & 0xFFFF), begin, begin});
             slot = 0;
         }
         if (slot % size == 0) {

@@ -98,8 +98,8 @@ private:
     bool within_reach(const Bounds& a, const Bounds& b, const std::array<float, 3>& shift) const;
 
     double reach_ = 0, period_ = 0;
-    double width_ = 1;                ///< of a column
-    std::uint32_t columns_a_row_ = 0; ///< with a period
+    double width_ = 1;                 ///< of a column
+    std::uint32_t columns_a_row_ = 0;  ///< with a period
     std::vector<Placed> placed_;
     std::vector<std::uint32_t> places_;
     std::vector<Column> columns_;

@@ -158,8 +158,8 @@ std::optional<std::string> refusal(const ParameterValues& values) {
 Scene scene(const ParameterValues& values) {
     const Lottery lottery(values);
     const std::size_t n = lottery.count();
-    const NearPairForces forces{{n, values["m"], values["D"], values["k"], values["r0"]}, values["cutoff"],
-                                period(values)};
+    const NearPairForces forces{
+        {n, values["m"], values["D"], values["k"], values["r0"]}, values["cutoff"], period(values)};
     const Start start(n, [lottery, mean = lottery.mean_velocity()](std::size_t i) {
         return Start::Particle{lottery.position(i), lottery.velocity(i) - mean};
     });

@@ -9,8 +9,8 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <span>
+#include <string>
 
 namespace steplab {
 

@@ -3,11 +3,11 @@
 #include "core/field.hpp"
 #include "core/stages.hpp"
 #include "core/sum.hpp"
-#include "models/pair_list.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
 #include "models/morse_pair.hpp"
 #include "models/neighbours.hpp"
+#include "models/pair_list.hpp"
 #include "models/pairs.hpp"
 #include "models/periods.hpp"
 

@@ -102,7 +102,7 @@ private:
     struct Row {
         std::uint32_t first;       ///< number of its place
         std::uint32_t begin, end;  ///< of the first numbers of the others' places, in the list
-        bool wraps;  ///< others may be nearer in another image of space
+        bool wraps;                ///< others may be nearer in another image of space
     };
 
     /// Parts of the cut-off.
@@ -182,7 +182,8 @@ private:
         const auto nowhere = static_cast<std::uint32_t>(positions_.size() - stride);
         list_.insert(list_.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
         list_.resize((list_.size() + N::count - 1) / N::count * N::count, nowhere);
-        rows_.push_back({static_cast<std::uint32_t>(place * stride), begin, static_cast<std::uint32_t>(list_.size()), wraps});
+        rows_.push_back(
+            {static_cast<std::uint32_t>(place * stride), begin, static_cast<std::uint32_t>(list_.size()), wraps});
     }
 
     /// From others to the particle of a row.

@@ -156,9 +156,7 @@ private:
     using Vec = Vector<Lanes<T>>;
 
     /// Forces whose last bits hang on the way of the run.
-    static constexpr bool has_history = requires(const Force& force) {
-        force.history();
-    };
+    static constexpr bool has_history = requires(const Force& force) { force.history(); };
 
     static constexpr bool shows_registers =
         !is_plain<Method> && requires(const Integrator& integrator, const System<T, Force>& system) {

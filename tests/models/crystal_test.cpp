@@ -28,7 +28,8 @@ Field<T> scattered(const Scene& scene, double spread) {
     for (std::size_t i = 0; i < u.count(); ++i) {
         const auto along = [&](std::size_t n) { return spread * (static_cast<double>(n * 37 % 101) / 50 - 1); };
         const auto away = [&](std::size_t n) { return period * (static_cast<double>(n % 5) - 2); };
-        u.set(i, u.at(i) + Vec3{along(3 * i) + away(i), along(3 * i + 1) + away(i / 3), along(3 * i + 2) + away(i / 7)});
+        u.set(i,
+              u.at(i) + Vec3{along(3 * i) + away(i), along(3 * i + 1) + away(i / 3), along(3 * i + 2) + away(i / 7)});
     }
     return converted<T>(u);
 }
@@ -107,7 +108,8 @@ TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
         last = followed.history();
         for (std::size_t k = 0; k < a.flat().size(); ++k) {
             // the same pulls in another order: forty below 100
-            ASSERT_NEAR(a.flat()[k], fresh.flat()[k], 4000 * static_cast<double>(std::numeric_limits<TypeParam>::epsilon()))
+            ASSERT_NEAR(a.flat()[k], fresh.flat()[k],
+                        4000 * static_cast<double>(std::numeric_limits<TypeParam>::epsilon()))
                 << step;
             state.velocity.flat()[k] += TypeParam(0.005) * a.flat()[k];
             state.displacement.flat()[k] += TypeParam(0.005) * state.velocity.flat()[k];
