@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -115,16 +114,6 @@ public:
     struct Mask {
         std::array<Bits, parts> bits;
         auto operator[](std::size_t lane) const { return bits[lane / width][lane % width]; }
-        /// True if it holds in a lane.
-        [[gnu::always_inline]] bool anywhere() const {
-            Bits found = bits[0];
-            for (std::size_t p = 1; p < parts; ++p) found |= bits[p];
-            std::array<std::uint64_t, bytes / 8> words;
-            std::memcpy(words.data(), &found, bytes);
-            std::uint64_t all = 0;
-            for (const std::uint64_t word : words) all |= word;
-            return all != 0;
-        }
     };
 
     RegisterLanes() = default;
@@ -164,39 +153,6 @@ public:
     }
 
     T operator[](std::size_t lane) const { return registers_[lane / width][lane % width]; }
-
-    /// Calls f(lane, four) with the four numbers x[lane], y[lane], z[lane] and one without meaning.
-    template <class F>
-    [[gnu::always_inline]] static void each_vector(const RegisterLanes& x, const RegisterLanes& y,
-                                                   const RegisterLanes& z, F f) {
-        each_part([&](std::size_t p) {
-            if constexpr (width < 4) {
-                for (std::size_t lane = p * width; lane < (p + 1) * width; ++lane)
-                    f(lane, RegisterLanes<T, 4>::each([&](std::size_t c) {
-                          return (c == 0 ? x : c == 1 ? y : z)[lane];
-                      }));
-            } else {
-                const auto group = [&]<std::size_t G>(std::integral_constant<std::size_t, G>) {
-                    each_of_group<G>(interleaved<G>(x.registers_[p], y.registers_[p], z.registers_[p], Places{}),
-                                     p * width, f, std::make_index_sequence<width / 4>{});
-                };
-                [&]<std::size_t... G>(std::index_sequence<G...>) {
-                    (group(std::integral_constant<std::size_t, G>{}), ...);
-                }
-                (std::make_index_sequence<4>{});
-            }
-        });
-    }
-    /// Each lane of the first half plus that lane of the second half.
-    [[gnu::always_inline]] RegisterLanes<T, Count / 2> halves_added() const {
-        using Half = RegisterLanes<T, Count / 2>;
-        if constexpr (parts > 1) {
-            return Half::of_registers([&](std::size_t p) { return registers_[p] + registers_[p + parts / 2]; });
-        } else {
-            return half<0>(std::make_index_sequence<width / 2>{}) +
-                   half<width / 2>(std::make_index_sequence<width / 2>{});
-        }
-    }
 
     /// Set in the first `number` lanes.
     [[gnu::always_inline]] static Mask first(std::size_t number) {
@@ -262,11 +218,6 @@ public:
     }
 
     explicit RegisterLanes(Register lanes) requires(parts == 1) : registers_{lanes} {}
-    /// f(p) is the p-th register.
-    template <class F>
-    [[gnu::always_inline]] static RegisterLanes of_registers(F f) {
-        return of_each(f);
-    }
     const std::array<Register, parts>& registers() const { return registers_; }
 
 private:
@@ -292,27 +243,6 @@ private:
     template <class F, std::size_t... I>
     [[gnu::always_inline]] static Register register_of_each(F f, std::size_t begin, std::index_sequence<I...>) {
         return Register{f(begin + I)...};
-    }
-    /// x, y, z, z of the lanes of the G-th quarter, one after the other.
-    template <std::size_t G, std::size_t... I>
-    [[gnu::always_inline]] static Register interleaved(Register x, Register y, Register z, std::index_sequence<I...>) {
-        constexpr std::size_t first = G * (width / 4);
-        const Register xy =
-            __builtin_shufflevector(x, y, static_cast<int>(first + I / 4 + (I % 4 == 1 ? width : 0))...);
-        return __builtin_shufflevector(xy, z, static_cast<int>(I % 4 < 2 ? I : width + first + I / 4)...);
-    }
-    template <std::size_t G, class F, std::size_t... E>
-    [[gnu::always_inline]] static void each_of_group(Register vectors, std::size_t first, F f,
-                                                     std::index_sequence<E...>) {
-        (f(first + G * (width / 4) + E, RegisterLanes<T, 4>(__builtin_shufflevector(
-                                            vectors, vectors, 4 * static_cast<int>(E), 4 * static_cast<int>(E) + 1,
-                                            4 * static_cast<int>(E) + 2, 4 * static_cast<int>(E) + 3))),
-         ...);
-    }
-    template <std::size_t First, std::size_t... I>
-    [[gnu::always_inline]] RegisterLanes<T, Count / 2> half(std::index_sequence<I...>) const {
-        return RegisterLanes<T, Count / 2>(
-            __builtin_shufflevector(registers_[0], registers_[0], static_cast<int>(I + First)...));
     }
     template <std::size_t Shift, std::size_t... I>
     [[gnu::always_inline]] static Register shuffled(Register a, Register b, std::index_sequence<I...>) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/lane_vectors.hpp"
 #include "core/lanes.hpp"
 #include "models/clusters.hpp"
 #include "models/forces.hpp"
@@ -211,7 +212,7 @@ private:
             sum = sum + pull;
             const std::uint32_t* const others = list_.data() + k;
             T* const sums = sums_.data();
-            N::each_vector(pull.x, pull.y, pull.z, [=](std::size_t lane, const Four& of_lane) {
+            each_vector(pull.x, pull.y, pull.z, [=](std::size_t lane, const Four& of_lane) {
                 T* const to = sums + others[lane];
                 (Four::load(to) - of_lane).store(to);
             });
@@ -226,7 +227,7 @@ private:
     template <std::size_t Count>
     [[gnu::always_inline]] static T total(const RegisterLanes<T, Count>& lanes) {
         if constexpr (Count > 4) {
-            return total(lanes.halves_added());
+            return total(halves_added(lanes));
         } else {
             return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]);
         }
