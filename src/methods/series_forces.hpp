@@ -73,7 +73,7 @@ public:
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             const Group& group = groups_[g];
             SeriesTape<T> tape(tapes_.data() + g * kept_ * length, length, k);
-            const auto pull = pulls<Axes>(tape, group, formulas[group.kind], x_k);
+            const auto pull = pulls<Axes>(tape, group, formulas[group.kind], differences<Axes>(system, group, x_k, k));
             singular_ = singular_ || tape.singular();
             for (std::size_t axis = 0; axis < Axes; ++axis) scatter(group, pull[axis], a[axis]);
         }
@@ -105,16 +105,37 @@ private:
     static std::array<T*, 3> components(Field<T>& field) { return {field.x(), field.y(), field.z()}; }
     static std::array<const T*, 3> components(const Field<T>& field) { return {field.x(), field.y(), field.z()}; }
 
+    /// Coefficient k of what the formula of a group is given.
+    template <std::size_t Axes, class System>
+    [[gnu::always_inline]] static std::array<N, Axes> differences(const System& system, const Group& group,
+                                                                  const Field<T>& x_k, std::size_t k) {
+        const std::array<const T*, 3> u = components(x_k);
+        std::array<N, Axes> e;
+        for (std::size_t axis = 0; axis < Axes; ++axis) {
+            const T* const along = u[axis];
+            e[axis] = N::each([&](std::size_t lane) { return along[group.second[lane]] - along[group.first[lane]]; });
+        }
+        if constexpr (requires { system.force().difference(x_k, 0, 0); }) {
+            if (k > 0) return e;
+            const auto of = [&](auto component) {
+                return N::each([&](std::size_t lane) {
+                    return component(system.force().difference(x_k, group.first[lane], group.second[lane]));
+                });
+            };
+            e[0] = of([](const Vector<T>& d) { return d.x; });
+            if constexpr (Axes > 1) e[1] = of([](const Vector<T>& d) { return d.y; });
+            if constexpr (Axes > 2) e[2] = of([](const Vector<T>& d) { return d.z; });
+        }
+        return e;
+    }
+
     /// Coefficient k of the pulls of a group. Flattened, so that the formula's intermediate results stay in registers.
     template <std::size_t Axes, class Formula>
     [[gnu::flatten]] static std::array<N, Axes> pulls(SeriesTape<T>& tape, const Group& group, const Formula& formula,
-                                                      const Field<T>& field) {
-        const std::array<const T*, 3> u = components(field);
+                                                      const std::array<N, Axes>& e) {
         const auto variable = [&](std::size_t axis) {
             if (axis >= Axes) return Series<T>(T(0));
-            const T* const along = u[axis];
-            return Series<T>::variable(
-                tape, N::each([&](std::size_t lane) { return along[group.second[lane]] - along[group.first[lane]]; }));
+            return Series<T>::variable(tape, e[axis]);
         };
         const Series<T> x = variable(0), y = variable(1), z = variable(2);
         const auto pull = formula(x, y, z);

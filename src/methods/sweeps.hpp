@@ -63,7 +63,17 @@ struct PositionsOf {
     [[gnu::always_inline]] auto get_from(std::size_t particle) const { return particles.get_from(Q, particle); }
 };
 
-/// Calls sink(r, a) with the accelerations of every register r of particles.
+/// Accelerations for somebody who looks: where they hang on the way of a run, that stays as it is.
+template <class T, class Force>
+void look_at_accelerations(Force& force, const Field<T>& x, Field<T>& a) {
+    if constexpr (requires { force.look_at_accelerations(x, a); }) {
+        force.look_at_accelerations(x, a);
+    } else {
+        force.accelerations(x, a);
+    }
+}
+
+/// Calls sink(r, a) with the accelerations of every register r of particles, for somebody who looks.
 template <class T, class Force, class Sink>
 void look_at(Force& force, const Field<T>& x, Sink sink) {
     const std::size_t registers = (x.count() + Lanes<T>::count - 1) / Lanes<T>::count;
@@ -71,7 +81,7 @@ void look_at(Force& force, const Field<T>& x, Sink sink) {
         typename Force::Sweep().to(force, registers, FieldLanes<const T>(x), sink);
     } else {
         Field<T> accelerations(x.count());
-        force.accelerations(x, accelerations);
+        look_at_accelerations(force, x, accelerations);
         for (std::size_t r = 0; r < registers; ++r) sink(r, FieldLanes<const T>(accelerations).get(r));
     }
 }

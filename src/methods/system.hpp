@@ -50,7 +50,7 @@ public:
     }
 
     /// The same for somebody who looks: not counted.
-    void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { force_.accelerations(x, a); }
+    void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { look_at_accelerations(force_, x, a); }
 
     /// Takes `steps` steps that consist of `parts` sweeps each over the particles, whose quantities are `fields`
     /// (sweeps.hpp); an evaluation each.
@@ -106,7 +106,8 @@ public:
     void evaluations(std::uint64_t count) { evaluations_ = count; }
 
 private:
-    mutable Force force_;  ///< its memory is scratch: accelerations depend on positions alone
+    /// Its memory is scratch, but for a history() on which accelerations hang beside positions.
+    mutable Force force_;
     std::optional<typename detail::AtStages<T, Force>::Type> force_at_stages_;  ///< once asked for
     Sweeps<T, Force> sweeps_;
     T drag_;

@@ -52,6 +52,9 @@ struct PairForces {
 /// Morse potential between pairs nearer than `cutoff`, shifted to zero there.  near_pairs.hpp
 struct NearPairForces : PairForces {
     double cutoff = 1;
+    /// Not 0: space repeats itself after this length along each axis, and a particle acts on the nearest image of
+    /// another. At least twice the cut-off, so that no second image acts.
+    double period = 0;
 };
 
 using Forces = std::variant<ConstantForces, LineForces, GridForces, PairForces, NearPairForces>;

@@ -12,6 +12,7 @@ namespace steplab {
 //   coupling()                  which particles act on which
 //   formulas()                  an array of the kinds of interaction: each makes of the difference e = u_j - u_i, in
 //                               any number type, the acceleration of i; that of j is its opposite
+//   difference(u, i, j)         that e, where it is not just u_j - u_i: in a space that repeats itself
 //   each_interaction(u, f)      calls f(i, j, kind) once for every pair of particles i, j that interact at the
 //                               displacements u, kind after kind, always in the same order
 //   external(i)                 the acceleration that no other particle causes
@@ -61,14 +62,23 @@ Block<T> derivative(const Formula& formula, const Vector<T>& e) {
     return block;
 }
 
+/// The difference e of two particles' displacements that the formulas are given.
+template <class Force, class T>
+Vector<T> difference(const Force& force, const Field<T>& u, std::size_t i, std::size_t j) {
+    if constexpr (requires { force.difference(u, i, j); }) {
+        return force.difference(u, i, j);
+    } else {
+        return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+    }
+}
+
 /// Calls f(i, j, block) for every pair that interacts: how the acceleration of i changes with u_j; that of j changes
 /// with u_i by the same block, both with their own by its opposite.
 template <class Force, class T, class F>
 void each_block(Force& force, const Field<T>& u, F f) {
     const auto formulas = force.formulas();
     force.each_interaction(u, [&](std::size_t i, std::size_t j, std::size_t kind) {
-        const Vector<T> e{u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
-        f(i, j, derivative(formulas[kind], e));
+        f(i, j, derivative(formulas[kind], difference(force, u, i, j)));
     });
 }
 

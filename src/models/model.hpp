@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace steplab {
 
@@ -53,6 +54,8 @@ struct Model {
     std::shared_ptr<const ExactSolution> (*exact)(const ParameterValues&);
     /// Displacements where the scene comes to rest under its drag. Null where it does not, or nobody knows where.
     Field<double> (*resting)(const ParameterValues&) = nullptr;
+    /// Why these values, each allowed by itself, are no scene together; none if they are. Null: they always are.
+    std::optional<std::string> (*refusal)(const ParameterValues&) = nullptr;
 };
 
 }  // namespace steplab

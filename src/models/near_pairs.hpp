@@ -7,20 +7,24 @@
 #include "models/interactions.hpp"
 #include "models/morse_pair.hpp"
 #include "models/neighbours.hpp"
+#include "models/pair_list.hpp"
 #include "models/pairs.hpp"
+#include "models/periods.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
+#include <type_traits>
 
 namespace steplab {
 
-/// NearPairForces at work: every particle sums the pulls of those nearer than the cut-off in the order of their
-/// indices. The list of neighbours reaches a little further and is renewed when somebody may have come in; as pairs
-/// beyond the cut-off add nothing, the sums do not depend on when that was.
+/// NearPairForces at work. Float and double are summed by clusters (pair_list.hpp), whose last bits hang on where
+/// their list was made: on the way of a run, of which history() tells. All else goes through the neighbours of each
+/// particle in the order of their indices and depends on positions alone: so do the sums of other number types. Lists
+/// reach a little further than the forces and are renewed when somebody may have come in.
 template <class T>
 class NearPairs {
+    static constexpr bool by_clusters = std::is_same_v<T, float> || std::is_same_v<T, double>;
+
 public:
     explicit NearPairs(const NearPairForces& forces)
         : forces_(forces),
@@ -28,8 +32,10 @@ public:
           morse_(morse_constants<T>(forces)),
           cutoff_(static_cast<T>(forces.cutoff)),
           shift_(morse_energy(morse_, cutoff_)),
+          periods_(forces.period > 0 ? forces.period : 1),
           balance_(forces),
-          neighbours_(forces.cutoff) {}
+          sums_(forces, morse_),
+          neighbours_(forces.cutoff, forces.period) {}
 
     /// The same forces in another number type.
     template <class N>
@@ -38,33 +44,42 @@ public:
     }
 
     void accelerations(const Field<T>& u, Field<T>& a) {
-        neighbours_.follow(u);
-        for (std::size_t i = 0; i < count_; ++i) {
-            Vector<T> sum{T(0), T(0), T(0)};
-            const auto others = neighbours_.of(i);
-            for (std::size_t k = 0; k < others.size(); k += width)
-                add_pulls(u, i, others.subspan(k, std::min(width, others.size() - k)), sum);
-            a.x()[i] = sum.x;
-            a.y()[i] = sum.y;
-            a.z()[i] = sum.z;
+        if constexpr (by_clusters) {
+            if (!sums_.holds_at(u)) sums_.make_at(u);
+            sums_.accelerations(u, a);
+        } else {
+            sum_neighbours(u, a);
         }
         balance_.take_off(a);
     }
 
+    /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does.
+    void look_at_accelerations(const Field<T>& u, Field<T>& a) {
+        if constexpr (by_clusters) {
+            if (!sums_.holds_at(u)) return NearPairs(forces_).accelerations(u, a);
+        }
+        accelerations(u, a);
+    }
+
+    /// Where the list of clusters was made, empty before the first evaluation: with the positions, all that
+    /// accelerations hang on.
+    const Field<T>& history() const requires(by_clusters) { return sums_.made_at(); }
+    void history(const Field<T>& made_at) requires(by_clusters) { sums_.make_at(made_at); }
+
     /// V(r) - V(cut-off), so that the energy does not jump where pairs come in.
-    PotentialEnergy potential(const Field<T>& u) {
-        neighbours_.follow(u);
+    PotentialEnergy potential(const Field<T>& u) const {
         CompensatedSum value, magnitude;
-        for (std::size_t i = 0; i < count_; ++i) {
-            for (const std::uint32_t j : neighbours_.of(i)) {
-                if (j < i) continue;
-                const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
-                const T distance2 = dx * dx + dy * dy + dz * dz;
-                if (!(distance2 < cutoff_ * cutoff_)) continue;
-                const double energy = static_cast<double>(morse_energy(morse_, square_root(distance2)) - shift_);
-                value.add(energy);
-                magnitude.add(energy < 0 ? -energy : energy);
-            }
+        const auto add = [&](const T& distance2) {
+            const double energy = static_cast<double>(morse_energy(morse_, square_root(distance2)) - shift_);
+            value.add(energy);
+            magnitude.add(energy < 0 ? -energy : energy);
+        };
+        if constexpr (by_clusters) {
+            PairList<T> pairs(forces_, morse_);
+            pairs.make_at(u);
+            pairs.each_distance2(add);
+        } else {
+            NearPairs(forces_).each_near_pair(u, [&](std::size_t, std::size_t, const T& distance2) { add(distance2); });
         }
         return {value.value(), magnitude.value(), 0};
     }
@@ -80,10 +95,14 @@ public:
             }
         }
     }
-    /// The vector from particle i to particle j.
+    /// The vector from particle i to the nearest image of particle j.
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
-        return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+        const Vector<T> d{u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+        if (forces_.period == 0) return d;
+        return {d.x - periods_.nearest(d.x), d.y - periods_.nearest(d.y), d.z - periods_.nearest(d.z)};
     }
+    /// What the formulas are given.
+    Vector<T> difference(const Field<T>& u, std::size_t i, std::size_t j) const { return separation(u, i, j); }
 
     Coupling coupling() const { return {Coupling::Kind::near, count_}; }
     bool moves(std::size_t) const { return true; }
@@ -94,46 +113,58 @@ public:
     /// The pairs nearer than the cut-off.
     template <class F>
     void each_interaction(const Field<T>& u, F f) {
+        each_near_pair(u, [&](std::size_t i, std::size_t j, const T&) { f(i, j, std::size_t(0)); });
+    }
+
+private:
+    struct NoClusters {
+        NoClusters(const NearPairForces&, const MorseConstants<T>&) {}
+    };
+    template <bool, class Number>
+    struct SumsOf {
+        using Type = NoClusters;
+    };
+    template <class Number>
+    struct SumsOf<true, Number> {
+        using Type = PairList<Number>;
+    };
+
+    /// Calls f(i, j, square of the distance), i < j, for pairs nearer than the cut-off.
+    template <class F>
+    void each_near_pair(const Field<T>& u, F f) {
         neighbours_.follow(u);
         for (std::size_t i = 0; i < count_; ++i) {
             for (const std::uint32_t j : neighbours_.of(i)) {
                 if (j < i) continue;
-                const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
-                if (dx * dx + dy * dy + dz * dz < cutoff_ * cutoff_) f(i, std::size_t(j), std::size_t(0));
+                const Vector<T> d = separation(u, i, j);
+                const T distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
+                if (distance2 < cutoff_ * cutoff_) f(i, std::size_t(j), distance2);
             }
         }
     }
 
-private:
-    using N = Lanes<T>;
-    static constexpr std::size_t width = N::count;
+    void sum_neighbours(const Field<T>& u, Field<T>& a) {
+        neighbours_.follow(u);
+        for (std::size_t i = 0; i < count_; ++i) {
+            Vector<T> sum{T(0), T(0), T(0)};
+            for (const std::uint32_t j : neighbours_.of(i)) add_pull(separation(u, j, i), sum);
+            a.x()[i] = sum.x;
+            a.y()[i] = sum.y;
+            a.z()[i] = sum.z;
+        }
+    }
 
+    void add_pull(const Vector<T>& d, Vector<T>& sum) const {
+        const auto near = d.x * d.x + d.y * d.y + d.z * d.z < cutoff_ * cutoff_;
+        if (nowhere(near)) return;
+        const Vector<T> pull = morse_pull(morse_, d);
+        const T zero(T(0));
+        sum = sum + Vector<T>{where(near, pull.x, zero), where(near, pull.y, zero), where(near, pull.z, zero)};
+    }
     static bool nowhere(bool near) { return !near; }
     template <class Mask>
     static bool nowhere(const Mask& near) {
         return !any(near, T::count);
-    }
-
-    /// The pulls of others at particle i, no more of them than lanes, computed side by side and added one by one.
-    [[gnu::always_inline]] void add_pulls(const Field<T>& u, std::size_t i, std::span<const std::uint32_t> others,
-                                          Vector<T>& sum) const {
-        const auto from_others = [&](const T* along) {
-            return N(along[i]) -
-                   N::each([&](std::size_t lane) { return along[others[std::min(lane, others.size() - 1)]]; });
-        };
-        const Vector<N> d{from_others(u.x()), from_others(u.y()), from_others(u.z())};
-        const auto near = d.x * d.x + d.y * d.y + d.z * d.z < N(cutoff_ * cutoff_);
-        if constexpr (width == 1) {
-            if (nowhere(near)) return;
-        }
-        const auto morse = constants_as<N>(morse_);
-        const Vector<N> pull = morse_pull(morse, d);
-        const N zero(T(0)), x = where(near, pull.x, zero), y = where(near, pull.y, zero), z = where(near, pull.z, zero);
-        for (std::size_t lane = 0; lane < others.size(); ++lane) {
-            sum.x += x[lane];
-            sum.y += y[lane];
-            sum.z += z[lane];
-        }
     }
 
     NearPairForces forces_;
@@ -141,7 +172,9 @@ private:
     MorseConstants<T> morse_;
     T cutoff_;
     T shift_;
+    Periods<T> periods_;
     Balance<T> balance_;
+    typename SumsOf<by_clusters, T>::Type sums_;
     Neighbours neighbours_;
 };
 

@@ -14,10 +14,11 @@ namespace steplab {
 
 /// For each particle the others within reach, in the order of their indices (a Verlet list; Verlet, Phys. Rev. 159
 /// (1967) 98). Reach is the cut-off and a skin, so that the list stays right until particles have moved half the skin.
+/// With a period (not 0) space repeats itself along each axis, and the nearest image of a particle counts.
 class Neighbours {
 public:
-    explicit Neighbours(double cutoff)
-        : cutoff_(cutoff), skin_(0.15 * cutoff), allowed_(0.45 * skin_), reach_(cutoff + skin_) {}
+    explicit Neighbours(double cutoff, double period = 0)
+        : cutoff_(cutoff), period_(period), skin_(0.15 * cutoff), allowed_(0.45 * skin_), reach_(cutoff + skin_) {}
 
     /// Renews the lists if a particle has moved too far since they were made. Of numbers side by side, every lane is a
     /// position that the lists must be right for: they reach further by what the lanes are apart.
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    /// Particle `index` in the cell with this key; keys of cells that follow each other in z are consecutive.
+    /// Particle `index` in the cell with this key.
     struct Placed {
         std::uint64_t cell;
         std::uint32_t index;
@@ -89,11 +90,18 @@ private:
 
     void make_lists();
     void append_neighbours(std::size_t i, std::span<const Placed> placed);
+    std::uint64_t coordinate(double position) const;
+    std::uint64_t beside(std::uint64_t coordinate, int cells) const;
+    std::uint64_t key(Vec3 position) const;
+    Vec3 nearest_image(Vec3 d) const;
 
     double cutoff_;
+    double period_;
     double skin_;
     double allowed_;  ///< a particle may be that far from where it was: half the skin less what rounding may hide
     double reach_;
+    double cell_ = 1;          ///< side of a cell
+    std::uint64_t cells_ = 0;  ///< along an axis, with a period
     std::vector<Vec3> made_at_;
     std::vector<std::uint32_t> list_;
     std::vector<std::size_t> begin_;

@@ -64,7 +64,7 @@ public:
     /// Calls f(number) for the numbers that the scene's parameters make.
     template <class Self, class F>
     static void each_constant(Self& self, F f) {
-        f(self.morse_.depth), f(self.morse_.b), f(self.morse_.r0), f(self.morse_.strength);
+        f(self.morse_.depth), f(self.morse_.b), f(self.morse_.r0), f(self.morse_.strength), f(self.morse_.b2);
     }
 
     void accelerations(const Field<T>& u, Field<T>& a) {

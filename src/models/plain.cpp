@@ -57,6 +57,7 @@ template <class T>
 void Plain<T>::add(const NearPairForces& forces) {
     add(static_cast<const PairForces&>(forces));
     cutoff_ = static_cast<T>(forces.cutoff);
+    period_ = static_cast<T>(forces.period);
 }
 
 template <class T>
@@ -91,9 +92,13 @@ void Plain<T>::add_springs(const Field<T>& positions, Field<T>& a) const {
 template <class T>
 void Plain<T>::add_pairs(const Field<T>& positions, Field<T>& a) const {
     const T *const x = positions.x(), *const y = positions.y(), *const z = positions.z();
+    const auto to_nearest_image = [period = period_](T d) {
+        return period > T(0) ? d - period * std::nearbyint(d / period) : d;
+    };
     for (std::size_t i = 0; i < positions.count(); ++i) {
         for (std::size_t j = i + 1; j < positions.count(); ++j) {
-            const T dx = x[i] - x[j], dy = y[i] - y[j], dz = z[i] - z[j];
+            const T dx = to_nearest_image(x[i] - x[j]), dy = to_nearest_image(y[i] - y[j]),
+                    dz = to_nearest_image(z[i] - z[j]);
             const T distance = std::sqrt(dx * dx + dy * dy + dz * dz);
             if (!(distance > T(0)) || (cutoff_ > T(0) && !(distance < cutoff_))) continue;
             const T e = exponential(-(b_ * (distance - r0_)));

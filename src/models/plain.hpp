@@ -41,7 +41,7 @@ private:
     T constant_step_ = T(0);
     T gravity_ = T(0);
     bool morse_ = false;
-    T depth_ = T(0), b_ = T(0), r0_ = T(0), cutoff_ = T(0);
+    T depth_ = T(0), b_ = T(0), r0_ = T(0), cutoff_ = T(0), period_ = T(0);
 };
 
 }  // namespace steplab

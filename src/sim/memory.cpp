@@ -33,7 +33,7 @@ double pairs(const PairForces& forces, const Scene&) {
     return static_cast<double>(forces.count) * static_cast<double>(forces.count) / 2;
 }
 double pairs(const NearPairForces& forces, const Scene& scene) {
-    Neighbours neighbours(forces.cutoff);
+    Neighbours neighbours(forces.cutoff, forces.period);
     neighbours.follow(scene.start.state().displacement);
     double sum = 0;
     for (std::size_t i = 0; i < forces.count; ++i) sum += static_cast<double>(neighbours.of(i).size());

@@ -106,6 +106,9 @@ void check(const RunDescription& description) {
             if (info.kind == ParameterInfo::Kind::real) check_fits(description.precision, info, values[info.name]);
         }
     }
+    if (const auto& refusal = model(description.model).refusal) {
+        if (const auto refused = refusal(description.scene)) throw UsageError(*refused);
+    }
     check_memory(description, 0);
     check_method(description);
 }

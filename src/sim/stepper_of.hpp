@@ -109,6 +109,7 @@ public:
             saved.parts[count++] = part;
         });
         saved.progress = progress();
+        if constexpr (has_history) saved.history = system_.force().history();
         saved.evaluations = system_.evaluations();
     }
 
@@ -117,12 +118,14 @@ public:
         auto part = saved.parts.begin();
         Integrator::each_part(integrator_, [&](Field<T>& mine) { mine = *part++; });
         if constexpr (has_progress<Integrator>) integrator_.progress(saved.progress);
+        if constexpr (has_history) system_.force().history(saved.history);
         system_.evaluations(saved.evaluations);
     }
 
     std::size_t bytes() const override {
         std::size_t sum = 0;
         Integrator::each_part(integrator_, [&](const Field<T>& part) { sum += part.flat().size_bytes(); });
+        if constexpr (has_history) sum += system_.force().history().flat().size_bytes();
         return sum;
     }
 
@@ -151,6 +154,9 @@ public:
 private:
     using Integrator = typename Method::template Integrator<T>;
     using Vec = Vector<Lanes<T>>;
+
+    /// Forces whose last bits hang on the way of the run.
+    static constexpr bool has_history = requires(const Force& force) { force.history(); };
 
     static constexpr bool shows_registers =
         !is_plain<Method> && requires(const Integrator& integrator, const System<T, Force>& system) {
@@ -187,6 +193,7 @@ private:
     struct Saved {
         std::vector<Field<T>> parts;
         ProgressOf<Integrator> progress{};
+        Field<T> history;  ///< of the force, if it has one
         std::uint64_t evaluations = 0;
     };
 

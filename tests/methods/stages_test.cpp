@@ -58,10 +58,25 @@ TEST(StageLanes, give_the_bits_of_plain_numbers_in_every_layout) {
     expect_the_same_bits(LineForces{.count = 19, .first_fixed = false, .mass = 2, .k = 3, .rest_length = 1}, 19);
     expect_the_same_bits(GridForces{.rows = 4, .columns = 4, .mass = 2, .k = 3, .rest_length = 1}, 16);
     expect_the_same_bits(PairForces{.count = 7}, 7);
+}
+
+// In float and double near pairs are summed in the order of lists, at stages in that of indices.
+TEST(StageLanes, give_near_pairs_but_for_the_order_of_sums) {
     NearPairForces near;
     near.count = 20;
     near.cutoff = 3;
-    expect_the_same_bits(near, 20);
+    for (const double period : {0.0, 6.5}) {
+        near.period = period;
+        const auto [lanes, plain] = accelerations_at_stages<Stages<double>>(near, 20);
+        const auto arrays = accelerations_at_stages<PlainLanes<double, stage_count>>(near, 20).first;
+        each_coordinate(lanes, [&, &lanes = lanes, &plain = plain](std::size_t k) {
+            for (std::size_t stage = 0; stage < stage_count; ++stage) {
+                // sums of at most 19 numbers below 1
+                EXPECT_NEAR(lanes.flat()[k][stage], plain[stage].flat()[k], 1e-14);
+                EXPECT_EQ(arrays.flat()[k][stage], lanes.flat()[k][stage]);
+            }
+        });
+    }
 }
 
 // The sums of a step have one order whatever the registers: products by lanes and by plain loops.

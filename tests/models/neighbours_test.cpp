@@ -34,6 +34,24 @@ TEST(Neighbours, are_all_within_reach_in_order) {
     }
 }
 
+TEST(Neighbours, are_nearest_images_where_space_repeats_itself) {
+    for (const double period : {2.5, 3.7, 6.0}) {
+        const Field<double> field = cloud(200, 5, 6);
+        Neighbours neighbours(1, period);
+        neighbours.follow(field);
+        const auto nearest = [=](double d) { return d - period * std::round(d / period); };
+        for (std::size_t i = 0; i < 200; ++i) {
+            std::vector<std::uint32_t> expected;
+            for (std::uint32_t j = 0; j < 200; ++j) {
+                const Vec3 d = field.at(j) - field.at(i);
+                if (j != i && length({nearest(d.x), nearest(d.y), nearest(d.z)}) <= 1.15) expected.push_back(j);
+            }
+            const auto found = neighbours.of(i);
+            EXPECT_THAT(std::vector<std::uint32_t>(found.begin(), found.end()), testing::ElementsAreArray(expected));
+        }
+    }
+}
+
 TEST(Neighbours, survive_particles_that_are_nowhere) {
     Field<double> field = cloud(10, 1, 1);
     field.set(3, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
@@ -42,23 +60,6 @@ TEST(Neighbours, survive_particles_that_are_nowhere) {
     neighbours.follow(field);
     EXPECT_TRUE(neighbours.of(3).empty());
     EXPECT_TRUE(neighbours.of(4).empty());
-}
-
-TEST(NearPairs, do_not_depend_on_when_the_list_was_made) {
-    const NearPairForces forces{{.count = 60, .mass = 1, .depth = 1, .k = 0.5, .r0 = 0.5}, 1};
-    Field<double> field = cloud(60, 1.5, 2);
-    NearPairs<double> followed(forces);
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> moved(-0.02, 0.02);
-    for (int step = 0; step < 30; ++step) {
-        for (double* axis : {field.x(), field.y(), field.z()}) {
-            for (std::size_t i = 0; i < 60; ++i) axis[i] += moved(random);
-        }
-        Field<double> a(60), fresh(60);
-        followed.accelerations(field, a);
-        NearPairs<double>(forces).accelerations(field, fresh);
-        for (std::size_t k = 0; k < a.flat().size(); ++k) ASSERT_EQ(a.flat()[k], fresh.flat()[k]) << step;
-    }
 }
 
 TEST(NearPairs, with_a_cut_off_beyond_everything_are_all_pairs) {

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "core/field.hpp"
+#include "core/vec3.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace steplab {
+
+/// Particles that are near each other in clusters of four, and the pairs of clusters that may hold two particles within
+/// reach: what a kernel needs that computes 4 x 4 pairs in registers (Pall and Hess, Comput. Phys. Commun. 184 (2013)
+/// 2641). Columns along z have a cross-section about as wide as a cluster; the particles of a column, from below, four
+/// by four, are its clusters. All of it depends on the positions alone.
+///
+/// With a period, space repeats itself along each axis: a pair of clusters says which image of the second it means.
+class Clusters {
+public:
+    static constexpr std::size_t size = 4;
+    /// Images of space: 9 (x + 1) + 3 (y + 1) + z + 1 for the one x, y, z periods away.
+    static constexpr std::uint32_t own_image = 13, images = 27;
+
+    /// The second cluster of a pair, and its image.
+    class Other {
+    public:
+        Other() = default;
+        Other(std::uint32_t cluster, std::uint32_t image) : bits_(cluster << 5 | image) {}
+        std::uint32_t cluster() const { return bits_ >> 5; }
+        std::uint32_t image() const { return bits_ & 31; }
+
+    private:
+        std::uint32_t bits_ = 0;
+    };
+
+    /// How far away, in periods, an image is along an axis.
+    static int periods(std::uint32_t image, std::size_t axis) {
+        constexpr std::array<std::uint32_t, 3> weight{9, 3, 1};
+        return static_cast<int>(image / weight[axis] % 3) - 1;
+    }
+
+    /// Positions of all particles; with a period (0: none, else at least `reach`) those of each particle's image within
+    /// half a period of the origin. Particles that are nowhere are in clusters without pairs.
+    void make(const Field<double>& positions, double reach, double period);
+
+    std::size_t count() const { return bounds_.size(); }
+    /// Of each particle: the cluster times four, plus its place there.
+    std::span<const std::uint32_t> places() const { return places_; }
+    /// The other clusters with which this one is listed. Each pair of clusters and image is listed once; that of a
+    /// cluster with itself is not.
+    std::span<const Other> others(std::size_t cluster) const {
+        return {others_.data() + begin_[cluster], others_.data() + begin_[cluster + 1]};
+    }
+
+private:
+    /// Sorts particles by column, then from below.
+    struct Placed {
+        std::uint64_t key;
+        std::uint32_t particle;
+    };
+    /// Where the particles of a cluster are.
+    struct Bounds {
+        std::array<float, 3> low, high;
+    };
+    struct Column {
+        std::uint32_t x, y;
+        std::uint32_t begin, end;  ///< its clusters
+    };
+    /// A column, or an image of it, that may be within reach, while the clusters of another are gone through.
+    struct Adjacent {
+        std::uint32_t begin, end;
+        int x, y;                            ///< image
+        std::array<std::uint32_t, 3> first;  ///< no cluster before is within reach, by image along z
+    };
+
+    void choose_columns(const Field<double>& positions);
+    std::uint32_t column_at(double position) const;
+    void sort(const Field<double>& positions);
+    void form_clusters(const Field<double>& positions);
+    void list_pairs();
+    void find_adjacent(const Column& column);
+    void append_others(std::uint32_t cluster, Adjacent& adjacent);
+    bool within_reach(const Bounds& a, const Bounds& b, const std::array<float, 3>& shift) const;
+
+    double reach_ = 0, period_ = 0;
+    double width_ = 1;                 ///< of a column
+    std::uint32_t columns_a_row_ = 0;  ///< with a period
+    std::vector<Placed> placed_;
+    std::vector<std::uint32_t> places_;
+    std::vector<Column> columns_;
+    std::vector<Bounds> bounds_;
+    std::vector<Adjacent> adjacent_;
+    std::vector<std::uint32_t> begin_;
+    std::vector<Other> others_;
+};
+
+}  // namespace steplab

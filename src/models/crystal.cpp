@@ -1,0 +1,198 @@
+#include "core/text.hpp"
+#include "models/model.hpp"
+#include "models/parameters.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+namespace steplab {
+
+namespace {
+
+constexpr ParameterInfo parameters[] = {
+    {.name = "edge",
+     .kind = ParameterInfo::Kind::integer,
+     .unit = "",
+     .minimum = 1,
+     .default_value = 6,
+     .on_change = OnChange::restarts,
+     .what = "particles along the side of the period, edge · spacing ≥ 2 · cutoff",
+     .slider_low = 5,
+     .slider_high = 20},
+    {.name = "spacing",
+     .unit = "m",
+     .minimum = 0,
+     .minimum_included = false,
+     .default_value = 1,
+     .on_change = OnChange::restarts,
+     .what = "distance of neighbours in the lattice at the start",
+     .slider_low = 0.8,
+     .slider_high = 2},
+    particle_mass(1),
+    {.name = "D",
+     .unit = "J",
+     .minimum = 0,
+     .minimum_included = false,
+     .default_value = 1,
+     .what = "depth of the Morse potential",
+     .slider_low = 0.05,
+     .slider_high = 10,
+     .slider_logarithmic = true},
+    {.name = "k",
+     .unit = "N/m",
+     .minimum = 0,
+     .minimum_included = false,
+     .default_value = 50,
+     .what = "force constant at the minimum, b = √(k/(2D))",
+     .slider_low = 5,
+     .slider_high = 500,
+     .slider_logarithmic = true},
+    {.name = "r0",
+     .unit = "m",
+     .minimum = 0,
+     .minimum_included = false,
+     .default_value = 1,
+     .what = "distance of the potential's minimum",
+     .slider_low = 0.5,
+     .slider_high = 2},
+    {.name = "cutoff",
+     .unit = "m",
+     .minimum = 0,
+     .minimum_included = false,
+     .default_value = 2,
+     .what = "distance beyond which pairs do not act on each other",
+     .slider_low = 1,
+     .slider_high = 2.9},
+    {.name = "jitter",
+     .unit = "m",
+     .minimum = 0,
+     .default_value = 0.02,
+     .on_change = OnChange::restarts,
+     .what = "largest distance from the lattice at the start, along each axis",
+     .slider_low = 0,
+     .slider_high = 0.1},
+    {.name = "kT",
+     .unit = "J",
+     .minimum = 0,
+     .default_value = 0.1,
+     .on_change = OnChange::restarts,
+     .what = "temperature at the start: each component of a velocity has the variance kT/m",
+     .slider_low = 0,
+     .slider_high = 1},
+    {.name = "seed",
+     .kind = ParameterInfo::Kind::integer,
+     .unit = "",
+     .minimum = 1,
+     .maximum = 4294967295,
+     .default_value = 2008,
+     .on_change = OnChange::restarts,
+     .what = "number that chooses the start among those of its kind",
+     .slider_low = 1,
+     .slider_high = 4000}};
+
+/// The n-th of the numbers that a seed stands for, uniform in [0, 1): a counter, mixed as in SplitMix64 (Steele, Lea,
+/// Flood, OOPSLA 2014).
+double uniform(std::uint64_t seed, std::uint64_t n) {
+    std::uint64_t z = (seed << 40) + (n + 1) * 0x9E3779B97F4A7C15;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+/// A number of mean 0 and variance 1, nearly normal: the sum of twelve uniform ones, less 6.
+double nearly_normal(std::uint64_t seed, std::uint64_t n) {
+    double sum = -6;
+    for (std::uint64_t k = 0; k < 12; ++k) sum += uniform(seed, 12 * n + k);
+    return sum;
+}
+
+/// Numbers before it are for velocities.
+constexpr std::uint64_t first_of_jitter = std::uint64_t(1) << 62;
+
+/// How a scene starts, particle by particle.
+struct Lottery {
+    std::size_t edge;
+    double spacing, jitter, speed;
+    std::uint64_t seed;
+
+    explicit Lottery(const ParameterValues& values)
+        : edge(values.count("edge")),
+          spacing(values["spacing"]),
+          jitter(values["jitter"]),
+          speed(std::sqrt(values["kT"] / values["m"])),
+          seed(values.count("seed")) {}
+
+    std::size_t count() const { return edge * edge * edge; }
+
+    /// x runs fastest, then y, then z.
+    Vec3 position(std::size_t i) const {
+        const auto along = [&](std::size_t index, std::uint64_t axis) {
+            const double shift = 2 * uniform(seed, first_of_jitter + 3 * i + axis) - 1;
+            return static_cast<double>(index) * spacing + jitter * shift;
+        };
+        return {along(i % edge, 0), along(i / edge % edge, 1), along(i / (edge * edge), 2)};
+    }
+    Vec3 velocity(std::size_t i) const {
+        const auto along = [&](std::uint64_t axis) { return speed * nearly_normal(seed, 3 * i + axis); };
+        return {along(0), along(1), along(2)};
+    }
+    Vec3 mean_velocity() const {
+        Vec3 sum;
+        for (std::size_t i = 0; i < count(); ++i) sum = sum + velocity(i);
+        return 1 / static_cast<double>(count()) * sum;
+    }
+};
+
+double period(const ParameterValues& values) { return values["edge"] * values["spacing"]; }
+
+double particles(const ParameterValues& values) { return values["edge"] * values["edge"] * values["edge"]; }
+
+std::optional<std::string> refusal(const ParameterValues& values) {
+    if (period(values) >= 2 * values["cutoff"]) return std::nullopt;
+    return "edge * spacing = " + number_text(period(values)) + " is less than twice the cutoff, " +
+           number_text(2 * values["cutoff"]) +
+           ": a particle would meet two images of another; choose a larger edge or a smaller cutoff";
+}
+
+Scene scene(const ParameterValues& values) {
+    const Lottery lottery(values);
+    const std::size_t n = lottery.count();
+    const NearPairForces forces{
+        {n, values["m"], values["D"], values["k"], values["r0"]}, values["cutoff"], period(values)};
+    const Start start(n, [lottery, mean = lottery.mean_velocity()](std::size_t i) {
+        return Start::Particle{lottery.position(i), lottery.velocity(i) - mean};
+    });
+    return {.mass = values["m"], .forces = forces, .reference = {.count = n}, .start = start};
+}
+
+Shape shape(const ParameterValues& values) {
+    const Lottery lottery(values);
+    Shape shape;
+    shape.rest.reserve(lottery.count());
+    for (std::size_t i = 0; i < lottery.count(); ++i) shape.rest.push_back(lottery.position(i));
+    shape.roles.assign(lottery.count(), Role::moving);
+    shape.spacing = values["spacing"];
+    return shape;
+}
+
+}  // namespace
+
+const Model& crystal_model() {
+    static const Model model{
+        .info = {.id = "crystal",
+                 .name = "Periodic crystal",
+                 .what = "A cube of particles in a space that repeats itself, warm, with Morse forces up to a cut-off: "
+                         "a crystal without surface that falls into a denser order, or a liquid where it is hot.",
+                 .parameters = parameters},
+        .particles = particles,
+        .scene = scene,
+        .shape = shape,
+        .omega_max = [](const ParameterValues&) { return std::optional<double>(); },
+        .exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); },
+        .refusal = refusal,
+    };
+    return model;
+}
+
+}  // namespace steplab
