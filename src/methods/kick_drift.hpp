@@ -25,21 +25,34 @@ struct KickDrift {
 template <class T>
 struct KickDriftStep {
     std::vector<KickDrift<T>> parts;
-    T lead{};            ///< the drift that begins the first step, with which no other is merged
-    KickDrift<T> first;  ///< instead of the first part in the first step
-    KickDrift<T> rest;   ///< still to be done after a step: a kick or a drift
+    T lead{};               ///< the drift that begins the first step, with which no other is merged
+    KickDrift<T> first;     ///< instead of the first part in the first step
+    KickDrift<T> rest;      ///< still to be done after a step: a kick or a drift
+    std::size_t times = 1;  ///< so many of them are a step of the method
 };
 
-/// Takes such steps.
+/// Takes such steps: an integrator once its step is known. Those of methods inherit it and set the step.
 template <class T>
 class KickDriftSteps {
 public:
-    KickDriftSteps() = default;
-    KickDriftSteps(KickDriftStep<T> step, State<T> state, bool compensated)
-        : step_(std::move(step)),
-          x_(std::move(state.displacement)),
-          v_(std::move(state.velocity)),
-          lost_(compensated, x_.count()) {}
+    /// Every lane of a number type T that has lanes goes its own way.
+    static constexpr bool goes_in_lanes = true;
+
+    explicit KickDriftSteps(bool compensated) : compensated_(compensated) {}
+    KickDriftSteps(KickDriftStep<T> step, bool compensated) : step_(std::move(step)), compensated_(compensated) {}
+
+    template <class System>
+    void start(System&, State<T> state) {
+        x_ = std::move(state.displacement);
+        v_ = std::move(state.velocity);
+        lost_ = Lost<T>(compensated_, x_.count());
+        progress_ = {};
+    }
+
+    template <class System>
+    void step(System& system) {
+        advance(system, 1);
+    }
 
     /// Defined below, so that one translation unit can instantiate it for all methods.
     template <class System>
@@ -72,20 +85,25 @@ public:
 
     template <class Self, class F>
     static void each_part(Self& self, F f) {
-        f(self.x_);
-        f(self.v_);
-        f(self.lost_.x);
-        f(self.lost_.v);
+        f(self.KickDriftSteps::x_);
+        f(self.KickDriftSteps::v_);
+        f(self.KickDriftSteps::lost_.x);
+        f(self.KickDriftSteps::lost_.v);
     }
 
     /// Springs that a step reaches.
-    std::size_t reach() const { return step_.parts.size(); }
+    std::size_t reach() const { return step_.times * step_.parts.size(); }
 
     struct Progress {
         bool fresh = true;  ///< no step was taken yet
     };
     Progress progress() const { return progress_; }
     void progress(const Progress& progress) { progress_ = progress; }
+
+    bool compensated() const { return compensated_; }
+
+protected:
+    void set_step(KickDriftStep<T> step) { step_ = std::move(step); }
 
 private:
     using N = Lanes<T>;
@@ -174,6 +192,7 @@ private:
     }
 
     KickDriftStep<T> step_;
+    bool compensated_;
     Field<T> x_;  ///< displacements
     Field<T> v_;
     Lost<T> lost_;
@@ -183,6 +202,7 @@ private:
 template <class T>
 template <class System>
 void KickDriftSteps<T>::advance(System& system, std::uint64_t steps) {
+    steps *= step_.times;
     if (steps > 0 && progress_.fresh) {
         take_first(system);
         --steps;

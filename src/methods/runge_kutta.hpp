@@ -31,9 +31,6 @@ struct ButcherTable {
 template <class T, class Table>
 class RungeKutta : public Synchronised<T> {
 public:
-    /// Every lane of a number type T that has lanes goes its own way.
-    static constexpr bool goes_in_lanes = true;
-
     explicit RungeKutta(const ParameterValues& values) : Synchronised<T>(values) {}
 
     template <class System>

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 
@@ -38,53 +37,18 @@ constexpr std::array<KickAndDrift, N + 1> composition(const std::array<long doub
 /// is solved exactly over each kick's time, v += tau phi_1(-gamma tau) (a - gamma v); a Table with `explicit_drag`
 /// takes v += tau (a - gamma v) instead.
 template <class T, class Table>
-class Splitting {
+class Splitting : public KickDriftSteps<T> {
 public:
-    /// Every lane of a number type T that has lanes goes its own way.
-    static constexpr bool goes_in_lanes = true;
-
-    explicit Splitting(const ParameterValues& values) : compensated_(asks_for_compensated_sums(values)) {}
+    explicit Splitting(const ParameterValues& values) : KickDriftSteps<T>(asks_for_compensated_sums(values)) {}
 
     template <class System>
     void start(System& system, State<T> state) {
-        steps_ = KickDriftSteps<T>(step_of(system.dt(), system.drag()), std::move(state), compensated_);
+        this->set_step(step_of(system.dt(), system.drag()));
+        KickDriftSteps<T>::start(system, std::move(state));
     }
-
-    template <class System>
-    void step(System& system) {
-        steps_.advance(system, 1);
-    }
-    template <class System>
-    void advance(System& system, std::uint64_t steps) {
-        steps_.advance(system, steps);
-    }
-
-    template <class System>
-    void synchronised(const System& system, State<T>& out) const {
-        steps_.synchronised(system, out);
-    }
-    template <class System, class Sink>
-    void look(const System& system, Sink sink) const {
-        steps_.look(system, sink);
-    }
-
-    std::size_t reach() const { return steps_.reach(); }
-
-    template <class Self, class F>
-    static void each_part(Self& self, F f) {
-        KickDriftSteps<T>::each_part(self.steps_, f);
-    }
-
-    using Progress = typename KickDriftSteps<T>::Progress;
-    Progress progress() const { return steps_.progress(); }
-    void progress(const Progress& progress) { steps_.progress(progress); }
-
-private:
-    static constexpr auto& table = Table::table;
-    static constexpr bool explicit_drag = requires { Table::explicit_drag; };
 
     /// A last kick is one with the first kick of the next step, a last drift with a first drift.
-    static KickDriftStep<T> step_of(T dt, T drag) {
+    KickDriftStep<T> step_of(T dt, T drag) const {
         KickDriftStep<T> step;
         std::span<const KickAndDrift> parts = table;
         if (const KickAndDrift lead = parts.front(), rest = parts.back(); lead.kick == 0) {
@@ -106,13 +70,14 @@ private:
         return step;
     }
 
+private:
+    static constexpr auto& table = Table::table;
+    static constexpr bool explicit_drag = requires { Table::explicit_drag; };
+
     static KickDrift<T> part_of(const KickAndDrift& part, T dt, T drag) {
         const T tau = static_cast<T>(part.kick) * dt, gain = explicit_drag ? tau : tau * phi_1(-drag * tau);
         return {gain, gain * drag, static_cast<T>(part.drift) * dt};
     }
-
-    KickDriftSteps<T> steps_;
-    bool compensated_;
 };
 
 }  // namespace steplab

@@ -1,22 +1,19 @@
-#include "sim/kick_drift_steps.hpp"
+#include "methods/kick_drift.hpp"
+#include "sim/lane_stepper.hpp"
+#include "sim/stepper_of.hpp"
+
+// The steps of kicks and drifts on every layout of forces, alone and in lanes: compiled once, for all methods that are
+// such steps.
 
 namespace steplab {
 
-template void KickDriftSteps<float>::advance(System<float, Constant<float>>&, std::uint64_t);
-template void KickDriftSteps<float>::advance(System<float, Line<float>>&, std::uint64_t);
-template void KickDriftSteps<float>::advance(System<float, Grid<float>>&, std::uint64_t);
-template void KickDriftSteps<float>::advance(System<float, Pairs<float>>&, std::uint64_t);
-template void KickDriftSteps<float>::advance(System<float, NearPairs<float>>&, std::uint64_t);
-template void KickDriftSteps<double>::advance(System<double, Constant<double>>&, std::uint64_t);
-template void KickDriftSteps<double>::advance(System<double, Line<double>>&, std::uint64_t);
-template void KickDriftSteps<double>::advance(System<double, Grid<double>>&, std::uint64_t);
-template void KickDriftSteps<double>::advance(System<double, Pairs<double>>&, std::uint64_t);
-template void KickDriftSteps<double>::advance(System<double, NearPairs<double>>&, std::uint64_t);
-template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Line<InLanes<float>>>&, std::uint64_t);
-template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Grid<InLanes<float>>>&, std::uint64_t);
-template void KickDriftSteps<InLanes<float>>::advance(System<InLanes<float>, Pairs<InLanes<float>>>&, std::uint64_t);
-template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Line<InLanes<double>>>&, std::uint64_t);
-template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Grid<InLanes<double>>>&, std::uint64_t);
-template void KickDriftSteps<InLanes<double>>::advance(System<InLanes<double>, Pairs<InLanes<double>>>&, std::uint64_t);
+template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, float>(const StepperSetup&,
+                                                                            const KickDriftSteps<float>&);
+template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, double>(const StepperSetup&,
+                                                                             const KickDriftSteps<double>&);
+template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, float>(std::span<const StepperSetup>,
+                                                                               const KickDriftSteps<InLanes<float>>&);
+template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, double>(std::span<const StepperSetup>,
+                                                                                const KickDriftSteps<InLanes<double>>&);
 
 }  // namespace steplab

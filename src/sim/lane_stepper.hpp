@@ -2,10 +2,10 @@
 
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
-#include "sim/kick_drift_steps.hpp"
 #include "sim/method_traits.hpp"
 #include "sim/runs_in_lanes.hpp"
 #include "sim/stepper_group.hpp"
+#include "sim/stepper_of.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -26,12 +26,11 @@ public:
 
     /// At least one run, at most N::count. Lanes without a run of their own repeat the last one.
     template <class Forces>
-    LaneStepper(std::span<const StepperSetup> runs, const std::vector<Forces>& forces)
+    LaneStepper(std::span<const StepperSetup> runs, const std::vector<Forces>& forces,
+                typename Method::template Integrator<N> integrator)
         : runs_(runs.size()),
-          system_(forces_in_lanes<Force, T>(forces),
-                  in_lanes<T>(runs.size(), [&](std::size_t run) { return static_cast<T>(runs[run].scene.drag); }),
-                  in_lanes<T>(runs.size(), [&](std::size_t run) { return static_cast<T>(runs[run].dt); })),
-          integrator_(runs.front().parameters) {
+          system_(forces_in_lanes<Force, T>(forces), drag_in_lanes<T>(runs), dt_in_lanes<T>(runs)),
+          integrator_(std::move(integrator)) {
         std::vector<State<T>> starts;
         for (const StepperSetup& run : runs) starts.push_back(run.start.template state<T>());
         integrator_.start(system_, state_in_lanes(starts));
@@ -101,22 +100,45 @@ private:
 };
 
 template <class Method, class T, template <class> class Force, class Forces>
-std::unique_ptr<StepperGroup> make_group_on(std::span<const StepperSetup> runs, const Forces& first) {
-    using N = InLanes<T>;
-    std::vector<Forces> forces{first};
-    while (forces.size() < std::min(runs.size(), N::count))
-        forces.push_back(std::get<Forces>(runs[forces.size()].scene.forces));
-    if (2 * forces.size() < N::count) return nullptr;
-    return std::make_unique<LaneStepper<Method, T, Force>>(runs.first(forces.size()), forces);
+std::unique_ptr<StepperGroup> make_group_on(std::span<const StepperSetup> runs, const Forces&,
+                                            const typename Method::template Integrator<InLanes<T>>& integrator) {
+    std::vector<Forces> forces;
+    for (const StepperSetup& run : runs) forces.push_back(std::get<Forces>(run.scene.forces));
+    return std::make_unique<LaneStepper<Method, T, Force>>(runs, forces, integrator);
 }
 
+/// Chooses the layout of forces.
 template <class Method, class T>
-std::unique_ptr<StepperGroup> make_group_in(std::span<const StepperSetup> runs) {
+std::unique_ptr<StepperGroup> make_group_with(std::span<const StepperSetup> runs,
+                                              const typename Method::template Integrator<InLanes<T>>& integrator) {
     const Forces& forces = runs.front().scene.forces;
-    if (const auto* line = std::get_if<LineForces>(&forces)) return make_group_on<Method, T, Line>(runs, *line);
-    if (const auto* grid = std::get_if<GridForces>(&forces)) return make_group_on<Method, T, Grid>(runs, *grid);
-    if (const auto* pairs = std::get_if<PairForces>(&forces)) return make_group_on<Method, T, Pairs>(runs, *pairs);
+    if (const auto* line = std::get_if<LineForces>(&forces))
+        return make_group_on<Method, T, Line>(runs, *line, integrator);
+    if (const auto* grid = std::get_if<GridForces>(&forces))
+        return make_group_on<Method, T, Grid>(runs, *grid, integrator);
+    if (const auto* pairs = std::get_if<PairForces>(&forces))
+        return make_group_on<Method, T, Pairs>(runs, *pairs, integrator);
     return nullptr;
+}
+// kick_drift_steps.cpp
+extern template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, float>(
+    std::span<const StepperSetup>, const KickDriftSteps<InLanes<float>>&);
+extern template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, double>(
+    std::span<const StepperSetup>, const KickDriftSteps<InLanes<double>>&);
+
+/// As many of the runs as have room; none if most lanes stayed empty.
+template <class Method, class T>
+std::unique_ptr<StepperGroup> make_group_in(std::span<const StepperSetup> all) {
+    using N = InLanes<T>;
+    const auto runs = all.first(std::min(all.size(), N::count));
+    if (2 * runs.size() < N::count) return nullptr;
+    const typename Method::template Integrator<N> integrator(runs.front().parameters);
+    if constexpr (is_kick_drift<Method, N>) {
+        return make_group_with<KickDriftMethod, T>(
+            runs, kick_drift_steps(integrator, dt_in_lanes<T>(runs), drag_in_lanes<T>(runs)));
+    } else {
+        return make_group_with<Method, T>(runs, integrator);
+    }
 }
 
 /// `runs` has one at least, all alike (alike.hpp).

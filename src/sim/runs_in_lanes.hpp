@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace steplab {
@@ -18,6 +19,15 @@ using InLanes = RegisterLanes<T>;
 template <class T, class F>
 InLanes<T> in_lanes(std::size_t runs, F f) {
     return InLanes<T>::each([&](std::size_t lane) { return f(std::min(lane, runs - 1)); });
+}
+
+template <class T>
+InLanes<T> dt_in_lanes(std::span<const StepperSetup> runs) {
+    return in_lanes<T>(runs.size(), [&](std::size_t run) { return static_cast<T>(runs[run].dt); });
+}
+template <class T>
+InLanes<T> drag_in_lanes(std::span<const StepperSetup> runs) {
+    return in_lanes<T>(runs.size(), [&](std::size_t run) { return static_cast<T>(runs[run].scene.drag); });
 }
 
 /// The engine of forces that differ in their numbers alone, whose every constant is computed in T, as for a run alone.

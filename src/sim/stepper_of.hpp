@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/elementwise.hpp"
+#include "methods/kick_drift.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
 #include "models/plain.hpp"
-#include "sim/kick_drift_steps.hpp"
 #include "sim/stepper.hpp"
 
 #include <algorithm>
@@ -51,9 +51,9 @@ inline constexpr bool has_collisions = requires(const Integrator& integrator) {
 template <class Method, class T, class Force>
 class StepperOf final : public Stepper {
 public:
-    StepperOf(const StepperSetup& setup, Force force)
+    StepperOf(const StepperSetup& setup, Force force, typename Method::template Integrator<T> integrator)
         : system_(std::move(force), static_cast<T>(setup.scene.drag), static_cast<T>(setup.dt)),
-          integrator_(setup.parameters) {
+          integrator_(std::move(integrator)) {
         State<T> state = setup.start.state<T>();
         particles_ = state.displacement.count();
         if constexpr (is_plain<Method>) {
@@ -223,18 +223,47 @@ private:
     mutable State<double> shown_;  ///< the same in double
 };
 
-/// Chooses at the border what is static inside: precision and layout of forces.
+/// What all methods of kicks and drifts are once their step is known: one stepper serves them.
+struct KickDriftMethod {
+    template <class T>
+    using Integrator = KickDriftSteps<T>;
+};
+template <class Method, class T>
+inline constexpr bool is_kick_drift = std::is_base_of_v<KickDriftSteps<T>, typename Method::template Integrator<T>>;
+
+/// The integrator as those of all such methods are.
+template <class Integrator, class T>
+KickDriftSteps<T> kick_drift_steps(const Integrator& integrator, const T& dt, const T& drag) {
+    return {integrator.step_of(dt, drag), integrator.compensated()};
+}
+
+/// Chooses at the border what is static inside: the layout of forces.
+template <class Method, class T>
+std::unique_ptr<Stepper> make_stepper_with(const StepperSetup& setup,
+                                           const typename Method::template Integrator<T>& integrator) {
+    return std::visit(
+        [&](const auto& forces) -> std::unique_ptr<Stepper> {
+            using Force = decltype(engine<T>(forces));
+            return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces), integrator);
+        },
+        setup.scene.forces);
+}
+// kick_drift_steps.cpp
+extern template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, float>(const StepperSetup&,
+                                                                                   const KickDriftSteps<float>&);
+extern template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, double>(const StepperSetup&,
+                                                                                    const KickDriftSteps<double>&);
+
 template <class Method, class T>
 std::unique_ptr<Stepper> make_stepper_in(const StepperSetup& setup) {
+    const typename Method::template Integrator<T> integrator(setup.parameters);
     if constexpr (is_plain<Method>) {
-        return std::make_unique<StepperOf<Method, T, Plain<T>>>(setup, Plain<T>(setup.scene.forces));
+        return std::make_unique<StepperOf<Method, T, Plain<T>>>(setup, Plain<T>(setup.scene.forces), integrator);
+    } else if constexpr (is_kick_drift<Method, T>) {
+        return make_stepper_with<KickDriftMethod, T>(
+            setup, kick_drift_steps(integrator, static_cast<T>(setup.dt), static_cast<T>(setup.scene.drag)));
     } else {
-        return std::visit(
-            [&](const auto& forces) -> std::unique_ptr<Stepper> {
-                using Force = decltype(engine<T>(forces));
-                return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces));
-            },
-            setup.scene.forces);
+        return make_stepper_with<Method, T>(setup, integrator);
     }
 }
 
