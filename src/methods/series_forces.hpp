@@ -73,7 +73,7 @@ public:
         for (std::size_t g = 0; g < groups_.size(); ++g) {
             const Group& group = groups_[g];
             SeriesTape<T> tape(tapes_.data() + g * kept_ * length, length, k);
-            const auto pull = pulls<Axes>(tape, group, formulas[group.kind], differences<Axes>(system, group, x_k, k));
+            const auto pull = pulls<Axes>(tape, formulas[group.kind], differences<Axes>(system, group, x_k, k));
             singular_ = singular_ || tape.singular();
             for (std::size_t axis = 0; axis < Axes; ++axis) scatter(group, pull[axis], a[axis]);
         }
@@ -131,7 +131,7 @@ private:
 
     /// Coefficient k of the pulls of a group. Flattened, so that the formula's intermediate results stay in registers.
     template <std::size_t Axes, class Formula>
-    [[gnu::flatten]] static std::array<N, Axes> pulls(SeriesTape<T>& tape, const Group& group, const Formula& formula,
+    [[gnu::flatten]] static std::array<N, Axes> pulls(SeriesTape<T>& tape, const Formula& formula,
                                                       const std::array<N, Axes>& e) {
         const auto variable = [&](std::size_t axis) {
             if (axis >= Axes) return Series<T>(T(0));

@@ -29,7 +29,7 @@ constexpr ParameterInfo parameters[] = {
      .what = "distance of neighbours in the lattice at the start",
      .slider_low = 0.8,
      .slider_high = 2},
-    particle_mass(1),
+    particle_mass(10),
     {.name = "D",
      .unit = "J",
      .minimum = 0,

@@ -240,30 +240,31 @@ KickDriftSteps<T> kick_drift_steps(const Integrator& integrator, const T& dt, co
 /// Chooses at the border what is static inside: the layout of forces.
 template <class Method, class T>
 std::unique_ptr<Stepper> make_stepper_with(const StepperSetup& setup,
-                                           const typename Method::template Integrator<T>& integrator) {
+                                           typename Method::template Integrator<T> integrator) {
     return std::visit(
         [&](const auto& forces) -> std::unique_ptr<Stepper> {
             using Force = decltype(engine<T>(forces));
-            return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces), integrator);
+            return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces), std::move(integrator));
         },
         setup.scene.forces);
 }
 // kick_drift_steps.cpp
 extern template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, float>(const StepperSetup&,
-                                                                                   const KickDriftSteps<float>&);
+                                                                                   KickDriftSteps<float>);
 extern template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, double>(const StepperSetup&,
-                                                                                    const KickDriftSteps<double>&);
+                                                                                    KickDriftSteps<double>);
 
 template <class Method, class T>
 std::unique_ptr<Stepper> make_stepper_in(const StepperSetup& setup) {
-    const typename Method::template Integrator<T> integrator(setup.parameters);
+    typename Method::template Integrator<T> integrator(setup.parameters);
     if constexpr (is_plain<Method>) {
-        return std::make_unique<StepperOf<Method, T, Plain<T>>>(setup, Plain<T>(setup.scene.forces), integrator);
+        return std::make_unique<StepperOf<Method, T, Plain<T>>>(setup, Plain<T>(setup.scene.forces),
+                                                                std::move(integrator));
     } else if constexpr (is_kick_drift<Method, T>) {
         return make_stepper_with<KickDriftMethod, T>(
             setup, kick_drift_steps(integrator, static_cast<T>(setup.dt), static_cast<T>(setup.scene.drag)));
     } else {
-        return make_stepper_with<Method, T>(setup, integrator);
+        return make_stepper_with<Method, T>(setup, std::move(integrator));
     }
 }
 

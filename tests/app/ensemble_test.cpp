@@ -46,7 +46,7 @@ TEST(EnsembleCommand, tells_of_every_run_what_it_tells_of_the_run_alone) {
         EXPECT_EQ(json["spread"],
                   Json::parse(R"([{"name":"k","from":1.0,"to":2.0},{"name":"dt","from":0.02,"to":0.05}])"));
         ASSERT_EQ(json["runs"].size(), 19u);
-        for (const std::size_t i : {0, 7, 18}) {
+        for (const std::size_t i : {0U, 7U, 18U}) {
             const Json& run = json["runs"][i];
             const double k = Spread{"k", 1, 2}.value(i, 19), dt = Spread{"dt", 0.02, 0.05}.value(i, 19);
             EXPECT_EQ(run["run"], i);

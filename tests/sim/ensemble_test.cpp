@@ -180,9 +180,10 @@ TEST(Ensemble, runs_of_one_group_end_at_their_own_steps) {
 
 TEST(Ensemble, does_not_depend_on_threads_or_instructions) {
     for (const Precision precision : test::precisions) {
-        const auto runs = runs_of(test::run_of("chain", "rk4", precision, 0.02), {{"k", 1, 2}, {"v0", 0, 3}}, 300, 213);
+        const auto runs =
+            runs_of(test::run_of("chain", "velocity-verlet", precision, 0.02), {{"k", 1, 2}, {"v0", 0, 3}}, 300, 213);
         const auto expected = run_ensemble(runs, 300, {.threads = 1});
-        for (const std::size_t threads : {2, 3}) {
+        for (const std::size_t threads : {2U, 3U}) {
             const auto results = run_ensemble(runs, 300, {.threads = threads});
             for (std::size_t i = 0; i < runs.size(); ++i) expect_same(results[i], expected[i]);
         }
@@ -195,7 +196,7 @@ TEST(Ensemble, does_not_depend_on_threads_or_instructions) {
 
 /// From just below the stability limit 2 / omega_max to far beyond it.
 TEST(Ensemble, runs_that_diverge_stop_where_they_would_alone) {
-    for (const char* const method : {"euler", "rk4"}) {
+    for (const char* const method : {"euler", "pefrl"}) {
         for (const Precision precision : test::precisions) {
             const auto runs = runs_of(test::run_of("chain", method, precision, 1), {{"dt", 0.8, 4}}, 1000);
             const auto results = run_ensemble(runs, 64);
