@@ -77,10 +77,10 @@ void Simulation::prepare(Frame& out) const {
 }
 
 void Simulation::fill(Frame& out, const Portion& portion) const {
-    const auto& [first, count, state, place] = portion;
+    const State<double>& state = portion.state;
     const auto copy = [&](const auto& rounded) {
-        body_->segment.scene.reference.each(first, count, [&](std::size_t i, Vec3 reference) {
-            const std::size_t k = place + (i - first);
+        body_->segment.scene.reference.each(portion.first, portion.count, [&](std::size_t i, Vec3 reference) {
+            const std::size_t k = portion.place + (i - portion.first);
             const Vec3 position = reference + state.displacement.at(k);
             out.positions[i] = {rounded(position.x), rounded(position.y), rounded(position.z)};
             out.velocities[i] = state.velocity.at(k);
