@@ -88,7 +88,7 @@ Figure roofline(const Results& results) {
         for (const std::string precision : {"double", "float"}) {
             const double most = 1e9 / machine_time(*row, precision);
             add_roof(
-                "square roots and divisions, " + precision, colour++, true, [=](double) { return last; },
+                "square roots and divisions, " + precision, colour++, true, [=](double) { return most; },
                 figure.curves);
         }
     }
