@@ -29,5 +29,4 @@ picture mesh --model mesh --set dim=30 --set v0=8 --steps 130 --colour displacem
 picture rope --model rope --steps 9 --colour strain --size 800x500
 picture morse --model morse --set edge=4 --set v0=2 --dt 0.01 --steps 480 --colour speed --size 800x500 \
     --view 30,20,8,0.7,0.9,0.7
-picture crystal --model crystal --set edge=9 --steps 60 --colour speed --size 800x500
 picture diverged --model mesh --set dim=13 --method verlet --dt 0.74 --steps 1000 --ui on --size 1280x800

@@ -1,3 +1,5 @@
+#include "models/crystal.hpp"
+
 #include "models/clusters.hpp"
 #include "models/layouts.hpp"
 #include "models/plain.hpp"
@@ -14,16 +16,12 @@
 namespace steplab::test {
 namespace {
 
-/// Light particles, so that much happens in a few hundred steps.
-RunDescription light(const char* method, Precision precision, double dt, Settings settings = {}) {
-    RunDescription run = run_of("crystal", method, precision, dt, {{"m", 1}});
-    for (const auto& [name, value] : settings) run.scene.set(name, value);
-    return run;
+ParameterValues values(Settings settings) {
+    ParameterValues all(crystal_model().info.parameters);
+    for (const auto& [name, value] : settings) all.set(name, value);
+    return all;
 }
-
-Scene crystal(Settings settings = {}) {
-    return model("crystal").scene(light("velocity-verlet", Precision::double_, 0.005, settings).scene);
-}
+Scene crystal(Settings settings = {}) { return crystal_model().scene(values(settings)); }
 
 NearPairForces forces_of(const Scene& scene) { return std::get<NearPairForces>(scene.forces); }
 
@@ -200,41 +198,19 @@ TEST(Crystal, starts_otherwise_with_another_seed) {
 }
 
 TEST(Crystal, is_refused_where_a_particle_would_meet_two_images_of_another) {
-    const auto refused = [](Settings settings) {
-        return model("crystal").refusal(run_of("crystal", "rk4", Precision::double_, 0.1, settings).scene);
-    };
+    const auto refused = [](Settings settings) { return crystal_model().refusal(values(settings)); };
     EXPECT_FALSE(refused({}));
     EXPECT_FALSE(refused({{"edge", 4}}));
     ASSERT_TRUE(refused({{"edge", 3}}));
     EXPECT_NE(refused({{"cutoff", 3.01}})->find("twice the cutoff"), std::string::npos);
 }
 
-/// Largest change of the energy in 200 steps, in parts of the kinetic energy it starts with.
-double drift(const RunDescription& description) {
-    Simulation simulation(description);
-    const double start = simulation.diagnostics().energy, kinetic = simulation.diagnostics().kinetic;
-    double largest = 0;
-    for (int step = 0; step < 200; step += 10) {
-        simulation.advance(10);
-        largest = std::max(largest, std::abs(simulation.diagnostics().energy - start));
-    }
-    return largest / kinetic;
-}
-
-// An error of order two: a step half as long leaves a quarter, and three quarters as a bound for the jumps of the force
-// at the cut-off.
-TEST(Crystal, keeps_its_energy_under_velocity_verlet) {
-    const double coarse = drift(light("velocity-verlet", Precision::double_, 0.005));
-    EXPECT_LT(coarse, 0.02);
-    EXPECT_LT(drift(light("velocity-verlet", Precision::double_, 0.0025)), 0.75 * coarse);
-    EXPECT_GT(drift(light("euler", Precision::double_, 0.005)), 2 * coarse);
-}
-
 // Lists are part of the state: kept and brought back in the middle of a run, or looked at, it goes on with the same
 // bits.
-TEST(Crystal, goes_on_with_the_same_bits_whoever_looks_or_comes_back) {
+TEST(NearPairsRun, goes_on_with_the_same_bits_whoever_looks_or_comes_back) {
     for (const Precision precision : precisions) {
-        const RunDescription description = light("velocity-verlet", precision, 0.005);
+        const RunDescription description =
+            run_of("morse", "velocity-verlet", precision, 0.02, {{"cutoff", 1}, {"edge", 5}, {"v0", 5}});
         Simulation undisturbed(description), looked(description), back(description);
         undisturbed.advance(200);
         for (int step = 0; step < 200; ++step) {

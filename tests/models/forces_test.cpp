@@ -86,15 +86,14 @@ double worst_gradient_error(const ForcesCase& c, double strength) {
 
 // Central differences of potentials below 400 with h = 1e-5: rounding 400 * 1e-16 / 1e-5 = 4e-9 beside a truncation
 // h^2 / 6 times third derivatives below 400 for the rope's k = 200.
-// Those of the crystal's pairs, up to 0.4 apart, are below 8 b^3 D exp(2 b 0.6) = 4e5: 7e-6.
-double gradient_tolerance(const ForcesCase& c) { return c.name == "crystal" ? 7e-6 : 3e-8; }
+constexpr double gradient_tolerance = 3e-8;
 
 TEST(Forces, are_minus_the_gradient_of_the_potential) {
-    for (const auto& c : all_forces()) EXPECT_LT(worst_gradient_error(c, 1), gradient_tolerance(c)) << c.name;
+    for (const auto& c : all_forces()) EXPECT_LT(worst_gradient_error(c, 1), gradient_tolerance) << c.name;
 }
 
 TEST(Forces, that_are_one_per_mille_wrong_are_not_the_gradient) {
-    for (const auto& c : all_forces()) EXPECT_GT(worst_gradient_error(c, 1.001), gradient_tolerance(c)) << c.name;
+    for (const auto& c : all_forces()) EXPECT_GT(worst_gradient_error(c, 1.001), gradient_tolerance) << c.name;
 }
 
 // The plain loop on absolute positions is a second, independent statement of every force. Positions up to 100 with

@@ -1,5 +1,6 @@
+#include "crystal.hpp"
+
 #include "core/text.hpp"
-#include "models/model.hpp"
 #include "models/parameters.hpp"
 
 #include <cmath>
@@ -29,7 +30,7 @@ constexpr ParameterInfo parameters[] = {
      .what = "distance of neighbours in the lattice at the start",
      .slider_low = 0.8,
      .slider_high = 2},
-    particle_mass(10),
+    particle_mass(1),
     {.name = "D",
      .unit = "J",
      .minimum = 0,
