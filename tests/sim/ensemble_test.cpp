@@ -121,7 +121,6 @@ class Compensated : public testing::TestWithParam<MethodCase> {};
 
 TEST_P(Compensated, sums_have_the_same_bits_in_an_ensemble) {
     RunDescription description = test::run_of("chain", GetParam().id(), GetParam().precision, 0.02, {{"n", 5}});
-    if (!description.method_parameters.contains("compensated")) GTEST_SKIP() << "has no such sums";
     description.method_parameters.set("compensated", 1);
     for (const double drag : {0.0, 0.2}) {
         description.scene.set("c", drag);
@@ -131,7 +130,15 @@ TEST_P(Compensated, sums_have_the_same_bits_in_an_ensemble) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Compensated, testing::ValuesIn(test::all_methods()), test::case_name);
+std::vector<MethodCase> compensating_methods() {
+    std::vector<MethodCase> cases = test::all_methods();
+    std::erase_if(cases, [](const MethodCase& it) {
+        return !describe("chain", it.id()).method_parameters.contains("compensated");
+    });
+    return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Compensated, testing::ValuesIn(compensating_methods()), test::case_name);
 
 /// Which of the runs of euler on a scene go side by side: those that fill half of a register at least.
 TEST(Ensemble, computes_runs_side_by_side_where_it_can) {
