@@ -26,7 +26,7 @@ constexpr const char* examples =
     "Examples:\n"
     "  steplab run --model chain --set n=20 --until 100 --every 10 --out chain.csv\n"
     "  steplab run --model rope --method rk4 --dt 0.02 --series energy.csv --summary -\n"
-    "  steplab run --model chain --ensemble 100 --spread dt=0.01:0.1 --spread k=1:2 --until 50 --summary -\n\n";
+    "  steplab run --model chain --ensemble 100 --spread k=1:2 --until 50 --summary -\n\n";
 
 class RunCommand final : public Command {
 public:

@@ -24,7 +24,7 @@ void EnsembleOptions::declare(CLI::App& app) {
     text_option(app, "--ensemble", count_, "N", "So many runs of the scene, counted from 0; see --spread")
         ->group(group);
     repeated_option(app, "--spread", spreads_, "name=a:b",
-                    "Run i has a + (b - a) i / (N - 1) for this parameter or dt; repeatable")
+                    "Run i has a + (b - a) i/(N - 1) of this parameter or dt; repeatable")
         ->group(group);
 }
 
