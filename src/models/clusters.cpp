@@ -64,7 +64,7 @@ void Clusters::choose_columns(const Field<double>& positions) {
 std::uint32_t Clusters::column_at(double position) const {
     const double column = std::floor((position + period_ / 2) / width_);
     if (period_ > 0) return static_cast<std::uint32_t>(std::clamp(column, 0.0, columns_a_row_ - 1.0));
-    return static_cast<std::uint32_t>(std::clamp(column + most_columns / 2, 0.0, most_columns - 2.0));
+    return static_cast<std::uint32_t>(std::clamp(column + 0.5 * most_columns, 0.0, most_columns - 2.0));
 }
 
 void Clusters::sort(const Field<double>& positions) {
@@ -161,7 +161,8 @@ void Clusters::append_others(std::uint32_t cluster, Adjacent& adjacent) {
         // an image begins and ends half a period from its middle
         if (z != 0 && static_cast<float>(z) * (z < 0 ? bounds.low[2] : bounds.high[2]) + reach < period / 2) continue;
         const auto image = static_cast<std::uint32_t>(9 * (adjacent.x + 1) + 3 * (adjacent.y + 1) + z + 1);
-        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(z + 1)];
+        const int place = z + 1;
+        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(place)];
         while (first < adjacent.end && bounds_[first].high[2] + shift[2] < bounds.low[2] - reach) ++first;
         for (std::uint32_t other = first; other < adjacent.end; ++other) {
             if (bounds_[other].low[2] + shift[2] > bounds.high[2] + reach) break;

@@ -15,7 +15,8 @@ constexpr std::array<Rgb, 16> viridis_stops = {rgb(0x440154), rgb(0x481a6c), rgb
 
 Rgb mixed(Rgb a, Rgb b, double part) {
     const auto channel = [part](std::uint8_t from, std::uint8_t to) {
-        return static_cast<std::uint8_t>(from + part * (to - from) + 0.5);
+        const double rounded_down = from + part * (to - from) + 0.5;
+        return static_cast<std::uint8_t>(rounded_down);
     };
     return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }

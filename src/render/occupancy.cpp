@@ -21,7 +21,8 @@ void Occupancy::mark(PixelPoint centre, double radius) {
     if (radius < cell / 2.0) {  // as good as one place
         if (!(centre.x >= 0 && centre.y >= 0 && centre.x < cell * columns_ && centre.y < cell * rows_)) return;
         const int row = static_cast<int>(centre.y) / cell, column = static_cast<int>(centre.x) / cell;
-        cells_[static_cast<std::size_t>(row * columns_ + column)] = 1;
+        const int place = row * columns_ + column;
+        cells_[static_cast<std::size_t>(place)] = 1;
         return;
     }
     const int left = clamped_cell(centre.x - radius, cell, columns_);
