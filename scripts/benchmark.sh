@@ -47,12 +47,14 @@ lammps_rows() {
 # The rows in which LAMMPS takes part, again in turns with it: whatever slows the machine for a while hits both.
 measure() {
     steps "$rows"
-    local round
+    local round row
     for ((round = 0; round < rounds; ++round)); do
         lammps_rows
-        if [[ mesh-1000x1000/velocity-verlet/double =~ ${rows:-.} ]]; then
-            steps mesh-1000x1000/velocity-verlet --benchmark_repetitions=1
-        fi
+        for row in mesh-1000x1000 morse-bulk-4096 morse-bulk-32768 morse-bulk-262144; do
+            if [[ $row/velocity-verlet/double =~ ${rows:-.} ]]; then
+                steps "$row/velocity-verlet" --benchmark_repetitions=1
+            fi
+        done
     done
 }
 

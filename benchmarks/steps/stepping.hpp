@@ -27,6 +27,7 @@ struct Comparison {
     struct Entry {
         Contestant contestant;
         std::size_t steps;
+        std::size_t warm_up = 0;  ///< steps before, at least; some are always taken
     };
     std::string name;           ///< row/method/precision
     std::size_t particles = 0;  ///< or numbers, whatever a step goes over

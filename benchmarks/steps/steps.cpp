@@ -53,6 +53,14 @@ const std::vector<Row>& rows() {
     return all;
 }
 
+/// The rows that only LAMMPS computes too, as a program of its own (benchmarks/lammps/morse_bulk.in).
+const std::vector<Row>& bulk_rows() {
+    static const std::vector<Row> all{{"morse-bulk-4096", "crystal", "edge", 16, 0.005, 200, {"velocity-verlet"}},
+                                      {"morse-bulk-32768", "crystal", "edge", 32, 0.005, 100, {"velocity-verlet"}},
+                                      {"morse-bulk-262144", "crystal", "edge", 64, 0.005, 50, {"velocity-verlet"}}};
+    return all;
+}
+
 /// Rows of an ensemble beside a single run of it.
 const std::vector<Row>& ensemble_rows() {
     static const std::vector<Row> all{
@@ -82,6 +90,7 @@ const std::vector<Row>& growing_rows() {
 RunDescription description_of(const Row& row, std::string_view method, Precision precision) {
     RunDescription description = describe(row.model, method);
     description.scene.set(row.parameter, row.value);
+    if (row.model == "crystal") description.scene.set("m", 1);
     description.precision = precision;
     description.dt = row.dt;
     return description;
@@ -138,6 +147,14 @@ Comparison with_ensemble(const Row& row, std::string_view method, Precision prec
             {{ourselves(description, 1), row.steps}, {our_ensemble(description, runs), row.steps * runs}}};
 }
 
+/// In the state that so many steps have led to as are then timed.
+Comparison alone(const Row& row, std::string_view method, Precision precision) {
+    const RunDescription description = description_of(row, method, precision);
+    return {name_of(row, method, precision),
+            static_cast<std::size_t>(model(description.model).particles(description.scene)),
+            {{ourselves(description, 1), row.steps, row.steps}}};
+}
+
 /// By one thread and, of many particles, by two, four ... of them.
 Comparison with_threads(const Row& row, std::string_view method, Precision precision) {
     constexpr double many = 1e5;
@@ -150,14 +167,14 @@ Comparison with_threads(const Row& row, std::string_view method, Precision preci
     return comparison;
 }
 
-/// Batches from the start; what comes before a batch fills the caches and is not counted.
-void measure(google::State& state, const Contestant& contestant, std::size_t steps, std::size_t particles) {
-    const std::size_t warm_up = std::max<std::size_t>(1, steps / 16);
+/// Batches after the same steps from the start, which fill the caches at least.
+void measure(google::State& state, const Comparison::Entry& entry, std::size_t particles) {
+    const auto& [contestant, steps, warm_up] = entry;
     double least = std::numeric_limits<double>::infinity();
     std::string hash;
     for ([[maybe_unused]] auto _ : state) {
         const Stepping stepping = contestant.start();
-        stepping.advance(warm_up);
+        stepping.advance(std::max(warm_up, std::max<std::size_t>(1, steps / 16)));
         const auto begin = std::chrono::steady_clock::now();
         stepping.advance(steps);
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
@@ -201,11 +218,10 @@ private:
 
 void run(const Comparison& comparison, Lines& lines) {
     google::ClearRegisteredBenchmarks();
-    for (const auto& [contestant, steps] : comparison.entries) {
-        const std::string name = fmt::format("{}/{}", comparison.name, contestant.who);
-        google::RegisterBenchmark(name.c_str(), [contestant = contestant, steps = steps,
-                                                 particles = comparison.particles](google::State& state) {
-            measure(state, contestant, steps, particles);
+    for (const Comparison::Entry& entry : comparison.entries) {
+        const std::string name = fmt::format("{}/{}", comparison.name, entry.contestant.who);
+        google::RegisterBenchmark(name.c_str(), [entry, particles = comparison.particles](google::State& state) {
+            measure(state, entry, particles);
         })->UseManualTime();
     }
     google::RunSpecifiedBenchmarks(&lines, "all");
@@ -229,6 +245,7 @@ void run_all() {
     Lines lines;
     fmt::print("row,method,precision,particles,who,ns_per_step,ns_per_particle,hash\n");
     run_rows(rows(), wanted, lines, with_peers);
+    run_rows(bulk_rows(), wanted, lines, alone);
     run_rows(ensemble_rows(), wanted, lines, with_ensemble);
     run_rows(growing_rows(), wanted, lines, with_threads);
     for (const Comparison& comparison : machine_comparisons()) {

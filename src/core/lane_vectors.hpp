@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/lanes.hpp"
+#include "core/vector.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace steplab {
@@ -40,7 +42,60 @@ template <class T, class Register, class F, std::size_t... E>
      ...);
 }
 
+/// In place I that number of two registers after one another which F names.
+template <class Vectors, class F, std::size_t... I>
+[[gnu::always_inline]] inline auto picked(Vectors a, Vectors b, F, std::index_sequence<I...>) {
+    return __builtin_shufflevector(a, b, static_cast<int>(std::integral_constant<std::size_t, F{}(I)>::value)...);
+}
+
+/// Numbers one after another, `Width` of them, each four of which start at address(E), E = First, First + 1, ...
+template <class T, std::size_t Width, std::size_t First, class F>
+[[gnu::always_inline]] inline auto fours(F address) {
+    using Lanes = RegisterLanes<T, Width>;
+    if constexpr (Width == 4) {
+        return Lanes::load(address(First)).registers()[0];
+    } else {
+        constexpr auto same = [](std::size_t place) { return place; };
+        return picked(fours<T, Width / 2, First>(address), fours<T, Width / 2, First + Width / 8>(address), same,
+                      std::make_index_sequence<Width>{});
+    }
+}
+
 }  // namespace detail
+
+/// Of as many vectors as N has lanes, x, y and z; vector `lane` is three numbers and one without meaning that start at
+/// address(lane), aligned as four numbers are.
+template <class N, class F>
+[[gnu::always_inline]] inline Vector<N> gathered_vectors(F address) {
+    using T = std::remove_cvref_t<decltype(*address(0))>;
+    constexpr std::size_t width = N::width;
+    if constexpr (width < 4) {
+        const auto along = [&](std::size_t axis) {
+            return N::each([&](std::size_t lane) { return address(lane)[axis]; });
+        };
+        return {along(0), along(1), along(2)};
+    } else {
+        std::array<typename N::Register, N::parts> x, y, z;
+        constexpr std::make_index_sequence<width> places{};
+        // of two registers of vectors: component C of all, then component C + 1
+        constexpr auto x_then_y = [](std::size_t i) { return i % (width / 2) * 4 + i / (width / 2); };
+        constexpr auto z_then_none = [](std::size_t i) { return i % (width / 2) * 4 + i / (width / 2) + 2; };
+        constexpr auto first_halves = [](std::size_t i) { return i + (i < width / 2 ? 0 : width / 2); };
+        constexpr auto second_halves = [](std::size_t i) { return i + (i < width / 2 ? width / 2 : width); };
+        for (std::size_t p = 0; p < N::parts; ++p) {
+            const auto of_part = [&](std::size_t lane) { return address(p * width + lane); };
+            const auto a = detail::fours<T, width, 0>(of_part), b = detail::fours<T, width, width / 4>(of_part),
+                       c = detail::fours<T, width, width / 2>(of_part),
+                       d = detail::fours<T, width, 3 * width / 4>(of_part);
+            const auto xy_low = detail::picked(a, b, x_then_y, places), xy_high = detail::picked(c, d, x_then_y, places);
+            x[p] = detail::picked(xy_low, xy_high, first_halves, places);
+            y[p] = detail::picked(xy_low, xy_high, second_halves, places);
+            z[p] = detail::picked(detail::picked(a, b, z_then_none, places),
+                                  detail::picked(c, d, z_then_none, places), first_halves, places);
+        }
+        return {N(x), N(y), N(z)};
+    }
+}
 
 /// Each lane of the first half plus that lane of the second half.
 template <class T, std::size_t Count>

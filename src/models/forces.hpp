@@ -49,7 +49,7 @@ struct PairForces {
     std::shared_ptr<const Field<double>> balance = nullptr;
 };
 
-/// Morse potential between pairs nearer than `cutoff`, shifted to zero there.  near_pairs.hpp
+/// Morse potential between pairs nearer than `cutoff`, brought to zero there with its slope.  near_pairs.hpp
 struct NearPairForces : PairForces {
     double cutoff = 1;
     /// Not 0: space repeats itself after this length along each axis, and a particle acts on the nearest image of

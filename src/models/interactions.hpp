@@ -34,9 +34,9 @@ struct SpringFormula {
 };
 
 /// A Morse pair. The distance vector of the formula points the other way than e; the pull is odd in it.
-template <class T>
+template <class T, template <class> class Constants = MorseConstants>
 struct MorseFormula {
-    MorseConstants<T> morse;
+    Constants<T> morse;
     Vector<T> rest{T(0), T(0), T(0)};
 
     template <class N>

@@ -30,8 +30,6 @@ public:
         : forces_(forces),
           count_(forces.count),
           morse_(morse_constants<T>(forces)),
-          cutoff_(static_cast<T>(forces.cutoff)),
-          shift_(morse_energy(morse_, cutoff_)),
           periods_(forces.period > 0 ? forces.period : 1),
           balance_(forces),
           sums_(forces, morse_),
@@ -66,11 +64,10 @@ public:
     const Field<T>& history() const requires(by_clusters) { return sums_.made_at(); }
     void history(const Field<T>& made_at) requires(by_clusters) { sums_.make_at(made_at); }
 
-    /// V(r) - V(cut-off), so that the energy does not jump where pairs come in.
     PotentialEnergy potential(const Field<T>& u) const {
         CompensatedSum value, magnitude;
         const auto add = [&](const T& distance2) {
-            const double energy = static_cast<double>(morse_energy(morse_, square_root(distance2)) - shift_);
+            const double energy = static_cast<double>(morse_energy(morse_, square_root(distance2)));
             value.add(energy);
             magnitude.add(energy < 0 ? -energy : energy);
         };
@@ -108,7 +105,7 @@ public:
     bool moves(std::size_t) const { return true; }
     Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
 
-    std::array<MorseFormula<T>, 1> formulas() const { return {{{morse_}}}; }
+    std::array<MorseFormula<T, CutMorseConstants>, 1> formulas() const { return {{{morse_}}}; }
 
     /// The pairs nearer than the cut-off.
     template <class F>
@@ -118,7 +115,7 @@ public:
 
 private:
     struct NoClusters {
-        NoClusters(const NearPairForces&, const MorseConstants<T>&) {}
+        NoClusters(const NearPairForces&, const CutMorseConstants<T>&) {}
     };
     template <bool, class Number>
     struct SumsOf {
@@ -138,7 +135,7 @@ private:
                 if (j < i) continue;
                 const Vector<T> d = separation(u, i, j);
                 const T distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
-                if (distance2 < cutoff_ * cutoff_) f(i, std::size_t(j), distance2);
+                if (distance2 < morse_.cutoff * morse_.cutoff) f(i, std::size_t(j), distance2);
             }
         }
     }
@@ -155,7 +152,7 @@ private:
     }
 
     void add_pull(const Vector<T>& d, Vector<T>& sum) const {
-        const auto near = d.x * d.x + d.y * d.y + d.z * d.z < cutoff_ * cutoff_;
+        const auto near = d.x * d.x + d.y * d.y + d.z * d.z < morse_.cutoff * morse_.cutoff;
         if (nowhere(near)) return;
         const Vector<T> pull = morse_pull(morse_, d);
         const T zero(T(0));
@@ -169,9 +166,7 @@ private:
 
     NearPairForces forces_;
     std::size_t count_;
-    MorseConstants<T> morse_;
-    T cutoff_;
-    T shift_;
+    CutMorseConstants<T> morse_;
     Periods<T> periods_;
     Balance<T> balance_;
     typename SumsOf<by_clusters, T>::Type sums_;

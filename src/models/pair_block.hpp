@@ -61,18 +61,6 @@ struct MorsePulls {
     }
 };
 
-/// The same between particles nearer than the cut-off, zero between others.
-template <class T>
-struct NearMorsePulls : MorsePulls<T> {
-    T cutoff;
-
-    template <class N>
-    [[gnu::always_inline]] Vector<N> pull(const Measured<N>& pair) const {
-        const N factor = morse_factor(constants_as<N>(this->morse), pair.distance);
-        return where(pair.distance < N(cutoff), factor, N(T(0))) * pair.d;
-    }
-};
-
 /// Of every particle of a block, the pulls of others side by side, to be added up at the end.
 template <class T>
 class RowSums {

@@ -27,12 +27,12 @@ namespace steplab {
 template <class T>
 class PairList {
 public:
-    PairList(const NearPairForces& forces, const MorseConstants<T>& morse)
+    PairList(const NearPairForces& forces, const CutMorseConstants<T>& morse)
         : morse_(constants_as<N>(morse)),
           period_(forces.period),
-          cutoff2_(static_cast<T>(forces.cutoff) * static_cast<T>(forces.cutoff)),
-          allowed_(most_moved * skin * forces.cutoff),
-          reach_((1 + skin) * forces.cutoff),
+          cutoff2_(morse.cutoff * morse.cutoff),
+          reach_(reach_of(forces)),
+          allowed_(most_moved * (reach_ - forces.cutoff)),
           periods_(forces.period > 0 ? forces.period : 1),
           periods_of_lanes_(forces.period > 0 ? forces.period : 1) {}
 
@@ -85,8 +85,7 @@ public:
     void each_distance2(F f) const {
         for (const Row& row : rows_) {
             for (std::uint32_t k = row.begin; k < row.end; k += N::count) {
-                const Vector<N> d = row.wraps ? distances<true>(row, k) : distances<false>(row, k);
-                const N distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
+                const N distance2 = (row.wraps ? distances<true>(row, k) : distances<false>(row, k)).square;
                 for (std::size_t lane = 0; lane < N::count; ++lane) {
                     if (distance2[lane] < cutoff2_) f(distance2[lane]);
                 }
@@ -133,7 +132,17 @@ private:
         }
     }
 
+    /// x of the particles of a cluster, then y, then z.
+    void gather_coordinates() {
+        coordinates_.resize(clusters_.count() * 3 * Clusters::size);
+        for (std::size_t place = 0; place < clusters_.count() * Clusters::size; ++place) {
+            T* const to = coordinates_.data() + place / Clusters::size * 3 * Clusters::size + place % Clusters::size;
+            for (std::size_t axis = 0; axis < 3; ++axis) to[axis * Clusters::size] = positions_[place * stride + axis];
+        }
+    }
+
     void make_lists() {
+        gather_coordinates();
         rows_.clear();
         list_.clear();
         for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) {
@@ -153,6 +162,12 @@ private:
         }
     }
 
+    /// No further than half a period: of two images of a particle at most one is within reach.
+    static double reach_of(const NearPairForces& forces) {
+        const double reach = (1 + skin) * forces.cutoff;
+        return forces.period > 0 ? std::min(reach, forces.period / 2) : reach;
+    }
+
     /// Those of another cluster that are within reach of the particles of a cluster.
     void find(std::uint32_t cluster, Clusters::Other other, std::array<std::size_t, Clusters::size>& count) {
         const bool itself = other.cluster() == cluster && other.image() == Clusters::own_image;
@@ -160,20 +175,22 @@ private:
             return static_cast<T>(Clusters::periods(other.image(), axis)) * static_cast<T>(period_);
         };
         const Vector<T> image{shift(0), shift(1), shift(2)};
-        const T most = static_cast<T>(reach_ * reach_);
-        // in a small period a second image may be within reach; the nearest one is what counts
-        const T half = period_ > 0 ? static_cast<T>(period_ / 2) : std::numeric_limits<T>::infinity();
-        const auto nearest = [half](T d) { return d >= -half && d < half; };
-        const T* const them = positions_.data() + other.cluster() * Clusters::size * stride;
+        const Four most(static_cast<T>(reach_ * reach_));
+        const T* const own = coordinates_.data() + cluster * 3 * Clusters::size;
+        const T* const them = coordinates_.data() + other.cluster() * 3 * Clusters::size;
+        const auto first = static_cast<std::uint32_t>(other.cluster() * Clusters::size * stride);
+        const Four x = Four::load_anywhere(them), y = Four::load_anywhere(them + 4), z = Four::load_anywhere(them + 8);
         for (std::size_t i = 0; i < Clusters::size; ++i) {
-            const T* const own = positions_.data() + (cluster * Clusters::size + i) * stride;
-            const T x = own[0] - image.x, y = own[1] - image.y, z = own[2] - image.z;
-            for (std::size_t j = itself ? i + 1 : 0; j < Clusters::size; ++j) {
-                const T* const their = them + j * stride;
-                const T dx = x - their[0], dy = y - their[1], dz = z - their[2];
-                found_[i][count[i]] = static_cast<std::uint32_t>((other.cluster() * Clusters::size + j) * stride);
-                count[i] += dx * dx + dy * dy + dz * dz < most && nearest(dx) && nearest(dy) && nearest(dz) ? 1 : 0;
+            const Four dx = Four(own[i] - image.x) - x, dy = Four(own[i + 4] - image.y) - y,
+                       dz = Four(own[i + 8] - image.z) - z;
+            const auto near = dx * dx + dy * dy + dz * dz < most;
+            std::uint32_t* const found = found_[i].data();
+            std::size_t end = count[i];
+            for (std::size_t j = 0; j < Clusters::size; ++j) {
+                found[end] = first + static_cast<std::uint32_t>(j * stride);
+                end += near[j] != 0 && (j > i || !itself) ? 1 : 0;
             }
+            count[i] = end;
         }
     }
 
@@ -187,40 +204,53 @@ private:
             {static_cast<std::uint32_t>(place * stride), begin, static_cast<std::uint32_t>(list_.size()), wraps});
     }
 
-    /// From others to the particle of a row.
+    /// From others to the particle of a row, and how far that is.
+    struct Distances {
+        Vector<N> d;
+        N square, root;
+    };
     template <bool Wraps>
-    [[gnu::always_inline]] Vector<N> distances(const Row& row, std::uint32_t k) const {
-        const T *const from = positions_.data(), *const own = from + row.first;
+    [[gnu::always_inline]] Distances distances(const Row& row, std::uint32_t k) const {
+        const T* const from = positions_.data();
         const std::uint32_t* const others = list_.data() + k;
-        const auto along = [=, this](std::size_t axis) {
-            const N d = N(own[axis]) - N::each([=](std::size_t lane) { return from[others[lane] + axis]; });
-            return Wraps ? d - periods_of_lanes_.nearest(d) : d;
-        };
-        return {along(0), along(1), along(2)};
+        const Vector<N> there = gathered_vectors<N>([=](std::size_t lane) { return from + others[lane]; });
+        const T* const own = from + row.first;
+        Vector<N> d = Vector<N>{N(own[0]), N(own[1]), N(own[2])} - there;
+        if constexpr (Wraps) {
+            const auto nearest = [this](const N& component) { return periods_of_lanes_.nearest(component); };
+            d = d - Vector<N>{nearest(d.x), nearest(d.y), nearest(d.z)};
+        }
+        const N square = d.x * d.x + d.y * d.y + d.z * d.z;
+        return {d, square, square_root(square)};
     }
 
-    /// Of all pairs of a row.
+    /// Of all pairs of a row. Roots are taken while the pulls of the pairs before are computed.
     template <bool Wraps>
     void add_pulls(const Row& row) {
         const N zero(T(0)), cutoff2(cutoff2_);
         Vector<N> sum{zero, zero, zero};
+        Distances next = distances<Wraps>(row, row.begin);
         for (std::uint32_t k = row.begin; k < row.end; k += N::count) {
-            const Vector<N> d = distances<Wraps>(row, k);
-            const auto near = d.x * d.x + d.y * d.y + d.z * d.z < cutoff2;
-            Vector<N> pull = morse_pull(morse_, d);
+            const Distances pairs = next;
+            if (k + N::count < row.end) next = distances<Wraps>(row, k + N::count);
+            const auto near = pairs.square < cutoff2;
+            Vector<N> pull = morse_factor(morse_, pairs.root) * pairs.d;
             pull = {where(near, pull.x, zero), where(near, pull.y, zero), where(near, pull.z, zero)};
             sum = sum + pull;
-            const std::uint32_t* const others = list_.data() + k;
-            T* const sums = sums_.data();
-            each_vector(pull.x, pull.y, pull.z, [=](std::size_t lane, const Four& of_lane) {
-                T* const to = sums + others[lane];
-                (Four::load(to) - of_lane).store(to);
-            });
+            subtract(pull, list_.data() + k);
         }
         T* const to = sums_.data() + row.first;
         to[0] += total(sum.x);
         to[1] += total(sum.y);
         to[2] += total(sum.z);
+    }
+
+    [[gnu::always_inline]] void subtract(const Vector<N>& pull, const std::uint32_t* others) {
+        T* const sums = sums_.data();
+        each_vector(pull.x, pull.y, pull.z, [=](std::size_t lane, const Four& of_lane) {
+            T* const to = sums + others[lane];
+            (Four::load(to) - of_lane).store(to);
+        });
     }
 
     /// The first half of the lanes plus the second, until one is left.
@@ -233,11 +263,11 @@ private:
         }
     }
 
-    MorseConstants<N> morse_;
+    CutMorseConstants<N> morse_;
     double period_;
     T cutoff2_;
-    double allowed_;
     double reach_;
+    double allowed_;
     Periods<T> periods_;
     Periods<N> periods_of_lanes_;
     Clusters clusters_;
@@ -245,7 +275,9 @@ private:
     Numbers positions_, sums_;
     std::vector<Row> rows_;
     std::vector<std::uint32_t> list_;
-    std::array<std::vector<std::uint32_t>, Clusters::size> found_;  ///< memory of make_lists()
+    // memory of make_lists()
+    Numbers coordinates_;
+    std::array<std::vector<std::uint32_t>, Clusters::size> found_;
 };
 
 }  // namespace steplab

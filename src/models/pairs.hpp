@@ -26,6 +26,14 @@ MorseConstants<T> morse_constants(const PairForces& forces) {
     return {depth, b, static_cast<T>(forces.r0), T(2) * b * depth / static_cast<T>(forces.mass)};
 }
 
+template <class T>
+CutMorseConstants<T> morse_constants(const NearPairForces& forces) {
+    const MorseConstants<T> uncut = morse_constants<T>(static_cast<const PairForces&>(forces));
+    const T cutoff = static_cast<T>(forces.cutoff);
+    const T pull = morse_factor(uncut, cutoff) * cutoff;
+    return {uncut, cutoff, pull, morse_energy(uncut, cutoff), -(static_cast<T>(forces.mass) * pull)};
+}
+
 /// PairForces::balance at work, in the number type of an engine.
 template <class T>
 class Balance {

@@ -43,6 +43,65 @@ constexpr ParameterInfo force_constant(double default_value, std::string_view un
             .slider_logarithmic = true};
 }
 
+constexpr ParameterInfo well_depth(double default_value) {
+    return {.name = "D",
+            .unit = "J",
+            .minimum = 0,
+            .minimum_included = false,
+            .default_value = default_value,
+            .what = "depth of the Morse potential",
+            .slider_low = 0.05,
+            .slider_high = 10,
+            .slider_logarithmic = true};
+}
+
+constexpr ParameterInfo well_force_constant(double default_value, double slider_low, double slider_high) {
+    return {.name = "k",
+            .unit = "N/m",
+            .minimum = 0,
+            .minimum_included = false,
+            .default_value = default_value,
+            .what = "force constant at the minimum, b = √(k/(2D))",
+            .slider_low = slider_low,
+            .slider_high = slider_high,
+            .slider_logarithmic = true};
+}
+
+constexpr ParameterInfo well_distance(double default_value, double slider_low, double slider_high) {
+    return {.name = "r0",
+            .unit = "m",
+            .minimum = 0,
+            .minimum_included = false,
+            .default_value = default_value,
+            .what = "distance of the potential's minimum",
+            .slider_low = slider_low,
+            .slider_high = slider_high};
+}
+
+constexpr ParameterInfo particles_along_edge(double default_value, double slider_low, double slider_high) {
+    return {.name = "edge",
+            .kind = ParameterInfo::Kind::integer,
+            .unit = "",
+            .minimum = 1,
+            .default_value = default_value,
+            .on_change = OnChange::restarts,
+            .what = "particles along the cube's side",
+            .slider_low = slider_low,
+            .slider_high = slider_high};
+}
+
+constexpr ParameterInfo start_spacing(double default_value, double slider_low, double slider_high) {
+    return {.name = "spacing",
+            .unit = "m",
+            .minimum = 0,
+            .minimum_included = false,
+            .default_value = default_value,
+            .on_change = OnChange::restarts,
+            .what = "distance of neighbours in the cube at the start",
+            .slider_low = slider_low,
+            .slider_high = slider_high};
+}
+
 constexpr ParameterInfo rest_length(double default_value) {
     return {.name = "L",
             .unit = "m",

@@ -57,6 +57,7 @@ template <class T>
 void Plain<T>::add(const NearPairForces& forces) {
     add(static_cast<const PairForces&>(forces));
     cutoff_ = static_cast<T>(forces.cutoff);
+    force_at_cutoff_ = morse_force(cutoff_);
     period_ = static_cast<T>(forces.period);
 }
 
@@ -90,6 +91,12 @@ void Plain<T>::add_springs(const Field<T>& positions, Field<T>& a) const {
 }
 
 template <class T>
+T Plain<T>::morse_force(T distance) const {
+    const T e = exponential(-(b_ * (distance - r0_)));
+    return -(T(2) * b_ * depth_ * e * (T(1) - e));
+}
+
+template <class T>
 void Plain<T>::add_pairs(const Field<T>& positions, Field<T>& a) const {
     const T *const x = positions.x(), *const y = positions.y(), *const z = positions.z();
     const auto to_nearest_image = [period = period_](T d) {
@@ -101,8 +108,7 @@ void Plain<T>::add_pairs(const Field<T>& positions, Field<T>& a) const {
                     dz = to_nearest_image(z[i] - z[j]);
             const T distance = std::sqrt(dx * dx + dy * dy + dz * dz);
             if (!(distance > T(0)) || (cutoff_ > T(0) && !(distance < cutoff_))) continue;
-            const T e = exponential(-(b_ * (distance - r0_)));
-            const T s = -(T(2) * b_ * depth_ * e * (T(1) - e)) / distance;
+            const T s = (morse_force(distance) - force_at_cutoff_) / distance;
             a.x()[i] += s * dx / mass_;
             a.y()[i] += s * dy / mass_;
             a.z()[i] += s * dz / mass_;

@@ -33,6 +33,8 @@ private:
 
     void add_springs(const Field<T>& positions, Field<T>& a) const;
     void add_pairs(const Field<T>& positions, Field<T>& a) const;
+    /// Without cut-off; away from each other is positive.
+    T morse_force(T distance) const;
 
     std::vector<PlainSpring> springs_;
     std::vector<std::size_t> fixed_;
@@ -41,7 +43,7 @@ private:
     T constant_step_ = T(0);
     T gravity_ = T(0);
     bool morse_ = false;
-    T depth_ = T(0), b_ = T(0), r0_ = T(0), cutoff_ = T(0), period_ = T(0);
+    T depth_ = T(0), b_ = T(0), r0_ = T(0), cutoff_ = T(0), force_at_cutoff_ = T(0), period_ = T(0);
 };
 
 }  // namespace steplab

@@ -1,4 +1,4 @@
-#include "models/crystal.hpp"
+#include "sim/catalogue.hpp"
 
 #include "models/clusters.hpp"
 #include "models/layouts.hpp"
@@ -17,11 +17,11 @@ namespace steplab::test {
 namespace {
 
 ParameterValues values(Settings settings) {
-    ParameterValues all(crystal_model().info.parameters);
+    ParameterValues all(model("crystal").info.parameters);
     for (const auto& [name, value] : settings) all.set(name, value);
     return all;
 }
-Scene crystal(Settings settings = {}) { return crystal_model().scene(values(settings)); }
+Scene crystal(Settings settings = {}) { return model("crystal").scene(values(settings)); }
 
 NearPairForces forces_of(const Scene& scene) { return std::get<NearPairForces>(scene.forces); }
 
@@ -198,7 +198,7 @@ TEST(Crystal, starts_otherwise_with_another_seed) {
 }
 
 TEST(Crystal, is_refused_where_a_particle_would_meet_two_images_of_another) {
-    const auto refused = [](Settings settings) { return crystal_model().refusal(values(settings)); };
+    const auto refused = [](Settings settings) { return model("crystal").refusal(values(settings)); };
     EXPECT_FALSE(refused({}));
     EXPECT_FALSE(refused({{"edge", 4}}));
     ASSERT_TRUE(refused({{"edge", 3}}));
