@@ -25,14 +25,6 @@ template <class T, std::size_t Count, std::size_t First, std::size_t... I>
     return RegisterLanes<T, Count / 2>(__builtin_shufflevector(lanes, lanes, static_cast<int>(I + First)...));
 }
 
-/// x, y, z, z of each lane of the G-th quarter of a register in turn.
-template <std::size_t G, class Register, std::size_t... I>
-[[gnu::always_inline]] inline Register interleaved(Register x, Register y, Register z, std::index_sequence<I...>) {
-    constexpr std::size_t width = sizeof...(I), first = G * (width / 4);
-    const Register xy = __builtin_shufflevector(x, y, static_cast<int>(first + I / 4 + (I % 4 == 1 ? width : 0))...);
-    return __builtin_shufflevector(xy, z, static_cast<int>(I % 4 < 2 ? I : width + first + I / 4)...);
-}
-
 /// Calls f(E, four) for every four numbers of a register.
 template <class T, class Register, class F, std::size_t... E>
 [[gnu::always_inline]] inline void each_four(Register vectors, F f, std::index_sequence<E...>) {
@@ -63,37 +55,60 @@ template <class T, std::size_t Width, std::size_t First, class F>
 
 }  // namespace detail
 
-/// Of as many vectors as N has lanes, x, y and z; vector `lane` is three numbers and one without meaning that start at
-/// address(lane), aligned as four numbers are.
-template <class N, class F>
-[[gnu::always_inline]] inline Vector<N> gathered_vectors(F address) {
-    using T = std::remove_cvref_t<decltype(*address(0))>;
-    constexpr std::size_t width = N::width;
-    if constexpr (width < 4) {
+/// x, y and z of Count / 4 vectors, each in four lanes; vector j is three numbers and one without meaning that start at
+/// address(j), aligned as four numbers are.
+template <class T, std::size_t Count, class F>
+[[gnu::always_inline]] inline Vector<RegisterLanes<T, Count>> repeated_vectors(F address) {
+    using N = RegisterLanes<T, Count>;
+    if constexpr (N::width < 4) {
         const auto along = [&](std::size_t axis) {
-            return N::each([&](std::size_t lane) { return address(lane)[axis]; });
+            return N::each([&](std::size_t lane) { return address(lane / 4)[axis]; });
         };
         return {along(0), along(1), along(2)};
     } else {
         std::array<typename N::Register, N::parts> x, y, z;
-        constexpr std::make_index_sequence<width> places{};
-        // of two registers of vectors: component C of all, then component C + 1
-        constexpr auto x_then_y = [](std::size_t i) { return i % (width / 2) * 4 + i / (width / 2); };
-        constexpr auto z_then_none = [](std::size_t i) { return i % (width / 2) * 4 + i / (width / 2) + 2; };
-        constexpr auto first_halves = [](std::size_t i) { return i + (i < width / 2 ? 0 : width / 2); };
-        constexpr auto second_halves = [](std::size_t i) { return i + (i < width / 2 ? width / 2 : width); };
+        constexpr std::make_index_sequence<N::width> places{};
+        constexpr auto first = [](std::size_t lane) { return lane / 4 * 4; };
+        constexpr auto second = [](std::size_t lane) { return lane / 4 * 4 + 1; };
+        constexpr auto third = [](std::size_t lane) { return lane / 4 * 4 + 2; };
         for (std::size_t p = 0; p < N::parts; ++p) {
-            const auto of_part = [&](std::size_t lane) { return address(p * width + lane); };
-            const auto a = detail::fours<T, width, 0>(of_part), b = detail::fours<T, width, width / 4>(of_part),
-                       c = detail::fours<T, width, width / 2>(of_part),
-                       d = detail::fours<T, width, 3 * width / 4>(of_part);
-            const auto xy_low = detail::picked(a, b, x_then_y, places), xy_high = detail::picked(c, d, x_then_y, places);
-            x[p] = detail::picked(xy_low, xy_high, first_halves, places);
-            y[p] = detail::picked(xy_low, xy_high, second_halves, places);
-            z[p] = detail::picked(detail::picked(a, b, z_then_none, places),
-                                  detail::picked(c, d, z_then_none, places), first_halves, places);
+            const auto vectors = detail::fours<T, N::width, 0>([&](std::size_t j) { return address(p * N::width / 4 + j); });
+            x[p] = detail::picked(vectors, vectors, first, places);
+            y[p] = detail::picked(vectors, vectors, second, places);
+            z[p] = detail::picked(vectors, vectors, third, places);
         }
         return {N(x), N(y), N(z)};
+    }
+}
+
+/// Calls f(j, four) for every four lanes in turn, with their sums along x, y and z and a number without meaning: of lanes
+/// 0 to 3, (0 + 1) + (2 + 3).
+template <class T, std::size_t Count, class F>
+[[gnu::always_inline]] inline void each_sum_of_four(const Vector<RegisterLanes<T, Count>>& v, F f) {
+    using N = RegisterLanes<T, Count>;
+    if constexpr (N::width < 4) {
+        for (std::size_t j = 0; j < Count / 4; ++j) {
+            const auto sum = [j](const N& n) { return (n[4 * j] + n[4 * j + 1]) + (n[4 * j + 2] + n[4 * j + 3]); };
+            const std::array<T, 3> sums{sum(v.x), sum(v.y), sum(v.z)};
+            f(j, RegisterLanes<T, 4>::each([&](std::size_t axis) { return sums[axis % 3]; }));
+        }
+    } else {
+        constexpr std::make_index_sequence<N::width> places{};
+        // of every four lanes: 0 and 2 of the one register, then of the other; 1 and 3; of their sums those at even
+        // places, then those at odd ones
+        constexpr auto even = [](std::size_t i) { return i / 4 * 4 + i % 2 * 2 + (i % 4 < 2 ? 0 : N::width); };
+        constexpr auto odd = [](std::size_t i) { return i / 4 * 4 + i % 2 * 2 + 1 + (i % 4 < 2 ? 0 : N::width); };
+        for (std::size_t p = 0; p < N::parts; ++p) {
+            const auto x = v.x.registers()[p], y = v.y.registers()[p], z = v.z.registers()[p];
+            const auto xy = detail::picked(x, y, even, places) + detail::picked(x, y, odd, places);
+            const auto zz = detail::picked(z, z, even, places) + detail::picked(z, z, odd, places);
+            constexpr auto firsts = [](std::size_t i) { return i / 4 * 4 + i % 4 / 2 * N::width + i % 2 * 2; };
+            constexpr auto seconds = [](std::size_t i) { return i / 4 * 4 + i % 4 / 2 * N::width + i % 2 * 2 + 1; };
+            detail::each_four<T>(
+                detail::picked(xy, zz, firsts, places) + detail::picked(xy, zz, seconds, places),
+                [&](std::size_t j, const auto& four) { f(p * N::width / 4 + j, four); },
+                std::make_index_sequence<N::width / 4>{});
+        }
     }
 }
 
@@ -113,31 +128,6 @@ template <class T, std::size_t Count>
         constexpr std::make_index_sequence<width / 2> places{};
         return detail::half<T, Count, 0>(registers[0], places) +
                detail::half<T, Count, width / 2>(registers[0], places);
-    }
-}
-
-/// Calls f(lane, four) with the four numbers x[lane], y[lane], z[lane] and one without meaning, for each lane in turn.
-template <class T, std::size_t Count, class F>
-[[gnu::always_inline]] inline void each_vector(const RegisterLanes<T, Count>& x, const RegisterLanes<T, Count>& y,
-                                               const RegisterLanes<T, Count>& z, F f) {
-    constexpr std::size_t width = detail::width_of<T, Count>;
-    if constexpr (width < 4) {
-        for (std::size_t lane = 0; lane < Count; ++lane)
-            f(lane, RegisterLanes<T, 4>::each([&](std::size_t c) { return (c == 0 ? x : c == 1 ? y : z)[lane]; }));
-    } else {
-        for (std::size_t p = 0; p < Count / width; ++p) {
-            const auto quarter = [&]<std::size_t G>(std::integral_constant<std::size_t, G>) {
-                const auto vectors = detail::interleaved<G>(x.registers()[p], y.registers()[p], z.registers()[p],
-                                                            std::make_index_sequence<width>{});
-                detail::each_four<T>(
-                    vectors, [&](std::size_t e, const auto& four) { f(p * width + G * (width / 4) + e, four); },
-                    std::make_index_sequence<width / 4>{});
-            };
-            quarter(std::integral_constant<std::size_t, 0>{});
-            quarter(std::integral_constant<std::size_t, 1>{});
-            quarter(std::integral_constant<std::size_t, 2>{});
-            quarter(std::integral_constant<std::size_t, 3>{});
-        }
     }
 }
 

@@ -16,10 +16,11 @@
 
 namespace steplab {
 
-/// The sums of NearPairForces in float and double. Each particle has a list of others, which together hold every pair
-/// once and reach a skin further than the forces; it is made anew when a particle has gone half the skin: until then no
-/// pair can have come in. A list is gone through as many particles at a time as a cache line has numbers, on every
-/// machine. Particles are numbered by the clusters they are in, so that those near in space are near in memory.
+/// The sums of NearPairForces in float and double. Each cluster of four particles has a list of others that at least one
+/// of them may meet; together they hold every pair once, and they reach a skin further than the forces: a list is made
+/// anew when a particle has gone half the skin, until then no pair can have come in. A list is gone through as many pairs
+/// at a time as a cache line has numbers, on every machine: four particles side by side with two others (float: four).
+/// Particles are numbered by the clusters they are in, so that those near in space are near in memory.
 ///
 /// The order in which the pulls at a particle are added hangs on these lists, and they on where the particles were when
 /// they were made. So the last bits of an acceleration hang on that too: made_at() is part of the state of a run. It
@@ -31,10 +32,9 @@ public:
         : morse_(constants_as<N>(morse)),
           period_(forces.period),
           cutoff2_(morse.cutoff * morse.cutoff),
-          reach_(reach_of(forces)),
-          allowed_(most_moved * (reach_ - forces.cutoff)),
-          periods_(forces.period > 0 ? forces.period : 1),
-          periods_of_lanes_(forces.period > 0 ? forces.period : 1) {}
+          reach_((1 + skin) * forces.cutoff),
+          allowed_(most_moved * skin * forces.cutoff),
+          periods_(forces.period > 0 ? forces.period : 1) {}
 
     /// True if the lists hold all pairs nearer than the cut-off.
     bool holds_at(const Field<T>& u) const {
@@ -59,16 +59,18 @@ public:
             within.set(i, {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
         }
         clusters_.make(within, reach_, period_);
-        positions_.assign((clusters_.count() * Clusters::size + 1) * stride, std::numeric_limits<T>::quiet_NaN());
-        place(u);
+        gather_coordinates(within);
         make_lists();
+        positions_.assign((clusters_.count() + 1 + images_.size()) * numbers, std::numeric_limits<T>::quiet_NaN());
+        place(u);
     }
 
     /// Of the lists as they are.
     void accelerations(const Field<T>& u, Field<T>& a) {
         place(u);
         sums_.assign(positions_.size(), T(0));
-        for (const Row& row : rows_) row.wraps ? add_pulls<true>(row) : add_pulls<false>(row);
+        for (const Row& row : rows_) add_pulls(row);
+        add_up_images();
         const auto places = clusters_.places();
         T *const x = a.x(), *const y = a.y(), *const z = a.z();
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -84,12 +86,11 @@ public:
     template <class F>
     void each_distance2(F f) const {
         for (const Row& row : rows_) {
-            for (std::uint32_t k = row.begin; k < row.end; k += N::count) {
-                const N distance2 = (row.wraps ? distances<true>(row, k) : distances<false>(row, k)).square;
+            each_group(row, [&](const Distances& pairs, std::uint32_t) {
                 for (std::size_t lane = 0; lane < N::count; ++lane) {
-                    if (distance2[lane] < cutoff2_) f(distance2[lane]);
+                    if (pairs.square[lane] < cutoff2_) f(pairs.square[lane]);
                 }
-            }
+            });
         }
     }
 
@@ -98,20 +99,26 @@ private:
     using Four = RegisterLanes<T, 4>;
     using Numbers = std::vector<T, CacheLineAllocator<T>>;
 
-    /// A particle and its others in the list.
+    static constexpr std::uint32_t size = Clusters::size;
+    /// Others that go side by side.
+    static constexpr std::uint32_t at_once = N::count / size;
+    /// Numbers of a particle: x, y, z and one that means nothing; and of a cluster.
+    static constexpr std::size_t stride = 4, numbers = size * stride;
+
+    /// A cluster and its part of the list: its own particles and then the others.
     struct Row {
-        std::uint32_t first;       ///< number of its place
-        std::uint32_t begin, end;  ///< of the first numbers of the others' places, in the list
-        bool wraps;                ///< others may be nearer in another image of space
+        std::uint32_t own;         ///< the first of its numbers
+        std::uint32_t begin, end;  ///< of the first numbers of the others, in the list
+    };
+    /// A cluster one period away or more, numbered as if it were one of the others.
+    struct Image {
+        std::uint32_t cluster, image;
     };
 
     /// Parts of the cut-off.
     static constexpr double skin = 0.15;
     /// Part of the skin that a particle may go: half of it, less what rounding may hide.
     static constexpr double most_moved = 0.48;
-
-    /// Numbers of a particle: x, y, z and one that means nothing.
-    static constexpr std::size_t stride = 4;
 
     Vector<T> in_period(const Field<T>& u, std::size_t i) const {
         const auto within = [&](const T* along, const T* made_at) {
@@ -120,7 +127,8 @@ private:
         return {within(u.x(), made_at_.x()), within(u.y(), made_at_.y()), within(u.z(), made_at_.z())};
     }
 
-    /// Places of no particle, and one behind all others, stay nowhere: out of everybody's reach.
+    /// Places of no particle, and those of a cluster behind all others, stay nowhere: out of everybody's reach. Behind
+    /// that are the images.
     void place(const Field<T>& u) {
         const auto places = clusters_.places();
         for (std::size_t i = 0; i < places.size(); ++i) {
@@ -130,136 +138,185 @@ private:
             to[1] = p.y;
             to[2] = p.z;
         }
+        T* to = first_image(positions_);
+        for (const Image& image : images_) {
+            const Vector<T> shift = shift_of(image.image);
+            const Four by = Four::each([&](std::size_t axis) { return axis == 0 ? shift.x : axis == 1 ? shift.y : shift.z; });
+            const T* const from = positions_.data() + image.cluster * numbers;
+            for (std::size_t k = 0; k < numbers; k += stride) (Four::load(from + k) + by).store(to + k);
+            to += numbers;
+        }
     }
 
-    /// x of the particles of a cluster, then y, then z.
-    void gather_coordinates() {
-        coordinates_.resize(clusters_.count() * 3 * Clusters::size);
-        for (std::size_t place = 0; place < clusters_.count() * Clusters::size; ++place) {
-            T* const to = coordinates_.data() + place / Clusters::size * 3 * Clusters::size + place % Clusters::size;
-            for (std::size_t axis = 0; axis < 3; ++axis) to[axis * Clusters::size] = positions_[place * stride + axis];
+    /// What pulls at an image pulls at its particle.
+    void add_up_images() {
+        const T* from = first_image(sums_);
+        for (const Image& image : images_) {
+            T* const to = sums_.data() + image.cluster * numbers;
+            for (std::size_t k = 0; k < numbers; k += stride) (Four::load(to + k) + Four::load(from + k)).store(to + k);
+            from += numbers;
+        }
+    }
+
+    T* first_image(Numbers& of) const { return of.data() + (clusters_.count() + 1) * numbers; }
+
+    Vector<T> shift_of(std::uint32_t image) const {
+        const auto shift = [&](std::size_t axis) {
+            return static_cast<T>(Clusters::periods(image, axis)) * static_cast<T>(period_);
+        };
+        return {shift(0), shift(1), shift(2)};
+    }
+
+    /// Of every cluster x of its particles, then y, then z.
+    void gather_coordinates(const Field<double>& positions) {
+        coordinates_.assign(clusters_.count() * 3 * size, std::numeric_limits<T>::quiet_NaN());
+        for (std::size_t i = 0; i < positions.count(); ++i) {
+            const std::uint32_t place = clusters_.places()[i];
+            T* const to = coordinates_.data() + place / size * 3 * size + place % size;
+            to[0] = static_cast<T>(positions.x()[i]);
+            to[size] = static_cast<T>(positions.y()[i]);
+            to[2 * size] = static_cast<T>(positions.z()[i]);
         }
     }
 
     void make_lists() {
-        gather_coordinates();
         rows_.clear();
         list_.clear();
+        images_.clear();
+        first_of_image_.assign(period_ > 0 ? clusters_.count() * Clusters::images : 0, 0);
+        const auto nowhere = static_cast<std::uint32_t>(clusters_.count() * numbers);
         for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) {
             const auto others = clusters_.others(cluster);
-            const std::size_t most = (others.size() + 1) * Clusters::size;
-            for (auto& row : found_) row.resize(std::max(row.size(), most));
-            std::array<std::size_t, Clusters::size> count{};
-            find(cluster, {cluster, Clusters::own_image}, count);
-            bool wraps = false;
-            for (const Clusters::Other other : others) {
-                find(cluster, other, count);
-                wraps = wraps || other.image() != Clusters::own_image;
-            }
-            for (std::size_t i = 0; i < Clusters::size; ++i) {
-                if (count[i] > 0) append(cluster * Clusters::size + i, found_[i], count[i], wraps);
-            }
+            const std::size_t begin = list_.size();
+            const auto own = static_cast<std::uint32_t>(cluster * numbers);
+            list_.resize(begin + (others.size() + 2) * size);
+            for (std::uint32_t i = 0; i < size; ++i) list_[begin + i] = own + static_cast<std::uint32_t>(i * stride);
+            std::size_t end = begin + size;
+            for (const Clusters::Other other : others) end = append(cluster, other, end);
+            for (; end % at_once > 0; ++end) list_[end] = nowhere;
+            list_.resize(end);
+            rows_.push_back({own, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
         }
+        list_.insert(list_.end(), at_once, nowhere);  // for who looks ahead
     }
 
-    /// No further than half a period: of two images of a particle at most one is within reach.
-    static double reach_of(const NearPairForces& forces) {
-        const double reach = (1 + skin) * forces.cutoff;
-        return forces.period > 0 ? std::min(reach, forces.period / 2) : reach;
-    }
-
-    /// Those of another cluster that are within reach of the particles of a cluster.
-    void find(std::uint32_t cluster, Clusters::Other other, std::array<std::size_t, Clusters::size>& count) {
-        const bool itself = other.cluster() == cluster && other.image() == Clusters::own_image;
-        const auto shift = [&](std::size_t axis) {
-            return static_cast<T>(Clusters::periods(other.image(), axis)) * static_cast<T>(period_);
-        };
-        const Vector<T> image{shift(0), shift(1), shift(2)};
-        const Four most(static_cast<T>(reach_ * reach_));
-        const T* const own = coordinates_.data() + cluster * 3 * Clusters::size;
-        const T* const them = coordinates_.data() + other.cluster() * 3 * Clusters::size;
-        const auto first = static_cast<std::uint32_t>(other.cluster() * Clusters::size * stride);
-        const Four x = Four::load_anywhere(them), y = Four::load_anywhere(them + 4), z = Four::load_anywhere(them + 8);
-        for (std::size_t i = 0; i < Clusters::size; ++i) {
-            const Four dx = Four(own[i] - image.x) - x, dy = Four(own[i + 4] - image.y) - y,
-                       dz = Four(own[i + 8] - image.z) - z;
-            const auto near = dx * dx + dy * dy + dz * dz < most;
-            std::uint32_t* const found = found_[i].data();
-            std::size_t end = count[i];
-            for (std::size_t j = 0; j < Clusters::size; ++j) {
-                found[end] = first + static_cast<std::uint32_t>(j * stride);
-                end += near[j] != 0 && (j > i || !itself) ? 1 : 0;
-            }
-            count[i] = end;
+    /// The first number of another cluster, where it is one period away or more of that image.
+    std::uint32_t first_of(Clusters::Other other) {
+        if (other.image() == Clusters::own_image) return static_cast<std::uint32_t>(other.cluster() * numbers);
+        std::uint32_t& first = first_of_image_[other.cluster() * Clusters::images + other.image()];
+        if (first == 0) {
+            first = static_cast<std::uint32_t>((clusters_.count() + 1 + images_.size()) * numbers);
+            images_.push_back({other.cluster(), other.image()});
         }
+        return first;
     }
 
-    /// Filled up with the place behind all others.
-    void append(std::size_t place, const std::vector<std::uint32_t>& found, std::size_t count, bool wraps) {
-        const auto begin = static_cast<std::uint32_t>(list_.size());
-        const auto nowhere = static_cast<std::uint32_t>(positions_.size() - stride);
-        list_.insert(list_.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
-        list_.resize((list_.size() + N::count - 1) / N::count * N::count, nowhere);
-        rows_.push_back(
-            {static_cast<std::uint32_t>(place * stride), begin, static_cast<std::uint32_t>(list_.size()), wraps});
+    /// To the list from `end` on, those of another cluster that are within reach of a particle of this one. Returns its
+    /// new end.
+    std::size_t append(std::uint32_t cluster, Clusters::Other other, std::size_t end) {
+        const Vector<T> image = shift_of(other.image());
+        const T* const own = coordinates_.data() + cluster * 3 * size;
+        const T* const them = coordinates_.data() + other.cluster() * 3 * size;
+        const Four x = Four::load_anywhere(them), y = Four::load_anywhere(them + size),
+                   z = Four::load_anywhere(them + 2 * size);
+        Four nearest(std::numeric_limits<T>::infinity());
+        for (std::size_t i = 0; i < size; ++i) {
+            const Four dx = Four(own[i] - image.x) - x, dy = Four(own[i + size] - image.y) - y,
+                       dz = Four(own[i + 2 * size] - image.z) - z;
+            const Four square = dx * dx + dy * dy + dz * dz;
+            nearest = where(square < nearest, square, nearest);
+        }
+        const auto near = nearest < Four(static_cast<T>(reach_ * reach_));
+        if (!any(near, size)) return end;
+        const std::uint32_t first = first_of(other);
+        for (std::size_t j = 0; j < size; ++j) {
+            list_[end] = first + static_cast<std::uint32_t>(j * stride);
+            end += near[j] != 0 ? 1 : 0;
+        }
+        return end;
     }
 
-    /// From others to the particle of a row, and how far that is.
+    /// From others to the particles of a cluster, and how far that is.
     struct Distances {
         Vector<N> d;
         N square, root;
     };
-    template <bool Wraps>
-    [[gnu::always_inline]] Distances distances(const Row& row, std::uint32_t k) const {
+
+    /// The positions of the particles of a cluster, again for each of the others that go side by side.
+    Vector<N> four_of(const Row& row) const {
+        const T* const from = positions_.data() + row.own;
+        const auto along = [=](std::size_t axis) {
+            return N::each([=](std::size_t lane) { return from[lane % size * stride + axis]; });
+        };
+        return {along(0), along(1), along(2)};
+    }
+
+    [[gnu::always_inline]] Distances distances(const Vector<N>& own, std::uint32_t k) const {
         const T* const from = positions_.data();
         const std::uint32_t* const others = list_.data() + k;
-        const Vector<N> there = gathered_vectors<N>([=](std::size_t lane) { return from + others[lane]; });
-        const T* const own = from + row.first;
-        Vector<N> d = Vector<N>{N(own[0]), N(own[1]), N(own[2])} - there;
-        if constexpr (Wraps) {
-            const auto nearest = [this](const N& component) { return periods_of_lanes_.nearest(component); };
-            d = d - Vector<N>{nearest(d.x), nearest(d.y), nearest(d.z)};
-        }
+        const Vector<N> d = own - repeated_vectors<T, N::count>([=](std::size_t j) { return from + others[j]; });
         const N square = d.x * d.x + d.y * d.y + d.z * d.z;
         return {d, square, square_root(square)};
     }
 
-    /// Of all pairs of a row. Roots are taken while the pulls of the pairs before are computed.
-    template <bool Wraps>
+    /// From the particles of the cluster itself, the j-th of them on: no pair twice, none with itself.
+    [[gnu::always_inline]] static Distances once(Distances pairs, std::uint32_t j) {
+        const N place = N::each([](std::size_t lane) { return static_cast<T>(lane % size); });
+        const N other = N::each([=](std::size_t lane) { return static_cast<T>(j + lane / size); });
+        pairs.square = where(place < other, pairs.square, N(std::numeric_limits<T>::infinity()));
+        return pairs;
+    }
+
+    /// Calls f(distances, k) for the pairs of a row that go side by side, others k, k + 1, ... of the list. Their roots
+    /// are taken while f is busy with the pairs before.
+    template <class F>
+    [[gnu::always_inline]] void each_group(const Row& row, F f) const {
+        const Vector<N> own = four_of(row);
+        Distances next = distances(own, row.begin);
+        std::uint32_t k = row.begin;
+        for (; k < row.begin + size; k += at_once) {
+            const Distances pairs = once(next, k - row.begin);
+            next = distances(own, k + at_once);
+            f(pairs, k);
+        }
+        for (; k < row.end; k += at_once) {
+            const Distances pairs = next;
+            next = distances(own, k + at_once);
+            f(pairs, k);
+        }
+    }
+
     void add_pulls(const Row& row) {
         const N zero(T(0)), cutoff2(cutoff2_);
         Vector<N> sum{zero, zero, zero};
-        Distances next = distances<Wraps>(row, row.begin);
-        for (std::uint32_t k = row.begin; k < row.end; k += N::count) {
-            const Distances pairs = next;
-            if (k + N::count < row.end) next = distances<Wraps>(row, k + N::count);
+        T* const sums = sums_.data();
+        each_group(row, [&](const Distances& pairs, std::uint32_t k) {
             const auto near = pairs.square < cutoff2;
             Vector<N> pull = morse_factor(morse_, pairs.root) * pairs.d;
             pull = {where(near, pull.x, zero), where(near, pull.y, zero), where(near, pull.z, zero)};
             sum = sum + pull;
-            subtract(pull, list_.data() + k);
-        }
-        T* const to = sums_.data() + row.first;
-        to[0] += total(sum.x);
-        to[1] += total(sum.y);
-        to[2] += total(sum.z);
-    }
-
-    [[gnu::always_inline]] void subtract(const Vector<N>& pull, const std::uint32_t* others) {
-        T* const sums = sums_.data();
-        each_vector(pull.x, pull.y, pull.z, [=](std::size_t lane, const Four& of_lane) {
-            T* const to = sums + others[lane];
-            (Four::load(to) - of_lane).store(to);
+            const std::uint32_t* const others = list_.data() + k;
+            each_sum_of_four(pull, [=](std::size_t j, const Four& of_other) {
+                T* const to = sums + others[j];
+                (Four::load(to) - of_other).store(to);
+            });
         });
+        const Four x = halved(sum.x), y = halved(sum.y), z = halved(sum.z);
+        T* to = sums + row.own;
+        for (std::size_t i = 0; i < size; ++i, to += stride) {
+            to[0] += x[i];
+            to[1] += y[i];
+            to[2] += z[i];
+        }
     }
 
-    /// The first half of the lanes plus the second, until one is left.
+    /// The first half of the lanes plus the second, until four are left.
     template <std::size_t Count>
-    [[gnu::always_inline]] static T total(const RegisterLanes<T, Count>& lanes) {
+    [[gnu::always_inline]] static Four halved(const RegisterLanes<T, Count>& lanes) {
         if constexpr (Count > 4) {
-            return total(halves_added(lanes));
+            return halved(halves_added(lanes));
         } else {
-            return (lanes[0] + lanes[2]) + (lanes[1] + lanes[3]);
+            return lanes;
         }
     }
 
@@ -269,15 +326,15 @@ private:
     double reach_;
     double allowed_;
     Periods<T> periods_;
-    Periods<N> periods_of_lanes_;
     Clusters clusters_;
     Field<T> made_at_;
     Numbers positions_, sums_;
     std::vector<Row> rows_;
     std::vector<std::uint32_t> list_;
+    std::vector<Image> images_;
     // memory of make_lists()
     Numbers coordinates_;
-    std::array<std::vector<std::uint32_t>, Clusters::size> found_;
+    std::vector<std::uint32_t> first_of_image_;  ///< 0: that image of a cluster is not there
 };
 
 }  // namespace steplab
