@@ -94,16 +94,16 @@ template <class T, std::size_t Count, class F>
         }
     } else {
         constexpr std::make_index_sequence<N::width> places{};
-        // of every four lanes: 0 and 2 of the one register, then of the other; 1 and 3; of their sums those at even
-        // places, then those at odd ones
-        constexpr auto even = [](std::size_t i) { return i / 4 * 4 + i % 2 * 2 + (i % 4 < 2 ? 0 : N::width); };
-        constexpr auto odd = [](std::size_t i) { return i / 4 * 4 + i % 2 * 2 + 1 + (i % 4 < 2 ? 0 : N::width); };
+        // of every four lanes, 0 and 2 of both registers in turn; then 1 and 3
+        constexpr auto even = [](std::size_t i) { return i / 2 * 2 + i % 2 * N::width; };
+        constexpr auto odd = [](std::size_t i) { return i / 2 * 2 + 1 + i % 2 * N::width; };
+        // the first two of both; then the second two
+        constexpr auto firsts = [](std::size_t i) { return i / 4 * 4 + i % 2 + i % 4 / 2 * N::width; };
+        constexpr auto seconds = [](std::size_t i) { return i / 4 * 4 + i % 2 + 2 + i % 4 / 2 * N::width; };
         for (std::size_t p = 0; p < N::parts; ++p) {
             const auto x = v.x.registers()[p], y = v.y.registers()[p], z = v.z.registers()[p];
             const auto xy = detail::picked(x, y, even, places) + detail::picked(x, y, odd, places);
             const auto zz = detail::picked(z, z, even, places) + detail::picked(z, z, odd, places);
-            constexpr auto firsts = [](std::size_t i) { return i / 4 * 4 + i % 4 / 2 * N::width + i % 2 * 2; };
-            constexpr auto seconds = [](std::size_t i) { return i / 4 * 4 + i % 4 / 2 * N::width + i % 2 * 2 + 1; };
             detail::each_four<T>(
                 detail::picked(xy, zz, firsts, places) + detail::picked(xy, zz, seconds, places),
                 [&](std::size_t j, const auto& four) { f(p * N::width / 4 + j, four); },

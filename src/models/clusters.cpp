@@ -1,5 +1,7 @@
 #include "models/clusters.hpp"
 
+#include "core/lanes.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,6 +13,8 @@ namespace {
 
 /// Columns along an axis that a key can tell apart; whoever is farther out shares the outermost column.
 constexpr std::uint32_t most_columns = 1 << 16;
+/// Clusters whose distances are computed side by side.
+constexpr std::uint32_t side_by_side = 4;
 /// In a column of their own: particles that are nowhere.
 constexpr std::uint64_t nowhere = std::numeric_limits<std::uint64_t>::max();
 
@@ -83,33 +87,42 @@ void Clusters::sort(const Field<double>& positions) {
     });
 }
 
-void Clusters::form_clusters(const Field<double>& positions) {
+void Clusters::add_cluster() {
     constexpr float most = std::numeric_limits<float>::infinity();
+    for (Bounds& along : bounds_) {
+        along.low.push_back(most);
+        along.high.push_back(-most);
+    }
+}
+
+void Clusters::form_clusters(const Field<double>& positions) {
     places_.resize(placed_.size());
     columns_.clear();
-    bounds_.clear();
+    for (Bounds& along : bounds_) along.low.clear(), along.high.clear();
+    count_ = 0;
     for (std::size_t k = 0, slot = 0; k < placed_.size(); ++k) {
         const auto [key, particle] = placed_[k];
-        const auto begin = static_cast<std::uint32_t>(bounds_.size());
+        const auto begin = static_cast<std::uint32_t>(count_);
         if (k == 0 || key >> 32 != placed_[k - 1].key >> 32) {
             columns_.push_back(
                 {static_cast<std::uint32_t>(key >> 48), static_cast<std::uint32_t>(key >> 32 & 0xFFFF), begin, begin});
             slot = 0;
         }
         if (slot % size == 0) {
-            bounds_.push_back({{most, most, most}, {-most, -most, -most}});
+            add_cluster();
+            ++count_;
             ++columns_.back().end;
         }
-        places_[particle] = static_cast<std::uint32_t>((bounds_.size() - 1) * size + slot++ % size);
+        places_[particle] = static_cast<std::uint32_t>((count_ - 1) * size + slot++ % size);
         if (key == nowhere) continue;
-        const Vec3 p = positions.at(particle);
-        Bounds& bounds = bounds_.back();
-        const std::array<double, 3> along{p.x, p.y, p.z};
+        const std::array<double, 3> along{positions.x()[particle], positions.y()[particle], positions.z()[particle]};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            bounds.low[axis] = std::min(bounds.low[axis], below(along[axis]));
-            bounds.high[axis] = std::max(bounds.high[axis], above(along[axis]));
+            float &low = bounds_[axis].low.back(), &high = bounds_[axis].high.back();
+            low = std::min(low, below(along[axis]));
+            high = std::max(high, above(along[axis]));
         }
     }
+    for (std::size_t beyond = 0; beyond < side_by_side; ++beyond) add_cluster();
 }
 
 void Clusters::list_pairs() {
@@ -153,33 +166,46 @@ void Clusters::find_adjacent(const Column& column) {
 
 /// The clusters of a column go from below upwards, and so do those they are within reach of.
 void Clusters::append_others(std::uint32_t cluster, Adjacent& adjacent) {
-    const Bounds bounds = bounds_[cluster];
+    const Bounds& up = bounds_[2];
     const auto period = static_cast<float>(period_), reach = static_cast<float>(reach_);
+    const float low = up.low[cluster], high = up.high[cluster];
     for (int z = period_ > 0 ? -1 : 0; z <= (period_ > 0 ? 1 : 0); ++z) {
-        const std::array<float, 3> shift{static_cast<float>(adjacent.x) * period,
-                                         static_cast<float>(adjacent.y) * period, static_cast<float>(z) * period};
+        const float shift = static_cast<float>(z) * period;
         // an image begins and ends half a period from its middle
-        if (z != 0 && static_cast<float>(z) * (z < 0 ? bounds.low[2] : bounds.high[2]) + reach < period / 2) continue;
+        if (z != 0 && static_cast<float>(z) * (z < 0 ? low : high) + reach < period / 2) continue;
+        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(z + 1)];
+        while (first < adjacent.end && up.high[first] + shift < low - reach) ++first;
         const auto image = static_cast<std::uint32_t>(9 * (adjacent.x + 1) + 3 * (adjacent.y + 1) + z + 1);
-        const int place = z + 1;
-        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(place)];
-        while (first < adjacent.end && bounds_[first].high[2] + shift[2] < bounds.low[2] - reach) ++first;
-        for (std::uint32_t other = first; other < adjacent.end; ++other) {
-            if (bounds_[other].low[2] + shift[2] > bounds.high[2] + reach) break;
-            const bool once = other > cluster || (other == cluster && image > own_image);
-            if (once && within_reach(bounds, bounds_[other], shift)) others_.emplace_back(other, image);
-        }
+        // each pair once
+        const std::uint32_t from = std::max(first, image > own_image ? cluster : cluster + 1);
+        append_within_reach(cluster, from, adjacent.end, image);
     }
 }
 
-bool Clusters::within_reach(const Bounds& a, const Bounds& b, const std::array<float, 3>& shift) const {
-    float distance2 = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float up = b.low[axis] + shift[axis] - a.high[axis], down = a.low[axis] - (b.high[axis] + shift[axis]);
-        const float apart = std::max(std::max(up, down), 0.0F);
-        distance2 += apart * apart;
+/// Of a column's clusters.
+void Clusters::append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image) {
+    using Lanes = RegisterLanes<float, side_by_side>;
+    const auto shift = [&](std::size_t axis) {
+        return static_cast<float>(periods(image, axis)) * static_cast<float>(period_);
+    };
+    const std::array<float, 3> shifts{shift(0), shift(1), shift(2)};
+    const float reach2 = static_cast<float>(reach_ * reach_);
+    const float highest = bounds_[2].high[cluster] + static_cast<float>(reach_);
+    for (std::uint32_t other = from; other < to && bounds_[2].low[other] + shifts[2] <= highest;
+         other += side_by_side) {
+        Lanes distance2(0.0F);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto& [low, high] = bounds_[axis];
+            const Lanes up = Lanes::load_anywhere(low.data() + other) + Lanes(shifts[axis] - high[cluster]);
+            const Lanes down = Lanes(low[cluster] - shifts[axis]) - Lanes::load_anywhere(high.data() + other);
+            const Lanes apart = where(up < down, down, up), none(0.0F);
+            distance2 += where(none < apart, apart * apart, none);
+        }
+        const auto far = Lanes(reach2) < distance2;
+        for (std::uint32_t lane = 0; lane < side_by_side && other + lane < to; ++lane) {
+            if (!far[lane]) others_.emplace_back(other + lane, image);
+        }
     }
-    return distance2 <= static_cast<float>(reach_ * reach_);
 }
 
 }  // namespace steplab

@@ -45,7 +45,7 @@ public:
     /// half a period of the origin. Particles that are nowhere are in clusters without pairs.
     void make(const Field<double>& positions, double reach, double period);
 
-    std::size_t count() const { return bounds_.size(); }
+    std::size_t count() const { return count_; }
     /// Of each particle: the cluster times four, plus its place there.
     std::span<const std::uint32_t> places() const { return places_; }
     /// The other clusters with which this one is listed. Each pair of clusters and image is listed once; that of a
@@ -60,9 +60,9 @@ private:
         std::uint64_t key;
         std::uint32_t particle;
     };
-    /// Where the particles of a cluster are.
+    /// Where the particles of clusters are, along one axis; after the last one more, infinitely far away.
     struct Bounds {
-        std::array<float, 3> low, high;
+        std::vector<float> low, high;
     };
     struct Column {
         std::uint32_t x, y;
@@ -82,7 +82,8 @@ private:
     void list_pairs();
     void find_adjacent(const Column& column);
     void append_others(std::uint32_t cluster, Adjacent& adjacent);
-    bool within_reach(const Bounds& a, const Bounds& b, const std::array<float, 3>& shift) const;
+    void append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image);
+    void add_cluster();
 
     double reach_ = 0, period_ = 0;
     double width_ = 1;                 ///< of a column
@@ -90,7 +91,8 @@ private:
     std::vector<Placed> placed_;
     std::vector<std::uint32_t> places_;
     std::vector<Column> columns_;
-    std::vector<Bounds> bounds_;
+    std::size_t count_ = 0;
+    std::array<Bounds, 3> bounds_;
     std::vector<Adjacent> adjacent_;
     std::vector<std::uint32_t> begin_;
     std::vector<Other> others_;

@@ -86,7 +86,7 @@ public:
     template <class F>
     void each_distance2(F f) const {
         for (const Row& row : rows_) {
-            each_group(row, [&](const Distances& pairs, std::uint32_t) {
+            each_part(row, [&](const Distances& pairs, std::uint32_t, std::uint32_t) {
                 for (std::size_t lane = 0; lane < N::count; ++lane) {
                     if (pairs.square[lane] < cutoff2_) f(pairs.square[lane]);
                 }
@@ -95,13 +95,16 @@ public:
     }
 
 private:
-    using N = CacheLineLanes<T>;
+    /// Of four particles and at least one other.
+    using N = RegisterLanes<T, std::max<std::size_t>(detail::register_bytes / sizeof(T), 4)>;
     using Four = RegisterLanes<T, 4>;
     using Numbers = std::vector<T, CacheLineAllocator<T>>;
 
     static constexpr std::uint32_t size = Clusters::size;
-    /// Others that go side by side.
-    static constexpr std::uint32_t at_once = N::count / size;
+    /// Others of a group, on every machine, and those of them that go side by side.
+    static constexpr std::uint32_t group = CacheLineLanes<T>::count / size, at_once = N::count / size;
+    /// Of the parts of a group.
+    using Sums = std::array<Vector<N>, group / at_once>;
     /// Numbers of a particle: x, y, z and one that means nothing; and of a cluster.
     static constexpr std::size_t stride = 4, numbers = size * stride;
 
@@ -161,6 +164,7 @@ private:
     T* first_image(Numbers& of) const { return of.data() + (clusters_.count() + 1) * numbers; }
 
     Vector<T> shift_of(std::uint32_t image) const {
+        if (image == Clusters::own_image) return {T(0), T(0), T(0)};
         const auto shift = [&](std::size_t axis) {
             return static_cast<T>(Clusters::periods(image, axis)) * static_cast<T>(period_);
         };
@@ -193,11 +197,11 @@ private:
             for (std::uint32_t i = 0; i < size; ++i) list_[begin + i] = own + static_cast<std::uint32_t>(i * stride);
             std::size_t end = begin + size;
             for (const Clusters::Other other : others) end = append(cluster, other, end);
-            for (; end % at_once > 0; ++end) list_[end] = nowhere;
+            for (; end % group > 0; ++end) list_[end] = nowhere;
             list_.resize(end);
             rows_.push_back({own, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
         }
-        list_.insert(list_.end(), at_once, nowhere);  // for who looks ahead
+        list_.insert(list_.end(), group, nowhere);  // for who looks ahead
     }
 
     /// The first number of another cluster, where it is one period away or more of that image.
@@ -227,7 +231,7 @@ private:
             nearest = where(square < nearest, square, nearest);
         }
         const auto near = nearest < Four(static_cast<T>(reach_ * reach_));
-        if (!any(near, size)) return end;
+        if (other.image() != Clusters::own_image && !any(near, size)) return end;
         const std::uint32_t first = first_of(other);
         for (std::size_t j = 0; j < size; ++j) {
             list_[end] = first + static_cast<std::uint32_t>(j * stride);
@@ -267,42 +271,59 @@ private:
         return pairs;
     }
 
-    /// Calls f(distances, k) for the pairs of a row that go side by side, others k, k + 1, ... of the list. Their roots
-    /// are taken while f is busy with the pairs before.
+    /// Calls f(distances, k, part) for the pairs of a row that go side by side: others k, k + 1, ... of the list, a part
+    /// of a group. Their roots are taken while f is busy with the pairs before.
     template <class F>
-    [[gnu::always_inline]] void each_group(const Row& row, F f) const {
+    [[gnu::always_inline]] void each_part(const Row& row, F f) const {
         const Vector<N> own = four_of(row);
-        Distances next = distances(own, row.begin);
-        std::uint32_t k = row.begin;
-        for (; k < row.begin + size; k += at_once) {
-            const Distances pairs = once(next, k - row.begin);
-            next = distances(own, k + at_once);
-            f(pairs, k);
+        N x, y, z, square, root;
+        const auto look = [&](std::uint32_t k) __attribute__((always_inline)) {
+            const Distances at = distances(own, k);
+            x = at.d.x, y = at.d.y, z = at.d.z, square = at.square, root = at.root;
+        };
+        look(row.begin);
+        for (std::uint32_t k = row.begin; k < row.begin + size; k += group) {
+            for (std::uint32_t part = 0; part < group / at_once; ++part) {
+                const std::uint32_t at = k + part * at_once;
+                const Distances pairs = once({{x, y, z}, square, root}, at - row.begin);
+                look(at + at_once);
+                f(pairs, at, part);
+            }
         }
-        for (; k < row.end; k += at_once) {
-            const Distances pairs = next;
-            next = distances(own, k + at_once);
-            f(pairs, k);
+        for (std::uint32_t k = row.begin + size; k < row.end; k += group) {
+#pragma GCC unroll 4
+            for (std::uint32_t part = 0; part < group / at_once; ++part) {
+                const std::uint32_t at = k + part * at_once;
+                const Distances pairs{{x, y, z}, square, root};
+                look(at + at_once);
+                f(pairs, at, part);
+            }
         }
     }
 
-    void add_pulls(const Row& row) {
-        const N zero(T(0)), cutoff2(cutoff2_);
-        Vector<N> sum{zero, zero, zero};
-        T* const sums = sums_.data();
-        each_group(row, [&](const Distances& pairs, std::uint32_t k) {
-            const auto near = pairs.square < cutoff2;
-            Vector<N> pull = morse_factor(morse_, pairs.root) * pairs.d;
-            pull = {where(near, pull.x, zero), where(near, pull.y, zero), where(near, pull.z, zero)};
-            sum = sum + pull;
-            const std::uint32_t* const others = list_.data() + k;
-            each_sum_of_four(pull, [=](std::size_t j, const Four& of_other) {
-                T* const to = sums + others[j];
-                (Four::load(to) - of_other).store(to);
-            });
+    /// To `sum` those of these pairs at the particles of the cluster, and their opposites to the others'.
+    [[gnu::always_inline]] void add_pulls(const Distances& pairs, const std::uint32_t* others, Vector<N>& sum) {
+        const N zero(T(0));
+        const auto near = pairs.square < N(cutoff2_);
+        Vector<N> pull = morse_factor(morse_, pairs.root) * pairs.d;
+        pull = {where(near, pull.x, zero), where(near, pull.y, zero), where(near, pull.z, zero)};
+        sum = sum + pull;
+        each_sum_of_four(pull, [sums = sums_.data(), others](std::size_t j, const Four& of_other) {
+            T* const to = sums + others[j];
+            (Four::load(to) - of_other).store(to);
         });
-        const Four x = halved(sum.x), y = halved(sum.y), z = halved(sum.z);
-        T* to = sums + row.own;
+    }
+
+    void add_pulls(const Row& row) {
+        Sums sums;
+        sums.fill({N(T(0)), N(T(0)), N(T(0))});
+        each_part(row, [&, list = list_.data()](const Distances& pairs, std::uint32_t k, std::uint32_t part)
+                      __attribute__((always_inline)) { add_pulls(pairs, list + k, sums[part]); });
+        for (std::size_t half = sums.size() / 2; half > 0; half /= 2) {
+            for (std::size_t part = 0; part < half; ++part) sums[part] = sums[part] + sums[part + half];
+        }
+        const Four x = halved(sums[0].x), y = halved(sums[0].y), z = halved(sums[0].z);
+        T* to = sums_.data() + row.own;
         for (std::size_t i = 0; i < size; ++i, to += stride) {
             to[0] += x[i];
             to[1] += y[i];
