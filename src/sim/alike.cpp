@@ -13,7 +13,7 @@ bool alike(const LineForces& a, const LineForces& b) {
     return a.count == b.count && a.first_fixed == b.first_fixed && (a.gravity == 0) == (b.gravity == 0);
 }
 bool alike(const GridForces& a, const GridForces& b) { return a.rows == b.rows && a.columns == b.columns; }
-bool alike(const PairForces& a, const PairForces& b) { return a.count == b.count && !a.balance && !b.balance; }
+bool alike(const PairForces& a, const PairForces& b) { return a.count == b.count && a.balance == b.balance; }
 /// Layouts that are not computed in lanes.
 template <class Forces>
 bool alike(const Forces&, const Forces&) {
