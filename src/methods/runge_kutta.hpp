@@ -40,12 +40,9 @@ public:
     static std::vector<RungeKuttaStage<T>> stages_of_steps() {
         std::vector<RungeKuttaStage<T>> all;
         for (std::size_t i = 0; i < stages; ++i) {
-            const bool last = i + 1 == stages;
             all.push_back({.weight = static_cast<T>(table.b[i]),
-                           .ahead = static_cast<T>(last ? 0 : table.a[i + 1][i]),
-                           .counts = table.b[i] != 0,
-                           .first = none_counts_before(i),
-                           .last = last});
+                           .ahead = static_cast<T>(i + 1 < stages ? table.a[i + 1][i] : 0),
+                           .counts = table.b[i] != 0});
         }
         return all;
     }

@@ -172,12 +172,20 @@ extern template std::unique_ptr<StepperGroup> make_group_with<RungeKuttaMethod, 
 extern template std::unique_ptr<StepperGroup> make_group_with<RungeKuttaMethod, double>(
     std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<double>>&);
 
-/// As many of the runs as have room; none if most lanes stayed empty.
+/// Slopes of the stages of longer lines go through slower memory side by side, and run by run they fill registers.
+template <class Method, class N>
+bool is_too_long(const Scene& scene) {
+    constexpr std::size_t longest = 64;
+    return is_runge_kutta<Method, N> && std::holds_alternative<LineForces>(scene.forces) &&
+           scene.reference.count > longest;
+}
+
+/// As many of the runs as have room; none if most lanes stayed empty, or if they are faster alone.
 template <class Method, class T>
 std::unique_ptr<StepperGroup> make_group_in(std::span<const StepperSetup> all) {
     using N = InLanes<T>;
     const auto runs = all.first(std::min(all.size(), N::count));
-    if (2 * runs.size() < N::count) return nullptr;
+    if (2 * runs.size() < N::count || is_too_long<Method, N>(runs.front().scene)) return nullptr;
     using Integrator = typename Method::template Integrator<N>;
     const ParameterValues& parameters = runs.front().parameters;
     if constexpr (is_runge_kutta<Method, N>) {

@@ -41,7 +41,7 @@ public:
 };
 
 /// A method at work on runs that are alike (alike.hpp), one at least: on as many of the first ones as have room. Null
-/// if there are too few of them to be worth it.
+/// if there are too few of them to be worth it, or each is faster alone.
 using MakeStepperGroup = std::unique_ptr<StepperGroup> (*)(std::span<const StepperSetup> runs);
 
 }  // namespace steplab
