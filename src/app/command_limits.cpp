@@ -7,6 +7,7 @@
 #include "app/scene_options.hpp"
 #include "core/error.hpp"
 #include "io/interruption.hpp"
+#include "lab/all_limits.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -40,13 +41,7 @@ public:
         const std::vector<RunDescription> runs = scene_.descriptions();
         catch_interruptions();
         const StabilityLab lab(runs.front());
-        std::vector<Limit> limits;
-        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0);
-        for (const RunDescription& run : runs) {
-            progress.at(limits.size());
-            limits.push_back(runs.size() == 1 ? lab.limit(run) : limit_or_refusal(lab, run));
-        }
-        progress.clear();
+        const std::vector<Limit> limits = limits_of(lab, runs);
         if (json_) {
             print(limits_json(limits));
         } else {
@@ -58,14 +53,10 @@ public:
     }
 
 private:
-    /// A method that cannot do the scene is no reason to tell nothing of the others.
-    static Limit limit_or_refusal(const StabilityLab& lab, const RunDescription& run) {
-        try {
-            return lab.limit(run);
-        } catch (const UsageError& refusal) {
-            return {
-                .description = run, .omega_max = lab.omega_max(), .theory = {}, .measured = {}, .note = refusal.what()};
-        }
+    static std::vector<Limit> limits_of(const StabilityLab& lab, const std::vector<RunDescription>& runs) {
+        if (runs.size() == 1) return {lab.limit(runs.front())};
+        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0);
+        return all_limits(lab, runs, [&](std::size_t found) { progress.at(found); });
     }
 
     SceneOptions scene_{SceneOptions::Methods::one_or_all};

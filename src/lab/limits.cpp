@@ -1,6 +1,7 @@
 #include "lab/limits.hpp"
 
 #include "core/error.hpp"
+#include "lab/limit_search.hpp"
 #include "lab/mode_run.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/linear_limit.hpp"
@@ -18,7 +19,6 @@ namespace {
 constexpr std::size_t most_frequencies = 64;
 /// Steps of a run: enough to see the growth just above theory's limit, if a scene of so many particles allows.
 constexpr double fewest_steps = 1024, most_particle_steps = 4e8;
-constexpr double resolution = 3e-5;  // of the bisection, relative
 /// Where theory and measurement agree no better, the note says why.
 constexpr double agreement = 1e-3;
 
@@ -46,61 +46,9 @@ std::uint64_t steps_of_a_run(const Above& above, double evaluations, std::size_t
     return static_cast<std::uint64_t>(std::max(fewest_steps, std::min(wanted, most)));
 }
 
-/// Bisection on runs, begun at what theory expects.
-class Search {
-public:
-    Search(const ModeRun& run, const Above& above, std::uint64_t steps) : run_(run), above_(above), steps_(steps) {}
-
-    double limit(double expected) const {
-        if (expected == infinity) return beyond_all();
-        if (expected == 0) {
-            // seen soonest far below the steps that methods allow: midpoint grows by (omega dt)^4 / 8 a step
-            if (run_.grows(0.1 * run_.time_scale(), 8192, 0.01)) return 0;
-            expected = run_.time_scale();
-        }
-        double stable = 0.99 * expected;
-        const double least = 0.01 * std::min(stable, run_.time_scale());
-        for (; grows(stable); stable *= 0.8) {
-            if (stable < least) return 0;
-        }
-        return up_from(stable, expected);
-    }
-
-private:
-    bool grows(double dt) const { return run_.grows(dt, steps_); }
-
-    double up_from(double stable, double expected) const {
-        if (above_.dt > stable && grows(above_.dt)) return between(stable, above_.dt);
-        for (double dt = std::max(stable, 1.01 * expected); dt < 1e4 * run_.time_scale(); dt *= 1.25) {
-            if (grows(dt)) return between(stable, dt);
-            stable = dt;
-        }
-        return infinity;
-    }
-
-    /// Of a method that is said to be stable at any dt: tried at some, far beyond all explicit methods.
-    double beyond_all() const {
-        double stable = 0.1 * run_.time_scale();
-        for (const double tried : {1.0, 3.0, 10.0, 100.0, 1000.0}) {
-            const double dt = tried * run_.time_scale();
-            if (run_.grows(dt, 1024)) return between(stable, dt);
-            stable = dt;
-        }
-        return infinity;
-    }
-
-    double between(double stable, double unstable) const {
-        while (unstable - stable > resolution * unstable) {
-            const double middle = (stable + unstable) / 2;
-            (grows(middle) ? unstable : stable) = middle;
-        }
-        return (stable + unstable) / 2;
-    }
-
-    const ModeRun& run_;
-    Above above_;
-    std::uint64_t steps_;
-};
+double measured(const ModeRun& run, const LimitSearch& search) {
+    return search.limit(run.most_at_once(), [&](std::span<GrowthQuestion> questions) { run.answer(questions); });
+}
 
 bool agree(double theory, double measured) {
     if (theory == 0 || std::isinf(theory)) return theory == measured;
@@ -205,7 +153,8 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
     const Above above = just_above(method, held.method_parameters, first.omega, scene_.drag, first.limit);
     const std::uint64_t steps =
         steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count);
-    limit.measured = Search(run, above, steps).limit(first.limit);
+    limit.measured =
+        measured(run, {.expected = first.limit, .above = above.dt, .time_scale = run.time_scale(), .steps = steps});
     if (!agree(first.limit, *limit.measured))
         limit.note = disagreement(run, held.precision, first.limit, *limit.measured);
 }

@@ -1,7 +1,7 @@
 #include "lab/report.hpp"
 
-#include "core/error.hpp"
 #include "io/output_file.hpp"
+#include "lab/all_limits.hpp"
 #include "lab/kept_study.hpp"
 #include "lab/report_page.hpp"
 #include "lab/speed_error_csv.hpp"
@@ -21,22 +21,14 @@ constexpr double share_of_series = 0.85;
 std::vector<Limit> limits_of(const StudyPlan& plan, const StudyProgress& progress) {
     const Precision precision = plan.precisions.front();
     const StabilityLab lab(run_over(plan, "rk4", precision, 1));
-    std::vector<Limit> limits;
+    std::vector<RunDescription> methods;
     for (const std::string& id : plan.methods) {
-        progress(static_cast<double>(limits.size()) / static_cast<double>(plan.methods.size()));
-        RunDescription run = run_over(plan, id, precision, 1);
-        run.dt = plan.scene.dt;
-        try {
-            limits.push_back(lab.limit(run));
-        } catch (const UsageError& refusal) {
-            limits.push_back({.description = run,
-                              .omega_max = lab.omega_max(),
-                              .theory = {},
-                              .measured = {},
-                              .note = refusal.what()});
-        }
+        methods.push_back(run_over(plan, id, precision, 1));
+        methods.back().dt = plan.scene.dt;
     }
-    return limits;
+    return all_limits(lab, methods, [&](std::size_t found) {
+        progress(static_cast<double>(found) / static_cast<double>(methods.size()));
+    });
 }
 
 Study measured(const StudyPlan& plan, const KeptStudies& kept, const StudyProgress& progress) {

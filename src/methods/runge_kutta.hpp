@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
 #include "methods/compensated.hpp"
+#include "methods/runge_kutta_steps.hpp"
 #include "methods/synchronised.hpp"
 
 #include <algorithm>
@@ -31,7 +32,20 @@ struct ButcherTable {
 template <class T, class Table>
 class RungeKutta : public Synchronised<T> {
 public:
+    /// Every lane of a number type that has lanes goes its own way, in steps of which `stages_of_steps` is the table.
+    static constexpr bool goes_in_lanes = true;
+
     explicit RungeKutta(const ParameterValues& values) : Synchronised<T>(values) {}
+
+    static std::vector<RungeKuttaStage<T>> stages_of_steps() {
+        std::vector<RungeKuttaStage<T>> all;
+        for (std::size_t i = 0; i < stages; ++i) {
+            all.push_back({.weight = static_cast<T>(table.b[i]),
+                           .ahead = static_cast<T>(i + 1 < stages ? table.a[i + 1][i] : 0),
+                           .counts = table.b[i] != 0});
+        }
+        return all;
+    }
 
     template <class System>
     void start(System&, State<T> state) {
@@ -80,6 +94,11 @@ private:
     }
     static_assert(starts_from_one_slope());
 
+    /// True if none of the slopes before this one has a weight.
+    static constexpr bool none_counts_before(std::size_t i) {
+        return std::all_of(table.b.begin(), table.b.begin() + i, [](double weight) { return weight == 0; });
+    }
+
     /// What a sweep does with the accelerations (sweeps.hpp).
     template <bool Compensated>
     struct Stage {
@@ -117,17 +136,12 @@ private:
                     });
         }
 
-        /// True if none of the slopes before has a weight.
-        static constexpr bool first_of_sum(std::size_t i) {
-            return std::all_of(table.b.begin(), table.b.begin() + i, [](double weight) { return weight == 0; });
-        }
-
         /// w_0 k_0 + ... + w_I k_I.
         template <std::size_t I, class Particles>
         [[gnu::always_inline]] static Vector<N> sum(Particles& particles, std::size_t q, std::size_t r,
                                                     const Vector<N>& slope) {
             const Vector<N> term = N(static_cast<T>(table.b[I])) * slope;
-            if constexpr (first_of_sum(I)) return term;
+            if constexpr (none_counts_before(I)) return term;
             return particles.get(q, r) + term;
         }
         template <std::size_t I, class Particles>

@@ -13,7 +13,7 @@ bool alike(const LineForces& a, const LineForces& b) {
     return a.count == b.count && a.first_fixed == b.first_fixed && (a.gravity == 0) == (b.gravity == 0);
 }
 bool alike(const GridForces& a, const GridForces& b) { return a.rows == b.rows && a.columns == b.columns; }
-bool alike(const PairForces& a, const PairForces& b) { return a.count == b.count && !a.balance && !b.balance; }
+bool alike(const PairForces& a, const PairForces& b) { return a.count == b.count && a.balance == b.balance; }
 /// Layouts that are not computed in lanes.
 template <class Forces>
 bool alike(const Forces&, const Forces&) {
@@ -30,6 +30,8 @@ bool comfortable(const StepperSetup& run) {
 /// Of four fields of three components that a step goes through, each in the widest register.
 constexpr std::size_t bytes_of_particle = 4 * 3 * 64;
 constexpr std::size_t most_bytes = std::size_t{1} << 19;
+/// A run of more pairs has full registers by itself: its pairs are computed in blocks.
+constexpr std::size_t most_in_pairs = 16;
 
 }  // namespace
 
@@ -44,7 +46,9 @@ bool alike(const StepperSetup& a, const StepperSetup& b) {
 }
 
 bool goes_side_by_side(const StepperSetup& run) {
-    return alike(run, run) && run.scene.reference.count * bytes_of_particle <= most_bytes;
+    const std::size_t count = run.scene.reference.count;
+    const bool pairs = std::holds_alternative<PairForces>(run.scene.forces);
+    return alike(run, run) && count * bytes_of_particle <= most_bytes && (!pairs || count <= most_in_pairs);
 }
 
 }  // namespace steplab

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "methods/runge_kutta_steps.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
 #include "sim/method_traits.hpp"
@@ -8,6 +9,7 @@
 #include "sim/stepper_of.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -40,7 +42,15 @@ public:
 
     void advance(std::uint64_t steps) override {
         integrator_.advance(system_, steps);
-        seen_known_ = finite_known_ = bound_known_ = false;
+        forget();
+    }
+
+    void restart(std::span<const State<double>> states) override {
+        std::vector<State<T>> starts;
+        for (const State<double>& state : states)
+            starts.push_back({converted<T>(state.displacement), converted<T>(state.velocity)});
+        integrator_.start(system_, state_in_lanes(starts));
+        forget();
     }
 
     std::uint64_t evaluations() const override { return system_.evaluations(); }
@@ -66,8 +76,17 @@ public:
         take_lane(seen().velocity, run, out.velocity);
     }
 
+    void along(const Field<double>& shape, const Field<double>& origin, std::span<Along> out) const override {
+        const auto x = sums_along(shape, seen().displacement,
+                                  [&](std::size_t k, double number) { return number - origin.flat()[k]; });
+        const auto v = sums_along(shape, seen().velocity, [](std::size_t, double number) { return number; });
+        for (std::size_t run = 0; run < runs_; ++run) out[run] = {x[run], v[run]};
+    }
+
 private:
     using Integrator = typename Method::template Integrator<N>;
+
+    void forget() { seen_known_ = finite_known_ = bound_known_ = false; }
 
     const State<N>& seen() const {
         if (!seen_known_) integrator_.synchronised(system_, seen_);
@@ -82,6 +101,18 @@ private:
             for (const N& number : part.flat()) sum += number - number;
         });
         return sum;
+    }
+
+    template <class F>
+    static std::array<double, N::count> sums_along(const Field<double>& shape, const Field<N>& field, F of) {
+        std::array<double, N::count> sums{};
+        alignas(64) std::array<T, N::count> numbers;
+        for (std::size_t k = 0; k < field.flat().size(); ++k) {
+            field.flat()[k].store(numbers.data());
+            for (std::size_t lane = 0; lane < N::count; ++lane)
+                sums[lane] += shape.flat()[k] * of(k, static_cast<double>(numbers[lane]));
+        }
+        return sums;
     }
 
     static N kinetic(const Field<N>& velocity) {
@@ -126,18 +157,46 @@ extern template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, f
 extern template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, double>(
     std::span<const StepperSetup>, const KickDriftSteps<InLanes<double>>&);
 
-/// As many of the runs as have room; none if most lanes stayed empty.
+/// What explicit Runge-Kutta methods are in lanes: one stepper serves them.
+struct RungeKuttaMethod {
+    template <class N>
+    using Integrator = RungeKuttaSteps<N>;
+};
+template <class Method, class N>
+inline constexpr bool is_runge_kutta = requires {
+    Method::template Integrator<N>::stages_of_steps();
+};
+// runge_kutta_steps.cpp
+extern template std::unique_ptr<StepperGroup> make_group_with<RungeKuttaMethod, float>(
+    std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<float>>&);
+extern template std::unique_ptr<StepperGroup> make_group_with<RungeKuttaMethod, double>(
+    std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<double>>&);
+
+/// Slopes of the stages of longer lines go through slower memory side by side, and run by run they fill registers.
+template <class Method, class N>
+bool is_too_long(const Scene& scene) {
+    constexpr std::size_t longest = 64;
+    return is_runge_kutta<Method, N> && std::holds_alternative<LineForces>(scene.forces) &&
+           scene.reference.count > longest;
+}
+
+/// As many of the runs as have room; none if most lanes stayed empty, or if they are faster alone.
 template <class Method, class T>
 std::unique_ptr<StepperGroup> make_group_in(std::span<const StepperSetup> all) {
     using N = InLanes<T>;
     const auto runs = all.first(std::min(all.size(), N::count));
-    if (2 * runs.size() < N::count) return nullptr;
-    const typename Method::template Integrator<N> integrator(runs.front().parameters);
-    if constexpr (is_kick_drift<Method, N>) {
+    if (2 * runs.size() < N::count || is_too_long<Method, N>(runs.front().scene)) return nullptr;
+    using Integrator = typename Method::template Integrator<N>;
+    const ParameterValues& parameters = runs.front().parameters;
+    if constexpr (is_runge_kutta<Method, N>) {
+        return make_group_with<RungeKuttaMethod, T>(runs,
+                                                    RungeKuttaSteps<N>(Integrator::stages_of_steps(), parameters));
+    } else if constexpr (is_kick_drift<Method, N>) {
+        const Integrator integrator(parameters);
         return make_group_with<KickDriftMethod, T>(
             runs, kick_drift_steps(integrator, dt_in_lanes<T>(runs), drag_in_lanes<T>(runs)));
     } else {
-        return make_group_with<Method, T>(runs, integrator);
+        return make_group_with<Method, T>(runs, Integrator(parameters));
     }
 }
 

@@ -1,11 +1,15 @@
 #include "lab/limits.hpp"
 
+#include "lab/all_limits.hpp"
 #include "lab/mode_run.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
 
 namespace steplab::test {
 namespace {
@@ -113,18 +117,18 @@ TEST(Balanced, scene_rests_at_its_start) {
     EXPECT_GT(moved(plain), 0.01);
 }
 
-/// The fastest mode of a chain under a method.
-ModeRun mode_of(const Scene& scene, const LinearisedScene& linear, const Eigenpairs& pairs,
-                std::string_view method_id) {
+/// The fastest mode of a scene under a method.
+ModeRun mode_of(const Scene& scene, const LinearisedScene& linear, const Eigenpairs& pairs, std::string_view method_id,
+                Precision precision = Precision::double_, double departure = 0) {
     const Method& it = method(method_id);
     return {it,
             ParameterValues(it.info.parameters),
-            Precision::double_,
+            precision,
             scene,
             linear.field(pairs.vectors.col(pairs.values.size() - 1)),
             highest_frequency(pairs),
-            1e-6,
-            0};
+            precision == Precision::float_ ? 1e-3 : 1e-6,
+            departure};
 }
 
 // The partner: a limit that is 1 % off on either side is refused by the runs.
@@ -138,9 +142,77 @@ TEST(ModeRun, refuses_a_limit_that_is_one_percent_off) {
         if (c.info->adaptive || phase == 0 || std::isinf(phase) || c.id() == "srkn-11b") continue;
         const ModeRun mode = mode_of(scene, linear, pairs, c.id());
         const double limit = phase / highest_frequency(pairs);
-        EXPECT_FALSE(mode.grows(0.99 * limit, 8192)) << c;
-        EXPECT_TRUE(mode.grows(1.01 * limit, 8192)) << c;
+        EXPECT_FALSE(mode.grows({.dt = 0.99 * limit, .steps = 8192})) << c;
+        EXPECT_TRUE(mode.grows({.dt = 1.01 * limit, .steps = 8192})) << c;
     }
+}
+
+/// Questions about dt around a limit, from far below to far above it, a few of them about shorter runs.
+std::vector<GrowthQuestion> questions_around(double limit) {
+    std::vector<GrowthQuestion> questions;
+    for (const double factor : {1.0001, 0.5, 0.99, 0.9999, 1.0, 1.00005, 1.001, 1.01, 1.3, 5.0, 0.999, 1.002})
+        questions.push_back({.dt = factor * limit, .steps = questions.size() % 5 == 4 ? 700u : 2000u});
+    return questions;
+}
+
+class Modes : public testing::TestWithParam<MethodCase> {};
+
+// Runs side by side answer as each by itself does, and so the limit that they find is the same number.
+TEST_P(Modes, are_judged_side_by_side_as_alone) {
+    const MethodInfo& info = *GetParam().info;
+    const double phase = linear_limit(info, ParameterValues(info.parameters));
+    if (info.adaptive || std::isinf(phase)) GTEST_SKIP() << "has no limit";
+    const auto run_on = [&](std::string_view id, Settings settings) {
+        return run_of(id, info.id, GetParam().precision, 0.1, settings);
+    };
+    for (const RunDescription& run : {run_on("chain", {{"n", 6}}), run_on("chain", {{"n", 5}, {"c", 0.1}}),
+                                      run_on("mesh", {{"dim", 4}}), run_on("morse", {{"edge", 2}})}) {
+        const Scene scene = balanced(model(run.model).scene(run.scene));
+        const LinearisedScene linear(scene, model(run.model).shape(run.scene));
+        const Eigenpairs pairs = modes(linear);
+        for (const double departure : {0.0, 0.05}) {
+            const ModeRun mode = mode_of(scene, linear, pairs, info.id, GetParam().precision, departure);
+            const double limit = (phase > 0 ? phase : 1) / highest_frequency(pairs);
+            std::vector<GrowthQuestion> questions = questions_around(limit);
+            mode.answer(questions);
+            EXPECT_TRUE(questions.front().grows.has_value());
+            for (const GrowthQuestion& question : questions) {
+                EXPECT_EQ(question.grows.value_or(mode.grows(question)), mode.grows(question)) << question.dt / limit;
+            }
+            const LimitSearch search{.expected = limit, .above = 1.0005 * limit, .time_scale = limit, .steps = 1024};
+            const auto alone = [&](const GrowthQuestion& question) { return mode.grows(question); };
+            EXPECT_EQ(search.limit(mode.most_at_once(), [&](auto open) { mode.answer(open); }), search.limit(alone));
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Modes, testing::ValuesIn(working_methods()), case_name);
+
+TEST(ModeRun, goes_side_by_side_where_its_method_does) {
+    const RunDescription run = run_of("morse", "rk4", Precision::double_, 0.1, {{"edge", 2}});
+    const Scene scene = balanced(model("morse").scene(run.scene));
+    const LinearisedScene linear(scene, model("morse").shape(run.scene));
+    const Eigenpairs pairs = modes(linear);
+    for (const char* const id : {"euler", "srkn-11b", "rk4", "midpoint"})
+        EXPECT_GT(mode_of(scene, linear, pairs, id).most_at_once(), 1u) << id;
+    EXPECT_EQ(mode_of(scene, linear, pairs, "implicit-midpoint").most_at_once(), 1u);
+}
+
+TEST(AllLimits, are_those_of_each_method) {
+    std::vector<RunDescription> runs;
+    for (const char* const id : {"rk4", "dop853", "euler", "implicit-midpoint"})
+        runs.push_back(run_of("chain", id, Precision::double_, 0.1, {{"n", 6}}));
+    const StabilityLab lab(runs.front());
+    std::size_t found = 0;
+    const std::vector<Limit> limits = all_limits(lab, runs, [&](std::size_t done) { EXPECT_EQ(done, ++found); });
+    ASSERT_EQ(limits.size(), runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        EXPECT_EQ(limits[i].description.method, runs[i].method);
+        EXPECT_EQ(limits[i].measured, lab.limit(runs[i]).measured);
+        EXPECT_EQ(limits[i].note, lab.limit(runs[i]).note);
+    }
+    const auto enough = [](std::size_t) { throw std::runtime_error("enough"); };
+    EXPECT_THROW(all_limits(lab, runs, enough), std::runtime_error);
 }
 
 // srkn-11b has a resonance at omega dt = pi, so narrow that 1 % further it is stable again.

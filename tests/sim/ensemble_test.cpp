@@ -140,16 +140,24 @@ std::vector<MethodCase> compensating_methods() {
 
 INSTANTIATE_TEST_SUITE_P(Methods, Compensated, testing::ValuesIn(compensating_methods()), test::case_name);
 
-/// Which of the runs of euler on a scene go side by side: those that fill half of a register at least.
+/// Which of the runs of a scene go side by side: those that fill half of a register at least.
 TEST(Ensemble, computes_runs_side_by_side_where_it_can) {
-    for (const Precision precision : test::precisions) {
-        const RunDescription chain = test::run_of("chain", "euler", precision, 0.02);
-        EXPECT_GE(side_by_side(run_ensemble(runs_of(chain, {{"k", 1, 2}}, 10), 10)), 32u);
-        EXPECT_GE(side_by_side(run_ensemble(runs_of(chain, {{"dt", 0.01, 0.02}}, 10), 10)), 32u);
-        EXPECT_EQ(side_by_side(run_ensemble(runs_of(chain, {{"n", 10, 46}}, 10), 10)), 0u);
-        EXPECT_EQ(side_by_side(run_ensemble(runs_of(chain, {{"k", 1, 2}}, 10, 1), 10)), 0u);
-        const RunDescription adaptive = test::run_of("chain", "dop853", precision, 0.02);
-        EXPECT_EQ(side_by_side(run_ensemble(runs_of(adaptive, {{"k", 1, 2}}, 10), 10)), 0u);
+    for (const char* const method : {"euler", "stoermer", "kahan-li-8", "rk4", "midpoint", "euler-forward"}) {
+        for (const Precision precision : test::precisions) {
+            SCOPED_TRACE(method);
+            const RunDescription chain = test::run_of("chain", method, precision, 0.02);
+            EXPECT_GE(side_by_side(run_ensemble(runs_of(chain, {{"k", 1, 2}}, 10), 10)), 32u);
+            EXPECT_GE(side_by_side(run_ensemble(runs_of(chain, {{"dt", 0.01, 0.02}}, 10), 10)), 32u);
+            EXPECT_EQ(side_by_side(run_ensemble(runs_of(chain, {{"n", 10, 46}}, 10), 10)), 0u);
+            EXPECT_EQ(side_by_side(run_ensemble(runs_of(chain, {{"k", 1, 2}}, 10, 1), 10)), 0u);
+        }
+    }
+}
+
+TEST(Ensemble, computes_what_does_not_go_in_lanes_run_by_run) {
+    for (const char* const method : {"dop853", "implicit-midpoint"}) {
+        const RunDescription chain = test::run_of("chain", method, Precision::double_, 0.02);
+        EXPECT_EQ(side_by_side(run_ensemble(runs_of(chain, {{"k", 1, 2}}, 10), 10)), 0u);
     }
 }
 
@@ -203,7 +211,7 @@ TEST(Ensemble, does_not_depend_on_threads_or_instructions) {
 
 /// From just below the stability limit 2 / omega_max to far beyond it.
 TEST(Ensemble, runs_that_diverge_stop_where_they_would_alone) {
-    for (const char* const method : {"euler", "pefrl"}) {
+    for (const char* const method : {"euler", "pefrl", "rk4"}) {
         for (const Precision precision : test::precisions) {
             const auto runs = runs_of(test::run_of("chain", method, precision, 1), {{"dt", 0.8, 4}}, 1000);
             const auto results = run_ensemble(runs, 64);
