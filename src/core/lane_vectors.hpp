@@ -72,7 +72,8 @@ template <class T, std::size_t Count, class F>
         constexpr auto second = [](std::size_t lane) { return lane / 4 * 4 + 1; };
         constexpr auto third = [](std::size_t lane) { return lane / 4 * 4 + 2; };
         for (std::size_t p = 0; p < N::parts; ++p) {
-            const auto vectors = detail::fours<T, N::width, 0>([&](std::size_t j) { return address(p * N::width / 4 + j); });
+            const auto vectors =
+                detail::fours<T, N::width, 0>([&](std::size_t j) { return address(p * N::width / 4 + j); });
             x[p] = detail::picked(vectors, vectors, first, places);
             y[p] = detail::picked(vectors, vectors, second, places);
             z[p] = detail::picked(vectors, vectors, third, places);
@@ -81,8 +82,8 @@ template <class T, std::size_t Count, class F>
     }
 }
 
-/// Calls f(j, four) for every four lanes in turn, with their sums along x, y and z and a number without meaning: of lanes
-/// 0 to 3, (0 + 1) + (2 + 3).
+/// Calls f(j, four) for every four lanes in turn, with their sums along x, y and z and a number without meaning: of
+/// lanes 0 to 3, (0 + 1) + (2 + 3).
 template <class T, std::size_t Count, class F>
 [[gnu::always_inline]] inline void each_sum_of_four(const Vector<RegisterLanes<T, Count>>& v, F f) {
     using N = RegisterLanes<T, Count>;

@@ -6,21 +6,20 @@ namespace steplab {
 
 namespace {
 
-constexpr ParameterInfo parameters[] = {
-    well_depth(1),
-    well_force_constant(0.5, 0.05, 10),
-    well_distance(0.5, 0.1, 3),
-    start_spacing(0.5, 0.1, 3),
-    particle_mass(1),
-    kick_speed(1, "speed of the bullet at the start, along x"),
-    particles_along_edge(3, 1, 10),
-    {.name = "cutoff",
-     .unit = "m",
-     .minimum = 0,
-     .default_value = 0,
-     .what = "distance beyond which pairs do not act on each other, 0 = none",
-     .slider_low = 0,
-     .slider_high = 5}};
+constexpr ParameterInfo parameters[] = {well_depth(1),
+                                        well_force_constant(0.5, 0.05, 10),
+                                        well_distance(0.5, 0.1, 3),
+                                        start_spacing(0.5, 0.1, 3),
+                                        particle_mass(1),
+                                        kick_speed(1, "speed of the bullet at the start, along x"),
+                                        particles_along_edge(3, 1, 10),
+                                        {.name = "cutoff",
+                                         .unit = "m",
+                                         .minimum = 0,
+                                         .default_value = 0,
+                                         .what = "distance beyond which pairs do not act on each other, 0 = none",
+                                         .slider_low = 0,
+                                         .slider_high = 5}};
 
 constexpr Vec3 bullet_start{-10, 0, 0};
 

@@ -21,8 +21,8 @@ MorseConstants<N> constants_as(const MorseConstants<T>& morse) {
     return {N(morse.depth), N(morse.b), N(morse.r0), N(morse.strength), N(morse.b2)};
 }
 
-/// The same potential brought to zero at a cut-off c by V(r) - V(c) - (r - c) V'(c): neither energy nor force jump there
-/// (shifted forces: Toxvaerd and Dyre, J. Chem. Phys. 134 (2011) 081102). What follows holds for it where r < c.
+/// The same potential brought to zero at a cut-off c by V(r) - V(c) - (r - c) V'(c): neither energy nor force jump
+/// there (shifted forces: Toxvaerd and Dyre, J. Chem. Phys. 134 (2011) 081102). What follows holds for it where r < c.
 template <class N>
 struct CutMorseConstants : MorseConstants<N> {
     N cutoff;        ///< c

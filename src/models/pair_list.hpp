@@ -16,11 +16,11 @@
 
 namespace steplab {
 
-/// The sums of NearPairForces in float and double. Each cluster of four particles has a list of others that at least one
-/// of them may meet; together they hold every pair once, and they reach a skin further than the forces: a list is made
-/// anew when a particle has gone half the skin, until then no pair can have come in. A list is gone through as many pairs
-/// at a time as a cache line has numbers, on every machine: four particles side by side with two others (float: four).
-/// Particles are numbered by the clusters they are in, so that those near in space are near in memory.
+/// The sums of NearPairForces in float and double. Each cluster of four particles has a list of others that at least
+/// one of them may meet; together they hold every pair once, and they reach a skin further than the forces: a list is
+/// made anew when a particle has gone half the skin, until then no pair can have come in. A list is gone through as
+/// many pairs at a time as a cache line has numbers, on every machine: four particles side by side with two others
+/// (float: four). Particles are numbered by the clusters they are in, so that those near in space are near in memory.
 ///
 /// The order in which the pulls at a particle are added hangs on these lists, and they on where the particles were when
 /// they were made. So the last bits of an acceleration hang on that too: made_at() is part of the state of a run. It
@@ -144,7 +144,9 @@ private:
         T* to = first_image(positions_);
         for (const Image& image : images_) {
             const Vector<T> shift = shift_of(image.image);
-            const Four by = Four::each([&](std::size_t axis) { return axis == 0 ? shift.x : axis == 1 ? shift.y : shift.z; });
+            const Four by = Four::each([&](std::size_t axis) {
+                return axis == 0 ? shift.x : axis == 1 ? shift.y : shift.z;
+            });
             const T* const from = positions_.data() + image.cluster * numbers;
             for (std::size_t k = 0; k < numbers; k += stride) (Four::load(from + k) + by).store(to + k);
             to += numbers;
@@ -271,8 +273,8 @@ private:
         return pairs;
     }
 
-    /// Calls f(distances, k, part) for the pairs of a row that go side by side: others k, k + 1, ... of the list, a part
-    /// of a group. Their roots are taken while f is busy with the pairs before.
+    /// Calls f(distances, k, part) for the pairs of a row that go side by side: others k, k + 1, ... of the list, a
+    /// part of a group. Their roots are taken while f is busy with the pairs before.
     template <class F>
     [[gnu::always_inline]] void each_part(const Row& row, F f) const {
         const Vector<N> own = four_of(row);
@@ -317,8 +319,9 @@ private:
     void add_pulls(const Row& row) {
         Sums sums;
         sums.fill({N(T(0)), N(T(0)), N(T(0))});
-        each_part(row, [&, list = list_.data()](const Distances& pairs, std::uint32_t k, std::uint32_t part)
-                      __attribute__((always_inline)) { add_pulls(pairs, list + k, sums[part]); });
+        each_part(
+            row, [&, list = list_.data() ](const Distances& pairs, std::uint32_t k, std::uint32_t part)
+                     __attribute__((always_inline)) { add_pulls(pairs, list + k, sums[part]); });
         for (std::size_t half = sums.size() / 2; half > 0; half /= 2) {
             for (std::size_t part = 0; part < half; ++part) sums[part] = sums[part] + sums[part + half];
         }

@@ -1,8 +1,7 @@
-#include "sim/catalogue.hpp"
-
 #include "models/clusters.hpp"
 #include "models/layouts.hpp"
 #include "models/plain.hpp"
+#include "sim/catalogue.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>
