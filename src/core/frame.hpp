@@ -19,6 +19,9 @@ struct Frame {
     std::vector<Vec3> positions;   ///< absolute; each number is one the run's precision holds
     std::vector<Vec3> velocities;  ///< of the same moment
     std::shared_ptr<const Shape> shape;
+
+    /// Where a particle is seen.
+    Vec3 seen(std::size_t particle) const { return shape->seen(positions[particle]); }
 };
 
 }  // namespace steplab

@@ -2,6 +2,7 @@
 
 #include "core/vec3.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,15 @@ struct Shape {
     std::vector<Spring> springs;  ///< empty where particles act on each other without springs
     double spacing = 1;           ///< typical distance of neighbours, > 0; sizes of drawn things follow it
     std::vector<Vec3> expected;   ///< places it is expected to reach; the first camera and the axes take them in
+    double period = 0;            ///< not 0: space repeats itself after this length along each axis
+    Vec3 corner;                  ///< then the least corner of the box in which everything is seen
+
+    /// Where a position is seen: with a period, the image of it that is in the box.
+    Vec3 seen(Vec3 position) const {
+        if (period == 0) return position;
+        const auto within = [this](double at, double least) { return at - period * std::floor((at - least) / period); };
+        return {within(position.x, corner.x), within(position.y, corner.y), within(position.z, corner.z)};
+    }
 };
 
 }  // namespace steplab

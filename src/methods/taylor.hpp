@@ -46,10 +46,15 @@ struct Taylor {
 
     static double bytes_of_interactions(const Coupling&, double pairs) { return 1500 * pairs; }  // their series
     static std::optional<std::string> refusal(const Coupling& coupling) {
-        constexpr std::size_t most = 2000;
-        if (coupling.kind != Coupling::Kind::all || coupling.particles <= most) return std::nullopt;
-        return "it holds the series of all pairs in memory, which is possible for up to " + std::to_string(most) +
-               " particles, not for " + std::to_string(coupling.particles);
+        constexpr std::size_t most_near = 100, most_pairs = 2000;
+        const std::string not_for = " particles, not for " + std::to_string(coupling.particles);
+        if (coupling.kind == Coupling::Kind::near && coupling.particles > most_near)
+            return "a series ends wherever a pair comes into the cut-off or leaves it, which is bearable for up to " +
+                   std::to_string(most_near) + not_for;
+        if (coupling.kind == Coupling::Kind::all && coupling.particles > most_pairs)
+            return "it holds the series of all pairs in memory, which is possible for up to " +
+                   std::to_string(most_pairs) + not_for;
+        return std::nullopt;
     }
 
     template <class T>
@@ -274,8 +279,8 @@ private:
         within_crossing(before, behind, progress_.across, since, out);
     }
 
-    /// Where a pair comes in or goes out of the cut-off the force jumps: the series ends just behind the first such
-    /// time, looked for in eighths of its length and then by bisection.
+    /// Where a pair comes in or goes out of the cut-off the force has a kink: the series ends just behind the first
+    /// such time, looked for in eighths of its length and then by bisection.
     template <class System>
     void end_at_jump(System& system) {
         const std::uint64_t now = pairs_at(system, T(0));

@@ -134,6 +134,10 @@ Shape shape(const ParameterValues& values) {
     for (std::size_t i = 0; i < lottery.count(); ++i) shape.rest.push_back(lottery.position(i));
     shape.roles.assign(lottery.count(), Role::moving);
     shape.spacing = values["spacing"];
+    shape.period = period(values);
+    const double half = values["spacing"] / 2, end = shape.period - half;
+    shape.corner = {-half, -half, -half};
+    shape.expected = {shape.corner, {end, end, end}};
     return shape;
 }
 

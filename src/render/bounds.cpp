@@ -57,7 +57,10 @@ Bounds expected_bounds(const Shape& shape) {
 }
 
 AxesBox axes_box(const Frame& frame) {
-    return axes_box(expected_bounds(*frame.shape), frame.shape->spacing, bounds_of(frame.positions));
+    const Shape& shape = *frame.shape;
+    // with a period nothing is seen beyond what is expected
+    const Bounds now = shape.period == 0 ? bounds_of(frame.positions) : expected_bounds(shape);
+    return axes_box(expected_bounds(shape), shape.spacing, now);
 }
 
 AxesBox axes_box(const Bounds& expected, double spacing, const Bounds& now) {

@@ -83,7 +83,7 @@ Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
     for (std::size_t i = 0; i < shape.rest.size(); ++i) {
         const double radius = sizes.radius(shape.roles[i]);
         include(shape.rest[i], radius);
-        include(frame.positions[i], radius);
+        include(frame.seen(i), radius);
     }
     // The axes belong to the picture too.
     for (const Vec3& corner : axes_box(frame).bounds.corners()) include(corner, 0);

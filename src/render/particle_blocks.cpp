@@ -80,7 +80,7 @@ std::optional<Bounds> ParticleBlocks::place_block(const Frame& frame, const Proj
     const double scale = 1 / projection.camera().distance;
     Bounds bounds{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (std::size_t i = first; i < first + count; ++i) {
-        const Vec3 position = frame.positions[i];
+        const Vec3 position = frame.seen(i);
         if (!drawable(position)) {
             vertices_[i] = unseen_;
             continue;

@@ -80,7 +80,7 @@ void Particles::gather_special(const Shot& shot, Occupancy& taken) {
         kind.listed_points.clear();
     }
     for (const std::uint32_t i : shot.known.special) {
-        const Vec3 position = shot.frame.positions[i];
+        const Vec3 position = shot.frame.seen(i);
         const auto centre = drawable(position) ? projection.pixel(position) : std::nullopt;
         if (!centre) continue;
         const Role role = shot.known.shape->roles[i];
@@ -104,15 +104,14 @@ void Particles::prepare_rings(const Shot& shot) {
     const Palette& colours = palette(style.background);
     std::vector<Dot> kicked;
     for (const std::uint32_t i : known.special) {
-        if (known.shape->roles[i] != Role::kicked || !drawable(frame.positions[i])) continue;
-        kicked.push_back(
-            {vertex(projection, frame.positions[i]), vertex_colour(colours.roles[index(Role::kicked)], 210)});
+        if (known.shape->roles[i] != Role::kicked || !drawable(frame.seen(i))) continue;
+        kicked.push_back({vertex(projection, frame.seen(i)), vertex_colour(colours.roles[index(Role::kicked)], 210)});
     }
     kicked_ring_.upload(std::span<const Dot>(kicked));
     std::vector<Dot> selected;
-    if (style.selected && *style.selected < frame.positions.size() && drawable(frame.positions[*style.selected])) {
+    if (style.selected && *style.selected < frame.positions.size() && drawable(frame.seen(*style.selected))) {
         const std::size_t i = *style.selected;
-        selected.push_back({vertex(projection, frame.positions[i]), vertex_colour(colours.selection, 235)});
+        selected.push_back({vertex(projection, frame.seen(i)), vertex_colour(colours.selection, 235)});
         selected_radius_ = kinds_[index(known.shape->roles[i])].radius;
     }
     selected_ring_.upload(std::span<const Dot>(selected));

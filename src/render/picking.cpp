@@ -13,9 +13,10 @@ std::optional<std::size_t> particle_at(const Frame& frame, const Projection& pro
     double nearest_depth = 0;
     const DrawnSizes sizes(*frame.shape);
     for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-        if (!drawable(frame.positions[i])) continue;
-        const double depth = projection.depth(frame.positions[i]);
-        const auto centre = projection.pixel(frame.positions[i]);
+        const Vec3 position = frame.seen(i);
+        if (!drawable(position)) continue;
+        const double depth = projection.depth(position);
+        const auto centre = projection.pixel(position);
         if (!centre || (nearest && depth >= nearest_depth)) continue;
         const double radius = sizes.radius(frame.shape->roles[i]) * projection.pixels_per_unit(depth);
         if (std::hypot(centre->x - pixel.x, centre->y - pixel.y) > std::max(radius, reach)) continue;

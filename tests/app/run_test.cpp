@@ -3,6 +3,7 @@
 #include "io/files.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
+#include "support/runs.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -28,9 +29,9 @@ std::vector<std::string> arguments(const RunDescription& description, std::vecto
 /// Every model with every method in one precision, at a dt that all of them bear for a few steps.
 std::vector<RunDescription> all_runs(Precision precision) {
     std::vector<RunDescription> runs;
-    for (const Model& model : models()) {
-        for (const Method& method : methods()) {
-            RunDescription run = describe(model.info.id, method.info.id);
+    for (const Method& method : methods()) {
+        for (const Model* const model : test::models_for(method.info.id)) {
+            RunDescription run = describe(model->info.id, method.info.id);
             run.precision = precision;
             run.dt = 0.01;
             runs.push_back(run);

@@ -79,9 +79,40 @@ TEST(NearPairs, have_no_jump_of_energy_at_the_cut_off) {
         field.set(1, {distance, 0, 0});
         return NearPairs<double>(forces).potential(field).value;
     };
-    EXPECT_NEAR(energy(1 - 1e-9), 0, 1e-9);  // slope below 1
+    EXPECT_NEAR(energy(1 - 1e-9), 0, 1e-17);  // it comes in as the square
     EXPECT_EQ(energy(1 + 1e-9), 0);
     EXPECT_LT(energy(0.5), -0.01);
+}
+
+/// Of two particles at this distance, along it, at the farther one.
+template <class T>
+double pull(const NearPairForces& forces, double distance) {
+    Field<T> u(2), a(2);
+    u.set(1, {distance, 0, 0});
+    NearPairs<T>(forces).accelerations(u, a);
+    return static_cast<double>(a.x()[1]);
+}
+
+TEST(NearPairs, have_no_jump_of_force_at_the_cut_off) {
+    const NearPairForces forces{{.count = 2, .mass = 2, .depth = 1, .k = 0.5, .r0 = 0.5}, 1};
+    const Vector<double> uncut = morse_pull(morse_constants<double>(PairForces(forces)), Vector<double>{1, 0, 0});
+    EXPECT_LT(uncut.x, -0.05);  // what is taken off
+    for (const auto& just_within :
+         {pull<float>(forces, 1 - 1e-6), pull<double>(forces, 1 - 1e-6), pull<long double>(forces, 1 - 1e-6)})
+        EXPECT_NEAR(just_within, 0, 1e-6);  // the slope is below 1
+    EXPECT_EQ(pull<double>(forces, 1), 0);
+}
+
+TEST(NearPairs, have_the_force_that_is_the_slope_of_their_energy) {
+    const NearPairForces forces{{.count = 2, .mass = 2, .depth = 1, .k = 0.5, .r0 = 0.5}, 1};
+    const auto energy = [&](double distance) {
+        Field<double> u(2);
+        u.set(1, {distance, 0, 0});
+        return NearPairs<double>(forces).potential(u).value;
+    };
+    constexpr double h = 1e-4;  // the slope's third derivative times h^2 is below 1e-8
+    for (const double distance : {0.3, 0.6, 0.95})
+        EXPECT_NEAR(-2 * pull<double>(forces, distance), (energy(distance + h) - energy(distance - h)) / (2 * h), 1e-8);
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ TEST(Scenes, have_a_shape_that_agrees_with_their_start) {
 
 TEST(Scenes, kick_one_particle_only_and_mark_it) {
     for (const Model& model : models()) {
+        if (model.info.id == "crystal") continue;  // warm: all move
         const ParameterValues defaults(model.info.parameters);
         const Shape shape = model.shape(defaults);
         const Scene scene = model.scene(defaults);

@@ -154,6 +154,19 @@ RunDescription parsed(const std::string& line) {
     return description;
 }
 
+TEST(RunDescription, only_taylor_refuses_a_model_at_its_defaults) {
+    for (const Model& model : models()) {
+        for (const Method& method : methods()) {
+            const RunDescription run = describe(model.info.id, method.info.id);
+            if (model.info.id == "crystal" && method.info.id == "taylor") {
+                EXPECT_THROW(check(run), UsageError);
+            } else {
+                EXPECT_NO_THROW(check(run)) << model.info.id << " " << method.info.id;
+            }
+        }
+    }
+}
+
 TEST(RunDescription, command_line_gives_it_back) {
     for (const Model& model : models()) {
         for (const MethodCase& c : all_methods()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/error.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
 
@@ -71,6 +72,20 @@ inline std::vector<MethodCase> all_methods() {
         for (const Precision precision : precisions) cases.push_back({&method.info, precision});
     }
     return cases;
+}
+
+/// The models that a method runs at their defaults: all, but those that it refuses by name
+/// (RunDescription.only_taylor_refuses_a_model_at_its_defaults says which).
+inline std::vector<const Model*> models_for(std::string_view method) {
+    std::vector<const Model*> possible;
+    for (const Model& model : models()) {
+        try {
+            check(describe(model.info.id, method));
+            possible.push_back(&model);
+        } catch (const UsageError&) {
+        }
+    }
+    return possible;
 }
 
 /// "rk4_double": how ctest names a case.
