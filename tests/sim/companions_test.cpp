@@ -97,7 +97,7 @@ TEST(Companions, are_computed_in_lanes_where_the_method_goes_so) {
     };
     EXPECT_EQ(in_lanes("chain", "euler"), 16u);
     EXPECT_EQ(in_lanes("chain", "velocity-verlet"), 16u);
-    EXPECT_EQ(in_lanes("morse", "velocity-verlet"), 16u);
+    EXPECT_EQ(in_lanes("mesh", "velocity-verlet"), 16u);
     EXPECT_EQ(in_lanes("chain", "dopri5"), 0u);
 }
 
