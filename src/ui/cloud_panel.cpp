@@ -36,6 +36,7 @@ void draw_spread(const Context& context, const Cloud& cloud) {
     ImGui::SameLine(places.control);
     const std::vector<std::string_view> names = spreadable(context.description());
     std::vector<ComboItem> items;
+    items.reserve(names.size());
     for (const std::string_view name : names) items.push_back({.id = name, .name = name});
     const std::string shown = spread_of(cloud, context.description()).name;
     auto chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), shown) - names.begin());
