@@ -1,9 +1,11 @@
 #include "app/command_snapshot.hpp"
 
 #include "app/command_line.hpp"
+#include "app/ensemble_options.hpp"
 #include "app/pacer.hpp"
 #include "app/png.hpp"
 #include "app/scene_options.hpp"
+#include "app/snapshot_cloud.hpp"
 #include "app/snapshot_options.hpp"
 #include "io/interruption.hpp"
 #include "io/output_file.hpp"
@@ -31,17 +33,20 @@ public:
         scene_.declare(app);
         time_.declare(app);
         picture_.declare(app);
+        ensemble_.declare(app);
     }
 
     int run() override {
         const RunDescription description = scene_.description();
         const std::uint64_t steps = time_.steps(description);
         PictureRequest request = picture_.request(description);
+        std::optional<SnapshotCloud> cloud = cloud_of(description);
         OutputFile file(picture_.out());
         Offscreen offscreen(picture_.gl());
         catch_interruptions();
         Simulation simulation(description);
         compute(simulation, steps, request);
+        if (cloud) cloud->put_into(request.view);
         const Picture picture = offscreen.draw(request);
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
@@ -68,6 +73,11 @@ private:
         request.view = view_of(simulation, particle);
     }
 
+    std::optional<SnapshotCloud> cloud_of(const RunDescription& description) const {
+        if (!ensemble_.asked()) return std::nullopt;
+        return SnapshotCloud(description, ensemble_.count(), ensemble_.spreads(description));
+    }
+
     static std::optional<std::size_t> followed_particle(const Simulation& simulation, const PictureRequest& request) {
         if (request.style.selected) return request.style.selected;
         return request.panel ? std::optional(first_followed(*simulation.shape())) : std::nullopt;
@@ -87,6 +97,7 @@ private:
     SceneOptions scene_;
     TimeOptions time_{0};
     SnapshotOptions picture_;
+    EnsembleOptions ensemble_;
 };
 
 }  // namespace

@@ -34,6 +34,8 @@ bool EnsembleOptions::asked() const {
     return !count_.empty();
 }
 
+std::size_t EnsembleOptions::count() const { return static_cast<std::size_t>(parse_value(count_info, count_)); }
+
 std::vector<Spread> EnsembleOptions::spreads(const RunDescription& description) const {
     std::vector<Spread> spreads;
     for (const std::string& text : spreads_) {
@@ -48,10 +50,9 @@ std::vector<Spread> EnsembleOptions::spreads(const RunDescription& description) 
 
 std::vector<EnsembleRun> EnsembleOptions::runs(const RunDescription& description, const std::vector<Spread>& spreads,
                                                const TimeOptions& time) const {
-    const auto count = static_cast<std::size_t>(parse_value(count_info, count_));
     std::vector<EnsembleRun> runs;
-    for (std::size_t i = 0; i < count; ++i) {
-        RunDescription run = spread_run(description, spreads, i, count);
+    for (std::size_t i = 0; i < count(); ++i) {
+        RunDescription run = spread_run(description, spreads, i, count());
         const std::uint64_t steps = time.steps(run);
         runs.push_back({std::move(run), steps});
     }

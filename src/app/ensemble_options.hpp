@@ -16,6 +16,8 @@ public:
     void declare(CLI::App& app);
     /// Whether there are several runs to compute. Throws UsageError if --spread stands alone.
     bool asked() const;
+    /// How many there are. Throws UsageError.
+    std::size_t count() const;
     /// What differs, as a person gave it. Throws UsageError.
     std::vector<Spread> spreads(const RunDescription& description) const;
     /// The runs, checked. Throws UsageError.

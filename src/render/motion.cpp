@@ -1,6 +1,20 @@
 #include "render/motion.hpp"
 
 namespace steplab::render {
+namespace {
+
+void glide_cloud(const Frame& from, const Frame& to, double fraction, Frame& out) {
+    const std::size_t count = to.positions.size();
+    const bool there_before = from.cloud.size() == to.cloud.size();
+    out.cloud.resize(to.cloud.size());
+    for (std::size_t i = 0; i < to.cloud.size(); ++i) {
+        const Vec3 later = to.cloud[i] - to.positions[i % count];
+        const Vec3 earlier = there_before ? from.cloud[i] - from.positions[i % count] : later;
+        out.cloud[i] = out.positions[i % count] + ((1 - fraction) * earlier + fraction * later);
+    }
+}
+
+}  // namespace
 
 void between(const Frame& from, const Frame& to, double fraction, Frame& out) {
     const double s = fraction, r = 1 - fraction, duration = to.time - from.time;
@@ -16,6 +30,7 @@ void between(const Frame& from, const Frame& to, double fraction, Frame& out) {
         out.positions[i] = from_position * from.positions[i] + to_position * to.positions[i] +
                            (from_velocity * from.velocities[i] + to_velocity * to.velocities[i]);
     }
+    glide_cloud(from, to, fraction, out);
 }
 
 }  // namespace steplab::render

@@ -2,6 +2,7 @@
 
 #include "core/diagnostics.hpp"
 #include "core/frame.hpp"
+#include "sim/cloud.hpp"
 #include "sim/simulation.hpp"
 
 #include <cstdint>
@@ -41,6 +42,8 @@ struct RunView {
     std::uint64_t baseline_step = 0;  ///< step from which the energy error counts
     std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots begin anew
     double dt = 0.1;                  ///< as the precision holds it
+    Cloud cloud;                      ///< beside the run; it is in the frame unless it is still being computed
+    CloudReading cloud_reading;
     /// Measured; none in still pictures.
     std::optional<double> steps_per_second;
     std::optional<double> evaluations_per_second;

@@ -74,6 +74,7 @@ void Simulation::prepare(Frame& out) const {
     out.shape = shape();
     out.positions.resize(particles());
     out.velocities.resize(particles());
+    out.cloud.clear();
 }
 
 void Simulation::fill(Frame& out, const Portion& portion) const {

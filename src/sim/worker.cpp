@@ -1,5 +1,6 @@
 #include "sim/worker.hpp"
 
+#include "sim/companions.hpp"
 #include "sim/history.hpp"
 #include "sim/pace.hpp"
 #include "sim/share.hpp"
@@ -47,6 +48,9 @@ struct Worker::Body {
     Rate rate;
     bool playing = false;
     std::optional<std::size_t> tracked;
+    std::vector<SegmentBegin> segments;  // of the run so far
+    Cloud cloud;
+    std::optional<Companions> companions;
     std::uint64_t run = 0;
     std::string error;
     RunView view;
@@ -54,7 +58,7 @@ struct Worker::Body {
     Share views{part_for_views, longest_without_view}, moments{part_for_history};
     std::thread thread;
 
-    explicit Body(const RunDescription& description) : simulation(description) {
+    explicit Body(const RunDescription& description) : simulation(description), segments{{0, description}} {
         history.offer(simulation);
         publish();
         thread = std::thread([this] { loop(); });
@@ -72,9 +76,14 @@ struct Worker::Body {
     void wait_for_work();
     bool carry_out_commands();
     void take_steps();
+    bool companions_are_behind() const { return companions && !companions->are_at(simulation.step(), segments); }
+    void bring_companions(Pace::Duration most);
     void keep_moment();
     bool affordable() const;
     void publish();
+    void show_cloud(Cloud asked);
+    void step_back();
+    void pull(std::size_t particle, Vec3 position);
     void apply(const RunDescription& description);
     void begin_anew();
     void play(bool on);
@@ -89,13 +98,16 @@ void Worker::Body::loop() {
         }
         const bool told = carry_out_commands();
         const std::uint64_t before = simulation.step();
+        const bool behind = companions_are_behind();
+        if (behind) bring_companions(slice);
         if (playing) take_steps();
-        if (told || ((simulation.step() != before || simulation.divergence()) && affordable())) publish();
+        if (told || ((behind || simulation.step() != before || simulation.divergence()) && affordable())) publish();
     }
 }
 
 void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
+    if (companions_are_behind()) return;
     const auto called = [this] { return stopping || !commands.empty() || wanted; };
     if (!playing) return changed.wait(lock, called);
     changed.wait_until(lock, pace.next_due(Clock::now(), rate, simulation.dt()), called);
@@ -120,12 +132,27 @@ bool Worker::Body::carry_out_commands() {
     return true;
 }
 
+/// The companions go where the run stands, which may take longer where they begin: then the run waits for them.
+void Worker::Body::bring_companions(Pace::Duration most) {
+    const auto begin = Clock::now();
+    try {
+        companions->go_to(simulation.step(), segments, [&] { return Clock::now() - begin > most; });
+    } catch (const std::exception& problem) {
+        error = problem.what();
+        show_cloud({});
+    }
+    pace.begin(Clock::now());
+}
+
+/// Of the run and its companions alike, so that they stay together.
 void Worker::Body::take_steps() {
+    if (companions_are_behind()) return;
     const auto begin = Clock::now();
     const std::uint64_t due = pace.steps_due(begin, rate, simulation.dt(), slice);
     if (due == 0) return;
     const std::uint64_t evaluations = simulation.evaluations(), before = simulation.step();
     simulation.advance(due);
+    if (companions && simulation.step() > before) companions->go_to(simulation.step(), segments);
     const std::uint64_t taken = std::max(simulation.step(), before) - before;
     pace.took(taken, std::max(simulation.evaluations(), evaluations) - evaluations,
               static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), rate);
@@ -156,6 +183,9 @@ void Worker::Body::publish() {
     }
     look(simulation, tracked, view);
     view.playing = playing;
+    view.cloud = cloud;
+    view.cloud_reading = {.step = companions ? companions->step() : 0};
+    if (companions && !companions_are_behind()) view.cloud_reading = companions->look(view.frame);
     view.can_step_back = history.reaches_before(simulation.step());
     view.rate = rate;
     view.run = run;
@@ -174,19 +204,52 @@ void Worker::Body::publish() {
     if (call) call();
 }
 
+/// The companions begin where the run began.
+void Worker::Body::show_cloud(Cloud asked) {
+    cloud = std::move(asked);
+    companions.reset();
+    if (cloud.runs == 0) return;
+    companions.emplace(cloud.runs, [of = cloud](const RunDescription& description, std::size_t companion) {
+        return spread_run(description, std::vector{spread_of(of, description)}, companion, of.runs);
+    });
+}
+
 void Worker::Body::apply(const RunDescription& description) {
     const bool at_start = simulation.step() == 0;
     const Change change = simulation.change(description);
     if (change == Change::none) return;
     pace.forget_speed();
-    if (change == Change::restarted || at_start) begin_anew();
-    history.offer(simulation);
+    if (change == Change::restarted || at_start) {
+        begin_anew();
+    } else {
+        segments.push_back({simulation.step(), description});
+        history.offer(simulation);
+    }
     pace.begin(Clock::now());
 }
 
 void Worker::Body::begin_anew() {
     ++run;
     history.clear();
+    history.offer(simulation);
+    segments = {{0, simulation.description()}};
+    show_cloud(cloud);
+}
+
+void Worker::Body::step_back() {
+    playing = false;
+    if (simulation.step() == 0) return;
+    history.go_back(simulation, simulation.step() - 1);
+    if (segments.back().step <= simulation.step()) return;
+    while (segments.back().step > simulation.step()) segments.pop_back();
+    show_cloud(cloud);
+}
+
+void Worker::Body::pull(std::size_t particle, Vec3 position) {
+    const std::uint64_t segment = simulation.segment();
+    simulation.pull(particle, position);
+    if (simulation.segment() == segment) return;
+    segments.push_back({simulation.step(), simulation.description(), SegmentBegin::Pull{particle, position}});
     history.offer(simulation);
 }
 
@@ -219,10 +282,7 @@ void Worker::step_forward() {
 }
 
 void Worker::step_back() {
-    body_->post([](Body& body) {
-        body.playing = false;
-        if (body.simulation.step() > 0) body.history.go_back(body.simulation, body.simulation.step() - 1);
-    });
+    body_->post([](Body& body) { body.step_back(); });
 }
 
 void Worker::restart() {
@@ -242,9 +302,13 @@ void Worker::change(const RunDescription& description) {
 }
 
 void Worker::pull(std::size_t particle, Vec3 position) {
-    body_->post([=](Body& body) {
-        body.simulation.pull(particle, position);
-        body.history.offer(body.simulation);
+    body_->post([=](Body& body) { body.pull(particle, position); });
+}
+
+void Worker::show_cloud(const Cloud& cloud) {
+    body_->post([cloud](Body& body) {
+        body.show_cloud(cloud);
+        body.pace.forget_speed();
     });
 }
 

@@ -7,6 +7,7 @@ namespace steplab::ui {
 void Wanted::follow(const RunView& view, bool is_new) {
     playing_.follow(view.playing, is_new);
     rate_.follow(view.rate, is_new);
+    cloud_.follow(view.cloud, is_new);
     running_ = view.description;
     if (asked_ == running_) asked_.reset();
     if (view.error == seen_error_) return;
@@ -37,6 +38,12 @@ void Wanted::play(bool on, Commands& commands) {
 void Wanted::set_rate(Rate rate, Commands& commands) {
     rate_.ask(rate);
     commands.set_rate(rate);
+}
+
+void Wanted::show_cloud(const Cloud& cloud, Commands& commands) {
+    if (cloud == cloud_.shown()) return;
+    cloud_.ask(cloud);
+    commands.show_cloud(cloud);
 }
 
 }  // namespace steplab::ui

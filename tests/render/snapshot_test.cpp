@@ -73,6 +73,39 @@ TEST_F(Snapshot, another_moment_view_or_colouring_gives_another_picture) {
     }
 }
 
+TEST_F(Snapshot, shows_an_ensemble_as_a_cloud) {
+    const auto draw = [this](const std::string& name, const std::vector<std::string>& ensemble) {
+        std::vector<std::string> arguments{"--model", "morse",   "--method", "velocity-verlet",  "--dt",
+                                           "0.01",    "--until", "30",       "--size",           "640x400",
+                                           "--out",   name,      "--view",   "30,20,6,2,0.5,0.5"};
+        arguments.insert(arguments.end(), ensemble.begin(), ensemble.end());
+        const Outcome outcome = snapshot(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return bytes(name);
+    };
+    const std::string alone = draw("alone.png", {});
+    EXPECT_EQ(draw("same.png", {"--ensemble", "9"}), alone) << "runs that do not differ hide in the run";
+    const std::string cloud = draw("cloud.png", {"--ensemble", "9", "--spread", "v0=0.99:1.01"});
+    EXPECT_NE(cloud, alone);
+    EXPECT_EQ(draw("again.png", {"--ensemble", "9", "--spread", "v0=0.99:1.01"}), cloud);
+    EXPECT_NE(draw("panel.png", {"--ensemble", "9", "--spread", "v0=0.99:1.01", "--ui", "on"}),
+              draw("bare.png", {"--ui", "on"}));
+}
+
+TEST_F(Snapshot, clouds_that_cannot_be_are_wrong_usage) {
+    const std::vector<std::vector<std::string>> wrong{{"--spread", "v0=1:2"},
+                                                      {"--ensemble", "0"},
+                                                      {"--ensemble", "1000000"},
+                                                      {"--ensemble", "2", "--spread", "v0"},
+                                                      {"--ensemble", "2", "--spread", "dim=10:11"}};
+    for (std::vector<std::string> arguments : wrong) {
+        arguments.insert(arguments.end(), {"--size", "64x64", "--out", "a.png"});
+        const Outcome outcome = snapshot(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments[1] << outcome.err;
+    }
+    EXPECT_TRUE(nothing_written());
+}
+
 TEST_F(Snapshot, goes_to_standard_output_if_asked) {
     const Outcome outcome = snapshot({"--size", "64x64", "--out", "-"});
     EXPECT_EQ(outcome.code, 0);

@@ -1,5 +1,6 @@
 #include "sim/worker.hpp"
 
+#include "sim/companions.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace steplab::test {
 namespace {
@@ -167,6 +169,85 @@ TEST_F(WorkerTest, of_several_views_the_newest_is_taken) {
     EXPECT_EQ(view.frame.positions, frame_after(view.description, 3).positions);
     EXPECT_NE(view.frame.positions, frame_after(view.description, 2).positions);
     EXPECT_FALSE(worker.take(view)) << "an older one was kept";
+}
+
+/// Sees the cloud of the moment that the view shows.
+bool has_cloud(const RunView& view) { return !view.frame.cloud.empty(); }
+
+/// Where the companions of a run of this description are that nothing was done to.
+CloudReading reading_after(const RunDescription& description, const Cloud& cloud, std::uint64_t steps) {
+    Simulation simulation(description);
+    simulation.advance(steps);
+    const std::vector<SegmentBegin> segments{{0, description}};
+    Companions companions(cloud.runs, [&](const RunDescription& run, std::size_t companion) {
+        return spread_run(run, std::vector{spread_of(cloud, run)}, companion, cloud.runs);
+    });
+    companions.go_to(steps, segments);
+    Frame frame = simulation.frame();
+    return companions.look(frame);
+}
+
+TEST_F(WorkerTest, has_a_cloud_only_when_asked_for_one) {
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+    EXPECT_FALSE(has_cloud(view));
+    const Cloud cloud{.runs = 5, .spread = "k", .width = 0.01};
+    worker.show_cloud(cloud);
+    ASSERT_TRUE(see(has_cloud));
+    EXPECT_EQ(view.cloud, cloud);
+    EXPECT_EQ(view.frame.cloud.size(), 5 * view.frame.positions.size());
+    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, 1)) << "from the start of the run on";
+    EXPECT_GT(view.cloud_reading.largest, 0);
+    worker.show_cloud({});
+    ASSERT_TRUE(see([](const RunView& v) { return v.cloud.runs == 0; }));
+    EXPECT_FALSE(has_cloud(view));
+}
+
+TEST_F(WorkerTest, takes_the_cloud_along_on_the_way_forth_and_back) {
+    const Cloud cloud{.runs = 5, .spread = "k", .width = 0.01};
+    worker.show_cloud(cloud);
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return has_cloud(v) && v.frame.step > 1000; }));
+    worker.play(false);
+    ASSERT_TRUE(see([](const RunView& v) { return !v.playing && has_cloud(v); }));
+    const std::uint64_t end = view.frame.step;
+    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, end));
+    worker.step_back();
+    ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step == end - 1 && has_cloud(v); }));
+    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, end - 1));
+    EXPECT_NE(view.cloud_reading, reading_after(view.description, cloud, end));
+    worker.restart();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0 && has_cloud(v); }));
+    EXPECT_EQ(view.cloud_reading.largest, 0) << "k differs, the start does not";
+}
+
+TEST_F(WorkerTest, does_to_the_cloud_what_is_done_to_the_run) {
+    worker.show_cloud({.runs = 3, .spread = "v0", .width = 0});
+    for (int i = 0; i < 3; ++i) worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 3 && has_cloud(v); }));
+    worker.change(with_method(view.description, "euler"));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "euler" && has_cloud(v); }));
+    worker.step_forward();
+    worker.pull(5, {10, 1, 0});
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 5 && has_cloud(v); }));
+    EXPECT_EQ(view.cloud_reading.largest, 0) << "runs that do not differ stay together";
+    for (int i = 0; i < 3; ++i) worker.step_back();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2 && has_cloud(v); }));
+    EXPECT_EQ(view.cloud_reading.largest, 0);
+    worker.change(with_model(view.description, "morse"));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.model == "morse" && has_cloud(v); }));
+    EXPECT_EQ(view.frame.cloud.size(), 3 * view.frame.positions.size());
+}
+
+TEST_F(WorkerTest, goes_on_without_a_cloud_that_is_too_large) {
+    worker.show_cloud({.runs = Companions::most_particles});
+    ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
+    EXPECT_THAT(view.error, testing::HasSubstr("too large"));
+    EXPECT_EQ(view.cloud.runs, 0u);
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
 }
 
 TEST_F(WorkerTest, stops_while_playing) {

@@ -31,6 +31,10 @@ public:
         calls.push_back("pull");
         pulled = {particle, position};
     }
+    void show_cloud(const Cloud& cloud) override {
+        calls.push_back("cloud");
+        clouds.push_back(cloud);
+    }
 
     struct Pull {
         std::size_t particle = 0;
@@ -41,6 +45,7 @@ public:
     std::vector<Rate> rates;
     std::optional<std::size_t> tracked;
     std::optional<Pull> pulled;
+    std::vector<Cloud> clouds;
 };
 
 }  // namespace steplab::ui

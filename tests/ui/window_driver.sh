@@ -75,9 +75,9 @@ note_widget() {
     place[${BASH_REMATCH[1]}]="$x $y"
 }
 
-# point_at WIDGET: moves the pointer onto its middle.
+# point_at WIDGET: moves the pointer onto its middle, once it stands still.
 point_at() {
-    [[ -n ${place[$1]:-} ]] || fail "there is no widget '$1'"
+    [[ -n ${place[$1]:-} ]] || expect "widget $1 [0-9].*"
     # shellcheck disable=SC2086  # two numbers
     xdotool mousemove ${place[$1]}
 }

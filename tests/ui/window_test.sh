@@ -75,6 +75,20 @@ panel_changes_the_run() {
     close_window
 }
 
+cloud_goes_with_the_run() {
+    start_display 1280x800
+    open_window --model chain --method euler
+    click cloud/16; expect 'cloud 0' 'widget cloud width [0-9].*'
+    click step; expect 'step 1' 'cloud [0-9.]+e-[0-9]+'
+    click play; expect 'playing true' 'step [0-9]{2}'
+    click play; expect 'playing false'
+    choose 'cloud spread' k; expect 'cloud [0-9.]+e-[0-9]+'
+    enter 'cloud width' 0.25; expect 'cloud 0\.[0-9]+'
+    click restart; expect 'step 0' 'cloud 0'
+    click cloud/off; expect 'cloud none' 'widget cloud width gone'
+    close_window
+}
+
 wrong_entries_are_refused() {
     start_display 1280x800
     open_window --model oscillator

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sim/companions.hpp"
+#include "sim/run_view.hpp"
+#include "sim/spread.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace steplab {
+
+/// The cloud of an ensemble in a picture.
+class SnapshotCloud {
+public:
+    /// Throws UsageError if there cannot be such a cloud.
+    SnapshotCloud(const RunDescription& description, std::size_t runs, const std::vector<Spread>& spreads);
+
+    /// Computes it for this moment of a run in which nothing was changed. Throws Interrupted.
+    void put_into(RunView& view);
+
+private:
+    std::vector<SegmentBegin> segments_;
+    Cloud cloud_;
+    Companions companions_;
+};
+
+}  // namespace steplab
