@@ -31,4 +31,5 @@ picture morse --model morse --set edge=4 --set v0=2 --dt 0.01 --steps 480 --colo
     --view 30,20,8,0.7,0.9,0.7
 picture cloud --model morse --method velocity-verlet --dt 0.01 --until 30 --ensemble 256 --spread v0=0.999999:1.000001 \
     --size 800x500 --view 30,20,5,1.9,0.5,0.5
+picture crystal --model crystal --steps 300 --colour speed --size 800x500
 picture diverged --model mesh --set dim=13 --method verlet --dt 0.74 --steps 1000 --ui on --size 1280x800

@@ -19,8 +19,9 @@ struct Study {
     std::vector<Limit> limits;  ///< stability limits of the plan's methods, in the plan's first precision
 };
 
-/// The scenes a report takes if nobody names any: every model at its defaults over a time in which it shows what it
-/// does; morse with spacing 0.3, because at its default particles pass through each other, where no order holds.
+/// The scenes a report takes if nobody names any: the models at their defaults over a time in which they show what they
+/// do; morse with spacing 0.3, because at its default particles pass through each other, where no order holds; not
+/// crystal, where none holds either, at the kinks of its cut-off.
 std::vector<StudyPlan> default_plans(bool quick);
 
 /// The part of a whole report's work that this model takes, about.
