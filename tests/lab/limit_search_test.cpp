@@ -58,7 +58,7 @@ TEST(LimitSearch, finds_in_rounds_to_the_last_digit_what_it_finds_one_by_one) {
         for (const Grows& grows : vibrations()) {
             Count alone;
             const double limit = one_by_one(search, grows, alone);
-            for (const std::size_t most : {1, 2, 8, 16}) {
+            for (const std::size_t most : {1U, 2U, 8U, 16U}) {
                 Count together;
                 EXPECT_EQ(in_rounds(search, most, grows, together), limit);
                 EXPECT_LE(together.rounds, alone.rounds);
