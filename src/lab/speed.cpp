@@ -30,7 +30,8 @@ struct Sizes {
 const std::vector<Sizes>& sizes() {
     static const std::vector<Sizes> all{{"free", "n", {10, 1000, 1e6}},       {"oscillator", "k", {1}},
                                         {"chain", "n", {10, 1000, 1e5, 1e6}}, {"rope", "n", {10, 1000, 1e6}},
-                                        {"mesh", "dim", {10, 32, 100, 1000}}, {"morse", "edge", {3, 8}}, {"crystal", "edge", {6, 16, 40}}};
+                                        {"mesh", "dim", {10, 32, 100, 1000}}, {"morse", "edge", {3, 8}},
+                                        {"crystal", "edge", {6, 16, 40}}};
     return all;
 }
 
