@@ -90,7 +90,7 @@ const std::vector<Row>& growing_rows() {
 RunDescription description_of(const Row& row, std::string_view method, Precision precision) {
     RunDescription description = describe(row.model, method);
     description.scene.set(row.parameter, row.value);
-    if (row.model == "crystal") description.scene.set("m", 1);
+    if (row.model == "crystal") description.scene.set("m", 1);  // as LAMMPS is told; the default is heavier
     description.precision = precision;
     description.dt = row.dt;
     return description;

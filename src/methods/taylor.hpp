@@ -46,7 +46,7 @@ struct Taylor {
 
     static double bytes_of_interactions(const Coupling&, double pairs) { return 1500 * pairs; }  // their series
     static std::optional<std::string> refusal(const Coupling& coupling) {
-        constexpr std::size_t most_near = 100, most_pairs = 2000;
+        constexpr std::size_t most_near = 50, most_pairs = 2000;
         const std::string not_for = " particles, not for " + std::to_string(coupling.particles);
         if (coupling.kind == Coupling::Kind::near && coupling.particles > most_near)
             return "a series ends wherever a pair comes into the cut-off or leaves it, which is bearable for up to " +

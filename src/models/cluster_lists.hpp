@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/error.hpp"
 #include "core/field.hpp"
 #include "core/lanes.hpp"
 #include "core/stages.hpp"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace steplab {
@@ -38,18 +40,21 @@ public:
     /// Rows are filled up to whole groups of so many others.
     explicit ClusterLists(std::uint32_t group) : group_(group) {}
 
-    /// Of particles that Clusters::make() takes.
-    void make(const Field<double>& positions, double reach, double period) {
+    /// Of particles that Clusters::make() takes. Throws UsageError if there are more pairs than can be numbered.
+    void make(Field<double> positions, double reach, double period) {
         reach_ = reach;
         period_ = period;
         clusters_.make(positions, reach, period);
-        gather_coordinates(positions);
+        gather_coordinates(std::exchange(positions, {}));
         list_.clear();
         rows_.clear();
         images_.clear();
         first_of_image_.assign(period > 0 ? clusters_.count() * Clusters::images : 0, 0);
-        for (std::uint32_t cluster = 0; cluster < clusters_.count(); ++cluster) append_row(cluster);
+        clusters_.each(
+            [this](std::uint32_t cluster, std::span<const Clusters::Other> others) { append_row(cluster, others); });
         list_.insert(list_.end(), group_, nowhere());  // for who looks ahead
+        coordinates_ = {};
+        first_of_image_ = {};
     }
 
     std::span<const Row> rows() const { return rows_; }
@@ -80,11 +85,14 @@ private:
         }
     }
 
-    void append_row(std::uint32_t cluster) {
-        const auto others = clusters_.others(cluster);
-        const std::size_t begin = list_.size();
+    void append_row(std::uint32_t cluster, std::span<const Clusters::Other> others) {
+        const std::size_t begin = list_.size(), most = begin + (others.size() + 2) * size;
+        if (std::max(most, count()) > std::numeric_limits<std::uint32_t>::max())
+            throw UsageError("the cut-off lets more pairs act than can be listed; choose a smaller one");
+        // as long as the rows so far let expect: pages that are not reached cost nothing
+        if (most > list_.capacity()) list_.reserve(most / (cluster + 1) * clusters_.count() + most);
         const auto own = static_cast<std::uint32_t>(cluster * numbers);
-        list_.resize(begin + (others.size() + 2) * size);
+        list_.resize(most);
         for (std::uint32_t i = 0; i < size; ++i) list_[begin + i] = own + static_cast<std::uint32_t>(i * stride);
         std::size_t end = begin + size;
         for (const Clusters::Other other : others) end = append(cluster, other, end);
@@ -143,7 +151,7 @@ private:
     std::vector<std::uint32_t> list_;
     std::vector<Row> rows_;
     std::vector<Image> images_;
-    // memory of make()
+    // only while make() works
     std::vector<T> coordinates_;
     std::vector<std::uint32_t> first_of_image_;  ///< 0: that image of a cluster is not there
 };

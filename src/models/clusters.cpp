@@ -41,7 +41,7 @@ void Clusters::make(const Field<double>& positions, double reach, double period)
     choose_columns(positions);
     sort(positions);
     form_clusters(positions);
-    list_pairs();
+    placed_ = {};
 }
 
 /// As wide as a cube that holds a cluster; where particles are few, or crowd together, as pairs ask for.
@@ -60,6 +60,7 @@ void Clusters::choose_columns(const Field<double>& positions) {
     }
     const double particles = static_cast<double>(std::max<std::size_t>(1, positions.count()));
     width_ = std::clamp(std::cbrt(static_cast<double>(size) * volume / particles), reach_ / 4, reach_);
+    width_ = std::max(width_, std::numeric_limits<double>::min());  // a reach may be flushed to zero
     if (period_ == 0) return;
     columns_a_row_ = static_cast<std::uint32_t>(std::clamp(std::floor(period_ / width_), 1.0, double{most_columns}));
     width_ = period_ / columns_a_row_;
@@ -125,14 +126,13 @@ void Clusters::form_clusters(const Field<double>& positions) {
     for (std::size_t beyond = 0; beyond < side_by_side; ++beyond) add_cluster();
 }
 
-void Clusters::list_pairs() {
-    others_.clear();
-    begin_.assign(1, 0);
+void Clusters::each(const std::function<void(std::uint32_t, std::span<const Other>)>& f) {
     for (const Column& column : columns_) {
         find_adjacent(column);
         for (std::uint32_t cluster = column.begin; cluster < column.end; ++cluster) {
+            others_.clear();
             for (Adjacent& adjacent : adjacent_) append_others(cluster, adjacent);
-            begin_.push_back(static_cast<std::uint32_t>(others_.size()));
+            f(cluster, others_);
         }
     }
 }
@@ -206,6 +206,32 @@ void Clusters::append_within_reach(std::uint32_t cluster, std::uint32_t from, st
             if (!far[lane]) others_.emplace_back(other + lane, image);
         }
     }
+}
+
+void each_near_distance2(const Field<double>& positions, double cutoff, double period,
+                         const std::function<void(double)>& f) {
+    Clusters clusters;
+    clusters.make(positions, cutoff, period);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<Vec3> at(clusters.count() * Clusters::size, Vec3{none, none, none});
+    for (std::size_t i = 0; i < positions.count(); ++i) at[clusters.places()[i]] = positions.at(i);
+    const auto look = [&](std::size_t a, std::size_t b, Vec3 shift) {
+        const Vec3 d = at[b] + shift - at[a];
+        if (dot(d, d) < cutoff * cutoff) f(dot(d, d));
+    };
+    clusters.each([&](std::uint32_t cluster, std::span<const Clusters::Other> others) {
+        const std::size_t first = cluster * Clusters::size, end = first + Clusters::size;
+        for (std::size_t a = first; a < end; ++a) {
+            for (std::size_t b = a + 1; b < end; ++b) look(a, b, {});
+        }
+        for (const Clusters::Other other : others) {
+            const auto along = [&](std::size_t axis) { return period * Clusters::periods(other.image(), axis); };
+            const Vec3 shift{along(0), along(1), along(2)};
+            for (std::size_t a = first; a < end; ++a) {
+                for (std::size_t b = 0; b < Clusters::size; ++b) look(a, other.cluster() * Clusters::size + b, shift);
+            }
+        }
+    });
 }
 
 }  // namespace steplab

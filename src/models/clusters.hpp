@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -48,11 +49,9 @@ public:
     std::size_t count() const { return count_; }
     /// Of each particle: the cluster times four, plus its place there.
     std::span<const std::uint32_t> places() const { return places_; }
-    /// The other clusters with which this one is listed. Each pair of clusters and image is listed once; that of a
-    /// cluster with itself is not.
-    std::span<const Other> others(std::size_t cluster) const {
-        return {others_.data() + begin_[cluster], others_.data() + begin_[cluster + 1]};
-    }
+    /// Calls f(cluster, others) for each cluster in turn, after make(), once. Each pair of clusters and image is among
+    /// the others of one of them; that of a cluster with itself is not.
+    void each(const std::function<void(std::uint32_t, std::span<const Other>)>& f);
 
 private:
     /// Sorts particles by column, then from below.
@@ -79,7 +78,6 @@ private:
     std::uint32_t column_at(double position) const;
     void sort(const Field<double>& positions);
     void form_clusters(const Field<double>& positions);
-    void list_pairs();
     void find_adjacent(const Column& column);
     void append_others(std::uint32_t cluster, Adjacent& adjacent);
     void append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image);
@@ -94,8 +92,12 @@ private:
     std::size_t count_ = 0;
     std::array<Bounds, 3> bounds_;
     std::vector<Adjacent> adjacent_;
-    std::vector<std::uint32_t> begin_;
-    std::vector<Other> others_;
+    std::vector<Other> others_;  ///< of one cluster
 };
+
+/// Calls f(square of the distance) for all pairs of particles nearer than the cut-off; positions and period as for
+/// Clusters::make().
+void each_near_distance2(const Field<double>& positions, double cutoff, double period,
+                         const std::function<void(double)>& f);
 
 }  // namespace steplab

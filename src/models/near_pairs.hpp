@@ -72,9 +72,7 @@ public:
             magnitude.add(energy < 0 ? -energy : energy);
         };
         if constexpr (by_clusters) {
-            PairList<T> pairs(forces_, morse_);
-            pairs.make_at(u);
-            pairs.each_distance2(add);
+            each_distance2_by_clusters(u, add);
         } else {
             NearPairs(forces_).each_near_pair(u, [&](std::size_t, std::size_t, const T& distance2) { add(distance2); });
         }
@@ -125,6 +123,17 @@ private:
     struct SumsOf<true, Number> {
         using Type = PairList<Number>;
     };
+
+    /// Calls f(square of the distance) for pairs nearer than the cut-off, in an order that positions alone decide.
+    template <class F>
+    void each_distance2_by_clusters(const Field<T>& u, F f) const {
+        Field<double> places(count_);
+        const auto inside = [this](T at) { return forces_.period > 0 ? at - periods_.nearest(at) : at; };
+        for (std::size_t i = 0; i < count_; ++i)
+            places.set(i, {static_cast<double>(inside(u.x()[i])), static_cast<double>(inside(u.y()[i])),
+                           static_cast<double>(inside(u.z()[i]))});
+        each_near_distance2(places, forces_.cutoff, forces_.period, [&](double d2) { f(static_cast<T>(d2)); });
+    }
 
     /// Calls f(i, j, square of the distance), i < j, for pairs nearer than the cut-off.
     template <class F>

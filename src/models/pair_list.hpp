@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace steplab {
@@ -57,7 +58,8 @@ public:
             const Vector<T> p = in_period(u, i);
             within.set(i, {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
         }
-        lists_.make(within, reach_, period_);
+        positions_ = {};
+        lists_.make(std::move(within), reach_, period_);
         positions_.assign(lists_.count(), std::numeric_limits<T>::quiet_NaN());
         place(u);
     }
@@ -75,19 +77,6 @@ public:
             x[i] = sum[0];
             y[i] = sum[1];
             z[i] = sum[2];
-        }
-    }
-
-    /// Calls f(square of the distance) for all pairs nearer than the cut-off, where accelerations() was last asked for
-    /// or the lists were made.
-    template <class F>
-    void each_distance2(F f) const {
-        for (const Row& row : lists_.rows()) {
-            each_part(row, [&](const Distances& pairs, std::uint32_t, std::uint32_t) {
-                for (std::size_t lane = 0; lane < N::count; ++lane) {
-                    if (pairs.square[lane] < cutoff2_) f(pairs.square[lane]);
-                }
-            });
         }
     }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <unistd.h>
 #include <variant>
@@ -40,6 +41,27 @@ double pairs(const NearPairForces& forces, const Scene& scene) {
     return sum / 2;
 }
 
+/// Of space, as the particles of a scene are at the start.
+double volume(const NearPairForces& forces, const Scene& scene) {
+    if (forces.period > 0) return forces.period * forces.period * forces.period;
+    Vec3 low = scene.start[0].displacement, high = low;
+    for (std::size_t i = 1; i < forces.count; ++i) {
+        const Vec3 at = scene.start[i].displacement;
+        low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+    }
+    return (high.x - low.x) * (high.y - low.y) * (high.z - low.z);
+}
+
+/// Lists of clusters (cluster_lists.hpp): of four particles one list, of numbers of four bytes, that holds about as
+/// many as one of them has within reach; and what is held for each particle while lists are made.
+double bytes_of_lists(const NearPairForces& forces, const Scene& scene) {
+    const double particles = static_cast<double>(forces.count), reach = 1.15 * forces.cutoff;
+    const double sphere = 4 * std::numbers::pi / 3 * reach * reach * reach;
+    const double within_reach = std::min(particles, particles / volume(forces, scene) * sphere);
+    return particles * (within_reach + 200);
+}
+
 }  // namespace
 
 double available_memory() { return std::max(0.0, 0.9 * system_memory()); }
@@ -66,10 +88,13 @@ double bytes_per_particle(const RunDescription& description) {
 
 double bytes_of_interactions(const RunDescription& description, const Scene& scene) {
     const Method& entry = method(description.method);
-    if (!entry.bytes_of_interactions) return 0;
-    return std::visit(
-        [&](const auto& forces) { return entry.bytes_of_interactions(coupling(forces), pairs(forces, scene)); },
-        scene.forces);
+    const auto* const near = std::get_if<NearPairForces>(&scene.forces);
+    const double lists = near ? bytes_of_lists(*near, scene) : 0;
+    if (!entry.bytes_of_interactions) return lists;
+    return lists +
+           std::visit(
+               [&](const auto& forces) { return entry.bytes_of_interactions(coupling(forces), pairs(forces, scene)); },
+               scene.forces);
 }
 
 }  // namespace steplab

@@ -48,12 +48,17 @@ void check_memory(const RunDescription& description, double needed_for_interacti
                                                                       : "n"));
 }
 
-/// Methods that cannot run every scene look at its forces; what they hold for each interaction has to fit, too.
+/// Methods that cannot run every scene look at its forces; what is held for each interaction has to fit, too.
 void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
-    if (!entry.refusal) return;
+    const bool lists = description.scene.contains("cutoff") && description.scene["cutoff"] > 0;
+    if (!entry.refusal && !lists) return;
     const Scene scene = model(description.model).scene(description.scene);
-    const auto refused = std::visit([&](const auto& forces) { return entry.refusal(coupling(forces)); }, scene.forces);
+    const auto refused = std::visit(
+        [&](const auto& forces) {
+            return entry.refusal ? entry.refusal(coupling(forces)) : std::optional<std::string>();
+        },
+        scene.forces);
     if (refused) throw UsageError(fmt::format("{} cannot run this scene: {}", description.method, *refused));
     check_memory(description, bytes_of_interactions(description, scene));
 }

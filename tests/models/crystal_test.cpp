@@ -148,10 +148,10 @@ TEST(Clusters, list_each_pair_within_reach_once) {
                 }
             }
         };
-        for (std::size_t c = 0; c < clusters.count(); ++c) {
-            look(c, {static_cast<std::uint32_t>(c), Clusters::own_image});
-            for (const Clusters::Other other : clusters.others(c)) look(c, other);
-        }
+        clusters.each([&](std::uint32_t c, std::span<const Clusters::Other> others) {
+            look(c, {c, Clusters::own_image});
+            for (const Clusters::Other other : others) look(c, other);
+        });
         std::size_t expected = 0;
         for (std::size_t i = 0; i < u.count(); ++i) {
             for (std::size_t j = i + 1; j < u.count(); ++j) {
@@ -193,6 +193,7 @@ TEST(Crystal, starts_without_momentum_and_as_warm_as_it_says) {
 TEST(Crystal, starts_otherwise_with_another_seed) {
     EXPECT_FALSE(crystal({{"seed", 1}}).start[5].displacement == crystal({{"seed", 2}}).start[5].displacement);
     EXPECT_FALSE(crystal({{"seed", 1}}).start[5].velocity == crystal({{"seed", 2}}).start[5].velocity);
+    EXPECT_FALSE(crystal({{"seed", 1}}).start[5].displacement == crystal({{"seed", 16777215}}).start[5].displacement);
     EXPECT_EQ(crystal({{"jitter", 0}}).start[5].displacement, (Vec3{5, 0, 0}));
 }
 

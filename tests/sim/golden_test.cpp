@@ -21,7 +21,7 @@ std::map<std::string, std::string> computed_hashes(const Execution& execution) {
     for (const MethodCase& c : all_methods()) {
         for (const Model* const model : models_for(c.id())) {
             const auto name = fmt::format("{} {} {}", model->info.id, c.info->id, id(c.precision));
-            add(name, run_of(model->info.id, c.info->id, c.precision, model->info.id == "rope" ? 0.01 : 0.1));
+            add(name, small_run_of(model->info.id, c.info->id, c.precision, model->info.id == "rope" ? 0.01 : 0.1));
         }
     }
     for (const Precision precision : precisions) {

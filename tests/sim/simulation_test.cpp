@@ -14,7 +14,7 @@ namespace {
 class EveryRun : public testing::TestWithParam<MethodCase> {
 protected:
     RunDescription description(std::string_view model) const {
-        return run_of(model, GetParam().id(), GetParam().precision, model == "rope" ? 0.01 : 0.05);
+        return small_run_of(model, GetParam().id(), GetParam().precision, model == "rope" ? 0.01 : 0.05);
     }
 };
 
