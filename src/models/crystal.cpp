@@ -13,7 +13,7 @@ namespace {
 constexpr ParameterInfo parameters[] = {
     particles_along_edge(6, 5, 20),
     start_spacing(1, 0.8, 2),
-    particle_mass(50),
+    particle_mass(50, 1000),
     well_depth(1),
     well_force_constant(50, 5, 500),
     well_distance(1, 0.5, 2),

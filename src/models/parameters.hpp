@@ -19,7 +19,7 @@ constexpr ParameterInfo number_of_particles(double minimum, double default_value
             .slider_logarithmic = true};
 }
 
-constexpr ParameterInfo particle_mass(double default_value) {
+constexpr ParameterInfo particle_mass(double default_value, double slider_high = 10) {
     return {.name = "m",
             .unit = "kg",
             .minimum = 0,
@@ -27,7 +27,7 @@ constexpr ParameterInfo particle_mass(double default_value) {
             .default_value = default_value,
             .what = "mass of a particle",
             .slider_low = 0.05,
-            .slider_high = 10,
+            .slider_high = slider_high,
             .slider_logarithmic = true};
 }
 

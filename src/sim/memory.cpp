@@ -59,7 +59,7 @@ double bytes_of_lists(const NearPairForces& forces, const Scene& scene) {
     const double particles = static_cast<double>(forces.count), reach = 1.15 * forces.cutoff;
     const double sphere = 4 * std::numbers::pi / 3 * reach * reach * reach;
     const double within_reach = std::min(particles, particles / volume(forces, scene) * sphere);
-    return particles * (within_reach + 200);
+    return particles * (within_reach + 350);
 }
 
 }  // namespace

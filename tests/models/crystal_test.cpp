@@ -100,7 +100,7 @@ TYPED_TEST(CrystalForces, add_up_to_nothing) {
 
 // Whenever its lists are made anew, a run finds all pairs: as many as lists made at each step.
 TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
-    const Scene scene = crystal();
+    const Scene scene = crystal({{"m", 1}});
     State<TypeParam> state = scene.start.state<TypeParam>();
     NearPairs<TypeParam> followed(forces_of(scene));
     Field<TypeParam> a(state.displacement.count()), fresh(a.count()), last;

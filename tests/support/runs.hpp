@@ -82,7 +82,7 @@ inline std::vector<MethodCase> all_methods() {
 }
 
 /// The models that a method runs at their defaults: all, but those that it refuses by name
-/// (RunDescription.only_taylor_refuses_a_model_at_its_defaults says which).
+/// (RunDescription.default_of_every_model_can_be_run_by_all_but_taylor_of_crystal).
 inline std::vector<const Model*> models_for(std::string_view method) {
     std::vector<const Model*> possible;
     for (const Model& model : models()) {
