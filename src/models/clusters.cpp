@@ -173,7 +173,8 @@ void Clusters::append_others(std::uint32_t cluster, Adjacent& adjacent) {
         const float shift = static_cast<float>(z) * period;
         // an image begins and ends half a period from its middle
         if (z != 0 && static_cast<float>(z) * (z < 0 ? low : high) + reach < period / 2) continue;
-        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(z + 1)];
+        const int place = z + 1;
+        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(place)];
         while (first < adjacent.end && up.high[first] + shift < low - reach) ++first;
         const auto image = static_cast<std::uint32_t>(9 * (adjacent.x + 1) + 3 * (adjacent.y + 1) + z + 1);
         // each pair once
