@@ -249,7 +249,7 @@ void Worker::Body::pull(std::size_t particle, Vec3 position) {
     const std::uint64_t segment = simulation.segment();
     simulation.pull(particle, position);
     if (simulation.segment() == segment) return;
-    segments.push_back({simulation.step(), simulation.description(), SegmentBegin::Pull{particle, position}});
+    append_pull(segments, {simulation.step(), simulation.description(), SegmentBegin::Pull{particle, position}});
     history.offer(simulation);
 }
 
