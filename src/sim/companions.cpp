@@ -4,6 +4,7 @@
 #include "core/flush_subnormals.hpp"
 #include "sim/alike.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/memory.hpp"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,12 @@ private:
 
 }  // namespace
 
+void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled) {
+    const SegmentBegin& last = segments.back();
+    if (last.pull && last.pull->particle == pulled.pull->particle && last.step == pulled.step) segments.pop_back();
+    segments.push_back(std::move(pulled));
+}
+
 Companions::Companions(std::size_t runs, Variation variation, const Execution& execution)
     : runs_(runs), variation_(std::move(variation)), execution_(execution) {}
 
@@ -58,10 +65,13 @@ bool Companions::go_to(std::uint64_t step, std::span<const SegmentBegin> segment
                        const std::function<bool()>& enough) {
     const FlushSubnormals flush;
     if (companions_.empty() || segment_ >= segments.size() || step < segment_step_) begin(segments);
-    if (step < step_) {
+    const bool pulled_on = segments[segment_].pull != pull_;
+    const bool next_is_behind = segment_ + 1 < segments.size() && segments[segment_ + 1].step < step_;
+    if (step_ > segment_step_ && (step < step_ || next_is_behind || pulled_on)) {
         make_groups();
         step_ = segment_step_;
     }
+    if (pulled_on) go_on(segments[segment_]);
     while (true) {
         const bool last = segment_ + 1 == segments.size() || segments[segment_ + 1].step > step;
         const std::uint64_t end = last ? step : segments[segment_ + 1].step;
@@ -70,12 +80,13 @@ bool Companions::go_to(std::uint64_t step, std::span<const SegmentBegin> segment
             take(std::min(end - step_, steps_of_a_piece()));
         }
         if (last) return true;
+        if (enough()) return false;
         go_on(segments[++segment_]);
     }
 }
 
 bool Companions::are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const {
-    return !companions_.empty() && segment_ + 1 == segments.size() && step_ == step;
+    return !companions_.empty() && segment_ + 1 == segments.size() && step_ == step && segments.back().pull == pull_;
 }
 
 /// From the start of the run.
@@ -85,6 +96,7 @@ void Companions::begin(std::span<const SegmentBegin> segments) {
     if (particles * static_cast<double>(runs_) > static_cast<double>(most_particles))
         throw UsageError(fmt::format("a cloud of {} runs of {:.0f} particles is too large: at most {} in all", runs_,
                                      particles, most_particles));
+    check_memory(description);
     companions_.clear();
     for (std::size_t i = 0; i < runs_; ++i) {
         RunDescription held = as_held(variation_(description, i));
@@ -97,6 +109,19 @@ void Companions::begin(std::span<const SegmentBegin> segments) {
     make_groups();
     segment_ = 0;
     segment_step_ = step_ = 0;
+    pull_.reset();
+}
+
+void Companions::check_memory(const RunDescription& description) const {
+    const Scene scene = model(description.model).scene(description.scene);
+    const double one = static_cast<double>(scene.reference.count) * bytes_per_particle(description) +
+                       bytes_of_interactions(description, scene);
+    const double needed = static_cast<double>(runs_) * one, there = available_memory();
+    if (needed <= there) return;
+    throw UsageError(
+        fmt::format("a cloud of {} runs needs {:.3g} bytes of memory, {:.3g} are available: choose {:.0f} "
+                    "runs at most",
+                    runs_, needed, there, std::floor(there / one)));
 }
 
 /// Begins a segment as Simulation does: at the synchronised state.
@@ -106,6 +131,7 @@ void Companions::go_on(const SegmentBegin& segment) {
     }
     make_groups();
     segment_step_ = step_ = segment.step;
+    pull_ = segment.pull;
 }
 
 void Companions::continue_in(const SegmentBegin& segment, std::size_t i, const Group& group) {

@@ -23,11 +23,16 @@ struct SegmentBegin {
     struct Pull {
         std::size_t particle;
         Vec3 position;
+        friend bool operator==(const Pull&, const Pull&) = default;
     };
     std::uint64_t step = 0;
     RunDescription description;
     std::optional<Pull> pull = {};  ///< of a particle, just before
 };
+
+/// Adds one that begins with a pull. It takes the place of a pull of the same particle at the same step, of which
+/// nothing is left: a particle that is dragged while the run stands leaves one segment.
+void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled);
 
 /// Runs that go beside a run, step for step, and to which all that is done to it happens too. Each has the bits that it
 /// has alone. Those that differ in numbers alone are computed side by side in the lanes of vector registers where their
@@ -43,8 +48,8 @@ public:
     Companions(std::size_t runs, Variation variation, const Execution& execution = {});
 
     /// Goes to this step of the run that consists of these segments, the first of which begins at step 0; back as well,
-    /// by stepping again. Stops on the way if `enough` says so; false if it is not there yet. Throws UsageError if the
-    /// runs cannot be computed.
+    /// by stepping again. The pull that the last segment begins with may have become another. Stops on the way if
+    /// `enough` says so; false if it is not there yet. Throws UsageError if the runs cannot be computed.
     bool go_to(
         std::uint64_t step, std::span<const SegmentBegin> segments,
         const std::function<bool()>& enough = [] { return false; });
@@ -74,6 +79,7 @@ private:
     };
 
     void begin(std::span<const SegmentBegin> segments);
+    void check_memory(const RunDescription& description) const;
     void go_on(const SegmentBegin& segment);
     void make_groups();
     Group make_group(std::span<const StepperSetup> setups, std::size_t first) const;
@@ -88,7 +94,8 @@ private:
     std::vector<Group> groups_;
     std::size_t segment_ = 0;  ///< the one they are in
     std::uint64_t segment_step_ = 0, step_ = 0;
-    State<double> seen_;  ///< of one of them; kept for its memory
+    std::optional<SegmentBegin::Pull> pull_;  ///< that the segment began with
+    State<double> seen_;                      ///< of one of them; kept for its memory
 };
 
 }  // namespace steplab

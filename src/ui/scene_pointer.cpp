@@ -47,8 +47,8 @@ void pull(const Context& context, const render::Projection& projection) {
     if (!io.MouseDown[0] || *pulled >= context.view.frame.positions.size()) {
         pulled.reset();
     } else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
-        const Vec3 place = context.view.frame.positions[*pulled];
-        context.commands.pull(*pulled, under_pointer_beside(place, context, projection));
+        const Vec3 seen = context.view.frame.seen(*pulled);
+        context.commands.pull(*pulled, under_pointer_beside(seen, context, projection));
     }
 }
 

@@ -8,6 +8,7 @@ void Wanted::follow(const RunView& view, bool is_new) {
     playing_.follow(view.playing, is_new);
     rate_.follow(view.rate, is_new);
     cloud_.follow(view.cloud, is_new);
+    if (is_new && !view.error.empty()) cloud_.refused();
     running_ = view.description;
     if (asked_ == running_) asked_.reset();
     if (view.error == seen_error_) return;

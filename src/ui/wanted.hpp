@@ -47,6 +47,7 @@ private:
             if (is_new) ++views_;
             if (asked_ == running_ || views_ > patience) asked_.reset();
         }
+        void refused() { asked_.reset(); }
 
     private:
         static constexpr int patience = 3;

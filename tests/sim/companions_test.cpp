@@ -4,6 +4,7 @@
 #include "sim/catalogue.hpp"
 #include "support/runs.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,7 +47,7 @@ struct Flock {
         for (std::size_t i = 0; i < cloud.runs; ++i) alone[i].change(spread(cloud)(description, i));
     }
     void pull(std::size_t particle, Vec3 position) {
-        segments.push_back({run.step(), run.description(), SegmentBegin::Pull{particle, position}});
+        append_pull(segments, {run.step(), run.description(), SegmentBegin::Pull{particle, position}});
         run.pull(particle, position);
         for (Simulation& simulation : alone) simulation.pull(particle, position);
     }
@@ -137,6 +138,50 @@ TEST(Companions, go_back_within_a_segment_and_beyond_it) {
     EXPECT_EQ(again.cloud, after.cloud);
 }
 
+TEST(Companions, go_on_in_a_segment_that_begins_before_where_they_are) {
+    const RunDescription description = test::run_of("morse", "velocity-verlet", Precision::double_, 0.01);
+    Flock flock(description, {.runs = count});
+    flock.companions.go_to(100, flock.segments);
+    flock.advance(90);
+    flock.change(with_method(description, "euler"));
+    flock.advance(20);
+    flock.expect_the_bits_of_runs_alone();
+}
+
+TEST(Companions, stop_between_segments_without_steps_too) {
+    Flock flock(test::run_of("chain", "euler", Precision::double_, 0.05), {.runs = count});
+    flock.companions.go_to(0, flock.segments);
+    for (int i = 0; i < 100; ++i) flock.pull(5 + i % 2, {10, 0.01 * i, 0});
+    int asked = 0;
+    EXPECT_FALSE(flock.companions.go_to(0, flock.segments, [&] { return ++asked > 0; }));
+    EXPECT_EQ(asked, 1);
+    EXPECT_FALSE(flock.companions.are_at(0, flock.segments));
+    flock.advance(5);
+    flock.expect_the_bits_of_runs_alone();
+}
+
+TEST(Companions, are_dragged_along_in_one_segment) {
+    for (const Precision precision : test::precisions) {
+        Flock flock(test::run_of("morse", "velocity-verlet", precision, 0.01), {.runs = count, .width = 0.01});
+        flock.advance(30);
+        for (int i = 0; i < 100; ++i) {
+            flock.pull(5, {1.3, 0.01 * i, 0.2});
+            if (i % 20 == 0) flock.expect_the_bits_of_runs_alone();
+        }
+        EXPECT_EQ(flock.segments.size(), 2u);
+        flock.expect_the_bits_of_runs_alone();
+        // The last pull counts also where the companions have gone on from an earlier one.
+        flock.companions.go_to(40, flock.segments);
+        flock.pull(5, {1.3, -0.5, 0.2});
+        flock.advance(20);
+        flock.expect_the_bits_of_runs_alone();
+        flock.pull(5, {1.3, 0, 0});
+        flock.pull(6, {1.3, 0, 0.4});
+        EXPECT_EQ(flock.segments.size(), 4u) << "at another step, and another particle";
+        flock.expect_the_bits_of_runs_alone();
+    }
+}
+
 TEST(Companions, stop_on_the_way_and_go_on_later) {
     const RunDescription description = test::run_of("chain", "euler", Precision::double_, 0.05);
     Flock flock(description, {.runs = count});
@@ -220,6 +265,26 @@ TEST(Companions, too_many_or_of_other_sizes_are_refused) {
         return description;
     });
     EXPECT_THROW(longer.go_to(0, segments), UsageError);
+}
+
+TEST(Companions, that_need_more_memory_than_there_is_are_refused) {
+    // Thrown by the first companion: those that are let through are not made.
+    struct Begun {};
+    const auto begin = [](const char* method) {
+        // 1729 particles and all their pairs: the series of taylor take more than a GB in each run.
+        const std::vector<SegmentBegin> segments{
+            {0, test::run_of("morse", method, Precision::double_, 0.01, {{"edge", 12}})}};
+        Companions many(600, [](const RunDescription&, std::size_t) -> RunDescription { throw Begun(); });
+        many.go_to(0, segments);
+    };
+    EXPECT_THROW(begin("velocity-verlet"), Begun) << "it is the method's memory";
+    try {
+        begin("taylor");
+        ADD_FAILURE() << "no companions were made";
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("bytes of memory"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("runs at most"));
+    }
 }
 
 TEST(Cloud, differs_in_the_start_first_and_within_the_range) {

@@ -1,5 +1,6 @@
 #include "sim/worker.hpp"
 
+#include "allocations.hpp"
 #include "sim/companions.hpp"
 #include "support/runs.hpp"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -248,6 +250,59 @@ TEST_F(WorkerTest, goes_on_without_a_cloud_that_is_too_large) {
     EXPECT_EQ(view.cloud.runs, 0u);
     worker.step_forward();
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+}
+
+TEST_F(WorkerTest, waits_for_companions_that_begin_later) {
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step > 100000; }));
+    // So many steps of 256 companions take far longer than it computes between two looks at the commands.
+    worker.show_cloud({.runs = 256});
+    ASSERT_TRUE(see([](const RunView& v) { return v.cloud.runs == 256; }));
+    EXPECT_FALSE(has_cloud(view)) << "answers while they are on their way";
+    EXPECT_LT(view.cloud_reading.step, view.frame.step);
+    EXPECT_TRUE(view.playing);
+    const std::uint64_t step = view.frame.step;
+    worker.track(3);
+    ASSERT_TRUE(see([](const RunView& v) { return v.tracked && v.tracked->particle == 3; }));
+    EXPECT_EQ(view.frame.step, step);
+    worker.show_cloud({});
+    ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step > step; })) << "and goes on playing";
+}
+
+TEST_F(WorkerTest, lives_on_where_memory_for_a_view_is_missing) {
+    worker.show_cloud({.runs = 256});
+    ASSERT_TRUE(see(has_cloud));
+    {
+        const NoLargerThan limit(16384);  // the places of 256 times 10 particles take more, whatever else there is less
+        worker.step_forward();
+        ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
+    }
+    EXPECT_EQ(view.error, std::bad_alloc().what());
+    EXPECT_EQ(view.cloud.runs, 0u);
+    EXPECT_FALSE(has_cloud(view));
+    EXPECT_EQ(view.frame.positions.size(), 10u);
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2; }));
+    EXPECT_EQ(view.error, "");
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 2).positions);
+}
+
+TEST_F(WorkerTest, lives_on_where_memory_for_moments_to_come_back_to_is_missing) {
+    worker.change(run_of("chain", "rk4", Precision::double_, 0.1, {{"n", 1000}}));
+    worker.set_rate({true, 1});
+    worker.play(true);
+    // By now each of the views that are passed around has its memory.
+    for (int i = 0; i < 10; ++i) ASSERT_TRUE(see([](const RunView& v) { return v.frame.positions.size() == 1000; }));
+    {
+        const NoLargerThan limit(16384);  // 3 numbers for each of 1000 particles take more
+        ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
+    }
+    EXPECT_FALSE(view.playing);
+    worker.restart();
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+    EXPECT_EQ(view.error, "");
 }
 
 TEST_F(WorkerTest, stops_while_playing) {

@@ -77,6 +77,20 @@ TEST_F(CloudPanel, takes_its_width_typed_and_dragged) {
     EXPECT_LT(asked().width, 1e-9);
 }
 
+TEST_F(CloudPanel, shows_what_there_is_once_a_cloud_is_refused) {
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        desk.click("cloud/64");
+        desk.frame();
+        EXPECT_TRUE(desk.has("cloud spread")) << "it was asked for, no answer yet";
+        // A run that stands sends the one view that tells why.
+        desk.view.error = "a cloud of 64 runs is too large";
+        desk.interface.record(desk.view);
+        desk.frame();
+        desk.frame();
+        EXPECT_FALSE(desk.has("cloud spread")) << "the run goes on without";
+    }
+}
+
 TEST_F(CloudPanel, keeps_the_run_as_it_is) {
     show({.runs = 16});
     desk.drag("cloud width", 0.5f, 0.2f);

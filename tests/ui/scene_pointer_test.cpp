@@ -21,7 +21,7 @@ Point middle(const PixelRect& rect) {
 Point on_display(const Desk& desk, std::size_t particle) {
     const PixelRect rect = desk.interface.scene();
     const render::Projection projection(desk.camera, {rect.width, rect.height});
-    const auto pixel = projection.pixel(desk.view.frame.positions[particle]).value();
+    const auto pixel = projection.pixel(desk.view.frame.seen(particle)).value();
     return {static_cast<float>(rect.x + pixel.x), static_cast<float>(rect.y + pixel.y)};
 }
 
@@ -128,6 +128,26 @@ TEST(scene_pointer, control_drag_pulls_the_particle_under_it) {
     desk.move_to(place.x, place.y - 80);
     EXPECT_TRUE(desk.calls().empty());
     EXPECT_EQ(desk.camera, before);
+}
+
+TEST(scene_pointer, what_is_pulled_in_a_periodic_scene_is_where_it_is_seen) {
+    Desk desk(describe("crystal"));
+    const std::size_t particle = desk.view.frame.positions.size() - 1;
+    // It has left the box: another image of it is seen.
+    desk.view.frame.positions[particle].z -= 3 * desk.view.frame.shape->period;
+    const Vec3 seen = desk.view.frame.seen(particle);
+    ASSERT_NE(seen, desk.view.frame.positions[particle]);
+    const Point place = on_display(desk, particle);
+    desk.interface.input().push(ModifiersChanged{.control = true});
+    desk.move_to(place.x, place.y);
+    desk.press();
+    desk.move_to(place.x, place.y - 40);
+    ASSERT_TRUE(desk.recorder.pulled);
+    const std::size_t pulled = desk.recorder.pulled->particle;
+    const render::Projection projection(desk.camera, {100, 100});
+    // The pointer's place is a float, 7 digits of the distance.
+    EXPECT_NEAR(projection.depth(desk.recorder.pulled->position), projection.depth(desk.view.frame.seen(pulled)), 1e-4);
+    EXPECT_EQ(pulled, particle);
 }
 
 TEST(scene_pointer, another_scene_is_shown_whole_and_one_of_its_particles_followed) {

@@ -1,0 +1,39 @@
+#include "allocations.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace {
+
+constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+// operator new can reach nothing but such a variable.
+std::atomic<std::size_t> largest = no_limit;
+
+void* allocated(std::size_t bytes, std::size_t alignment) {
+    const std::size_t whole = (std::max<std::size_t>(1, bytes) + alignment - 1) / alignment * alignment;
+    void* const memory = bytes > largest ? nullptr : std::aligned_alloc(alignment, whole);
+    if (!memory) throw std::bad_alloc();
+    return memory;
+}
+
+}  // namespace
+
+// In place of those of the library; all others go through these.
+void* operator new(std::size_t bytes) { return allocated(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    return allocated(bytes, std::max(static_cast<std::size_t>(alignment), alignof(std::max_align_t)));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace steplab::test {
+
+NoLargerThan::NoLargerThan(std::size_t bytes) { largest = bytes; }
+NoLargerThan::~NoLargerThan() { largest = no_limit; }
+
+}  // namespace steplab::test

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+namespace steplab::test {
+
+/// As long as it lives, there is no memory for anything larger than so many bytes, whoever asks.
+struct NoLargerThan {
+    explicit NoLargerThan(std::size_t bytes);
+    ~NoLargerThan();
+    NoLargerThan(const NoLargerThan&) = delete;
+    NoLargerThan& operator=(const NoLargerThan&) = delete;
+};
+
+}  // namespace steplab::test
