@@ -1,3 +1,4 @@
+#include "core/error.hpp"
 #include "desk.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/parameter_rows.hpp"
