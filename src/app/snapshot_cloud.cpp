@@ -31,16 +31,20 @@ SnapshotCloud::SnapshotCloud(const RunDescription& description, std::size_t runs
       companions_(runs, [spreads, runs](const RunDescription& run, std::size_t companion) {
           return spread_run(run, spreads, companion, runs);
       }) {
-    companions_.go_to(0, segments_);
+    go_to(0);
 }
 
 void SnapshotCloud::put_into(RunView& view) {
-    companions_.go_to(view.frame.step, segments_, [] {
+    go_to(view.frame.step);
+    view.cloud = cloud_;
+    view.cloud_reading = companions_.look(view.frame);
+}
+
+void SnapshotCloud::go_to(std::uint64_t step) {
+    companions_.go_to(step, segments_, [] {
         check_interruption();
         return false;
     });
-    view.cloud = cloud_;
-    view.cloud_reading = companions_.look(view.frame);
 }
 
 }  // namespace steplab

@@ -5,6 +5,7 @@
 #include "sim/spread.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace steplab {
@@ -23,6 +24,8 @@ public:
     void put_into(RunView& view);
 
 private:
+    void go_to(std::uint64_t step);
+
     std::vector<SegmentBegin> segments_;
     Cloud cloud_;
     Companions companions_;
