@@ -40,10 +40,10 @@ public:
         const RunDescription description = scene_.description();
         const std::uint64_t steps = time_.steps(description);
         PictureRequest request = picture_.request(description);
+        catch_interruptions();
         std::optional<SnapshotCloud> cloud = cloud_of(description);
         OutputFile file(picture_.out());
         Offscreen offscreen(picture_.gl());
-        catch_interruptions();
         Simulation simulation(description);
         compute(simulation, steps, request);
         if (cloud) cloud->put_into(request.view);

@@ -28,14 +28,8 @@ Spread spread_of(const Cloud& cloud, const RunDescription& description) {
     const std::vector<std::string_view> names = spreadable(description);
     const bool known = std::find(names.begin(), names.end(), cloud.spread) != names.end();
     const std::string_view name = known ? std::string_view(cloud.spread) : names.front();
-    if (name == time_step)
-        return {std::string(name), description.dt * (1 - cloud.width), description.dt * (1 + cloud.width)};
-    const auto infos = description.scene.infos();
-    const ParameterInfo& info =
-        *std::find_if(infos.begin(), infos.end(), [&](const ParameterInfo& it) { return it.name == name; });
-    const double value = description.scene[name];
-    const auto allowed = [&](double wanted) { return std::clamp(wanted, std::min(info.minimum, value), info.maximum); };
-    return {std::string(name), allowed(value * (1 - cloud.width)), allowed(value * (1 + cloud.width))};
+    const double value = name == time_step ? description.dt : description.scene[name];
+    return {std::string(name), value * (1 - cloud.width), value * (1 + cloud.width)};
 }
 
 }  // namespace steplab

@@ -12,11 +12,13 @@ namespace steplab {
 
 /// Runs that go beside a run and differ from it in one number, as a person asks for them.
 struct Cloud {
-    static constexpr double usual_width = 1e-6;
+    static constexpr double usual_width = 1e-6, most_width = 0.5;
 
     std::size_t runs = 0;        ///< 0: no cloud
     std::string spread = {};     ///< what differs: one of spreadable(); any other: the first of them
     double width = usual_width;  ///< by how much at most, over the run's own value
+    /// They differ in something else, which nobody can choose here: only beside a picture of an ensemble.
+    bool otherwise = false;
     friend bool operator==(const Cloud&, const Cloud&) = default;
 };
 
@@ -24,7 +26,7 @@ struct Cloud {
 /// first, and dt.
 std::vector<std::string_view> spreadable(const RunDescription& description);
 
-/// From value (1 - width) to value (1 + width), no further than the parameter's range.
+/// From value (1 - width) to value (1 + width).
 Spread spread_of(const Cloud& cloud, const RunDescription& description);
 
 /// How far the runs of a cloud are from the run they go beside.

@@ -64,7 +64,8 @@ Companions::Companions(std::size_t runs, Variation variation, const Execution& e
 bool Companions::go_to(std::uint64_t step, std::span<const SegmentBegin> segments,
                        const std::function<bool()>& enough) {
     const FlushSubnormals flush;
-    if (companions_.empty() || segment_ >= segments.size() || step < segment_step_) begin(segments);
+    if (segment_ >= segments.size() || step < segment_step_) companions_.clear();
+    if (companions_.size() < runs_ && !begin(segments, enough)) return false;
     const bool pulled_on = segments[segment_].pull != pull_;
     const bool next_is_behind = segment_ + 1 < segments.size() && segments[segment_ + 1].step < step_;
     if (step_ > segment_step_ && (step < step_ || next_is_behind || pulled_on)) {
@@ -86,19 +87,24 @@ bool Companions::go_to(std::uint64_t step, std::span<const SegmentBegin> segment
 }
 
 bool Companions::are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const {
-    return !companions_.empty() && segment_ + 1 == segments.size() && step_ == step && segments.back().pull == pull_;
+    return companions_.size() == runs_ && segment_ + 1 == segments.size() && step_ == step &&
+           segments.back().pull == pull_;
 }
 
-/// From the start of the run.
-void Companions::begin(std::span<const SegmentBegin> segments) {
+/// From the start of the run, or where `enough` had stopped this.
+bool Companions::begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough) {
     const RunDescription& description = segments.front().description;
     const double particles = model(description.model).particles(description.scene);
     if (particles * static_cast<double>(runs_) > static_cast<double>(most_particles))
         throw UsageError(fmt::format("a cloud of {} runs of {:.0f} particles is too large: at most {} in all", runs_,
                                      particles, most_particles));
     check_memory(description);
-    companions_.clear();
-    for (std::size_t i = 0; i < runs_; ++i) {
+    groups_.clear();
+    segment_ = 0;
+    segment_step_ = step_ = 0;
+    pull_.reset();
+    for (std::size_t i = companions_.size(); i < runs_; ++i) {
+        if (enough()) return false;
         RunDescription held = as_held(variation_(description, i));
         Scene scene = model(held.model).scene(held.scene);
         if (static_cast<double>(scene.reference.count) != particles)
@@ -107,9 +113,7 @@ void Companions::begin(std::span<const SegmentBegin> segments) {
         companions_.push_back({std::move(held), std::move(scene)});
     }
     make_groups();
-    segment_ = 0;
-    segment_step_ = step_ = 0;
-    pull_.reset();
+    return true;
 }
 
 void Companions::check_memory(const RunDescription& description) const {

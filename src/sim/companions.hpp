@@ -78,7 +78,7 @@ private:
         void synchronised(std::size_t companion, State<double>& out) const;
     };
 
-    void begin(std::span<const SegmentBegin> segments);
+    bool begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough);
     void check_memory(const RunDescription& description) const;
     void go_on(const SegmentBegin& segment);
     void make_groups();

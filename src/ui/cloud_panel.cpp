@@ -46,8 +46,11 @@ void draw_spread(const Context& context, const Cloud& cloud) {
     context.session.wanted.show_cloud(changed, context.commands);
 }
 
-constexpr ParameterInfo width_info{
-    .name = "width", .unit = "", .maximum = 0.5, .default_value = Cloud::usual_width, .what = "width of the cloud"};
+constexpr ParameterInfo width_info{.name = "width",
+                                   .unit = "",
+                                   .maximum = Cloud::most_width,
+                                   .default_value = Cloud::usual_width,
+                                   .what = "width of the cloud"};
 
 void draw_width(const Context& context, const Cloud& cloud) {
     const auto set = [&](double width) {
@@ -87,8 +90,10 @@ void draw_cloud_rows(const Context& context) {
     const Cloud cloud = context.session.wanted.cloud();
     draw_number(context, cloud);
     if (cloud.runs == 0) return;
-    draw_spread(context, cloud);
-    draw_width(context, cloud);
+    if (!cloud.otherwise) {
+        draw_spread(context, cloud);
+        draw_width(context, cloud);
+    }
     explanation(context, reading_text(context.view));
 }
 

@@ -67,6 +67,16 @@ TEST_F(Clouds, outside_the_picture_change_nothing_of_it) {
     EXPECT_GT(changed({{0, 0, -50}, {15, 8, -50}}), 0) << "far behind the particles";
 }
 
+TEST_F(Clouds, of_a_periodic_scene_are_seen_in_its_box) {
+    const auto seen = [](Vec3 place) {
+        Frame frame = test::periodic({{0, 0, 0}}, 2, {-1, -1, -1});
+        frame.cloud = {place};
+        return draw(frame, straight, bare());
+    };
+    EXPECT_EQ(seen({0.5 + 6, 0.25 - 4, 2}).rgba, seen({0.5, 0.25, 0}).rgba);
+    EXPECT_NE(seen({0.5 - 1, 0.25, 0}).rgba, seen({0.5, 0.25, 0}).rgba) << "by half a period";
+}
+
 TEST_F(Clouds, are_cut_where_the_picture_ends) {
     // The middle of the dot is half a pixel beyond the edge: the part of it that reaches into the picture is there.
     const Projection projection(straight, size);

@@ -34,6 +34,12 @@ TEST(Picking, a_far_particle_is_hit_within_reach) {
     EXPECT_FALSE(particle_at(frame, projection, {405, 300}, 4));
 }
 
+TEST(Picking, finds_a_particle_of_a_periodic_scene_where_it_is_seen) {
+    const Frame frame = test::periodic({{1 + 3 * 4, -8, 4}}, 4, {-2, -2, -2});
+    EXPECT_EQ(particle_at(frame, projection, *projection.pixel({1, 0, 0})), 0u);
+    EXPECT_FALSE(particle_at(frame, projection, *projection.pixel({-1, 0, 0}))) << "half a period beside it";
+}
+
 TEST(Picking, passes_over_what_is_behind_the_eye_or_not_finite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(particle_at(test::particles_at({{0, 0, 20}, {nan, nan, nan}}), projection, {400, 300}));

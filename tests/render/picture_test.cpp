@@ -42,6 +42,17 @@ TEST_F(Picture, shows_a_particle_where_it_is_and_nowhere_else) {
     EXPECT_EQ(image.at(mirrored), background.at(mirrored));
 }
 
+TEST_F(Picture, of_a_periodic_scene_does_not_tell_whole_periods_apart) {
+    Style style = bare();
+    style.selected = 1;
+    const auto moved = [&](Vec3 by) {
+        return draw(test::periodic({{0.5, 0.25, 0}, Vec3{-0.5, 0.25, 0.5} + by}, 2, {-1, -1, -1}), straight, style)
+            .rgba;
+    };
+    EXPECT_EQ(moved({6, -2, 4}), moved({0, 0, 0}));
+    EXPECT_NE(moved({1, 0, 0}), moved({0, 0, 0})) << "by half a period";
+}
+
 TEST_F(Picture, ball_has_the_size_of_its_radius) {
     const Frame frame = test::particles_at({{0, 0, 0}});
     const int area = differing_pixels(draw(frame, straight, bare()), empty(), 8);

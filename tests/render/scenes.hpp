@@ -21,6 +21,18 @@ inline Frame particles_at(std::vector<Vec3> places, std::vector<Role> roles = {}
     return frame;
 }
 
+/// The same in space that repeats itself after a length, seen in the box from a corner on.
+inline Frame periodic(std::vector<Vec3> places, double period, Vec3 corner) {
+    Frame frame = particles_at(std::move(places));
+    auto shape = std::make_shared<Shape>(*frame.shape);
+    shape->period = period;
+    shape->corner = corner;
+    shape->rest = shape->expected = {corner, corner + Vec3{period, period, period}};
+    shape->rest.resize(frame.positions.size(), corner);
+    frame.shape = shape;
+    return frame;
+}
+
 /// The same with a spring from each particle to the next, of the length it has.
 inline Frame string_of(std::vector<Vec3> places) {
     Frame frame = particles_at(std::move(places));

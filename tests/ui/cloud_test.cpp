@@ -91,6 +91,13 @@ TEST_F(CloudPanel, shows_what_there_is_once_a_cloud_is_refused) {
     }
 }
 
+TEST_F(CloudPanel, tells_nothing_of_a_spread_that_it_could_not_be_asked_for) {
+    show({.runs = 16, .otherwise = true});
+    EXPECT_TRUE(desk.has("cloud/off"));
+    EXPECT_FALSE(desk.has("cloud spread"));
+    EXPECT_FALSE(desk.has("cloud width"));
+}
+
 TEST_F(CloudPanel, keeps_the_run_as_it_is) {
     show({.runs = 16});
     desk.drag("cloud width", 0.5f, 0.2f);
