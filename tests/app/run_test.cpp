@@ -30,7 +30,7 @@ std::vector<std::string> arguments(const RunDescription& description, std::vecto
 std::vector<RunDescription> all_runs(Precision precision) {
     std::vector<RunDescription> runs;
     for (const Method& method : methods()) {
-        for (const Model* const model : test::models_for(method.info.id)) {
+        for (const Model* const model : test::models_for(method.info.id, precision)) {
             RunDescription run = describe(model->info.id, method.info.id);
             run.precision = precision;
             run.dt = 0.01;

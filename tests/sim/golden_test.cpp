@@ -19,7 +19,7 @@ std::map<std::string, std::string> computed_hashes(const Execution& execution) {
         hashes[name] = simulation.hash();
     };
     for (const MethodCase& c : all_methods()) {
-        for (const Model* const model : models_for(c.id())) {
+        for (const Model* const model : models_for(c.id(), c.precision)) {
             const auto name = fmt::format("{} {} {}", model->info.id, c.info->id, id(c.precision));
             add(name, small_run_of(model->info.id, c.info->id, c.precision, model->info.id == "rope" ? 0.01 : 0.1));
         }

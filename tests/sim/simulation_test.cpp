@@ -19,7 +19,7 @@ protected:
 };
 
 TEST_P(EveryRun, gives_the_same_bits_however_its_steps_are_taken_and_looked_at) {
-    for (const Model* const model : models_for(GetParam().id())) {
+    for (const Model* const model : models_for(GetParam().id(), GetParam().precision)) {
         Simulation at_once(description(model->info.id)), in_pieces(description(model->info.id));
         at_once.advance(100);
         for (int i = 0; i < 25; ++i) {
@@ -33,7 +33,7 @@ TEST_P(EveryRun, gives_the_same_bits_however_its_steps_are_taken_and_looked_at) 
 }
 
 TEST_P(EveryRun, goes_on_from_a_snapshot_with_the_same_bits) {
-    for (const Model* const model : models_for(GetParam().id())) {
+    for (const Model* const model : models_for(GetParam().id(), GetParam().precision)) {
         Simulation simulation(description(model->info.id));
         simulation.advance(20);
         const auto snapshot = simulation.save();
@@ -63,7 +63,7 @@ TEST_P(EveryRun, costs_the_declared_evaluations) {
 }
 
 TEST_P(EveryRun, shows_numbers_that_its_precision_holds) {
-    for (const Model* const model : models_for(GetParam().id())) {
+    for (const Model* const model : models_for(GetParam().id(), GetParam().precision)) {
         const Frame frame = frame_after(description(model->info.id), 17);
         for (const auto* vectors : {&frame.positions, &frame.velocities}) {
             for (const Vec3& v : *vectors) {

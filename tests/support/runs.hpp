@@ -83,11 +83,11 @@ inline std::vector<MethodCase> all_methods() {
 
 /// The models that a method runs at their defaults: all, but those that it refuses by name
 /// (RunDescription.default_of_every_model_can_be_run_by_all_but_taylor_of_crystal).
-inline std::vector<const Model*> models_for(std::string_view method) {
+inline std::vector<const Model*> models_for(std::string_view method, Precision precision) {
     std::vector<const Model*> possible;
     for (const Model& model : models()) {
         try {
-            check(describe(model.info.id, method));
+            check(run_of(model.info.id, method, precision, 0.1));
             possible.push_back(&model);
         } catch (const UsageError&) {
         }
