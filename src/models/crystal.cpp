@@ -22,9 +22,9 @@ constexpr ParameterInfo parameters[] = {
      .minimum = 0,
      .minimum_included = false,
      .default_value = 2,
-     .what = "distance beyond which pairs do not act on each other, at most edge · spacing / 2",
+     .what = "distance beyond which pairs do not act on each other, at most edge · spacing / 2.3",
      .slider_low = 1,
-     .slider_high = 2.9},
+     .slider_high = 2.6},
     {.name = "jitter",
      .unit = "m",
      .minimum = 0,
@@ -110,9 +110,10 @@ double period(const ParameterValues& values) { return values["edge"] * values["s
 double particles(const ParameterValues& values) { return values["edge"] * values["edge"] * values["edge"]; }
 
 std::optional<std::string> refusal(const ParameterValues& values) {
-    if (period(values) >= 2 * values["cutoff"]) return std::nullopt;
-    return "edge * spacing = " + number_text(period(values)) + " is less than twice the cutoff, " +
-           number_text(2 * values["cutoff"]) +
+    const double least = 2.3 * values["cutoff"];  // lists reach 15 % further
+    if (period(values) >= least) return std::nullopt;
+    return "edge * spacing = " + number_text(period(values)) + " is less than 2.3 times the cutoff, " +
+           number_text(least) +
            ": a particle would meet two images of another; choose a larger edge or a smaller cutoff";
 }
 

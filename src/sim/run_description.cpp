@@ -53,13 +53,6 @@ void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
     const bool lists = description.scene.contains("cutoff") && description.scene["cutoff"] > 0;
     if (!entry.refusal && !lists) return;
-    const auto& parameters = description.method_parameters;
-    if (lists && description.precision == Precision::float_ && parameters.contains("tolerance") &&
-        (entry.info.adaptive || parameters["tolerance"] > 0))
-        throw UsageError(
-            fmt::format("{} cannot run this scene in float: beside a cut-off its rounding is what the error "
-                        "estimate sees, and steps end nowhere; choose double or a method of fixed steps",
-                        description.method));
     const Scene scene = model(description.model).scene(description.scene);
     const auto refused = std::visit(
         [&](const auto& forces) {

@@ -42,7 +42,7 @@ std::vector<ForcesCase> all_forces() {
         // central differences see the kink where a pair is at the cut-off: of the crystal, one that has none there
         const bool crystal = model.info.id == "crystal";
         cases.push_back(forces_case(std::string(model.info.id), model.info.id,
-                                    crystal ? Settings{{"edge", 4}, {"cutoff", 1.9}} : Settings{}));
+                                    crystal ? Settings{{"edge", 4}, {"cutoff", 1.7}} : Settings{}));
     }
     cases.push_back(forces_case("free chain", "chain", {{"fixed", 0}, {"n", 37}, {"k", 3}, {"m", 2}}));
     cases.push_back(forces_case("chain of 16", "chain", {{"n", 16}}));

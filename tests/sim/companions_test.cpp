@@ -92,7 +92,7 @@ TEST_P(CompanionsOf, each_method_have_the_bits_of_runs_alone) {
 TEST_P(CompanionsOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
     using test::run_of;
     for (RunDescription description :
-         {run_of("crystal", GetParam().id(), GetParam().precision, 0.02, {{"edge", 4}, {"kT", 1}}),
+         {run_of("crystal", GetParam().id(), GetParam().precision, 0.02, {{"edge", 5}, {"kT", 1}}),
           run_of("morse", GetParam().id(), GetParam().precision, 0.02, {{"edge", 2}, {"cutoff", 1}})}) {
         // A jump of the force at the cutoff makes their steps so small that this would take seconds.
         if (description.method_parameters.contains("tolerance")) continue;

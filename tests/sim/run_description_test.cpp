@@ -145,21 +145,6 @@ TEST(RunDescription, default_of_every_model_can_be_run_by_all_but_taylor_of_crys
     }
 }
 
-TEST(RunDescription, steps_chosen_in_float_are_refused_beside_a_cut_off) {
-    const auto refused = [](std::string_view method, Precision precision, double tolerance) {
-        RunDescription run = describe("morse", method);
-        run.precision = precision;
-        run.scene.set("cutoff", 1);
-        if (tolerance > 0) run.method_parameters.set("tolerance", tolerance);
-        return refusal([&] { check(run); });
-    };
-    EXPECT_THAT(refused("dopri5", Precision::float_, 1e-5), HasSubstr("in float"));
-    EXPECT_THAT(refused("gauss-16", Precision::float_, 1e-5), HasSubstr("in float"));
-    EXPECT_EQ(refused("gauss-16", Precision::float_, 0), "");
-    EXPECT_EQ(refused("dopri5", Precision::double_, 1e-5), "");
-    EXPECT_EQ(refused("rk4", Precision::float_, 0), "");
-}
-
 TEST(Memory, counted_grows_with_what_the_cut_off_takes_in) {
     const RunDescription crystal = scene_of(describe("crystal", "euler"), {{"edge", 200}, {"cutoff", 60}});
     EXPECT_GT(estimated_bytes(crystal), 8e6 * 2e5);

@@ -29,10 +29,10 @@ inline RunDescription run_of(std::string_view model, std::string_view method, Pr
     return description;
 }
 
-/// The same at the model's defaults; but a crystal of 64 particles, for which implicit methods solve in milliseconds.
+/// The same at the model's defaults; but a crystal of 125 particles, for which implicit methods solve in milliseconds.
 inline RunDescription small_run_of(std::string_view model, std::string_view method, Precision precision, double dt) {
     RunDescription description = run_of(model, method, precision, dt);
-    if (model == "crystal") description.scene.set("edge", 4);
+    if (model == "crystal") description.scene.set("edge", 5);
     return description;
 }
 
