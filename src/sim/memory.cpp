@@ -54,13 +54,13 @@ double volume(const NearPairForces& forces, const Scene& scene) {
 }
 
 /// Lists of clusters (cluster_lists.hpp): of four particles one list, of numbers of four bytes, that holds about as
-/// many as one of them has within reach, half as many more reserved; and what is held for each particle while lists are
+/// many as one of them has within reach, as many again reserved; and what is held for each particle while lists are
 /// made.
 double bytes_of_lists(const NearPairForces& forces, const Scene& scene) {
     const double particles = static_cast<double>(forces.count), reach = 1.15 * forces.cutoff;
     const double sphere = 4 * std::numbers::pi / 3 * reach * reach * reach;
     const double within_reach = std::min(particles, particles / volume(forces, scene) * sphere);
-    return particles * (1.5 * within_reach + 350);
+    return particles * (2 * within_reach + 350);
 }
 
 }  // namespace
