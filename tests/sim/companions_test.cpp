@@ -16,9 +16,7 @@ namespace steplab {
 namespace {
 
 using test::MethodCase;
-
 constexpr std::size_t count = 11;  // fills no register
-
 Companions::Variation spread(const Cloud& cloud) {
     return [cloud](const RunDescription& description, std::size_t i) {
         return spread_run(description, std::vector{spread_of(cloud, description)}, i, cloud.runs);
