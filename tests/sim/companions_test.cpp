@@ -85,7 +85,6 @@ TEST_P(CompanionsOf, each_method_have_the_bits_of_runs_alone) {
         }
     }
 }
-
 /// Where their sums depend on where the lists of neighbours were made.
 TEST_P(CompanionsOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
     using test::run_of;
@@ -134,7 +133,6 @@ TEST(Companions, are_computed_in_lanes_where_the_method_goes_so) {
     EXPECT_EQ(in_lanes("mesh", "velocity-verlet"), 16u);
     EXPECT_EQ(in_lanes("chain", "dopri5"), 0u);
 }
-
 TEST(Companions, have_everything_happen_to_them_that_happens_to_the_run) {
     for (const char* const method : {"velocity-verlet", "rk4"}) {
         const RunDescription description = test::run_of("chain", method, Precision::double_, 0.05);
