@@ -6,6 +6,7 @@
 // Benchmark]
 
 #include "core/flush_subnormals.hpp"
+#include "core/team.hpp"
 #include "machine.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/ensemble.hpp"
@@ -26,7 +27,6 @@
 #include <map>
 #include <memory>
 #include <regex>
-#include <thread>
 #include <utility>
 
 namespace steplab::benchmark {
@@ -147,23 +147,15 @@ Comparison with_ensemble(const Row& row, std::string_view method, Precision prec
             {{ourselves(description, 1), row.steps}, {our_ensemble(description, runs), row.steps * runs}}};
 }
 
-/// In the state that so many steps have led to as are then timed.
-Comparison alone(const Row& row, std::string_view method, Precision precision) {
-    const RunDescription description = description_of(row, method, precision);
-    return {name_of(row, method, precision),
-            static_cast<std::size_t>(model(description.model).particles(description.scene)),
-            {{ourselves(description, 1), row.steps, row.steps}}};
-}
-
 /// By one thread and, of many particles, by two, four ... of them.
-Comparison with_threads(const Row& row, std::string_view method, Precision precision) {
+Comparison with_threads(const Row& row, std::string_view method, Precision precision, std::size_t warm_up = 0) {
     constexpr double many = 1e5;
     const RunDescription description = description_of(row, method, precision);
     const double particles = model(description.model).particles(description.scene);
     Comparison comparison{name_of(row, method, precision), static_cast<std::size_t>(particles), {}};
-    const std::size_t most = particles < 0.9 * many ? 1 : std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t most = particles < 0.9 * many ? 1 : processors();
     for (std::size_t threads = 1; threads <= most; threads *= 2)
-        comparison.entries.push_back({ourselves(description, threads), row.steps});
+        comparison.entries.push_back({ourselves(description, threads), row.steps, warm_up});
     return comparison;
 }
 
@@ -245,9 +237,14 @@ void run_all() {
     Lines lines;
     fmt::print("row,method,precision,particles,who,ns_per_step,ns_per_particle,hash\n");
     run_rows(rows(), wanted, lines, with_peers);
-    run_rows(bulk_rows(), wanted, lines, alone);
+    // in the state that so many steps have led to as are then timed
+    run_rows(bulk_rows(), wanted, lines, [](const Row& row, std::string_view method, Precision precision) {
+        return with_threads(row, method, precision, row.steps);
+    });
     run_rows(ensemble_rows(), wanted, lines, with_ensemble);
-    run_rows(growing_rows(), wanted, lines, with_threads);
+    run_rows(growing_rows(), wanted, lines, [](const Row& row, std::string_view method, Precision precision) {
+        return with_threads(row, method, precision);
+    });
     for (const Comparison& comparison : machine_comparisons()) {
         if (std::regex_search(comparison.name, wanted)) run(comparison, lines);
     }

@@ -83,7 +83,7 @@ std::vector<Bandwidth> bandwidths(const Results& results) {
 std::vector<const Row*> rows_of(const Results& results, std::string_view id) {
     std::vector<const Row*> rows;
     for (const Row& row : results.rows) {
-        if (row.id == id) rows.push_back(&row);
+        if (row.id.starts_with(id)) rows.push_back(&row);
     }
     return rows;
 }

@@ -55,7 +55,7 @@ struct Bandwidth {
 };
 std::vector<Bandwidth> bandwidths(const Results& results);
 
-/// The rows of this id, as the scene grows.
+/// The rows whose id begins so, as the scene grows.
 std::vector<const Row*> rows_of(const Results& results, std::string_view id);
 
 }  // namespace steplab::docs

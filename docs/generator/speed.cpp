@@ -132,9 +132,12 @@ std::string growing_section(const Results& results) {
     if (rows_of(results, "growing-chain").empty()) return "";
     return fmt::format(
         "\n{}\nA `chain` that grows, `velocity-verlet`, ns a step and particle:\n\n{}\n"
-        "A `mesh` that grows:\n\n{}\nWhat one core can do at most, and how near steplab comes to it:\n\n{}\n{}",
+        "A `mesh` that grows:\n\n{}{}\nWhat one core can do at most, and how near steplab comes to it:\n\n{}\n{}",
         picture(results, "growing", "ns a step and particle over the number of particles"),
-        growing_table(results, "growing-chain"), growing_table(results, "growing-mesh"), machine_table(results),
+        growing_table(results, "growing-chain"), growing_table(results, "growing-mesh"),
+        rows_of(results, "morse-bulk").empty() ? ""
+                                               : "\nA `crystal` that grows:\n\n" + growing_table(results, "morse-bulk"),
+        machine_table(results),
         picture(results, "roofline", "springs a second over springs a byte, below the roofs of the machine"));
 }
 

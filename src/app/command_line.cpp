@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <initializer_list>
+#include <malloc.h>
 #include <new>
 #include <unistd.h>
 
@@ -135,6 +136,12 @@ int guarded(const std::string& program, const std::function<int()>& body) {
         complain(program, "this needs more memory than there is");
         return static_cast<int>(ExitCode::usage);
     }
+}
+
+void keep_no_freed_memory() {
+#ifdef M_MMAP_THRESHOLD
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);  // glibc's own grows to 32 MiB, and what is freed below it leaves holes
+#endif
 }
 
 void prepare_standard_streams() {

@@ -38,5 +38,7 @@ int guarded(const std::string& program, const std::function<int()>& body);
 /// Makes standard input, output and error exist, so that no file ever takes the number of a closed one, and a write to
 /// a closed pipe an error instead of a signal. First thing in a main.
 void prepare_standard_streams();
+/// Makes memory of large arrays go back to the system when they are freed: a run takes no more than it holds.
+void keep_no_freed_memory();
 
 }  // namespace steplab

@@ -1,5 +1,6 @@
 #include "io/interruption.hpp"
 
+#include <atomic>
 #include <csignal>
 #include <initializer_list>
 
@@ -7,8 +8,9 @@ namespace steplab {
 
 namespace {
 
-// A signal handler can reach nothing but such a variable.
-volatile std::sig_atomic_t caught_signal = 0;
+// A signal handler can reach nothing but such a variable; threads ask it.
+std::atomic<int> caught_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void remember(int signal) { caught_signal = signal; }
 
@@ -18,7 +20,9 @@ void catch_interruptions() {
     struct sigaction action {};
     action.sa_handler = remember;
     sigemptyset(&action.sa_mask);
-    action.sa_flags = 0;  // without SA_RESTART a write that waits returns, so that a blocked program can end
+    // The second one ends the program at once, whatever it is busy with. Without SA_RESTART a write that waits
+    // returns, so that a blocked program can end.
+    action.sa_flags = SA_RESETHAND;
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
@@ -27,7 +31,7 @@ void catch_interruptions() {
 }
 
 void check_interruption() {
-    if (caught_signal != 0) throw Interrupted(caught_signal);
+    if (const int signal = caught_signal) throw Interrupted(signal);
 }
 
 }  // namespace steplab

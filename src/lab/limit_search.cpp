@@ -1,6 +1,7 @@
 #include "lab/limit_search.hpp"
 
 #include "core/entry.hpp"
+#include "core/error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,8 @@ public:
 
     double limit() const {
         double expected = search_.expected;
+        if (!(expected >= 0))
+            throw UsageError("no frequency is known that dt could be tried from: choose a scene nearer to rest");
         if (expected == infinity) return beyond_all();
         if (expected == 0) {
             // seen soonest far below the steps that methods allow: midpoint grows by (omega dt)^4 / 8 a step

@@ -1,5 +1,6 @@
 #include "lab/speed.hpp"
 
+#include "core/team.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
 
@@ -11,7 +12,6 @@
 #include <limits>
 #include <span>
 #include <string_view>
-#include <thread>
 
 namespace steplab {
 
@@ -114,7 +114,7 @@ MachineSpeed measure_machine(const std::string& method, const std::function<void
                                                 seconds_a_step(mesh, {.instructions = instructions, .threads = 1}));
     mesh.scene.set("dim", 1000);
     speed.threads = compared(mesh);
-    for (std::size_t threads = 1; threads <= std::max(1U, std::thread::hardware_concurrency()); threads *= 2)
+    for (std::size_t threads = 1; threads <= processors(); threads *= 2)
         speed.threads.seconds.emplace_back(fmt::format("{} thread{}", threads, threads > 1 ? "s" : ""),
                                            seconds_a_step(mesh, {.threads = threads}));
     return speed;

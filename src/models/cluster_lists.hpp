@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/error.hpp"
-#include "core/field.hpp"
 #include "core/lanes.hpp"
 #include "core/stages.hpp"
+#include "core/team.hpp"
 #include "core/vector.hpp"
 #include "models/clusters.hpp"
 
@@ -11,15 +11,14 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace steplab {
 
 /// For each cluster of four particles the others that at least one of them has within reach; together these lists hold
 /// every such pair once. Particles are numbered by the clusters they are in; behind all clusters is one whose particles
-/// are nowhere, and behind that one for each image of a cluster, a period away or more, that somebody may meet. T is
-/// float or double.
+/// are nowhere, and behind that, slab by slab, one for each image of a cluster, a period away or more, that somebody of
+/// the slab may meet. T is float or double.
 template <class T>
 class ClusterLists {
 public:
@@ -37,73 +36,114 @@ public:
         Vector<T> shift;
     };
 
+    /// What the clusters of a slab need.
+    struct Slab {
+        std::vector<Row> rows;
+        std::vector<std::uint32_t> list;  ///< first numbers of particles; one group more than the rows have
+        std::vector<Image> images;
+        std::size_t first_image = 0;  ///< the first number of the first of them
+    };
+
     /// Rows are filled up to whole groups of so many others.
     explicit ClusterLists(std::uint32_t group) : group_(group) {}
 
     /// Of particles that Clusters::make() takes. Throws UsageError if there are more pairs than can be numbered.
-    void make(Field<double> positions, double reach, double period) {
+    void make(std::size_t particles, const Clusters::Position& position, double reach, double period, Team& team) {
         reach_ = reach;
         period_ = period;
-        clusters_.make(positions, reach, period);
-        gather_coordinates(std::exchange(positions, {}));
-        list_.clear();
-        rows_.clear();
-        images_.clear();
-        first_of_image_.assign(period > 0 ? clusters_.count() * Clusters::images : 0, 0);
-        clusters_.each(
-            [this](std::uint32_t cluster, std::span<const Clusters::Other> others) { append_row(cluster, others); });
-        list_.insert(list_.end(), group_, nowhere());  // for who looks ahead
+        clusters_.make(particles, position, reach, period);
+        gather_coordinates(particles, position);
+        slabs_.resize(clusters_.slabs().size());
+        team.share(slabs_.size(), [this](std::size_t i) { make(i); });
         coordinates_ = {};
-        first_of_image_ = {};
+        count_ = nowhere() + numbers;
+        for (Slab& slab : slabs_) {
+            slab.first_image = count_;
+            count_ += slab.images.size() * numbers;
+        }
+        if (count_ > most) refuse();
+        team.share(slabs_.size(), [this](std::size_t i) { number_images(slabs_[i]); });
     }
 
-    std::span<const Row> rows() const { return rows_; }
-    /// First numbers of particles; goes on for one group behind the last row.
-    const std::uint32_t* list() const { return list_.data(); }
+    std::span<const Slab> slabs() const { return slabs_; }
     /// Of each particle: the first of its numbers is this times `stride`.
     std::span<const std::uint32_t> places() const { return clusters_.places(); }
-    std::span<const Image> images() const { return images_; }
-    /// The first number of the first image.
-    std::size_t first_image() const { return (clusters_.count() + 1) * numbers; }
     /// All numbers.
-    std::size_t count() const { return first_image() + images_.size() * numbers; }
+    std::size_t count() const { return count_; }
 
 private:
     using Four = RegisterLanes<T, 4>;
 
+    /// Places of images among those of a slab, plus one; 0 where an image has none. Of clusters from `first` on.
+    struct Places {
+        std::uint32_t first;
+        std::vector<std::uint32_t> of_image;
+    };
+
+    static constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+
+    [[noreturn]] static void refuse() {
+        throw UsageError("the cut-off lets more pairs act than can be listed; choose a smaller one");
+    }
+
     std::uint32_t nowhere() const { return static_cast<std::uint32_t>(clusters_.count() * numbers); }
 
     /// Of every cluster x of its particles, then y, then z.
-    void gather_coordinates(const Field<double>& positions) {
+    void gather_coordinates(std::size_t particles, const Clusters::Position& position) {
         coordinates_.assign(clusters_.count() * 3 * size, std::numeric_limits<T>::quiet_NaN());
-        for (std::size_t i = 0; i < positions.count(); ++i) {
+        for (std::size_t i = 0; i < particles; ++i) {
+            const Vec3 p = position(i);
             const std::uint32_t place = clusters_.places()[i];
             T* const to = coordinates_.data() + place / size * 3 * size + place % size;
-            to[0] = static_cast<T>(positions.x()[i]);
-            to[size] = static_cast<T>(positions.y()[i]);
-            to[2 * size] = static_cast<T>(positions.z()[i]);
+            to[0] = static_cast<T>(p.x);
+            to[size] = static_cast<T>(p.y);
+            to[2 * size] = static_cast<T>(p.z);
         }
     }
 
-    void append_row(std::uint32_t cluster, std::span<const Clusters::Other> others) {
-        const std::size_t begin = list_.size(), most = begin + (others.size() + 2) * size;
-        if (std::max(most, count()) > std::numeric_limits<std::uint32_t>::max())
-            throw UsageError("the cut-off lets more pairs act than can be listed; choose a smaller one");
-        // as long as the rows so far let expect: pages that are not reached cost nothing
-        if (most > list_.capacity()) list_.reserve(most / (cluster + 1) * clusters_.count() + most);
-        const auto own = static_cast<std::uint32_t>(cluster * numbers);
-        list_.resize(most);
-        for (std::uint32_t i = 0; i < size; ++i) list_[begin + i] = own + static_cast<std::uint32_t>(i * stride);
-        std::size_t end = begin + size;
-        for (const Clusters::Other other : others) end = append(cluster, other, end);
-        for (; end % group_ > 0; ++end) list_[end] = nowhere();
-        list_.resize(end);
-        rows_.push_back({own, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    /// Its images are numbered from behind the particles that are nowhere, as if there were no other slab.
+    void make(std::size_t i) {
+        const std::span<const Clusters::Slab> all = clusters_.slabs();
+        Slab& slab = slabs_[i];
+        slab.rows.clear();
+        slab.list.clear();
+        slab.images.clear();
+        Places places{i == 0 ? 0 : all[i].begin, {}};
+        const std::size_t end = i == 0 ? clusters_.count() : all[std::min(i + 1, all.size() - 1)].end;
+        if (period_ > 0) places.of_image.resize((end - places.first) * Clusters::images);
+        clusters_.each(all[i], [&, rows = all[i].end - all[i].begin](std::uint32_t cluster, const auto& others) {
+            // as long as the rows so far let expect: pages that are not reached cost nothing
+            const std::size_t room = slab.list.size() + (others.size() + 2) * size;
+            if (room > slab.list.capacity()) slab.list.reserve(room / (slab.rows.size() + 1) * rows + room);
+            append_row(cluster, others, slab, places);
+        });
+        slab.list.insert(slab.list.end(), group_, nowhere());  // for who looks ahead
     }
 
-    /// To the list from `end` on, those of another cluster that are within reach of a particle of this one. Returns its
-    /// new end.
-    std::size_t append(std::uint32_t cluster, Clusters::Other other, std::size_t end) {
+    void append_row(std::uint32_t cluster, std::span<const Clusters::Other> others, Slab& slab, Places& places) const {
+        std::vector<std::uint32_t>& list = slab.list;
+        const std::size_t begin = list.size(), room = begin + (others.size() + 2) * size;
+        if (std::max(room, nowhere() + (slab.images.size() + others.size() + 1) * numbers) > most) refuse();
+        const auto own = static_cast<std::uint32_t>(cluster * numbers);
+        list.resize(room);
+        for (std::uint32_t i = 0; i < size; ++i) list[begin + i] = own + static_cast<std::uint32_t>(i * stride);
+        std::size_t end = begin + size;
+        for (const Clusters::Other other : others) {
+            const auto near = within_reach(cluster, other);
+            if (other.image() != Clusters::own_image && !any(near, size)) continue;
+            const std::uint32_t first = first_of(other, slab, places);
+            for (std::size_t j = 0; j < size; ++j) {
+                list[end] = first + static_cast<std::uint32_t>(j * stride);
+                end += near[j] != 0 ? 1 : 0;
+            }
+        }
+        for (; end % group_ > 0; ++end) list[end] = nowhere();
+        list.resize(end);
+        slab.rows.push_back({own, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    }
+
+    /// Which particles of another cluster are within reach of a particle of this one.
+    auto within_reach(std::uint32_t cluster, Clusters::Other other) const {
         const Vector<T> image = shift_of(other.image());
         const T* const own = coordinates_.data() + cluster * 3 * size;
         const T* const them = coordinates_.data() + other.cluster() * 3 * size;
@@ -116,25 +156,26 @@ private:
             const Four square = dx * dx + dy * dy + dz * dz;
             nearest = where(square < nearest, square, nearest);
         }
-        const auto near = nearest < Four(static_cast<T>(reach_ * reach_));
-        if (other.image() != Clusters::own_image && !any(near, size)) return end;
-        const std::uint32_t first = first_of(other);
-        for (std::size_t j = 0; j < size; ++j) {
-            list_[end] = first + static_cast<std::uint32_t>(j * stride);
-            end += near[j] != 0 ? 1 : 0;
-        }
-        return end;
+        return nearest < Four(static_cast<T>(reach_ * reach_));
     }
 
     /// The first number of another cluster, or of its image.
-    std::uint32_t first_of(Clusters::Other other) {
+    std::uint32_t first_of(Clusters::Other other, Slab& slab, Places& places) const {
         if (other.image() == Clusters::own_image) return static_cast<std::uint32_t>(other.cluster() * numbers);
-        std::uint32_t& first = first_of_image_[other.cluster() * Clusters::images + other.image()];
-        if (first == 0) {
-            first = static_cast<std::uint32_t>(count());
-            images_.push_back({other.cluster(), shift_of(other.image())});
+        std::uint32_t& place = places.of_image[(other.cluster() - places.first) * Clusters::images + other.image()];
+        if (place == 0) {
+            slab.images.push_back({other.cluster(), shift_of(other.image())});
+            place = static_cast<std::uint32_t>(slab.images.size());
         }
-        return first;
+        return nowhere() + static_cast<std::uint32_t>(place * numbers);
+    }
+
+    /// Behind those of the slabs before.
+    void number_images(Slab& slab) const {
+        const std::uint32_t last = nowhere();
+        const auto before = static_cast<std::uint32_t>(slab.first_image - numbers - last);
+        if (before == 0) return;
+        for (std::uint32_t& number : slab.list) number += number > last ? before : 0;
     }
 
     Vector<T> shift_of(std::uint32_t image) const {
@@ -148,12 +189,9 @@ private:
     std::uint32_t group_;
     double reach_ = 0, period_ = 0;
     Clusters clusters_;
-    std::vector<std::uint32_t> list_;
-    std::vector<Row> rows_;
-    std::vector<Image> images_;
-    // only while make() works
-    std::vector<T> coordinates_;
-    std::vector<std::uint32_t> first_of_image_;  ///< 0: that image of a cluster is not there
+    std::vector<Slab> slabs_;
+    std::size_t count_ = 0;
+    std::vector<T> coordinates_;  ///< only while make() works
 };
 
 }  // namespace steplab

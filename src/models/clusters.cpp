@@ -15,6 +15,8 @@ namespace {
 constexpr std::uint32_t most_columns = 1 << 16;
 /// Clusters whose distances are computed side by side.
 constexpr std::uint32_t side_by_side = 4;
+/// From which on there is more than one slab.
+constexpr std::size_t many_clusters = 1024;
 /// In a column of their own: particles that are nowhere.
 constexpr std::uint64_t nowhere = std::numeric_limits<std::uint64_t>::max();
 
@@ -35,31 +37,32 @@ float above(double number) { return static_cast<float>(number) + std::abs(static
 
 }  // namespace
 
-void Clusters::make(const Field<double>& positions, double reach, double period) {
+void Clusters::make(std::size_t particles, const Position& position, double reach, double period) {
     reach_ = reach;
     period_ = period;
-    choose_columns(positions);
-    sort(positions);
-    form_clusters(positions);
+    choose_columns(particles, position);
+    sort(particles, position);
+    form_clusters(position);
+    form_slabs();
     placed_ = {};
 }
 
 /// As wide as a cube that holds a cluster; where particles are few, or crowd together, as pairs ask for.
-void Clusters::choose_columns(const Field<double>& positions) {
+void Clusters::choose_columns(std::size_t particles, const Position& position) {
     double volume = period_ * period_ * period_;
     if (period_ == 0) {
         constexpr double most = std::numeric_limits<double>::max();
         Vec3 low{most, most, most}, high{-most, -most, -most};
-        for (std::size_t i = 0; i < positions.count(); ++i) {
-            const Vec3 p = positions.at(i);
+        for (std::size_t i = 0; i < particles; ++i) {
+            const Vec3 p = position(i);
             if (!somewhere(p)) continue;
             low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
             high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
         }
         volume = std::max(0.0, high.x - low.x) * std::max(0.0, high.y - low.y) * std::max(0.0, high.z - low.z);
     }
-    const double particles = static_cast<double>(std::max<std::size_t>(1, positions.count()));
-    width_ = std::clamp(std::cbrt(static_cast<double>(size) * volume / particles), reach_ / 4, reach_);
+    const double count = static_cast<double>(std::max<std::size_t>(1, particles));
+    width_ = std::clamp(std::cbrt(static_cast<double>(size) * volume / count), reach_ / 4, reach_);
     width_ = std::max(width_, std::numeric_limits<double>::min());  // a reach may be flushed to zero
     if (period_ == 0) return;
     columns_a_row_ = static_cast<std::uint32_t>(std::clamp(std::floor(period_ / width_), 1.0, double{most_columns}));
@@ -72,10 +75,10 @@ std::uint32_t Clusters::column_at(double position) const {
     return static_cast<std::uint32_t>(std::clamp(column + 0.5 * most_columns, 0.0, most_columns - 2.0));
 }
 
-void Clusters::sort(const Field<double>& positions) {
-    placed_.resize(positions.count());
+void Clusters::sort(std::size_t particles, const Position& position) {
+    placed_.resize(particles);
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-        const Vec3 p = positions.at(i);
+        const Vec3 p = position(i);
         std::uint64_t key = nowhere;
         if (somewhere(p)) {
             const std::uint64_t x = column_at(p.x), y = column_at(p.y);
@@ -96,7 +99,7 @@ void Clusters::add_cluster() {
     }
 }
 
-void Clusters::form_clusters(const Field<double>& positions) {
+void Clusters::form_clusters(const Position& position) {
     places_.resize(placed_.size());
     columns_.clear();
     for (Bounds& along : bounds_) along.low.clear(), along.high.clear();
@@ -116,7 +119,8 @@ void Clusters::form_clusters(const Field<double>& positions) {
         }
         places_[particle] = static_cast<std::uint32_t>((count_ - 1) * size + slot++ % size);
         if (key == nowhere) continue;
-        const std::array<double, 3> along{positions.x()[particle], positions.y()[particle], positions.z()[particle]};
+        const Vec3 p = position(particle);
+        const std::array<double, 3> along{p.x, p.y, p.z};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             float &low = bounds_[axis].low.back(), &high = bounds_[axis].high.back();
             low = std::min(low, below(along[axis]));
@@ -126,21 +130,36 @@ void Clusters::form_clusters(const Field<double>& positions) {
     for (std::size_t beyond = 0; beyond < side_by_side; ++beyond) add_cluster();
 }
 
-void Clusters::each(const std::function<void(std::uint32_t, std::span<const Other>)>& f) {
-    for (const Column& column : columns_) {
-        find_adjacent(column);
-        for (std::uint32_t cluster = column.begin; cluster < column.end; ++cluster) {
-            others_.clear();
-            for (Adjacent& adjacent : adjacent_) append_others(cluster, adjacent);
-            f(cluster, others_);
+std::uint32_t Clusters::range() const { return static_cast<std::uint32_t>(std::ceil(reach_ / width_)); }
+
+void Clusters::form_slabs() {
+    slabs_.clear();
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const Column& column = columns_[k];
+        const bool next =
+            k > 0 && count_ >= many_clusters && column.x - columns_[slabs_.back().first_column].x >= range();
+        if (k == 0 || next) slabs_.push_back({column.begin, column.begin, k, k});
+        slabs_.back().end = column.end;
+        slabs_.back().end_column = k + 1;
+    }
+}
+
+void Clusters::each(const Slab& slab, const std::function<void(std::uint32_t, std::span<const Other>)>& f) const {
+    Others others;
+    for (std::size_t k = slab.first_column; k < slab.end_column; ++k) {
+        auto columns = adjacent(columns_[k]);
+        for (std::uint32_t cluster = columns_[k].begin; cluster < columns_[k].end; ++cluster) {
+            others.clear();
+            for (Adjacent& adjacent : columns) append_others(cluster, adjacent, others);
+            f(cluster, others);
         }
     }
 }
 
 /// Columns before this one have listed their pairs with it themselves.
-void Clusters::find_adjacent(const Column& column) {
-    adjacent_.clear();
-    const int range = static_cast<int>(std::ceil(reach_ / width_));
+std::vector<Clusters::Adjacent> Clusters::adjacent(const Column& column) const {
+    std::vector<Adjacent> result;
+    const int most = static_cast<int>(range());
     const int row = static_cast<int>(columns_a_row_);
     const auto in_period = [row](int& at) {
         if (row == 0) return 0;
@@ -148,8 +167,8 @@ void Clusters::find_adjacent(const Column& column) {
         at -= image * row;
         return image;
     };
-    for (int dx = -range; dx <= range; ++dx) {
-        for (int dy = -range; dy <= range; ++dy) {
+    for (int dx = -most; dx <= most; ++dx) {
+        for (int dy = -most; dy <= most; ++dy) {
             int x = static_cast<int>(column.x) + dx, y = static_cast<int>(column.y) + dy;
             const int image_x = in_period(x), image_y = in_period(y);
             if (x < 0 || y < 0) continue;
@@ -158,14 +177,14 @@ void Clusters::find_adjacent(const Column& column) {
             const auto found = std::lower_bound(columns_.begin(), columns_.end(), wanted, before);
             if (found == columns_.end() || found->x != wanted.x || found->y != wanted.y) continue;
             if (found->begin < column.begin) continue;
-            adjacent_.push_back(
-                {found->begin, found->end, image_x, image_y, {found->begin, found->begin, found->begin}});
+            result.push_back({found->begin, found->end, image_x, image_y, {found->begin, found->begin, found->begin}});
         }
     }
+    return result;
 }
 
 /// The clusters of a column go from below upwards, and so do those they are within reach of.
-void Clusters::append_others(std::uint32_t cluster, Adjacent& adjacent) {
+void Clusters::append_others(std::uint32_t cluster, Adjacent& adjacent, Others& others) const {
     const Bounds& up = bounds_[2];
     const auto period = static_cast<float>(period_), reach = static_cast<float>(reach_);
     const float low = up.low[cluster], high = up.high[cluster];
@@ -179,12 +198,13 @@ void Clusters::append_others(std::uint32_t cluster, Adjacent& adjacent) {
         const auto image = static_cast<std::uint32_t>(9 * (adjacent.x + 1) + 3 * (adjacent.y + 1) + z + 1);
         // each pair once
         const std::uint32_t from = std::max(first, image > own_image ? cluster : cluster + 1);
-        append_within_reach(cluster, from, adjacent.end, image);
+        append_within_reach(cluster, from, adjacent.end, image, others);
     }
 }
 
 /// Of a column's clusters.
-void Clusters::append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image) {
+void Clusters::append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image,
+                                   Others& others) const {
     using Lanes = RegisterLanes<float, side_by_side>;
     const auto shift = [&](std::size_t axis) {
         return static_cast<float>(periods(image, axis)) * static_cast<float>(period_);
@@ -204,23 +224,23 @@ void Clusters::append_within_reach(std::uint32_t cluster, std::uint32_t from, st
         }
         const auto far = Lanes(reach2) < distance2;
         for (std::uint32_t lane = 0; lane < side_by_side && other + lane < to; ++lane) {
-            if (!far[lane]) others_.emplace_back(other + lane, image);
+            if (!far[lane]) others.emplace_back(other + lane, image);
         }
     }
 }
 
-void each_near_distance2(const Field<double>& positions, double cutoff, double period,
+void each_near_distance2(std::size_t particles, const Clusters::Position& position, double cutoff, double period,
                          const std::function<void(double)>& f) {
     Clusters clusters;
-    clusters.make(positions, cutoff, period);
+    clusters.make(particles, position, cutoff, period);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     std::vector<Vec3> at(clusters.count() * Clusters::size, Vec3{none, none, none});
-    for (std::size_t i = 0; i < positions.count(); ++i) at[clusters.places()[i]] = positions.at(i);
+    for (std::size_t i = 0; i < particles; ++i) at[clusters.places()[i]] = position(i);
     const auto look = [&](std::size_t a, std::size_t b, Vec3 shift) {
         const Vec3 d = at[b] + shift - at[a];
         if (dot(d, d) < cutoff * cutoff) f(dot(d, d));
     };
-    clusters.each([&](std::uint32_t cluster, std::span<const Clusters::Other> others) {
+    const auto look_at_all = [&](std::uint32_t cluster, std::span<const Clusters::Other> others) {
         const std::size_t first = cluster * Clusters::size, end = first + Clusters::size;
         for (std::size_t a = first; a < end; ++a) {
             for (std::size_t b = a + 1; b < end; ++b) look(a, b, {});
@@ -232,7 +252,8 @@ void each_near_distance2(const Field<double>& positions, double cutoff, double p
                 for (std::size_t b = 0; b < Clusters::size; ++b) look(a, other.cluster() * Clusters::size + b, shift);
             }
         }
-    });
+    };
+    for (const Clusters::Slab& slab : clusters.slabs()) clusters.each(slab, look_at_all);
 }
 
 }  // namespace steplab

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/field.hpp"
 #include "core/vec3.hpp"
 
 #include <array>
@@ -42,16 +41,26 @@ public:
         return static_cast<int>(image / weight[axis] % 3) - 1;
     }
 
-    /// Positions of all particles; with a period (0: none, else at least `reach`) those of each particle's image within
-    /// half a period of the origin. Particles that are nowhere are in clusters without pairs.
-    void make(const Field<double>& positions, double reach, double period);
+    /// Tells where a particle is; with a period, where that of its images is which is within half a period of the
+    /// origin.
+    using Position = std::function<Vec3(std::size_t)>;
+    /// A period is 0 for none, else at least `reach`. Particles that are nowhere are in clusters without pairs.
+    void make(std::size_t particles, const Position& position, double reach, double period);
 
     std::size_t count() const { return count_; }
+    /// Clusters from `begin` to `end`, those of columns side by side. So thick that a pair of clusters is within one
+    /// slab, or in it and the next one, images along x set aside: only the first slab lists pairs with those.
+    struct Slab {
+        std::uint32_t begin, end;
+        std::size_t first_column, end_column;
+    };
+    /// All clusters; few of them are one slab.
+    std::span<const Slab> slabs() const { return slabs_; }
     /// Of each particle: the cluster times four, plus its place there.
     std::span<const std::uint32_t> places() const { return places_; }
-    /// Calls f(cluster, others) for each cluster in turn, after make(), once. Each pair of clusters and image is among
-    /// the others of one of them; that of a cluster with itself is not.
-    void each(const std::function<void(std::uint32_t, std::span<const Other>)>& f);
+    /// Calls f(cluster, others) for each cluster of a slab in turn. Each pair of clusters and image is among the others
+    /// of one of them, that whose slab comes first; that of a cluster with itself is not.
+    void each(const Slab& slab, const std::function<void(std::uint32_t, std::span<const Other>)>& f) const;
 
 private:
     /// Sorts particles by column, then from below.
@@ -74,14 +83,19 @@ private:
         std::array<std::uint32_t, 3> first;  ///< no cluster before is within reach, by image along z
     };
 
-    void choose_columns(const Field<double>& positions);
+    void choose_columns(std::size_t particles, const Position& position);
     std::uint32_t column_at(double position) const;
-    void sort(const Field<double>& positions);
-    void form_clusters(const Field<double>& positions);
-    void find_adjacent(const Column& column);
-    void append_others(std::uint32_t cluster, Adjacent& adjacent);
-    void append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image);
+    void sort(std::size_t particles, const Position& position);
+    void form_clusters(const Position& position);
+    void form_slabs();
     void add_cluster();
+    /// How many columns away somebody may be within reach.
+    std::uint32_t range() const;
+    std::vector<Adjacent> adjacent(const Column& column) const;
+    using Others = std::vector<Other>;
+    void append_others(std::uint32_t cluster, Adjacent& adjacent, Others& others) const;
+    void append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image,
+                             Others& others) const;
 
     double reach_ = 0, period_ = 0;
     double width_ = 1;                 ///< of a column
@@ -91,13 +105,12 @@ private:
     std::vector<Column> columns_;
     std::size_t count_ = 0;
     std::array<Bounds, 3> bounds_;
-    std::vector<Adjacent> adjacent_;
-    std::vector<Other> others_;  ///< of one cluster
+    std::vector<Slab> slabs_;
 };
 
-/// Calls f(square of the distance) for all pairs of particles nearer than the cut-off; positions and period as for
+/// Calls f(square of the distance) for all pairs of particles nearer than the cut-off; the rest as for
 /// Clusters::make().
-void each_near_distance2(const Field<double>& positions, double cutoff, double period,
+void each_near_distance2(std::size_t particles, const Clusters::Position& position, double cutoff, double period,
                          const std::function<void(double)>& f);
 
 }  // namespace steplab

@@ -55,6 +55,8 @@ struct NearPairForces : PairForces {
     /// Not 0: space repeats itself after this length along each axis, and a particle acts on the nearest image of
     /// another. At least twice the cut-off, so that no second image acts.
     double period = 0;
+    /// That share the work; the sums are the same for any number.
+    std::size_t threads = 1;
 };
 
 using Forces = std::variant<ConstantForces, LineForces, GridForces, PairForces, NearPairForces>;

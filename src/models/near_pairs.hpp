@@ -127,12 +127,12 @@ private:
     /// Calls f(square of the distance) for pairs nearer than the cut-off, in an order that positions alone decide.
     template <class F>
     void each_distance2_by_clusters(const Field<T>& u, F f) const {
-        Field<double> places(count_);
-        const auto inside = [this](T at) { return forces_.period > 0 ? at - periods_.nearest(at) : at; };
-        for (std::size_t i = 0; i < count_; ++i)
-            places.set(i, {static_cast<double>(inside(u.x()[i])), static_cast<double>(inside(u.y()[i])),
-                           static_cast<double>(inside(u.z()[i]))});
-        each_near_distance2(places, forces_.cutoff, forces_.period, [&](double d2) { f(static_cast<T>(d2)); });
+        const auto inside = [this](T at) {
+            return static_cast<double>(forces_.period > 0 ? at - periods_.nearest(at) : at);
+        };
+        const auto position = [&](std::size_t i) { return Vec3{inside(u.x()[i]), inside(u.y()[i]), inside(u.z()[i])}; };
+        each_near_distance2(count_, position, forces_.cutoff, forces_.period,
+                            [&](double distance2) { f(static_cast<T>(distance2)); });
     }
 
     /// Calls f(i, j, square of the distance), i < j, for pairs nearer than the cut-off.

@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -23,7 +25,8 @@ namespace steplab {
 /// (float: four). Particles that are near each other in space are near in memory.
 ///
 /// The order in which the pulls at a particle are added hangs on these lists, and they on where the particles were when
-/// they were made. So the last bits of an acceleration hang on that too: made_at() is part of the state of a run. It
+/// they were made: the pulls of slabs of clusters (Clusters::slabs()) side by side, first every other slab and then
+/// those between. So the last bits of an acceleration hang on that too: made_at() is part of the state of a run. It
 /// is kept and brought back with it, and whoever only looks does not renew the lists.
 template <class T>
 class PairList {
@@ -34,17 +37,17 @@ public:
           cutoff2_(morse.cutoff * morse.cutoff),
           reach_((1 + skin) * forces.cutoff),
           allowed_(most_moved * skin * forces.cutoff),
-          periods_(forces.period > 0 ? forces.period : 1) {}
+          periods_(forces.period > 0 ? forces.period : 1),
+          team_(std::make_shared<Team>(forces.threads)) {}
 
     /// True if the lists hold all pairs nearer than the cut-off.
-    bool holds_at(const Field<T>& u) const {
+    bool holds_at(const Field<T>& u) {
         if (made_at_.count() != u.count()) return false;
-        const T *const x = u.x(), *const y = u.y(), *const z = u.z();
-        const T *const x0 = made_at_.x(), *const y0 = made_at_.y(), *const z0 = made_at_.z();
-        return !any_of_all(u.count(), [=, most = static_cast<T>(allowed_ * allowed_)](std::size_t i) {
-            const T dx = x[i] - x0[i], dy = y[i] - y0[i], dz = z[i] - z0[i];
-            return !(dx * dx + dy * dy + dz * dz <= most);
+        std::atomic<bool> moved = false;
+        team_->run([&](std::size_t member) {
+            if (any_moved(u, part(member))) moved = true;
         });
+        return !moved;
     }
 
     /// Where the particles were when the lists were made; empty before.
@@ -53,31 +56,36 @@ public:
     void make_at(const Field<T>& u) {
         made_at_ = u;
         if (u.count() == 0) return;
-        Field<double> within(u.count());
-        for (std::size_t i = 0; i < u.count(); ++i) {
-            const Vector<T> p = in_period(u, i);
-            within.set(i, {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
-        }
         positions_ = {};
-        lists_.make(std::move(within), reach_, period_);
+        sums_ = {};
+        const auto position = [&](std::size_t i) {
+            const Vector<T> p = in_period(u, i);
+            return Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+        };
+        lists_.make(u.count(), position, reach_, period_, *team_);
         positions_.assign(lists_.count(), std::numeric_limits<T>::quiet_NaN());
-        place(u);
+        sums_.resize(lists_.count());
     }
 
     /// Of the lists as they are.
     void accelerations(const Field<T>& u, Field<T>& a) {
-        place(u);
-        sums_.assign(positions_.size(), T(0));
-        for (const Row& row : lists_.rows()) add_pulls(row);
-        add_up_images();
-        const auto places = lists_.places();
-        T *const x = a.x(), *const y = a.y(), *const z = a.z();
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const T* const sum = sums_.data() + places[i] * stride;
-            x[i] = sum[0];
-            y[i] = sum[1];
-            z[i] = sum[2];
-        }
+        std::array<std::atomic<std::size_t>, 2> next{0, 1};
+        team_->run([&](std::size_t member) {
+            place(u, part(member));
+            clear_sums(member);
+            team_->meet();
+            if (member == 0) place_images();
+            team_->meet();
+            for (std::atomic<std::size_t>& slab : next) {
+                for (std::size_t i = slab.fetch_add(2); i < lists_.slabs().size(); i = slab.fetch_add(2)) {
+                    for (const Row& row : lists_.slabs()[i].rows) add_pulls(row, lists_.slabs()[i].list.data());
+                }
+                team_->meet();
+            }
+            if (member == 0) add_up_images();
+            team_->meet();
+            take_sums(a, part(member));
+        });
     }
 
 private:
@@ -107,33 +115,76 @@ private:
         return {within(u.x(), made_at_.x()), within(u.y(), made_at_.y()), within(u.z(), made_at_.z())};
     }
 
+    /// Particles, or numbers, that are a member's.
+    struct Part {
+        std::size_t begin, end;
+    };
+    Part part(std::size_t member) const { return part_of(made_at_.count(), member); }
+    Part part_of(std::size_t count, std::size_t member) const {
+        return {count * member / team_->members(), count * (member + 1) / team_->members()};
+    }
+
+    bool any_moved(const Field<T>& u, Part part) const {
+        const T *const x = u.x() + part.begin, *const y = u.y() + part.begin, *const z = u.z() + part.begin;
+        const T *const x0 = made_at_.x() + part.begin, *const y0 = made_at_.y() + part.begin,
+                       *const z0 = made_at_.z() + part.begin;
+        return any_of_all(part.end - part.begin, [=, most = static_cast<T>(allowed_ * allowed_)](std::size_t i) {
+            const T dx = x[i] - x0[i], dy = y[i] - y0[i], dz = z[i] - z0[i];
+            return !(dx * dx + dy * dy + dz * dz <= most);
+        });
+    }
+
     /// Places of no particle stay nowhere: out of everybody's reach.
-    void place(const Field<T>& u) {
+    void place(const Field<T>& u, Part part) {
         const auto places = lists_.places();
-        for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t i = part.begin; i < part.end; ++i) {
             T* const to = positions_.data() + places[i] * stride;
             const Vector<T> p = in_period(u, i);
             to[0] = p.x;
             to[1] = p.y;
             to[2] = p.z;
         }
-        T* to = positions_.data() + lists_.first_image();
-        for (const auto& [cluster, shift] : lists_.images()) {
-            const std::array<T, stride> along{shift.x, shift.y, shift.z, T(0)};
-            const Four by = Four::load_anywhere(along.data());
-            const T* const from = positions_.data() + cluster * numbers;
-            for (std::size_t k = 0; k < numbers; k += stride) (Four::load(from + k) + by).store(to + k);
-            to += numbers;
+    }
+
+    void place_images() {
+        for (const auto& slab : lists_.slabs()) {
+            T* to = positions_.data() + slab.first_image;
+            for (const auto& [cluster, shift] : slab.images) {
+                const std::array<T, stride> along{shift.x, shift.y, shift.z, T(0)};
+                const Four by = Four::load_anywhere(along.data());
+                const T* const from = positions_.data() + cluster * numbers;
+                for (std::size_t k = 0; k < numbers; k += stride) (Four::load(from + k) + by).store(to + k);
+                to += numbers;
+            }
         }
+    }
+
+    void clear_sums(std::size_t member) {
+        const Part part = part_of(sums_.size(), member);
+        std::fill(sums_.data() + part.begin, sums_.data() + part.end, T(0));
     }
 
     /// What pulls at an image pulls at its particle.
     void add_up_images() {
-        const T* from = sums_.data() + lists_.first_image();
-        for (const auto& image : lists_.images()) {
-            T* const to = sums_.data() + image.cluster * numbers;
-            for (std::size_t k = 0; k < numbers; k += stride) (Four::load(to + k) + Four::load(from + k)).store(to + k);
-            from += numbers;
+        for (const auto& slab : lists_.slabs()) {
+            const T* from = sums_.data() + slab.first_image;
+            for (const auto& image : slab.images) {
+                T* const to = sums_.data() + image.cluster * numbers;
+                for (std::size_t k = 0; k < numbers; k += stride)
+                    (Four::load(to + k) + Four::load(from + k)).store(to + k);
+                from += numbers;
+            }
+        }
+    }
+
+    void take_sums(Field<T>& a, Part part) const {
+        const auto places = lists_.places();
+        T *const x = a.x(), *const y = a.y(), *const z = a.z();
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            const T* const sum = sums_.data() + places[i] * stride;
+            x[i] = sum[0];
+            y[i] = sum[1];
+            z[i] = sum[2];
         }
     }
 
@@ -152,9 +203,8 @@ private:
         return {along(0), along(1), along(2)};
     }
 
-    [[gnu::always_inline]] Distances distances(const Vector<N>& own, std::uint32_t k) const {
+    [[gnu::always_inline]] Distances distances(const Vector<N>& own, const std::uint32_t* others) const {
         const T* const from = positions_.data();
-        const std::uint32_t* const others = lists_.list() + k;
         const Vector<N> d = own - repeated_vectors<T, N::count>([=](std::size_t j) { return from + others[j]; });
         const N square = d.x * d.x + d.y * d.y + d.z * d.z;
         return {d, square, square_root(square)};
@@ -163,19 +213,22 @@ private:
     /// From the particles of the cluster itself, the j-th of them on: no pair twice, none with itself.
     [[gnu::always_inline]] static Distances once(Distances pairs, std::uint32_t j) {
         const N place = N::each([](std::size_t lane) { return static_cast<T>(lane % size); });
-        const N other = N::each([=](std::size_t lane) { return static_cast<T>(j + lane / size); });
+        const N other = N::each([=](std::size_t lane) {
+            const std::size_t row = lane / size;
+            return static_cast<T>(j + row);
+        });
         pairs.square = where(place < other, pairs.square, N(std::numeric_limits<T>::infinity()));
         return pairs;
     }
 
-    /// Calls f(distances, k, part) for the pairs of a row that go side by side: others k, k + 1, ... of the list, a
-    /// part of a group. Their roots are taken while f is busy with the pairs before.
+    /// Calls f(distances, others, part) for the pairs of a row that go side by side: the next ones of the list, a part
+    /// of a group. Their roots are taken while f is busy with the pairs before.
     template <class F>
-    [[gnu::always_inline]] void each_part(const Row& row, F f) const {
+    [[gnu::always_inline]] void each_part(const Row& row, const std::uint32_t* list, F f) const {
         const Vector<N> own = four_of(row);
         N x, y, z, square, root;
         const auto look = [&](std::uint32_t k) __attribute__((always_inline)) {
-            const Distances at = distances(own, k);
+            const Distances at = distances(own, list + k);
             x = at.d.x, y = at.d.y, z = at.d.z, square = at.square, root = at.root;
         };
         look(row.begin);
@@ -184,7 +237,7 @@ private:
                 const std::uint32_t at = k + part * at_once;
                 const Distances pairs = once({{x, y, z}, square, root}, at - row.begin);
                 look(at + at_once);
-                f(pairs, at, part);
+                f(pairs, list + at, part);
             }
         }
         for (std::uint32_t k = row.begin + size; k < row.end; k += group) {
@@ -193,7 +246,7 @@ private:
                 const std::uint32_t at = k + part * at_once;
                 const Distances pairs{{x, y, z}, square, root};
                 look(at + at_once);
-                f(pairs, at, part);
+                f(pairs, list + at, part);
             }
         }
     }
@@ -211,12 +264,13 @@ private:
         });
     }
 
-    void add_pulls(const Row& row) {
+    void add_pulls(const Row& row, const std::uint32_t* list) {
         Sums sums;
         sums.fill({N(T(0)), N(T(0)), N(T(0))});
         each_part(
-            row, [&, list = lists_.list() ](const Distances& pairs, std::uint32_t k, std::uint32_t part)
-                     __attribute__((always_inline)) { add_pulls(pairs, list + k, sums[part]); });
+            row, list,
+            [&](const Distances& pairs, const std::uint32_t* others, std::uint32_t part)
+                __attribute__((always_inline)) { add_pulls(pairs, others, sums[part]); });
         for (std::size_t half = sums.size() / 2; half > 0; half /= 2) {
             for (std::size_t part = 0; part < half; ++part) sums[part] = sums[part] + sums[part + half];
         }
@@ -245,6 +299,7 @@ private:
     double reach_;
     double allowed_;
     Periods<T> periods_;
+    std::shared_ptr<Team> team_;  ///< of copies too: they work in turns
     ClusterLists<T> lists_{group};
     Field<T> made_at_;
     Numbers positions_, sums_;

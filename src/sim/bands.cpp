@@ -1,9 +1,8 @@
 #include "sim/bands.hpp"
 
-#include "sim/team.hpp"
+#include "core/team.hpp"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -154,8 +153,6 @@ private:
     mutable Team team_;
 };
 
-std::size_t processors() { return std::max(1U, std::thread::hardware_concurrency()); }
-
 /// Units that a step reaches, none if there is no bound: asked of a scene of three units.
 std::optional<std::size_t> reach_of(const Method& method, const StepperSetup& setup, const Units& units) {
     Scene scene{.mass = setup.scene.mass,
@@ -170,19 +167,37 @@ std::optional<std::size_t> reach_of(const Method& method, const StepperSetup& se
         ->reach();
 }
 
+/// Pairs take so many times the time of springs.
+constexpr std::size_t time_of_pairs = 5;
+
+/// Of those allowed, as many threads as it takes.
+std::size_t paying_threads(const Execution& execution, std::size_t particles) {
+    const std::size_t allowed = execution.threads > 0 ? execution.threads : processors();
+    return std::min(allowed, particles / std::max<std::size_t>(1, execution.particles_a_thread));
+}
+
+/// In one piece, whose forces may be summed by several threads.
+std::unique_ptr<Stepper> make_whole(const Method& method, const StepperSetup& setup, const Execution& execution) {
+    const auto* const pairs = std::get_if<NearPairForces>(&setup.scene.forces);
+    const std::size_t threads = pairs ? paying_threads(execution, pairs->count * time_of_pairs) : 1;
+    if (threads < 2) return method.make(setup);
+    Scene scene = setup.scene;
+    std::get<NearPairForces>(scene.forces).threads = threads;
+    return method.make({scene, setup.start, setup.parameters, setup.precision, setup.dt, setup.instructions});
+}
+
 }  // namespace
 
 std::unique_ptr<Stepper> make_stepper(const Method& method, const StepperSetup& setup, const Execution& execution) {
     const Units units = units_of(setup.scene.forces);
-    const std::size_t allowed = execution.threads > 0 ? execution.threads : processors();
-    const std::size_t paying = std::min(allowed, units.count * units.particles / execution.particles_a_thread);
+    const std::size_t paying = paying_threads(execution, units.count * units.particles);
     if (paying > 1 && units.count >= 3) {
         const auto reach = reach_of(method, setup, units);
         // a border lies in the neighbouring band alone
         const std::size_t count = reach ? std::min(paying, units.count / (2 * *reach)) : 1;
         if (count > 1) return std::make_unique<Bands>(method, setup, units, count, *reach);
     }
-    return method.make(setup);
+    return make_whole(method, setup, execution);
 }
 
 }  // namespace steplab

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <variant>
 
 namespace steplab {
@@ -71,47 +72,65 @@ void copy(const Field<double>& from, std::size_t first, std::size_t count, Field
 
 }  // namespace
 
+void SquareSum::add(const Field<double>& from, std::size_t first, std::size_t count) {
+    while (count > 0) {
+        const std::size_t more = std::min(count, held_.count() - count_);
+        copy(from, first, more, held_, count_);
+        count_ += more, first += more, count -= more;
+        if (count_ == held_.count()) finish_piece();
+    }
+}
+
+double SquareSum::take() {
+    finish_piece();
+    return std::exchange(sum_, {}).value();
+}
+
+void SquareSum::finish_piece() {
+    sum_.add(sum_of_squares(held_, count_));
+    count_ = 0;
+}
+
 EnergyMeter::EnergyMeter(const Scene& scene)
     : mass_(scene.mass),
       forces_(scene.forces),
       floor_(std::visit([](const auto& forces) { return floor_of(forces); }, forces_)),
       count_(scene.reference.count),
       unit_(std::visit([](const auto& forces) { return shared(forces); }, forces_)),
-      length_(unit_ > 0 ? std::max<std::size_t>(1, piece_length / unit_) * unit_ : count_) {}
+      length_(unit_ > 0 ? std::max<std::size_t>(1, piece_length / unit_) * unit_ : count_),
+      squares_(std::min(count_, piece_length)) {}
 
 void EnergyMeter::begin() {
     const std::size_t capacity = std::min(count_, length_ + unit_);
-    if (piece_.velocity.count() != capacity) piece_ = {Field<double>(capacity), Field<double>(capacity)};
+    if (piece_.count() != capacity) piece_ = Field<double>(capacity);
     held_ = taken_ = 0;
-    squares_ = value_ = magnitude_ = external_ = {};
+    value_ = magnitude_ = external_ = {};
 }
 
 Energy EnergyMeter::energy(const std::function<void(const PortionSink&)>& look) {
     begin();
     look([this](const Portion& portion) { add(portion); });
-    return {mass_ / 2 * squares_.value(), {value_.value(), magnitude_.value(), external_.value()}};
+    return {mass_ / 2 * squares_.take(), {value_.value(), magnitude_.value(), external_.value()}};
 }
 
 void EnergyMeter::add(const Portion& portion) {
+    squares_.add(portion.state.velocity, portion.place, portion.count);
     for (std::size_t from = 0; from < portion.count;) {
-        const std::size_t more = std::min(portion.count - from, piece_.velocity.count() - held_);
-        copy(portion.state.displacement, portion.place + from, more, piece_.displacement, held_);
-        copy(portion.state.velocity, portion.place + from, more, piece_.velocity, held_);
+        const std::size_t more = std::min(portion.count - from, piece_.count() - held_);
+        copy(portion.state.displacement, portion.place + from, more, piece_, held_);
         held_ += more, from += more, taken_ += more;
-        if (held_ == piece_.velocity.count() || taken_ == count_) finish_piece();
+        if (held_ == piece_.count() || taken_ == count_) finish_piece();
     }
 }
 
 void EnergyMeter::finish_piece() {
     const bool last = taken_ == count_;
     const std::size_t own = last ? held_ : length_;
-    const auto potential = std::visit(
-        [&](const auto& forces) { return energy_of_piece(forces, piece_.displacement, held_, own); }, forces_);
-    squares_.add(sum_of_squares(piece_.velocity, own));
+    const auto potential =
+        std::visit([&](const auto& forces) { return energy_of_piece(forces, piece_, held_, own); }, forces_);
     value_.add(potential.value), magnitude_.add(potential.magnitude), external_.add(potential.external);
     held_ -= own;
-    copy(piece_.displacement, own, held_, piece_.displacement, 0);
-    copy(piece_.velocity, own, held_, piece_.velocity, 0);
+    copy(piece_, own, held_, piece_, 0);
 }
 
 }  // namespace steplab

@@ -20,6 +20,24 @@ struct Energy {
     double total() const { return kinetic + potential.value; }
 };
 
+/// The sum of the squares of vectors, whichever portions they come in.
+class SquareSum {
+public:
+    /// So many vectors, at most, are held at a time.
+    explicit SquareSum(std::size_t most) : held_(most) {}
+
+    void add(const Field<double>& from, std::size_t first, std::size_t count);
+    /// Of all since the last call.
+    double take();
+
+private:
+    void finish_piece();
+
+    Field<double> held_;
+    std::size_t count_ = 0;
+    CompensatedSum sum_;
+};
+
 /// Computes sums over a scene's particles in double. Chains and grids are taken piece by piece, each of as many
 /// particles whoever asks, so that neither memory for all of them is needed nor does it matter in which portions they
 /// come.
@@ -44,10 +62,11 @@ private:
     std::size_t unit_;    ///< particles that pieces have in common: one of a chain, a row of a grid
     std::size_t length_;  ///< particles of a piece, without those it has in common with the next
 
-    State<double> piece_;
+    SquareSum squares_;      ///< of velocities
+    Field<double> piece_;    ///< displacements
     std::size_t held_ = 0;   ///< particles in it
     std::size_t taken_ = 0;  ///< particles of the scene that were shown
-    CompensatedSum squares_, value_, magnitude_, external_;
+    CompensatedSum value_, magnitude_, external_;
 };
 
 }  // namespace steplab

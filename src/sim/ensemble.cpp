@@ -1,14 +1,12 @@
 #include "sim/ensemble.hpp"
 
+#include "core/team.hpp"
 #include "sim/group_run.hpp"
 #include "sim/simulation_body.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 namespace steplab {
@@ -87,33 +85,16 @@ public:
         : runs_(runs), every_(every), execution_(execution), watch_(watch), results_(runs.size()) {}
 
     std::vector<EnsembleResult> results() {
-        const std::size_t most =
-            execution_.threads > 0 ? execution_.threads : std::max(1u, std::thread::hardware_concurrency());
-        const std::size_t threads = std::min(most, (runs_.size() + runs_at_once - 1) / runs_at_once);
-        {
-            std::vector<std::jthread> others;
-            for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { serve(); });
-            serve();
-        }
-        if (failure_) std::rethrow_exception(failure_);
+        const std::size_t count = (runs_.size() + runs_at_once - 1) / runs_at_once;
+        const std::size_t most = execution_.threads > 0 ? execution_.threads : processors();
+        Team(std::min(most, count)).share(count, [this](std::size_t i) {
+            const std::size_t first = i * runs_at_once;
+            compute(first, std::min(first + runs_at_once, runs_.size()));
+        });
         return std::move(results_);
     }
 
 private:
-    void serve() {
-        try {
-            while (!stopped_) {
-                const std::size_t first = next_.fetch_add(runs_at_once);
-                if (first >= runs_.size()) return;
-                compute(first, std::min(first + runs_at_once, runs_.size()));
-            }
-        } catch (...) {
-            const std::lock_guard lock(mutex_);
-            if (!stopped_) failure_ = std::current_exception();
-            stopped_ = true;
-        }
-    }
-
     void compute(std::size_t first, std::size_t end) {
         const StepsDone done = [this](std::uint64_t steps) { tell(steps); };
         while (first < end) {
@@ -137,11 +118,8 @@ private:
     Execution execution_;
     const std::function<void(std::uint64_t)>& watch_;
     std::vector<EnsembleResult> results_;
-    std::atomic<std::size_t> next_ = 0;
-    std::atomic<bool> stopped_ = false;
     std::mutex mutex_;  ///< of what follows
     std::uint64_t done_ = 0;
-    std::exception_ptr failure_;
 };
 
 }  // namespace

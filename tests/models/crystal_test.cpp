@@ -123,6 +123,46 @@ TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
     EXPECT_LT(renewed, 100);
 }
 
+/// Calls f(slab, cluster, others) for all clusters.
+template <class F>
+void each_row(const Clusters& clusters, F f) {
+    for (std::size_t slab = 0; slab < clusters.slabs().size(); ++slab) {
+        clusters.each(clusters.slabs()[slab], [&](std::uint32_t cluster, std::span<const Clusters::Other> others) {
+            f(slab, cluster, others);
+        });
+    }
+}
+
+// So slabs of even numbers can be summed at the same time, and then those of odd ones. Images along x, which a slab far
+// away may have, are of the first one alone.
+TEST(Clusters, are_in_slabs_that_meet_only_the_next_one) {
+    for (const double period : {0.0, 17.0, 18.0}) {
+        for (const double reach : {1.2, 2.3, 4.0}) {
+            const Scene scene = crystal({{"edge", 17}});
+            Field<double> u = scattered<double>(scene, 0.4);
+            for (double& number : u.flat()) number -= period > 0 ? period * std::round(number / period) : 0;
+            Clusters clusters;
+            clusters.make(
+                u.count(), [&](std::size_t i) { return u.at(i); }, reach, period);
+            const auto slabs = clusters.slabs();
+            ASSERT_GE(slabs.size(), 4u);
+            std::uint32_t rows = 0;
+            each_row(clusters, [&](std::size_t slab, std::uint32_t cluster, const auto& others) {
+                EXPECT_EQ(cluster, rows++);
+                for (const Clusters::Other other : others) {
+                    if (Clusters::periods(other.image(), 0) != 0) {
+                        EXPECT_EQ(slab, 0u);
+                    } else {
+                        EXPECT_GE(other.cluster(), slabs[slab].begin);
+                        EXPECT_LT(other.cluster(), slabs[std::min(slab + 1, slabs.size() - 1)].end);
+                    }
+                }
+            });
+            EXPECT_EQ(rows, clusters.count());
+        }
+    }
+}
+
 TEST(Clusters, list_each_pair_within_reach_once) {
     for (const double period : {0.0, 5.0, 8.0}) {
         const Scene scene = crystal({{"edge", 6}});
@@ -130,7 +170,8 @@ TEST(Clusters, list_each_pair_within_reach_once) {
         const auto nearest = [=](double d) { return period > 0 ? d - period * std::round(d / period) : d; };
         for (double& number : u.flat()) number = nearest(number);
         Clusters clusters;
-        clusters.make(u, 2.3, period);
+        clusters.make(
+            u.count(), [&](std::size_t i) { return u.at(i); }, 2.3, period);
         std::vector<std::size_t> particle(clusters.count() * Clusters::size, u.count());
         for (std::size_t i = 0; i < u.count(); ++i) particle[clusters.places()[i]] = i;
         std::set<std::pair<std::size_t, std::size_t>> found;
@@ -148,7 +189,7 @@ TEST(Clusters, list_each_pair_within_reach_once) {
                 }
             }
         };
-        clusters.each([&](std::uint32_t c, std::span<const Clusters::Other> others) {
+        each_row(clusters, [&](std::size_t, std::uint32_t c, std::span<const Clusters::Other> others) {
             look(c, {c, Clusters::own_image});
             for (const Clusters::Other other : others) look(c, other);
         });

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace steplab::test {
@@ -103,6 +106,25 @@ TEST(LargeBands, diverge_at_the_step_and_particle_at_which_one_thread_does) {
     EXPECT_EQ(one.divergence()->step, three.divergence()->step);
     EXPECT_EQ(one.divergence()->particle, three.divergence()->particle);
     EXPECT_EQ(one.hash(), three.hash());
+}
+
+// Lists are made anew several times; a drop without a period, of a size that is cut unevenly.
+TEST(LargePairs, are_summed_by_several_threads_as_by_one) {
+    for (const Precision precision : {Precision::double_, Precision::float_}) {
+        for (const auto& [name, values] : std::initializer_list<std::pair<const char*, std::map<std::string, double>>>{
+                 {"crystal", {{"edge", 19}, {"m", 1}}}, {"morse", {{"dim", 17}, {"cutoff", 1}, {"v0", 0.1}}}}) {
+            const RunDescription run = run_of(name, "velocity-verlet", precision, 0.01, values);
+            Simulation one(run, by_threads(1));
+            one.advance(40);
+            for (const std::size_t threads : {2U, 3U, 7U}) {
+                Simulation several(run, by_threads(threads));
+                several.advance(17);
+                several.restore(several.save());
+                several.advance(23);
+                EXPECT_EQ(several.hash(), one.hash()) << name << " by " << threads;
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -8,9 +8,13 @@
 
 namespace steplab {
 
+/// Threads that work side by side on this machine; at least one.
+std::size_t processors();
+
 /// Some threads, the caller's among them, that do the same work side by side. They sleep between.
 class Team {
 public:
+    /// The caller alone where fewer than two are asked for. Throws std::system_error if there are no threads to be had.
     explicit Team(std::size_t members);
     ~Team();
     Team(const Team&) = delete;
@@ -20,11 +24,20 @@ public:
     /// is stepped (FlushSubnormals).
     void run(const std::function<void(std::size_t)>& work);
     /// Called by all members within their work: nobody goes on before all are here.
-    void meet() { meeting_.arrive_and_wait(); }
+    void meet() {
+        if (members_ > 1) meeting_.arrive_and_wait();
+    }
+    std::size_t members() const { return members_; }
+
+    /// f(i) for each i below `count`, by whoever is free. Once one has thrown, no further one is begun, and the first
+    /// exception is thrown on.
+    void share(std::size_t count, const std::function<void(std::size_t)>& f);
 
 private:
     void serve(std::size_t member);
+    void dismiss();
 
+    std::size_t members_;
     std::barrier<> meeting_;
     const std::function<void(std::size_t)>* work_ = nullptr;  ///< null: it is time to go home
     std::vector<std::jthread> others_;

@@ -1,0 +1,56 @@
+#include "core/team.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+class TeamOf : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(TeamOf, does_every_piece_of_work_once) {
+    Team team(GetParam());
+    for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
+        std::vector<std::atomic<int>> done(count);
+        team.share(count, [&](std::size_t i) { ++done[i]; });
+        for (const std::atomic<int>& times : done) EXPECT_EQ(times, 1);
+    }
+}
+
+TEST_P(TeamOf, throws_on_the_first_exception_and_begins_nothing_after_it) {
+    Team team(GetParam());
+    std::atomic<std::size_t> begun = 0;
+    const auto fail = [&](std::size_t i) {
+        ++begun;
+        throw std::runtime_error(std::to_string(i));
+    };
+    EXPECT_THROW(team.share(1000, fail), std::runtime_error);
+    EXPECT_LE(begun, GetParam());
+    begun = 0;
+    team.share(10, [&](std::size_t) { ++begun; });
+    EXPECT_EQ(begun, 10u);  // it goes on working
+}
+
+TEST_P(TeamOf, meets_before_anybody_goes_on) {
+    Team team(GetParam());
+    std::atomic<std::size_t> here = 0;
+    std::atomic<bool> early = false;
+    team.run([&](std::size_t) {
+        for (std::size_t round = 1; round <= 100; ++round) {
+            ++here;
+            team.meet();
+            if (here != round * team.members()) early = true;
+            team.meet();
+        }
+    });
+    EXPECT_FALSE(early);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, TeamOf, testing::Values(1, 2, 5));
+
+}  // namespace
+}  // namespace steplab::test
