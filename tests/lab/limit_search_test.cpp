@@ -1,9 +1,11 @@
 #include "lab/limit_search.hpp"
 
 #include "core/entry.hpp"
+#include "core/error.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <span>
 #include <vector>
@@ -94,6 +96,15 @@ TEST(LimitSearch, takes_few_rounds_where_theory_is_about_right) {
     in_rounds(
         search, 8, [](const GrowthQuestion& question) { return question.dt > 0.4; }, far);
     EXPECT_GT(far.rounds, eight.rounds);
+}
+
+TEST(LimitSearch, refuses_to_look_where_theory_has_no_number) {
+    const LimitSearch search{.expected = std::nan(""), .above = 0, .time_scale = 1, .steps = 99};
+    Count count;
+    const Grows never = [](const GrowthQuestion&) { return false; };
+    EXPECT_THROW(one_by_one(search, never, count), UsageError);
+    EXPECT_THROW(in_rounds(search, 8, never, count), UsageError);
+    EXPECT_EQ(count.questions, 0u);
 }
 
 TEST(LimitSearch, goes_on_where_only_the_first_question_is_answered) {
