@@ -141,6 +141,7 @@ int guarded(const std::string& program, const std::function<int()>& body) {
 void keep_no_freed_memory() {
 #ifdef M_MMAP_THRESHOLD
     mallopt(M_MMAP_THRESHOLD, 1 << 20);  // glibc's own grows to 32 MiB, and what is freed below it leaves holes
+    mallopt(M_TRIM_THRESHOLD, 2 << 20);
 #endif
 }
 

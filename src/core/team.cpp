@@ -1,7 +1,5 @@
 #include "core/team.hpp"
 
-#include "core/flush_subnormals.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -31,8 +29,12 @@ void Team::dismiss() {
     meet();
 }
 
+void Team::meet() {
+    if (members_ > 1) meeting_.arrive_and_wait();
+}
+
 void Team::run(const std::function<void(std::size_t)>& work) {
-    const FlushSubnormals flush;
+    std::fegetenv(&mode_);
     work_ = &work;
     meet();
     work(0);
@@ -57,10 +59,10 @@ void Team::share(std::size_t count, const std::function<void(std::size_t)>& f) {
 }
 
 void Team::serve(std::size_t member) {
-    const FlushSubnormals flush;
     while (true) {
         meet();
         if (!work_) return;
+        std::fesetenv(&mode_);
         (*work_)(member);
         meet();
     }

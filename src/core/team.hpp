@@ -1,6 +1,7 @@
 #pragma once
 
 #include <barrier>
+#include <cfenv>
 #include <cstddef>
 #include <functional>
 #include <thread>
@@ -20,13 +21,11 @@ public:
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
-    /// work(i) for every member i, which must not throw; back when all are done. Subnormals are flushed as where a run
-    /// is stepped (FlushSubnormals).
+    /// work(i) for every member i, which must not throw; back when all are done. All compute in the floating-point mode
+    /// of the caller (FlushSubnormals).
     void run(const std::function<void(std::size_t)>& work);
     /// Called by all members within their work: nobody goes on before all are here.
-    void meet() {
-        if (members_ > 1) meeting_.arrive_and_wait();
-    }
+    void meet();
     std::size_t members() const { return members_; }
 
     /// f(i) for each i below `count`, by whoever is free. Once one has thrown, no further one is begun, and the first
@@ -39,6 +38,7 @@ private:
 
     std::size_t members_;
     std::barrier<> meeting_;
+    std::fenv_t mode_{};
     const std::function<void(std::size_t)>* work_ = nullptr;  ///< null: it is time to go home
     std::vector<std::jthread> others_;
 };

@@ -11,14 +11,15 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace steplab {
 
 /// For each cluster of four particles the others that at least one of them has within reach; together these lists hold
-/// every such pair once. Particles are numbered by the clusters they are in; behind all clusters is one whose particles
-/// are nowhere, and behind that, slab by slab, one for each image of a cluster, a period away or more, that somebody of
-/// the slab may meet. T is float or double.
+/// every such pair once. Particles are numbered by the clusters they are in; behind all clusters is, for each slab, one
+/// whose particles are nowhere, and behind these, slab by slab, one for each image of a cluster, a period away or more,
+/// that somebody of the slab may meet. T is float or double.
 template <class T>
 class ClusterLists {
 public:
@@ -42,6 +43,7 @@ public:
         std::vector<std::uint32_t> list;  ///< first numbers of particles; one group more than the rows have
         std::vector<Image> images;
         std::size_t first_image = 0;  ///< the first number of the first of them
+        std::uint32_t nowhere = 0;    ///< the first number of a particle that is nowhere
     };
 
     /// Rows are filled up to whole groups of so many others.
@@ -52,11 +54,12 @@ public:
         reach_ = reach;
         period_ = period;
         clusters_.make(particles, position, reach, period);
+        if (clusters_.count() > Clusters::most) refuse();
         gather_coordinates(particles, position);
         slabs_.resize(clusters_.slabs().size());
         team.share(slabs_.size(), [this](std::size_t i) { make(i); });
         coordinates_ = {};
-        count_ = nowhere() + numbers;
+        count_ = first_image();
         for (Slab& slab : slabs_) {
             slab.first_image = count_;
             count_ += slab.images.size() * numbers;
@@ -86,7 +89,11 @@ private:
         throw UsageError("the cut-off lets more pairs act than can be listed; choose a smaller one");
     }
 
-    std::uint32_t nowhere() const { return static_cast<std::uint32_t>(clusters_.count() * numbers); }
+    /// Numbers of particles that are nowhere: each slab adds to its own.
+    std::uint32_t nowhere(std::size_t slab) const {
+        return static_cast<std::uint32_t>((clusters_.count() + slab) * numbers);
+    }
+    std::uint32_t first_image() const { return nowhere(slabs_.size()); }
 
     /// Of every cluster x of its particles, then y, then z.
     void gather_coordinates(std::size_t particles, const Clusters::Position& position) {
@@ -101,31 +108,37 @@ private:
         }
     }
 
-    /// Its images are numbered from behind the particles that are nowhere, as if there were no other slab.
+    /// Its images are numbered as if there were no other slab.
     void make(std::size_t i) {
         const std::span<const Clusters::Slab> all = clusters_.slabs();
-        Slab& slab = slabs_[i];
+        Slab slab = std::move(slabs_[i]);
         slab.rows.clear();
         slab.list.clear();
         slab.images.clear();
-        Places places{i == 0 ? 0 : all[i].begin, {}};
+        slab.nowhere = nowhere(i);
+        Places places{all[i].begin, {}};
         const std::size_t end = i == 0 ? clusters_.count() : all[std::min(i + 1, all.size() - 1)].end;
         if (period_ > 0) places.of_image.resize((end - places.first) * Clusters::images);
         clusters_.each(all[i], [&, rows = all[i].end - all[i].begin](std::uint32_t cluster, const auto& others) {
-            // as long as the rows so far let expect: pages that are not reached cost nothing
-            const std::size_t room = slab.list.size() + (others.size() + 2) * size;
-            if (room > slab.list.capacity()) slab.list.reserve(room / (slab.rows.size() + 1) * rows + room);
+            make_room((others.size() + 2) * size, rows, slab);
             append_row(cluster, others, slab, places);
         });
-        slab.list.insert(slab.list.end(), group_, nowhere());  // for who looks ahead
+        slab.list.insert(slab.list.end(), group_, slab.nowhere);  // for who looks ahead
+        slabs_[i] = std::move(slab);
+    }
+
+    /// For so many more in the list: as many as the rows so far let expect, as pages that are not reached cost nothing.
+    static void make_room(std::size_t more, std::size_t rows, Slab& slab) {
+        const std::size_t room = slab.list.size() + more;
+        if (std::max(room, slab.images.size() * numbers) > most) refuse();
+        if (room > slab.list.capacity()) slab.list.reserve(room / (slab.rows.size() + 1) * rows + room);
     }
 
     void append_row(std::uint32_t cluster, std::span<const Clusters::Other> others, Slab& slab, Places& places) const {
         std::vector<std::uint32_t>& list = slab.list;
-        const std::size_t begin = list.size(), room = begin + (others.size() + 2) * size;
-        if (std::max(room, nowhere() + (slab.images.size() + others.size() + 1) * numbers) > most) refuse();
+        const std::size_t begin = list.size();
         const auto own = static_cast<std::uint32_t>(cluster * numbers);
-        list.resize(room);
+        list.resize(begin + (others.size() + 2) * size);
         for (std::uint32_t i = 0; i < size; ++i) list[begin + i] = own + static_cast<std::uint32_t>(i * stride);
         std::size_t end = begin + size;
         for (const Clusters::Other other : others) {
@@ -137,7 +150,7 @@ private:
                 end += near[j] != 0 ? 1 : 0;
             }
         }
-        for (; end % group_ > 0; ++end) list[end] = nowhere();
+        for (; end % group_ > 0; ++end) list[end] = slab.nowhere;
         list.resize(end);
         slab.rows.push_back({own, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
     }
@@ -167,15 +180,14 @@ private:
             slab.images.push_back({other.cluster(), shift_of(other.image())});
             place = static_cast<std::uint32_t>(slab.images.size());
         }
-        return nowhere() + static_cast<std::uint32_t>(place * numbers);
+        return first_image() + static_cast<std::uint32_t>((place - 1) * numbers);
     }
 
     /// Behind those of the slabs before.
     void number_images(Slab& slab) const {
-        const std::uint32_t last = nowhere();
-        const auto before = static_cast<std::uint32_t>(slab.first_image - numbers - last);
+        const std::uint32_t first = first_image(), before = static_cast<std::uint32_t>(slab.first_image) - first;
         if (before == 0) return;
-        for (std::uint32_t& number : slab.list) number += number > last ? before : 0;
+        for (std::uint32_t& number : slab.list) number += number >= first ? before : 0;
     }
 
     Vector<T> shift_of(std::uint32_t image) const {

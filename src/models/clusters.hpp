@@ -22,6 +22,8 @@ public:
     static constexpr std::size_t size = 4;
     /// Images of space: 9 (x + 1) + 3 (y + 1) + z + 1 for the one x, y, z periods away.
     static constexpr std::uint32_t own_image = 13, images = 27;
+    /// As many clusters can be told apart.
+    static constexpr std::size_t most = std::size_t{1} << 27;
 
     /// The second cluster of a pair, and its image.
     class Other {

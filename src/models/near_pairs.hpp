@@ -13,7 +13,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
+#include <utility>
 
 namespace steplab {
 
@@ -27,12 +29,16 @@ class NearPairs {
 
 public:
     explicit NearPairs(const NearPairForces& forces)
+        : NearPairs(forces, by_clusters ? std::make_shared<Team>(forces.threads) : nullptr) {}
+
+    NearPairs(const NearPairForces& forces, std::shared_ptr<Team> team)
         : forces_(forces),
+          team_(std::move(team)),
           count_(forces.count),
           morse_(morse_constants<T>(forces)),
           periods_(forces.period > 0 ? forces.period : 1),
           balance_(forces),
-          sums_(forces, morse_),
+          sums_(forces, morse_, team_),
           neighbours_(forces.cutoff, forces.period) {}
 
     /// The same forces in another number type.
@@ -54,7 +60,7 @@ public:
     /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does.
     void look_at_accelerations(const Field<T>& u, Field<T>& a) {
         if constexpr (by_clusters) {
-            if (!sums_.holds_at(u)) return NearPairs(forces_).accelerations(u, a);
+            if (!sums_.holds_at(u)) return NearPairs(forces_, team_).accelerations(u, a);
         }
         accelerations(u, a);
     }
@@ -74,7 +80,9 @@ public:
         if constexpr (by_clusters) {
             each_distance2_by_clusters(u, add);
         } else {
-            NearPairs(forces_).each_near_pair(u, [&](std::size_t, std::size_t, const T& distance2) { add(distance2); });
+            NearPairs(forces_, team_).each_near_pair(u, [&](std::size_t, std::size_t, const T& distance2) {
+                add(distance2);
+            });
         }
         return {value.value(), magnitude.value(), 0};
     }
@@ -113,7 +121,7 @@ public:
 
 private:
     struct NoClusters {
-        NoClusters(const NearPairForces&, const CutMorseConstants<T>&) {}
+        NoClusters(const NearPairForces&, const CutMorseConstants<T>&, const std::shared_ptr<Team>&) {}
     };
     template <bool, class Number>
     struct SumsOf {
@@ -174,6 +182,7 @@ private:
     }
 
     NearPairForces forces_;
+    std::shared_ptr<Team> team_;
     std::size_t count_;
     CutMorseConstants<T> morse_;
     Periods<T> periods_;

@@ -31,14 +31,15 @@ namespace steplab {
 template <class T>
 class PairList {
 public:
-    PairList(const NearPairForces& forces, const CutMorseConstants<T>& morse)
+    /// The team shares the work; its number of members changes no bit.
+    PairList(const NearPairForces& forces, const CutMorseConstants<T>& morse, std::shared_ptr<Team> team)
         : morse_(constants_as<N>(morse)),
           period_(forces.period),
           cutoff2_(morse.cutoff * morse.cutoff),
           reach_((1 + skin) * forces.cutoff),
           allowed_(most_moved * skin * forces.cutoff),
           periods_(forces.period > 0 ? forces.period : 1),
-          team_(std::make_shared<Team>(forces.threads)) {}
+          team_(std::move(team)) {}
 
     /// True if the lists hold all pairs nearer than the cut-off.
     bool holds_at(const Field<T>& u) {
@@ -54,17 +55,15 @@ public:
     const Field<T>& made_at() const { return made_at_; }
     /// Makes the lists of these positions.
     void make_at(const Field<T>& u) {
-        made_at_ = u;
-        if (u.count() == 0) return;
+        made_at_ = {};  // should it fail, there are none
         positions_ = {};
         sums_ = {};
-        const auto position = [&](std::size_t i) {
-            const Vector<T> p = in_period(u, i);
-            return Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-        };
+        const auto inside = [this](T at) { return static_cast<double>(period_ > 0 ? at - periods_.nearest(at) : at); };
+        const auto position = [&](std::size_t i) { return Vec3{inside(u.x()[i]), inside(u.y()[i]), inside(u.z()[i])}; };
         lists_.make(u.count(), position, reach_, period_, *team_);
         positions_.assign(lists_.count(), std::numeric_limits<T>::quiet_NaN());
         sums_.resize(lists_.count());
+        made_at_ = u;
     }
 
     /// Of the lists as they are.
@@ -74,12 +73,9 @@ public:
             place(u, part(member));
             clear_sums(member);
             team_->meet();
-            if (member == 0) place_images();
-            team_->meet();
             for (std::atomic<std::size_t>& slab : next) {
-                for (std::size_t i = slab.fetch_add(2); i < lists_.slabs().size(); i = slab.fetch_add(2)) {
-                    for (const Row& row : lists_.slabs()[i].rows) add_pulls(row, lists_.slabs()[i].list.data());
-                }
+                for (std::size_t i = slab.fetch_add(2); i < lists_.slabs().size(); i = slab.fetch_add(2))
+                    add_pulls(lists_.slabs()[i]);
                 team_->meet();
             }
             if (member == 0) add_up_images();
@@ -95,6 +91,7 @@ private:
     using Numbers = std::vector<T, CacheLineAllocator<T>>;
 
     using Row = typename ClusterLists<T>::Row;
+    using Slab = typename ClusterLists<T>::Slab;
 
     static constexpr std::uint32_t size = ClusterLists<T>::size;
     static constexpr std::size_t stride = ClusterLists<T>::stride, numbers = ClusterLists<T>::numbers;
@@ -146,16 +143,14 @@ private:
         }
     }
 
-    void place_images() {
-        for (const auto& slab : lists_.slabs()) {
-            T* to = positions_.data() + slab.first_image;
-            for (const auto& [cluster, shift] : slab.images) {
-                const std::array<T, stride> along{shift.x, shift.y, shift.z, T(0)};
-                const Four by = Four::load_anywhere(along.data());
-                const T* const from = positions_.data() + cluster * numbers;
-                for (std::size_t k = 0; k < numbers; k += stride) (Four::load(from + k) + by).store(to + k);
-                to += numbers;
-            }
+    void place_images(const Slab& slab) {
+        T* to = positions_.data() + slab.first_image;
+        for (const auto& [cluster, shift] : slab.images) {
+            const std::array<T, stride> along{shift.x, shift.y, shift.z, T(0)};
+            const Four by = Four::load_anywhere(along.data());
+            const T* const from = positions_.data() + cluster * numbers;
+            for (std::size_t k = 0; k < numbers; k += stride) (Four::load(from + k) + by).store(to + k);
+            to += numbers;
         }
     }
 
@@ -166,7 +161,7 @@ private:
 
     /// What pulls at an image pulls at its particle.
     void add_up_images() {
-        for (const auto& slab : lists_.slabs()) {
+        for (const Slab& slab : lists_.slabs()) {
             const T* from = sums_.data() + slab.first_image;
             for (const auto& image : slab.images) {
                 T* const to = sums_.data() + image.cluster * numbers;
@@ -214,8 +209,8 @@ private:
     [[gnu::always_inline]] static Distances once(Distances pairs, std::uint32_t j) {
         const N place = N::each([](std::size_t lane) { return static_cast<T>(lane % size); });
         const N other = N::each([=](std::size_t lane) {
-            const std::size_t row = lane / size;
-            return static_cast<T>(j + row);
+            const std::size_t which = lane / size;
+            return static_cast<T>(j + which);
         });
         pairs.square = where(place < other, pairs.square, N(std::numeric_limits<T>::infinity()));
         return pairs;
@@ -264,6 +259,12 @@ private:
         });
     }
 
+    /// Adds to the sums of the slab, of its images and of the next slab.
+    void add_pulls(const Slab& slab) {
+        place_images(slab);
+        for (const Row& row : slab.rows) add_pulls(row, slab.list.data());
+    }
+
     void add_pulls(const Row& row, const std::uint32_t* list) {
         Sums sums;
         sums.fill({N(T(0)), N(T(0)), N(T(0))});
@@ -299,7 +300,7 @@ private:
     double reach_;
     double allowed_;
     Periods<T> periods_;
-    std::shared_ptr<Team> team_;  ///< of copies too: they work in turns
+    std::shared_ptr<Team> team_;  ///< of copies too, as they work in turns
     ClusterLists<T> lists_{group};
     Field<T> made_at_;
     Numbers positions_, sums_;

@@ -1,8 +1,10 @@
 #include "sim/bands.hpp"
 
+#include "core/flush_subnormals.hpp"
 #include "core/team.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -67,6 +69,7 @@ public:
     }
 
     void advance(std::uint64_t steps) override {
+        const FlushSubnormals flush;
         team_.run([&](std::size_t i) {
             for (std::uint64_t left = steps; left > 0;) {
                 const std::uint64_t taken = std::min<std::uint64_t>(left, together_);
@@ -167,8 +170,13 @@ std::optional<std::size_t> reach_of(const Method& method, const StepperSetup& se
         ->reach();
 }
 
-/// Pairs take so many times the time of springs.
+/// A particle whose pairs are summed takes at least as long as so many with springs.
 constexpr std::size_t time_of_pairs = 5;
+
+/// Threads that slabs are enough for (Clusters::slabs()), about.
+std::size_t most_threads(const NearPairForces& forces) {
+    return static_cast<std::size_t>(std::cbrt(static_cast<double>(forces.count)) / 6);
+}
 
 /// Of those allowed, as many threads as it takes.
 std::size_t paying_threads(const Execution& execution, std::size_t particles) {
@@ -179,7 +187,8 @@ std::size_t paying_threads(const Execution& execution, std::size_t particles) {
 /// In one piece, whose forces may be summed by several threads.
 std::unique_ptr<Stepper> make_whole(const Method& method, const StepperSetup& setup, const Execution& execution) {
     const auto* const pairs = std::get_if<NearPairForces>(&setup.scene.forces);
-    const std::size_t threads = pairs ? paying_threads(execution, pairs->count * time_of_pairs) : 1;
+    if (!pairs) return method.make(setup);
+    const std::size_t threads = std::min(paying_threads(execution, pairs->count * time_of_pairs), most_threads(*pairs));
     if (threads < 2) return method.make(setup);
     Scene scene = setup.scene;
     std::get<NearPairForces>(scene.forces).threads = threads;

@@ -104,6 +104,7 @@ void EnergyMeter::begin() {
     const std::size_t capacity = std::min(count_, length_ + unit_);
     if (piece_.count() != capacity) piece_ = Field<double>(capacity);
     held_ = taken_ = 0;
+    squares_.take();
     value_ = magnitude_ = external_ = {};
 }
 

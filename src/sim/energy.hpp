@@ -7,6 +7,7 @@
 #include "models/model.hpp"
 #include "sim/stepper.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -24,7 +25,7 @@ struct Energy {
 class SquareSum {
 public:
     /// So many vectors, at most, are held at a time.
-    explicit SquareSum(std::size_t most) : held_(most) {}
+    explicit SquareSum(std::size_t most) : held_(std::max<std::size_t>(1, most)) {}
 
     void add(const Field<double>& from, std::size_t first, std::size_t count);
     /// Of all since the last call.

@@ -1,8 +1,11 @@
 #include "core/team.hpp"
 
+#include "core/flush_subnormals.hpp"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,6 +51,24 @@ TEST_P(TeamOf, meets_before_anybody_goes_on) {
         }
     });
     EXPECT_FALSE(early);
+}
+
+TEST_P(TeamOf, computes_in_the_mode_of_the_caller) {
+    Team team(GetParam());
+    const auto subnormals = [&] {
+        std::atomic<std::size_t> kept = 0;
+        team.run([&](std::size_t) {
+            volatile double least = std::numeric_limits<double>::min();
+            kept += least / 2 > 0 ? 1 : 0;
+        });
+        return kept.load();
+    };
+    EXPECT_EQ(subnormals(), team.members());
+    {
+        const FlushSubnormals flush;
+        EXPECT_EQ(subnormals(), 0u);
+    }
+    EXPECT_EQ(subnormals(), team.members());
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, TeamOf, testing::Values(1, 2, 5));
