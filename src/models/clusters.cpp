@@ -51,8 +51,8 @@ void Clusters::make(std::size_t particles, const Position& position, double reac
 void Clusters::choose_columns(std::size_t particles, const Position& position) {
     double volume = period_ * period_ * period_;
     if (period_ == 0) {
-        constexpr double most = std::numeric_limits<double>::max();
-        Vec3 low{most, most, most}, high{-most, -most, -most};
+        constexpr double largest = std::numeric_limits<double>::max();
+        Vec3 low{largest, largest, largest}, high{-largest, -largest, -largest};
         for (std::size_t i = 0; i < particles; ++i) {
             const Vec3 p = position(i);
             if (!somewhere(p)) continue;
@@ -92,10 +92,10 @@ void Clusters::sort(std::size_t particles, const Position& position) {
 }
 
 void Clusters::add_cluster() {
-    constexpr float most = std::numeric_limits<float>::infinity();
+    constexpr float outside = std::numeric_limits<float>::infinity();
     for (Bounds& along : bounds_) {
-        along.low.push_back(most);
-        along.high.push_back(-most);
+        along.low.push_back(outside);
+        along.high.push_back(-outside);
     }
 }
 
@@ -159,7 +159,7 @@ void Clusters::each(const Slab& slab, const std::function<void(std::uint32_t, st
 /// Columns before this one have listed their pairs with it themselves.
 std::vector<Clusters::Adjacent> Clusters::adjacent(const Column& column) const {
     std::vector<Adjacent> result;
-    const int most = static_cast<int>(range());
+    const int around = static_cast<int>(range());
     const int row = static_cast<int>(columns_a_row_);
     const auto in_period = [row](int& at) {
         if (row == 0) return 0;
@@ -167,8 +167,8 @@ std::vector<Clusters::Adjacent> Clusters::adjacent(const Column& column) const {
         at -= image * row;
         return image;
     };
-    for (int dx = -most; dx <= most; ++dx) {
-        for (int dy = -most; dy <= most; ++dy) {
+    for (int dx = -around; dx <= around; ++dx) {
+        for (int dy = -around; dy <= around; ++dy) {
             int x = static_cast<int>(column.x) + dx, y = static_cast<int>(column.y) + dy;
             const int image_x = in_period(x), image_y = in_period(y);
             if (x < 0 || y < 0) continue;
