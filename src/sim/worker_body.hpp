@@ -25,7 +25,7 @@ struct Worker::Body {
     using Clock = std::chrono::steady_clock;
 
     /// Of the time of a run that has none to spare: for views, and for moments to come back to.
-    static constexpr double part_for_views = 0.03, part_for_history = 0.01;
+    static constexpr double part_for_views = 0.02, part_for_history = 0.01;
     /// But a picture that moves less often than this is of no use to who watches.
     static constexpr std::chrono::milliseconds longest_without_view{500};
 
