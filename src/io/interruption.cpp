@@ -22,7 +22,7 @@ void catch_interruptions() {
     sigemptyset(&action.sa_mask);
     // The second one ends the program at once, whatever it is busy with. Without SA_RESTART a write that waits
     // returns, so that a blocked program can end.
-    action.sa_flags = SA_RESETHAND;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
