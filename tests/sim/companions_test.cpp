@@ -182,7 +182,7 @@ TEST(Companions, go_on_in_a_segment_that_begins_before_where_they_are) {
 TEST(Companions, stop_between_segments_without_steps_too) {
     Flock flock(test::run_of("chain", "euler", Precision::double_, 0.05), {.runs = count});
     flock.companions.go_to(0, flock.segments);
-    for (int i = 0; i < 100; ++i) flock.pull(5 + i % 2, {10, 0.01 * i, 0});
+    for (std::size_t i = 0; i < 100; ++i) flock.pull(5 + i % 2, {10, 0.01 * static_cast<double>(i), 0});
     int asked = 0;
     EXPECT_FALSE(flock.companions.go_to(0, flock.segments, [&] { return ++asked > 0; }));
     EXPECT_EQ(asked, 1);
