@@ -1,12 +1,13 @@
 #include "io/ordered_writer.hpp"
 
+#include "core/team.hpp"
+
 #include <algorithm>
 #include <utility>
 
 namespace steplab {
 
-OrderedWriter::OrderedWriter(OutputFile& file)
-    : file_(file), most_threads_(std::clamp(std::thread::hardware_concurrency(), 1U, 16U)) {}
+OrderedWriter::OrderedWriter(OutputFile& file) : file_(file), most_threads_(std::min<std::size_t>(processors(), 16)) {}
 
 OrderedWriter::~OrderedWriter() {
     for (std::jthread& thread : threads_) thread.request_stop();

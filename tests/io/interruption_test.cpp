@@ -1,0 +1,35 @@
+#include "io/interruption.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace steplab::test {
+namespace {
+
+// Each in a process of its own.
+class InterruptionDeathTest : public testing::TestWithParam<int> {
+protected:
+    static void interrupt(int times) {
+        catch_interruptions();
+        for (int i = 0; i < times; ++i) std::raise(GetParam());
+        try {
+            check_interruption();
+        } catch (const Interrupted&) {
+            std::_Exit(7);
+        }
+        std::_Exit(0);
+    }
+};
+
+TEST_P(InterruptionDeathTest, is_told_the_first_time_and_ends_the_program_the_second) {
+    EXPECT_EXIT(interrupt(0), testing::ExitedWithCode(0), "");
+    EXPECT_EXIT(interrupt(1), testing::ExitedWithCode(7), "");
+    EXPECT_EXIT(interrupt(2), testing::KilledBySignal(GetParam()), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, InterruptionDeathTest, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+}  // namespace
+}  // namespace steplab::test
