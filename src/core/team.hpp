@@ -27,6 +27,13 @@ public:
     /// Called by all members within their work: nobody goes on before all are here.
     void meet();
     std::size_t members() const { return members_; }
+    /// What of `count` things is a member's, if each has as many.
+    struct Part {
+        std::size_t begin, end;
+    };
+    Part part(std::size_t count, std::size_t member) const {
+        return {count * member / members_, count * (member + 1) / members_};
+    }
 
     /// f(i) for each i below `count`, by whoever is free. Once one has thrown, no further one is begun, and the first
     /// exception is thrown on.

@@ -24,6 +24,8 @@ template <class T>
 class ClusterLists {
 public:
     static constexpr std::uint32_t size = Clusters::size;
+    /// So far ahead in the list somebody may look: at least a group.
+    static constexpr std::uint32_t ahead = 64;
     /// Numbers of a particle: x, y, z and one that means nothing; and of a cluster.
     static constexpr std::size_t stride = 4, numbers = size * stride;
 
@@ -40,7 +42,7 @@ public:
     /// What the clusters of a slab need.
     struct Slab {
         std::vector<Row> rows;
-        std::vector<std::uint32_t> list;  ///< first numbers of particles; one group more than the rows have
+        std::vector<std::uint32_t> list;  ///< first numbers of particles; `ahead` more than the rows have
         std::vector<Image> images;
         std::size_t first_image = 0;  ///< the first number of the first of them
         std::uint32_t nowhere = 0;    ///< the first number of a particle that is nowhere
@@ -53,7 +55,7 @@ public:
     void make(std::size_t particles, const Clusters::Position& position, double reach, double period, Team& team) {
         reach_ = reach;
         period_ = period;
-        clusters_.make(particles, position, reach, period);
+        clusters_.make(particles, position, reach, period, team);
         if (clusters_.count() > Clusters::most) refuse();
         gather_coordinates(particles, position);
         slabs_.resize(clusters_.slabs().size());
@@ -123,7 +125,7 @@ private:
             make_room((others.size() + 2) * size, rows, slab);
             append_row(cluster, others, slab, places);
         });
-        slab.list.insert(slab.list.end(), group_, slab.nowhere);  // for who looks ahead
+        slab.list.insert(slab.list.end(), ahead, slab.nowhere);
         slabs_[i] = std::move(slab);
     }
 

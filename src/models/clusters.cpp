@@ -1,6 +1,7 @@
 #include "models/clusters.hpp"
 
 #include "core/lanes.hpp"
+#include "core/team.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -14,7 +15,7 @@ namespace {
 /// Columns along an axis that a key can tell apart; whoever is farther out shares the outermost column.
 constexpr std::uint32_t most_columns = 1 << 16;
 /// Clusters whose distances are computed side by side.
-constexpr std::uint32_t side_by_side = 4;
+constexpr std::uint32_t side_by_side = 8;
 /// From which on there is more than one slab.
 constexpr std::size_t many_clusters = 1024;
 /// In a column of their own: particles that are nowhere.
@@ -37,11 +38,11 @@ float above(double number) { return static_cast<float>(number) + std::abs(static
 
 }  // namespace
 
-void Clusters::make(std::size_t particles, const Position& position, double reach, double period) {
+void Clusters::make(std::size_t particles, const Position& position, double reach, double period, Team& team) {
     reach_ = reach;
     period_ = period;
     choose_columns(particles, position);
-    sort(particles, position);
+    sort(particles, position, team);
     form_clusters(position);
     form_slabs();
     placed_ = {};
@@ -75,19 +76,31 @@ std::uint32_t Clusters::column_at(double position) const {
     return static_cast<std::uint32_t>(std::clamp(column + 0.5 * most_columns, 0.0, most_columns - 2.0));
 }
 
-void Clusters::sort(std::size_t particles, const Position& position) {
+std::uint64_t Clusters::key_at(Vec3 position) const {
+    if (!somewhere(position)) return nowhere;
+    const std::uint64_t x = column_at(position.x), y = column_at(position.y);
+    return x << 48 | y << 32 | ordered(static_cast<float>(position.z));
+}
+
+/// Each of the team sorts a part; then parts are merged two by two.
+void Clusters::sort(std::size_t particles, const Position& position, Team& team) {
     placed_.resize(particles);
-    for (std::size_t i = 0; i < placed_.size(); ++i) {
-        const Vec3 p = position(i);
-        std::uint64_t key = nowhere;
-        if (somewhere(p)) {
-            const std::uint64_t x = column_at(p.x), y = column_at(p.y);
-            key = x << 48 | y << 32 | ordered(static_cast<float>(p.z));
-        }
-        placed_[i] = {key, static_cast<std::uint32_t>(i)};
-    }
-    std::sort(placed_.begin(), placed_.end(), [](const Placed& a, const Placed& b) {
+    const auto begin_of = [&](std::size_t member) {
+        const std::size_t begin = member < team.members() ? team.part(particles, member).begin : particles;
+        return placed_.begin() + static_cast<std::ptrdiff_t>(begin);
+    };
+    const auto before = [](const Placed& a, const Placed& b) {
         return a.key != b.key ? a.key < b.key : a.particle < b.particle;
+    };
+    team.run([&](std::size_t member) {
+        const auto [begin, end] = team.part(particles, member);
+        for (std::size_t i = begin; i < end; ++i) placed_[i] = {key_at(position(i)), static_cast<std::uint32_t>(i)};
+        std::sort(begin_of(member), begin_of(member + 1), before);
+        for (std::size_t merged = 1; merged < team.members(); merged *= 2) {
+            team.meet();
+            if (member % (2 * merged) == 0)
+                std::inplace_merge(begin_of(member), begin_of(member + merged), begin_of(member + 2 * merged), before);
+        }
     });
 }
 
@@ -150,7 +163,8 @@ void Clusters::each(const Slab& slab, const std::function<void(std::uint32_t, st
         auto columns = adjacent(columns_[k]);
         for (std::uint32_t cluster = columns_[k].begin; cluster < columns_[k].end; ++cluster) {
             others.clear();
-            for (Adjacent& adjacent : columns) append_others(cluster, adjacent, others);
+            const Box box = box_of(cluster);
+            for (Adjacent& adjacent : columns) append_others(box, adjacent, others);
             f(cluster, others);
         }
     }
@@ -183,75 +197,101 @@ std::vector<Clusters::Adjacent> Clusters::adjacent(const Column& column) const {
     return result;
 }
 
+Clusters::Box Clusters::box_of(std::uint32_t cluster) const {
+    Box box{cluster, {}, {}, 0, 0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.low[axis] = bounds_[axis].low[cluster];
+        box.high[axis] = bounds_[axis].high[cluster];
+    }
+    if (period_ == 0) return box;
+    // an image begins and ends half a period from its middle
+    const auto half = static_cast<float>(period_) / 2, reach = static_cast<float>(reach_);
+    box.first_z = reach - box.low[2] >= half ? -1 : 0;
+    box.last_z = box.high[2] + reach >= half ? 1 : 0;
+    return box;
+}
+
 /// The clusters of a column go from below upwards, and so do those they are within reach of.
-void Clusters::append_others(std::uint32_t cluster, Adjacent& adjacent, Others& others) const {
-    const Bounds& up = bounds_[2];
-    const auto period = static_cast<float>(period_), reach = static_cast<float>(reach_);
-    const float low = up.low[cluster], high = up.high[cluster];
-    for (int z = period_ > 0 ? -1 : 0; z <= (period_ > 0 ? 1 : 0); ++z) {
-        const float shift = static_cast<float>(z) * period;
-        // an image begins and ends half a period from its middle
-        if (z != 0 && static_cast<float>(z) * (z < 0 ? low : high) + reach < period / 2) continue;
-        const int place = z + 1;
-        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(place)];
-        while (first < adjacent.end && up.high[first] + shift < low - reach) ++first;
+void Clusters::append_others(const Box& box, Adjacent& adjacent, Others& others) const {
+    const float* const high = bounds_[2].high.data();
+    const float lowest = box.low[2] - static_cast<float>(reach_);
+    for (int z = box.first_z; z <= box.last_z; ++z) {
+        const float shift = static_cast<float>(z) * static_cast<float>(period_);
+        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(z + 1)];
+        while (first < adjacent.end && high[first] + shift < lowest) ++first;
         const auto image = static_cast<std::uint32_t>(9 * (adjacent.x + 1) + 3 * (adjacent.y + 1) + z + 1);
         // each pair once
-        const std::uint32_t from = std::max(first, image > own_image ? cluster : cluster + 1);
-        append_within_reach(cluster, from, adjacent.end, image, others);
+        const std::uint32_t from = std::max(first, image > own_image ? box.cluster : box.cluster + 1);
+        append_within_reach(moved_back(box, image), from, adjacent.end, image, others);
     }
 }
 
-/// Of a column's clusters.
-void Clusters::append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image,
+/// What an image is to the cluster, its original is to this.
+Clusters::Box Clusters::moved_back(Box box, std::uint32_t image) const {
+    if (image == own_image) return box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float shift = static_cast<float>(periods(image, axis)) * static_cast<float>(period_);
+        box.low[axis] -= shift;
+        box.high[axis] -= shift;
+    }
+    return box;
+}
+
+/// Of a column's clusters. Without branches, as the next of them is near as often as not.
+void Clusters::append_within_reach(const Box& box, std::uint32_t from, std::uint32_t to, std::uint32_t image,
                                    Others& others) const {
     using Lanes = RegisterLanes<float, side_by_side>;
-    const auto shift = [&](std::size_t axis) {
-        return static_cast<float>(periods(image, axis)) * static_cast<float>(period_);
-    };
-    const std::array<float, 3> shifts{shift(0), shift(1), shift(2)};
-    const float reach2 = static_cast<float>(reach_ * reach_);
-    const float highest = bounds_[2].high[cluster] + static_cast<float>(reach_);
-    for (std::uint32_t other = from; other < to && bounds_[2].low[other] + shifts[2] <= highest;
-         other += side_by_side) {
+    const float reach2 = static_cast<float>(reach_ * reach_), highest = box.high[2] + static_cast<float>(reach_);
+    for (std::uint32_t other = from; other < to && bounds_[2].low[other] <= highest; other += side_by_side) {
         Lanes distance2(0.0F);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto& [low, high] = bounds_[axis];
-            const Lanes up = Lanes::load_anywhere(low.data() + other) + Lanes(shifts[axis] - high[cluster]);
-            const Lanes down = Lanes(low[cluster] - shifts[axis]) - Lanes::load_anywhere(high.data() + other);
+            const Lanes up = Lanes::load_anywhere(bounds_[axis].low.data() + other) - Lanes(box.high[axis]);
+            const Lanes down = Lanes(box.low[axis]) - Lanes::load_anywhere(bounds_[axis].high.data() + other);
             const Lanes apart = where(up < down, down, up), none(0.0F);
-            distance2 += where(none < apart, apart * apart, none);
+            const Lanes gap = where(none < apart, apart, none);
+            distance2 += gap * gap;
         }
-        const auto far = Lanes(reach2) < distance2;
-        for (std::uint32_t lane = 0; lane < side_by_side && other + lane < to; ++lane) {
-            if (!far[lane]) others.emplace_back(other + lane, image);
+        alignas(64) std::array<float, side_by_side> squares;
+        distance2.store(squares.data());
+        std::size_t end = others.size();
+        others.resize(end + side_by_side);
+        for (std::uint32_t lane = 0; lane < side_by_side; ++lane) {
+            others[end] = Other(other + lane, image);
+            end += squares[lane] <= reach2 && other + lane < to ? 1 : 0;
         }
+        others.resize(end);
     }
 }
 
 void each_near_distance2(std::size_t particles, const Clusters::Position& position, double cutoff, double period,
-                         const std::function<void(double)>& f) {
+                         Team& team, const std::function<void(std::span<const double>)>& f) {
     Clusters clusters;
-    clusters.make(particles, position, cutoff, period);
+    clusters.make(particles, position, cutoff, period, team);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     std::vector<Vec3> at(clusters.count() * Clusters::size, Vec3{none, none, none});
     for (std::size_t i = 0; i < particles; ++i) at[clusters.places()[i]] = position(i);
-    const auto look = [&](std::size_t a, std::size_t b, Vec3 shift) {
-        const Vec3 d = at[b] + shift - at[a];
-        if (dot(d, d) < cutoff * cutoff) f(dot(d, d));
+    std::vector<double> near;
+    const auto look = [&, cutoff2 = cutoff * cutoff](Vec3 own, std::size_t from, std::size_t to) {
+        std::size_t end = near.size();
+        near.resize(end + Clusters::size);
+        for (std::size_t b = from; b < to; ++b) {
+            const Vec3 d = at[b] - own;
+            near[end] = dot(d, d);
+            end += near[end] < cutoff2 ? 1 : 0;
+        }
+        near.resize(end);
     };
     const auto look_at_all = [&](std::uint32_t cluster, std::span<const Clusters::Other> others) {
         const std::size_t first = cluster * Clusters::size, end = first + Clusters::size;
-        for (std::size_t a = first; a < end; ++a) {
-            for (std::size_t b = a + 1; b < end; ++b) look(a, b, {});
-        }
+        near.clear();
+        for (std::size_t a = first; a < end; ++a) look(at[a], a + 1, end);
         for (const Clusters::Other other : others) {
             const auto along = [&](std::size_t axis) { return period * Clusters::periods(other.image(), axis); };
             const Vec3 shift{along(0), along(1), along(2)};
-            for (std::size_t a = first; a < end; ++a) {
-                for (std::size_t b = 0; b < Clusters::size; ++b) look(a, other.cluster() * Clusters::size + b, shift);
-            }
+            const std::size_t begin = other.cluster() * Clusters::size;
+            for (std::size_t a = first; a < end; ++a) look(at[a] - shift, begin, begin + Clusters::size);
         }
+        f(near);
     };
     for (const Clusters::Slab& slab : clusters.slabs()) clusters.each(slab, look_at_all);
 }

@@ -11,6 +11,8 @@
 
 namespace steplab {
 
+class Team;
+
 /// Particles that are near each other in clusters of four, and the pairs of clusters that may hold two particles within
 /// reach: what a kernel needs that computes 4 x 4 pairs in registers (Pall and Hess, Comput. Phys. Commun. 184 (2013)
 /// 2641). Columns along z have a cross-section about as wide as a cluster; the particles of a column, from below, four
@@ -46,8 +48,9 @@ public:
     /// Tells where a particle is; with a period, where that of its images is which is within half a period of the
     /// origin.
     using Position = std::function<Vec3(std::size_t)>;
-    /// A period is 0 for none, else at least `reach`. Particles that are nowhere are in clusters without pairs.
-    void make(std::size_t particles, const Position& position, double reach, double period);
+    /// A period is 0 for none, else at least `reach`. Particles that are nowhere are in clusters without pairs. The
+    /// team shares the sorting.
+    void make(std::size_t particles, const Position& position, double reach, double period, Team& team);
 
     std::size_t count() const { return count_; }
     /// Clusters from `begin` to `end`, those of columns side by side. So thick that a pair of clusters is within one
@@ -84,10 +87,17 @@ private:
         int x, y;                            ///< image
         std::array<std::uint32_t, 3> first;  ///< no cluster before is within reach, by image along z
     };
+    /// Where the particles of a cluster are, and which images along z may be within their reach.
+    struct Box {
+        std::uint32_t cluster;
+        std::array<float, 3> low, high;
+        int first_z, last_z;
+    };
 
     void choose_columns(std::size_t particles, const Position& position);
     std::uint32_t column_at(double position) const;
-    void sort(std::size_t particles, const Position& position);
+    std::uint64_t key_at(Vec3 position) const;
+    void sort(std::size_t particles, const Position& position, Team& team);
     void form_clusters(const Position& position);
     void form_slabs();
     void add_cluster();
@@ -95,8 +105,10 @@ private:
     std::uint32_t range() const;
     std::vector<Adjacent> adjacent(const Column& column) const;
     using Others = std::vector<Other>;
-    void append_others(std::uint32_t cluster, Adjacent& adjacent, Others& others) const;
-    void append_within_reach(std::uint32_t cluster, std::uint32_t from, std::uint32_t to, std::uint32_t image,
+    Box box_of(std::uint32_t cluster) const;
+    Box moved_back(Box box, std::uint32_t image) const;
+    void append_others(const Box& box, Adjacent& adjacent, Others& others) const;
+    void append_within_reach(const Box& box, std::uint32_t from, std::uint32_t to, std::uint32_t image,
                              Others& others) const;
 
     double reach_ = 0, period_ = 0;
@@ -110,9 +122,9 @@ private:
     std::vector<Slab> slabs_;
 };
 
-/// Calls f(square of the distance) for all pairs of particles nearer than the cut-off; the rest as for
+/// Calls f(squares of distances), some at a time, for all pairs of particles nearer than the cut-off; the rest as for
 /// Clusters::make().
 void each_near_distance2(std::size_t particles, const Clusters::Position& position, double cutoff, double period,
-                         const std::function<void(double)>& f);
+                         Team& team, const std::function<void(std::span<const double>)>& f);
 
 }  // namespace steplab

@@ -2,9 +2,9 @@
 
 #include "core/field.hpp"
 #include "core/stages.hpp"
-#include "core/sum.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
+#include "models/morse_energies.hpp"
 #include "models/morse_pair.hpp"
 #include "models/neighbours.hpp"
 #include "models/pair_list.hpp"
@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -36,7 +37,7 @@ public:
           team_(std::move(team)),
           count_(forces.count),
           morse_(morse_constants<T>(forces)),
-          periods_(forces.period > 0 ? forces.period : 1),
+          periods_(forces.period),
           balance_(forces),
           sums_(forces, morse_, team_),
           neighbours_(forces.cutoff, forces.period) {}
@@ -71,20 +72,19 @@ public:
     void history(const Field<T>& made_at) requires(by_clusters) { sums_.make_at(made_at); }
 
     PotentialEnergy potential(const Field<T>& u) const {
-        CompensatedSum value, magnitude;
-        const auto add = [&](const T& distance2) {
-            const double energy = static_cast<double>(morse_energy(morse_, square_root(distance2)));
-            value.add(energy);
-            magnitude.add(energy < 0 ? -energy : energy);
-        };
+        MorseEnergies<T, CutMorseConstants<T>> energies(morse_);
         if constexpr (by_clusters) {
-            each_distance2_by_clusters(u, add);
+            const auto position = [&](std::size_t i) { return within_period(periods_, u, i); };
+            each_near_distance2(count_, position, forces_.cutoff, forces_.period, *team_,
+                                [&](std::span<const double> near) {
+                                    for (const double distance2 : near) energies.add(static_cast<T>(distance2));
+                                });
         } else {
             NearPairs(forces_, team_).each_near_pair(u, [&](std::size_t, std::size_t, const T& distance2) {
-                add(distance2);
+                energies.add(distance2);
             });
         }
-        return {value.value(), magnitude.value(), 0};
+        return energies.sum();
     }
 
     /// Calls f(i, j), i < j, for pairs within reach that turn round between two positions.
@@ -101,8 +101,7 @@ public:
     /// The vector from particle i to the nearest image of particle j.
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
         const Vector<T> d{u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
-        if (forces_.period == 0) return d;
-        return {d.x - periods_.nearest(d.x), d.y - periods_.nearest(d.y), d.z - periods_.nearest(d.z)};
+        return {periods_.within(d.x), periods_.within(d.y), periods_.within(d.z)};
     }
     /// What the formulas are given.
     Vector<T> difference(const Field<T>& u, std::size_t i, std::size_t j) const { return separation(u, i, j); }
@@ -131,17 +130,6 @@ private:
     struct SumsOf<true, Number> {
         using Type = PairList<Number>;
     };
-
-    /// Calls f(square of the distance) for pairs nearer than the cut-off, in an order that positions alone decide.
-    template <class F>
-    void each_distance2_by_clusters(const Field<T>& u, F f) const {
-        const auto inside = [this](T at) {
-            return static_cast<double>(forces_.period > 0 ? at - periods_.nearest(at) : at);
-        };
-        const auto position = [&](std::size_t i) { return Vec3{inside(u.x()[i]), inside(u.y()[i]), inside(u.z()[i])}; };
-        each_near_distance2(count_, position, forces_.cutoff, forces_.period,
-                            [&](double distance2) { f(static_cast<T>(distance2)); });
-    }
 
     /// Calls f(i, j, square of the distance), i < j, for pairs nearer than the cut-off.
     template <class F>

@@ -38,7 +38,7 @@ public:
           cutoff2_(morse.cutoff * morse.cutoff),
           reach_((1 + skin) * forces.cutoff),
           allowed_(most_moved * skin * forces.cutoff),
-          periods_(forces.period > 0 ? forces.period : 1),
+          periods_(forces.period),
           team_(std::move(team)) {}
 
     /// True if the lists hold all pairs nearer than the cut-off.
@@ -58,8 +58,7 @@ public:
         made_at_ = {};  // should it fail, there are none
         positions_ = {};
         sums_ = {};
-        const auto inside = [this](T at) { return static_cast<double>(period_ > 0 ? at - periods_.nearest(at) : at); };
-        const auto position = [&](std::size_t i) { return Vec3{inside(u.x()[i]), inside(u.y()[i]), inside(u.z()[i])}; };
+        const auto position = [&](std::size_t i) { return within_period(periods_, u, i); };
         lists_.make(u.count(), position, reach_, period_, *team_);
         positions_.assign(lists_.count(), std::numeric_limits<T>::quiet_NaN());
         sums_.resize(lists_.count());
@@ -97,6 +96,9 @@ private:
     static constexpr std::size_t stride = ClusterLists<T>::stride, numbers = ClusterLists<T>::numbers;
     /// Others of a group, on every machine, and those of them that go side by side.
     static constexpr std::uint32_t group = CacheLineLanes<T>::count / size, at_once = N::count / size;
+    /// Others that are fetched before it is their turn.
+    static constexpr std::uint32_t ahead = 32;
+    static_assert(ahead + group <= ClusterLists<T>::ahead && 2 * group <= ClusterLists<T>::ahead);
     /// Of the parts of a group.
     using Sums = std::array<Vector<N>, group / at_once>;
 
@@ -112,14 +114,9 @@ private:
         return {within(u.x(), made_at_.x()), within(u.y(), made_at_.y()), within(u.z(), made_at_.z())};
     }
 
-    /// Particles, or numbers, that are a member's.
-    struct Part {
-        std::size_t begin, end;
-    };
-    Part part(std::size_t member) const { return part_of(made_at_.count(), member); }
-    Part part_of(std::size_t count, std::size_t member) const {
-        return {count * member / team_->members(), count * (member + 1) / team_->members()};
-    }
+    using Part = Team::Part;
+    /// Particles that are a member's.
+    Part part(std::size_t member) const { return team_->part(made_at_.count(), member); }
 
     bool any_moved(const Field<T>& u, Part part) const {
         const T *const x = u.x() + part.begin, *const y = u.y() + part.begin, *const z = u.z() + part.begin;
@@ -155,7 +152,7 @@ private:
     }
 
     void clear_sums(std::size_t member) {
-        const Part part = part_of(sums_.size(), member);
+        const Part part = team_->part(sums_.size(), member);
         std::fill(sums_.data() + part.begin, sums_.data() + part.end, T(0));
     }
 
@@ -236,6 +233,7 @@ private:
             }
         }
         for (std::uint32_t k = row.begin + size; k < row.end; k += group) {
+            fetch(list + k + ahead);
 #pragma GCC unroll 4
             for (std::uint32_t part = 0; part < group / at_once; ++part) {
                 const std::uint32_t at = k + part * at_once;
@@ -243,6 +241,15 @@ private:
                 look(at + at_once);
                 f(pairs, list + at, part);
             }
+        }
+    }
+
+    /// Tells the processor that the others of a group will be needed: who sorts by columns finds particles of the next
+    /// ones in second-level caches or behind them.
+    [[gnu::always_inline]] void fetch(const std::uint32_t* others) const {
+        for (std::uint32_t k = 0; k < group; ++k) {
+            __builtin_prefetch(positions_.data() + others[k]);
+            __builtin_prefetch(sums_.data() + others[k], 1);
         }
     }
 

@@ -3,9 +3,9 @@
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/stages.hpp"
-#include "core/sum.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
+#include "models/morse_energies.hpp"
 #include "models/morse_pair.hpp"
 #include "models/pair_block.hpp"
 
@@ -86,17 +86,14 @@ public:
     }
 
     PotentialEnergy potential(const Field<T>& u) const {
-        CompensatedSum value, magnitude;
+        MorseEnergies<T, MorseConstants<T>> energies(morse_);
         for (std::size_t i = 0; i < count_; ++i) {
             for (std::size_t j = i + 1; j < count_; ++j) {
                 const T dx = u.x()[i] - u.x()[j], dy = u.y()[i] - u.y()[j], dz = u.z()[i] - u.z()[j];
-                const double energy =
-                    static_cast<double>(morse_energy(morse_, square_root(dx * dx + dy * dy + dz * dz)));
-                value.add(energy);
-                magnitude.add(std::abs(energy));
+                energies.add(dx * dx + dy * dy + dz * dz);
             }
         }
-        return {value.value(), magnitude.value(), 0};
+        return energies.sum();
     }
 
     /// Calls f(i, j), i < j, for pairs that turn round between two positions.

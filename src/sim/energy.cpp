@@ -1,7 +1,5 @@
 #include "sim/energy.hpp"
 
-#include "core/lanes.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -37,32 +35,6 @@ std::size_t shared(const Whole&) {
     return 0;
 }
 
-/// Energy of what pulls at the first `own` of these particles from one another and from those behind them.
-PotentialEnergy energy_of_piece(LineForces forces, const Field<double>& u, std::size_t held, std::size_t own) {
-    forces.count = held;
-    return Line<double>(forces).potential(u, own);
-}
-PotentialEnergy energy_of_piece(GridForces forces, const Field<double>& u, std::size_t held, std::size_t own) {
-    forces.rows = held / forces.columns;
-    return Grid<double>(forces).potential(u, own / forces.columns);
-}
-template <class Whole>
-PotentialEnergy energy_of_piece(const Whole& forces, const Field<double>& u, std::size_t, std::size_t) {
-    return engine<double>(forces).potential(u);
-}
-
-double sum_of_squares(const Field<double>& v, std::size_t count) {
-    using Many = CacheLineLanes<double>;
-    LanesSum<Many> squares;
-    for (const double* component : {v.x(), v.y(), v.z()}) {
-        for (std::size_t i = 0; i < count; i += Many::count) {
-            const Many velocities = where(Many::first(count - i), Many::load(component + i), Many(0.0));
-            squares.add(velocities * velocities);
-        }
-    }
-    return squares.value();
-}
-
 /// Copies particles to another place.
 void copy(const Field<double>& from, std::size_t first, std::size_t count, Field<double>& to, std::size_t place) {
     std::copy_n(from.x() + first, count, to.x() + place);
@@ -87,18 +59,19 @@ double SquareSum::take() {
 }
 
 void SquareSum::finish_piece() {
-    sum_.add(sum_of_squares(held_, count_));
+    sum_.add(sums_->squares(held_, count_));
     count_ = 0;
 }
 
-EnergyMeter::EnergyMeter(const Scene& scene)
-    : mass_(scene.mass),
+EnergyMeter::EnergyMeter(const Scene& scene, Instructions instructions)
+    : sums_(&energy_sums(instructions)),
+      mass_(scene.mass),
       forces_(scene.forces),
       floor_(std::visit([](const auto& forces) { return floor_of(forces); }, forces_)),
       count_(scene.reference.count),
       unit_(std::visit([](const auto& forces) { return shared(forces); }, forces_)),
       length_(unit_ > 0 ? std::max<std::size_t>(1, piece_length / unit_) * unit_ : count_),
-      squares_(std::min(count_, piece_length)) {}
+      squares_(*sums_, std::min(count_, piece_length)) {}
 
 void EnergyMeter::begin() {
     const std::size_t capacity = std::min(count_, length_ + unit_);
@@ -127,8 +100,7 @@ void EnergyMeter::add(const Portion& portion) {
 void EnergyMeter::finish_piece() {
     const bool last = taken_ == count_;
     const std::size_t own = last ? held_ : length_;
-    const auto potential =
-        std::visit([&](const auto& forces) { return energy_of_piece(forces, piece_, held_, own); }, forces_);
+    const auto potential = sums_->potential(forces_, piece_, held_, own);
     value_.add(potential.value), magnitude_.add(potential.magnitude), external_.add(potential.external);
     held_ -= own;
     copy(piece_, own, held_, piece_, 0);

@@ -2,9 +2,10 @@
 
 #include "core/diagnostics.hpp"
 #include "core/field.hpp"
+#include "core/instructions.hpp"
 #include "core/sum.hpp"
-#include "models/layouts.hpp"
 #include "models/model.hpp"
+#include "sim/energy_sums.hpp"
 #include "sim/stepper.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ struct Energy {
 class SquareSum {
 public:
     /// So many vectors, at most, are held at a time.
-    explicit SquareSum(std::size_t most) : held_(std::max<std::size_t>(1, most)) {}
+    SquareSum(const EnergySums& sums, std::size_t most) : sums_(&sums), held_(std::max<std::size_t>(1, most)) {}
 
     void add(const Field<double>& from, std::size_t first, std::size_t count);
     /// Of all since the last call.
@@ -34,6 +35,7 @@ public:
 private:
     void finish_piece();
 
+    const EnergySums* sums_;
     Field<double> held_;
     std::size_t count_ = 0;
     CompensatedSum sum_;
@@ -44,7 +46,7 @@ private:
 /// come.
 class EnergyMeter {
 public:
-    explicit EnergyMeter(const Scene& scene);
+    EnergyMeter(const Scene& scene, Instructions instructions);
 
     /// Of all particles, which `look` shows to what it is given, as Stepper::look() does.
     Energy energy(const std::function<void(const PortionSink&)>& look);
@@ -56,6 +58,7 @@ private:
     void add(const Portion& portion);
     void finish_piece();
 
+    const EnergySums* sums_;
     double mass_;
     Forces forces_;
     double floor_;

@@ -27,8 +27,11 @@ struct Member {
     bool open = true;       ///< under way
     bool diverged = false;  ///< or may have done so
 
-    explicit Member(const EnsembleRun& run)
-        : held(as_held(run.description)), scene(model(held.model).scene(held.scene)), meter(scene), steps(run.steps) {}
+    Member(const EnsembleRun& run, const Execution& execution)
+        : held(as_held(run.description)),
+          scene(model(held.model).scene(held.scene)),
+          meter(scene, execution.instructions),
+          steps(run.steps) {}
 
     StepperSetup setup(const Execution& execution) const {
         return {scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions};
@@ -144,7 +147,7 @@ struct Together {
     Together(std::span<const EnsembleRun> runs, const Execution& execution) {
         for (const EnsembleRun& run : runs.first(std::min(runs.size(), most_side_by_side))) {
             if (!same_engine(run.description, runs.front().description)) return;
-            auto member = std::make_unique<Member>(run);
+            auto member = std::make_unique<Member>(run, execution);
             const StepperSetup setup = member->setup(execution);
             if (setups.empty() ? !goes_side_by_side(setup) : !alike(setups.front(), setup)) return;
             members.push_back(std::move(member));

@@ -10,7 +10,7 @@ Segment::Segment(const RunDescription& given, const Execution& how)
       held(as_held(given)),
       execution(how),
       scene(model(held.model).scene(held.scene)),
-      meter(scene) {
+      meter(scene, how.instructions) {
     restart();
 }
 
@@ -19,7 +19,7 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
       held(as_held(given)),
       execution(how),
       scene(model(held.model).scene(held.scene)),
-      meter(scene) {
+      meter(scene, how.instructions) {
     scene.start = start;
     restart();
 }

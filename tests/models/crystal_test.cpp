@@ -1,3 +1,4 @@
+#include "core/team.hpp"
 #include "models/clusters.hpp"
 #include "models/layouts.hpp"
 #include "models/plain.hpp"
@@ -142,8 +143,9 @@ TEST(Clusters, are_in_slabs_that_meet_only_the_next_one) {
             Field<double> u = scattered<double>(scene, 0.4);
             for (double& number : u.flat()) number -= period > 0 ? period * std::round(number / period) : 0;
             Clusters clusters;
+            Team alone(1);
             clusters.make(
-                u.count(), [&](std::size_t i) { return u.at(i); }, reach, period);
+                u.count(), [&](std::size_t i) { return u.at(i); }, reach, period, alone);
             const auto slabs = clusters.slabs();
             ASSERT_GE(slabs.size(), 4u);
             std::uint32_t rows = 0;
@@ -163,6 +165,23 @@ TEST(Clusters, are_in_slabs_that_meet_only_the_next_one) {
     }
 }
 
+// More members than a power of two, and than particles.
+TEST(Clusters, are_the_same_whoever_sorts) {
+    for (const double edge : {1.0, 6.0, 17.0}) {
+        const Scene scene = crystal({{"edge", edge}, {"cutoff", edge / 3}});
+        const Field<double> u = scattered<double>(scene, 0.4);
+        const auto places = [&](std::size_t members) {
+            Team team(members);
+            Clusters clusters;
+            clusters.make(
+                u.count(), [&](std::size_t i) { return u.at(i); }, 2.3, 0, team);
+            return std::vector<std::uint32_t>(clusters.places().begin(), clusters.places().end());
+        };
+        const auto alone = places(1);
+        for (const std::size_t members : {2u, 3u, 4u, 7u}) EXPECT_EQ(places(members), alone) << edge << " " << members;
+    }
+}
+
 TEST(Clusters, list_each_pair_within_reach_once) {
     for (const double period : {0.0, 5.0, 8.0}) {
         const Scene scene = crystal({{"edge", 6}});
@@ -170,8 +189,9 @@ TEST(Clusters, list_each_pair_within_reach_once) {
         const auto nearest = [=](double d) { return period > 0 ? d - period * std::round(d / period) : d; };
         for (double& number : u.flat()) number = nearest(number);
         Clusters clusters;
+        Team alone(1);
         clusters.make(
-            u.count(), [&](std::size_t i) { return u.at(i); }, 2.3, period);
+            u.count(), [&](std::size_t i) { return u.at(i); }, 2.3, period, alone);
         std::vector<std::size_t> particle(clusters.count() * Clusters::size, u.count());
         for (std::size_t i = 0; i < u.count(); ++i) particle[clusters.places()[i]] = i;
         std::set<std::pair<std::size_t, std::size_t>> found;
