@@ -45,7 +45,13 @@ const std::optional<StabilityLimit>& Simulation::limit() const { return body_->s
 const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
 
 std::uint64_t Simulation::evaluations() const {
-    return settled().evaluations_before + body_->segment.stepper->evaluations();
+    settled();
+    return advanced().evaluations;
+}
+
+Simulation::Advanced Simulation::advanced() const {
+    return {body_->step, body_->evaluations_before + body_->segment.stepper->evaluations(),
+            body_->divergence.has_value()};
 }
 
 CollisionRecord Simulation::collisions() const { return settled().segment.stepper->collisions(); }

@@ -60,6 +60,13 @@ public:
     /// Steps from one check of the energy to the next, counted from the start of the segment.
     std::uint64_t check_interval() const;
     const std::optional<Divergence>& divergence() const;
+    /// What advance() has come to: it may turn out to lead beyond a divergence once somebody looks at all particles, as
+    /// the other functions do.
+    struct Advanced {
+        std::uint64_t step, evaluations;
+        bool diverged;
+    };
+    Advanced advanced() const;
     /// stability_limit() of the present description, computed once.
     const std::optional<StabilityLimit>& limit() const;
 

@@ -22,14 +22,15 @@ void Worker::Body::loop() {
             if (stopping) return;
         }
         bool told = carry_out_commands();
-        const std::uint64_t before = simulation.step();
+        const std::uint64_t before = simulation.advanced().step;
         const bool behind = companions_are_behind();
         if (behind) bring_companions(slice);
         if (playing && !went_well([this] { take_steps(); })) {
             give_up();
             told = true;
         }
-        if (told || ((behind || simulation.step() != before || simulation.divergence()) && affordable())) publish();
+        const auto [step, evaluations, diverged] = simulation.advanced();
+        if (told || ((behind || step != before || diverged) && affordable())) publish();
     }
 }
 
@@ -66,20 +67,22 @@ void Worker::Body::bring_companions(Pace::Duration most) {
     pace.begin(Clock::now());
 }
 
-/// Of the run and its companions alike, so that they stay together.
+/// Of the run and its companions alike, so that they stay together. Whether all numbers are finite is left to who looks:
+/// to ask after every few steps would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
     if (companions_are_behind()) return;
     const auto begin = Clock::now();
     const std::uint64_t due = pace.steps_due(begin, rate, simulation.dt(), slice);
     if (due == 0) return;
-    const std::uint64_t evaluations = simulation.evaluations(), before = simulation.step();
+    const auto before = simulation.advanced();
     simulation.advance(due);
-    if (companions && simulation.step() > before) companions->go_to(simulation.step(), segments);
-    const std::uint64_t taken = std::max(simulation.step(), before) - before;
-    pace.took(taken, std::max(simulation.evaluations(), evaluations) - evaluations,
+    if (companions && simulation.step() > before.step) companions->go_to(simulation.step(), segments);
+    const auto after = simulation.advanced();
+    const std::uint64_t taken = std::max(after.step, before.step) - before.step;
+    pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
               static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), rate);
     keep_moment();
-    if (simulation.divergence()) playing = false;
+    if (after.diverged) playing = false;
 }
 
 /// Something to come back to; in a large scene that is a copy as costly as some steps.
@@ -99,6 +102,7 @@ bool Worker::Body::affordable() const {
 /// Makes `view` one of the present moment.
 void Worker::Body::see() {
     look(simulation, tracked, view);
+    if (view.divergence) playing = false;
     view.playing = playing;
     view.cloud = cloud;
     view.cloud_reading = {.step = companions ? companions->step() : 0};
