@@ -185,7 +185,7 @@ private:
     template <class Particles, class Stage>
     void sweep_together(const Force& force, Particles& particles, std::size_t registers, std::size_t together,
                         Stage stage) {
-        if (under_way_.size() < together) under_way_.resize(together, typename Force::Sweep());
+        if (under_way_.size() < together) under_way_.resize(together);
         for (std::size_t s = 0; s < together; ++s) under_way_[s].restart();
         const std::size_t behind = force.registers_ahead();
         const std::size_t block = together > 1 ? block_registers : registers;

@@ -24,11 +24,9 @@ class Line {
     using N = Lanes<T>;
     using Vec = Vector<N>;
     static constexpr std::size_t width = N::count;
-
-    /// What a sweep carries from register to register: positions, and pulls of the springs before them.
-    struct Passed {
-        Vec here, before;
-    };
+    /// Registers of springs that a sweep computes before they are needed: their roots and divisions take as long as all
+    /// else that it does for some of them.
+    static constexpr std::size_t ahead = 3;
 
 public:
     explicit Line(const LineForces& forces)
@@ -55,7 +53,8 @@ public:
         if constexpr (SideBySide<T>) return accelerate_in_turn<3>(u, a);
         const FieldLanes<T> out(a);
         const FieldLanes<const T> positions(u);
-        Sweep().to(*this, registers(), positions, [&](std::size_t r, const Vec& sum) { out.set(r, sum); });
+        Sweep sweep;  // not Sweep(), which would be filled with zeros
+        sweep.to(*this, registers(), positions, [&](std::size_t r, const Vec& sum) { out.set(r, sum); });
     }
 
     /// One sweep over all particles (methods/sweeps.hpp). `positions.get(r)` are those of the r-th register of
@@ -68,19 +67,49 @@ public:
         /// Goes on up to this register.
         template <class Positions, class Sink>
         void to(const Line& line, std::size_t end, Positions positions, Sink sink) {
-            Passed passed = at_ == 0 ? line.begin(positions) : passed_;
-            for (std::size_t r = at_; r < end; ++r) line.pass(r, line.registers(), positions, sink, passed);
-            passed_ = passed;
+            const std::size_t registers = line.registers();
+            Vec here = here_, before = before_;
+            const auto look = [&](std::size_t r) __attribute__((always_inline)) {
+                const Vec next = r + 1 < registers ? positions.get(r + 1) : here;
+                keep(r, line, line.springs(here, next));
+                here = next;
+            };
+            if (at_ == 0) {
+                here = positions.get(0);
+                before = none();
+                for (std::size_t r = 0; r < std::min(ahead, registers); ++r) look(r);
+            }
+            for (std::size_t r = at_; r < end; ++r) {
+                if (r + ahead < registers) look(r + ahead);
+                sink(r, line.sum(r, registers, kept(r), before));
+            }
+            here_ = here;
+            before_ = before;
             at_ = end;
         }
 
     private:
+        /// Registers of springs: 0, 1, ... are in places 0, 1, ... and again 0, 1, ...
+        static constexpr std::size_t places = ahead + 1;
+
+        /// Their pulls in two parts.
+        [[gnu::always_inline]] void keep(std::size_t r, const Line& line, const SpringGeometry<N>& springs) {
+            T* const to = ahead_.data() + r % places * 4 * width;
+            spring_factor(springs, N(line.length_), N(line.stiffness_)).store(to);
+            springs.d.x.store(to + width), springs.d.y.store(to + 2 * width), springs.d.z.store(to + 3 * width);
+        }
+        [[gnu::always_inline]] Vec kept(std::size_t r) const {
+            const T* const from = ahead_.data() + r % places * 4 * width;
+            return N::load(from) * Vec{N::load(from + width), N::load(from + 2 * width), N::load(from + 3 * width)};
+        }
+
         std::size_t at_ = 0;
-        Passed passed_{};
+        Vec here_{}, before_{};  ///< positions to go on with; pulls of the springs before
+        alignas(64) std::array<T, places * 4 * width> ahead_;
     };
 
     /// How many registers ahead of its place a sweep reads.
-    static constexpr std::size_t registers_ahead() { return 1; }
+    static constexpr std::size_t registers_ahead() { return ahead + 1; }
     /// So many sweeps, one behind the other, find the particles in the first-level cache.
     static constexpr std::size_t sweeps_together() { return 16; }
 
@@ -88,9 +117,9 @@ public:
     static constexpr std::size_t most_registers = std::max<std::size_t>(2, (10 + width - 1) / width);
     template <std::size_t Registers, class Positions, class Sink>
     [[gnu::always_inline]] void sweep(Positions positions, Sink sink) const {
-        Passed passed = begin(positions);
+        Vec here = positions.get(0), before = none();
         [&]<std::size_t... R>(std::index_sequence<R...>) __attribute__((always_inline)) {
-            (pass(R, Registers, positions, sink, passed), ...);
+            (pass(R, Registers, positions, sink, here, before), ...);
         }
         (std::make_index_sequence<Registers>{});
     }
@@ -190,35 +219,47 @@ private:
 
     std::size_t registers() const { return (forces_.count + width - 1) / width; }
 
-    template <class Positions>
-    [[gnu::always_inline]] Passed begin(const Positions& positions) const {
+    static Vec none() {
         const N zero(T(0));
-        return {positions.get(0), {zero, zero, zero}};
+        return {zero, zero, zero};
     }
 
-    /// Hands out the accelerations of register r of so many.
+    /// Hands out the accelerations of register r of so many. `here` are its positions and `before` the pulls of the
+    /// springs before it; they become those of the next.
     template <class Positions, class Sink>
     [[gnu::always_inline]] void pass(std::size_t r, std::size_t registers, const Positions& positions, Sink& sink,
-                                     Passed& passed) const {
-        const Vec next = r + 1 < registers ? positions.get(r + 1) : passed.here;
-        Vec pull = pulls(passed.here, next);
+                                     Vec& here, Vec& before) const {
+        const Vec next = r + 1 < registers ? positions.get(r + 1) : here;
+        const Vec pull = pulls(here, next);
+        here = next;
+        sink(r, sum(r, registers, pull, before));
+    }
+
+    [[gnu::always_inline]] Vec pulls(const Vec& here, const Vec& next) const {
+        return spring_pull(springs(here, next), N(length_), N(stiffness_));
+    }
+
+    /// The springs that begin at the particles of one register; `next` holds the particles after them.
+    [[gnu::always_inline]] SpringGeometry<N> springs(const Vec& here, const Vec& next) const {
+        const auto along = [](const N& from, const N& to) __attribute__((always_inline)) {
+            return N::shifted_down(from, to) - from;
+        };
+        const Vec e{along(here.x, next.x), along(here.y, next.y), along(here.z, next.z)};
+        return {Offset<N, Zero, Zero>{N(length_), {}, {}}, e};
+    }
+
+    /// The accelerations of register r of so many by the pulls of its springs and of those of the register before,
+    /// whose place these take.
+    [[gnu::always_inline]] Vec sum(std::size_t r, std::size_t registers, Vec pull, Vec& before) const {
         const bool last = r + 1 == registers;
         if (last) pull = first_lanes(forces_.count - 1 - r * width, pull);
-        Vec sum{pull.x - N::shifted_up(passed.before.x, pull.x), pull.y - N::shifted_up(passed.before.y, pull.y),
-                pull.z - N::shifted_up(passed.before.z, pull.z)};
+        Vec sum{pull.x - N::shifted_up(before.x, pull.x), pull.y - N::shifted_up(before.y, pull.y),
+                pull.z - N::shifted_up(before.z, pull.z)};
         if (falls_)
             sum.y = sum.y - (last ? where(N::first(forces_.count - r * width), N(gravity_), N(T(0))) : N(gravity_));
         if (r == 0 && first_moving_ > 0) sum = after_first(sum);
-        passed = {next, pull};
-        sink(r, sum);
-    }
-
-    /// Of the springs that begin at the particles of one register; `next` holds the particles after them.
-    [[gnu::always_inline]] Vec pulls(const Vec& here, const Vec& next) const {
-        const Vec e =
-            Vec{N::shifted_down(here.x, next.x), N::shifted_down(here.y, next.y), N::shifted_down(here.z, next.z)} -
-            here;
-        return spring_pull(Offset<N, Zero, Zero>{N(length_), {}, {}}, N(length_), N(stiffness_), e);
+        before = pull;
+        return sum;
     }
 
     /// Numbers that fill registers by themselves: spring after spring, whose pull stays in registers for the next. The

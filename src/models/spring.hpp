@@ -47,15 +47,20 @@ struct SpringGeometry {
           distance(square_root(distance2)) {}
 };
 
-/// stiffness (|d| - length) d / |d|: the pull of a spring on its first particle. Zero for coincident particles, where
-/// the derivative is that of a spring of rest length 0, which has one. Inlined by order: whole registers of numbers
-/// would be handed over through memory.
+/// stiffness (|d| - length) / |d|. Inlined by order: whole registers of numbers would be handed over through memory.
+/// The denominator is 0 where |d|^2 is, which is known before the root.
+template <class N>
+[[gnu::always_inline]] inline N spring_factor(const SpringGeometry<N>& spring, const N& length, const N& stiffness) {
+    const N denominator = spring.distance2 + length * spring.distance;
+    return where(spring.distance2 > N(0), stiffness * spring.stretch / denominator, stiffness);
+}
+
+/// This times d: the pull of a spring on its first particle. Zero for coincident particles, where the derivative is
+/// that of a spring of rest length 0, which has one.
 template <class N>
 [[gnu::always_inline]] inline Vector<N> spring_pull(const SpringGeometry<N>& spring, const N& length,
                                                     const N& stiffness) {
-    const N denominator = spring.distance2 + length * spring.distance;
-    const N factor = where(denominator > N(0), stiffness * spring.stretch / denominator, stiffness);
-    return factor * spring.d;
+    return spring_factor(spring, length, stiffness) * spring.d;
 }
 template <class Rest, class N>
 [[gnu::always_inline]] inline Vector<N> spring_pull(const Rest& rest, const N& length, const N& stiffness,

@@ -67,8 +67,8 @@ void Worker::Body::bring_companions(Pace::Duration most) {
     pace.begin(Clock::now());
 }
 
-/// Of the run and its companions alike, so that they stay together. Whether all numbers are finite is left to who looks:
-/// to ask after every few steps would take a large scene as long as some of them.
+/// Of the run and its companions alike, so that they stay together. Whether all numbers are finite is left to who
+/// looks: to ask after every few steps would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
     if (companions_are_behind()) return;
     const auto begin = Clock::now();
