@@ -24,7 +24,7 @@ template <class T>
 class ClusterLists {
 public:
     static constexpr std::uint32_t size = Clusters::size;
-    /// So far ahead in the list somebody may look: at least a group.
+    /// So far behind its end somebody may look who goes through a list.
     static constexpr std::uint32_t ahead = 64;
     /// Numbers of a particle: x, y, z and one that means nothing; and of a cluster.
     static constexpr std::size_t stride = 4, numbers = size * stride;

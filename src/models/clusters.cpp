@@ -217,7 +217,8 @@ void Clusters::append_others(const Box& box, Adjacent& adjacent, Others& others)
     const float lowest = box.low[2] - static_cast<float>(reach_);
     for (int z = box.first_z; z <= box.last_z; ++z) {
         const float shift = static_cast<float>(z) * static_cast<float>(period_);
-        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(z + 1)];
+        const int place = z + 1;
+        std::uint32_t& first = adjacent.first[static_cast<std::size_t>(place)];
         while (first < adjacent.end && high[first] + shift < lowest) ++first;
         const auto image = static_cast<std::uint32_t>(9 * (adjacent.x + 1) + 3 * (adjacent.y + 1) + z + 1);
         // each pair once

@@ -73,7 +73,7 @@ private:
         std::uint64_t key;
         std::uint32_t particle;
     };
-    /// Where the particles of clusters are, along one axis; after the last one more, infinitely far away.
+    /// Where the particles of clusters are, along one axis; after the last, some more that are infinitely far away.
     struct Bounds {
         std::vector<float> low, high;
     };

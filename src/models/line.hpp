@@ -92,7 +92,7 @@ public:
         /// Registers of springs: 0, 1, ... are in places 0, 1, ... and again 0, 1, ...
         static constexpr std::size_t places = ahead + 1;
 
-        /// Their pulls in two parts.
+        /// The factor and the vector of each: its pull, but for the product.
         [[gnu::always_inline]] void keep(std::size_t r, const Line& line, const SpringGeometry<N>& springs) {
             T* const to = ahead_.data() + r % places * 4 * width;
             spring_factor(springs, N(line.length_), N(line.stiffness_)).store(to);

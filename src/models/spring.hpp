@@ -48,7 +48,7 @@ struct SpringGeometry {
 };
 
 /// stiffness (|d| - length) / |d|. Inlined by order: whole registers of numbers would be handed over through memory.
-/// The denominator is 0 where |d|^2 is, which is known before the root.
+/// The denominator is 0 where |d|^2 is, which is known before the root. Not a number where |d|^2 is too large for one.
 template <class N>
 [[gnu::always_inline]] inline N spring_factor(const SpringGeometry<N>& spring, const N& length, const N& stiffness) {
     const N denominator = spring.distance2 + length * spring.distance;

@@ -170,7 +170,7 @@ Change Simulation::change(const RunDescription& description) {
 
 void Simulation::pull(std::size_t particle, Vec3 position) {
     if (particle >= particles() || shape()->roles[particle] == Role::fixed) return;
-    body_->pull(particle, position - body_->segment.scene.reference.at(particle));
+    settled().pull(particle, position - body_->segment.scene.reference.at(particle));
 }
 
 void Simulation::restart() {

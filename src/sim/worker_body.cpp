@@ -52,6 +52,7 @@ bool Worker::Body::carry_out_commands() {
     }
     if (taken.empty() && !description) return false;
     error.clear();
+    if (playing && simulation.divergence()) playing = false;  // before a command begins something new
     went_well([&] {
         if (description) apply(*description);
         for (const auto& command : taken) command(*this);
@@ -82,7 +83,7 @@ void Worker::Body::take_steps() {
     pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
               static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), rate);
     keep_moment();
-    if (after.diverged) playing = false;
+    if (simulation.advanced().diverged) playing = false;
 }
 
 /// Something to come back to; in a large scene that is a copy as costly as some steps.

@@ -68,6 +68,15 @@ TEST(Energies, have_the_same_bits_by_every_instruction_set) {
     }
 }
 
+TEST(Energies, have_the_same_bits_by_any_number_of_threads) {
+    Moment moment = after(run_of("crystal", "verlet", Precision::double_, 0.005, {{"edge", 12}}), 20);
+    const auto expected = numbers(energy_of(moment, fastest_instructions()));
+    for (const std::size_t threads : {2u, 3u, 5u}) {
+        std::get<NearPairForces>(moment.scene.forces).threads = threads;
+        EXPECT_EQ(numbers(energy_of(moment, fastest_instructions())), expected) << threads;
+    }
+}
+
 // Terms of either sign have a sum as large as the rounding of each: a pair's distance of some ulp, which b = 5 of the
 // steepest well multiplies, in its magnitude.
 constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <tuple>
 
 namespace steplab::test {
@@ -230,6 +231,30 @@ TEST(Diagnostics, add_up) {
     EXPECT_EQ(later.energy_error, later.energy - start.energy);
     EXPECT_GT(later.max_displacement, 0.5);
     EXPECT_LT(*later.error, 1e-5);  // rk4's error at dt = 0.1
+}
+
+// Whoever pulls grasps what he saw, and that is finite.
+TEST(Pull, of_a_run_that_has_diverged_unseen_begins_at_the_last_good_step) {
+    const RunDescription description = run_of("chain", "velocity-verlet", Precision::float_, 2);
+    Simulation seen(description), unseen(description);
+    for (Simulation* const simulation : {&seen, &unseen}) simulation->advance(20);
+    ASSERT_TRUE(seen.divergence());
+    for (Simulation* const simulation : {&seen, &unseen}) simulation->pull(5, {10, 1, 0});
+    EXPECT_EQ(unseen.step(), seen.step());
+    EXPECT_EQ(distance(unseen.frame(), seen.frame()), 0);
+    EXPECT_TRUE(std::isfinite(unseen.energy()));
+}
+
+// Asked after every few steps, so it must cost nothing.
+TEST(Advanced, tells_how_far_steps_were_taken_and_looks_at_no_particle) {
+    Simulation simulation(run_of("chain", "velocity-verlet", Precision::float_, 2));
+    simulation.advance(20);
+    EXPECT_EQ(simulation.advanced().step, 20u);
+    EXPECT_FALSE(simulation.advanced().diverged);
+    const std::uint64_t good = simulation.step();
+    EXPECT_LT(good, 20u);
+    EXPECT_EQ(simulation.advanced().step, good);
+    EXPECT_TRUE(simulation.advanced().diverged);
 }
 
 TEST(Diagnostics, know_angular_momentum_and_gravity) {
