@@ -52,8 +52,8 @@ bool Worker::Body::carry_out_commands() {
     }
     if (taken.empty() && !description) return false;
     error.clear();
-    if (playing && simulation.divergence()) playing = false;  // before a command begins something new
     went_well([&] {
+        if (playing && simulation.divergence()) playing = false;  // before a command begins something new
         if (description) apply(*description);
         for (const auto& command : taken) command(*this);
     });
