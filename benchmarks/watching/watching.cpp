@@ -1,5 +1,6 @@
 // What handing its moments over costs a run: steps a second of a mesh that plays as fast as it can while a window takes
-// every new view sixty times a second, beside the same steps taken with nobody watching.
+// every new view sixty times a second, beside the same steps taken with nobody watching. As a shared machine is not as
+// fast in one round as in the next, the part of a watched run's own time that is not spent in steps is told too.
 //
 //     watching [ROUNDS [PRECISION [DIM...]]]
 //         rounds of two seconds each way (default 5), medians are told; meshes of DIM x DIM (default 100, 316, 1000)
@@ -29,6 +30,7 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 struct Watched {
     double steps_per_second = 0;
     double views_per_second = 0;
+    double beside_steps = 0;  ///< part of the time
 };
 
 /// A run with a window that looks at it.
@@ -42,6 +44,7 @@ public:
         const auto begin = Clock::now();
         const std::uint64_t first = view_.frame.step;
         int views = 0;
+        double stepping = 0;  // sum of the speeds of the steps alone, as the views tell them
         // The last view may be a while old: the time counts until it came.
         double seconds = 0;
         while (seconds_since(begin) < round_time.count() || views == 0) {
@@ -49,11 +52,12 @@ public:
             if (!take()) continue;
             ++views;
             seconds = seconds_since(begin);
+            stepping += view_.steps_per_second.value_or(0);
         }
         const double steps = static_cast<double>(view_.frame.step - first);
         worker_.play(false);
         while (!take() || view_.playing) std::this_thread::sleep_for(frame_time);
-        return {steps / seconds, views / seconds};
+        return {steps / seconds, views / seconds, 1 - steps / seconds / (stepping / views)};
     }
 
 private:
@@ -84,16 +88,19 @@ double median(std::vector<double> values) {
 void compare(const RunDescription& description, int rounds) {
     Simulation simulation(description);
     Watching watching(description);
-    std::vector<double> by_itself, watched, views, cost;
+    std::vector<double> by_itself, watched, views, cost, beside;
     for (int i = 0; i < rounds; ++i) {
         by_itself.push_back(alone(simulation));
         const Watched now = watching.measure();
         watched.push_back(now.steps_per_second);
         views.push_back(now.views_per_second);
+        beside.push_back(100 * now.beside_steps);
         cost.push_back(100 * (1 - watched.back() / by_itself.back()));
     }
-    fmt::print("{:8} particles  alone {:9.1f} steps/s  watched {:9.1f} steps/s  {:5.1f} views/s  cost {:5.1f} %\n",
-               simulation.particles(), median(by_itself), median(watched), median(views), median(cost));
+    fmt::print(
+        "{:8} particles  alone {:9.1f} steps/s  watched {:9.1f} steps/s  {:5.1f} views/s  cost {:5.1f} %  "
+        "beside its steps {:4.1f} %\n",
+        simulation.particles(), median(by_itself), median(watched), median(views), median(cost), median(beside));
 }
 
 }  // namespace

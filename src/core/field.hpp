@@ -77,6 +77,14 @@ private:
     std::vector<T, CacheLineAllocator<T>> values_;
 };
 
+/// Copies some vectors to another place; to a lower one within the same field, too.
+template <class T>
+void copy(const Field<T>& from, std::size_t first, std::size_t count, Field<T>& to, std::size_t place) {
+    std::copy_n(from.x() + first, count, to.x() + place);
+    std::copy_n(from.y() + first, count, to.y() + place);
+    std::copy_n(from.z() + first, count, to.z() + place);
+}
+
 /// Makes `to` the same field in another number type, each number rounded once; its memory is reused.
 template <class From, class To>
 void convert(const Field<From>& from, Field<To>& to) {

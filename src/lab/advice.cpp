@@ -6,6 +6,7 @@
 #include "lab/gain_watch.hpp"
 #include "lab/lyapunov.hpp"
 #include "lab/readable_number.hpp"
+#include "lab/side_by_side.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -13,8 +14,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
+#include <mutex>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace steplab {
 
@@ -33,79 +39,120 @@ constexpr std::string_view classic = "rk4";
 /// A run that was not worth its end.
 struct Abandoned {};
 
-class Search {
+/// What all searches know of each other.
+class Found {
 public:
-    /// No run may take longer than `most_seconds`.
-    Search(const StudyPlan& plan, double error, const Reference& reference, double frequency, double most_seconds)
-        : plan_(plan), error_(error), reference_(reference), most_seconds_(most_seconds), frequency_(frequency) {}
-
-    /// The cheapest runs found that keep the error: by dt, by tolerance.
-    std::vector<Measurement> cheapest(const std::string& method, Precision precision) {
-        std::vector<Measurement> found;
-        if (takes_tolerance(method)) add(found, [&] { return over_tolerance(method, precision); });
-        if (takes_dt(method)) add(found, [&] { return over_dt(method, precision); });
-        return found;
+    void measured(const Measurement& run) {
+        const std::lock_guard lock(mutex_);
+        if (run.diverged || run.error >= least_error_) return;
+        least_error_ = run.error;
+        most_accurate_ = run.run.method;
+    }
+    void kept(const Measurement& run) {
+        const std::lock_guard lock(mutex_);
+        evaluations_ = std::min(evaluations_, static_cast<double>(run.evaluations));
+        seconds_ = std::min(seconds_, run.rough_seconds);
+    }
+    void abandoned() {
+        const std::lock_guard lock(mutex_);
+        any_abandoned_ = true;
     }
 
+    /// By evaluations and by the clock, as an evaluation of one method may be cheaper than another's.
+    bool makes_hopeless(const Measurement& run) const {
+        const std::lock_guard lock(mutex_);
+        return static_cast<double>(run.evaluations) > hopeless * evaluations_ &&
+               run.rough_seconds > hopeless * seconds_;
+    }
+    /// How long a run may take beside the fastest found, of which short ones are measured badly.
+    double patience() const {
+        const std::lock_guard lock(mutex_);
+        return hopeless * seconds_ + 0.02;
+    }
+
+    // Once all searches are over.
     double least_error() const { return least_error_; }
     const std::string& most_accurate() const { return most_accurate_; }
     /// A search ended because of what it cost: a longer one may find more.
-    bool abandoned() const { return abandoned_; }
+    bool any_abandoned() const { return any_abandoned_; }
+
+private:
+    mutable std::mutex mutex_;
+    double evaluations_ = infinity, seconds_ = infinity;  ///< the least that kept the error
+    double least_error_ = infinity;
+    std::string most_accurate_;
+    bool any_abandoned_ = false;
+};
+
+/// What all searches look for.
+struct Question {
+    const StudyPlan& plan;
+    double error;
+    const Reference& reference;
+    double frequency;
+    double most_seconds;  ///< no run may take longer
+};
+
+/// Looks for the cheapest runs of one method in one precision that keep the error.
+class Search {
+public:
+    Search(const Question& question, const std::string& method, Precision precision, const Execution& execution,
+           Found& found)
+        : question_(question), method_(method), precision_(precision), execution_(execution), found_(found) {}
+
+    /// By dt, by tolerance.
+    std::vector<Measurement> cheapest() {
+        std::vector<Measurement> runs;
+        if (takes_tolerance(method_)) add(runs, [&] { return over_tolerance(); });
+        if (takes_dt(method_)) add(runs, [&] { return over_dt(); });
+        return runs;
+    }
 
 private:
     template <class Find>
-    void add(std::vector<Measurement>& found, const Find& find) {
+    void add(std::vector<Measurement>& runs, const Find& find) {
         std::optional<Measurement> run;
         try {
             run = find();
         } catch (const Abandoned&) {
-            abandoned_ = true;
+            found_.abandoned();
         }
         if (!run) return;
-        least_evaluations_ = std::min(least_evaluations_, static_cast<double>(run->evaluations));
-        least_seconds_ = std::min(least_seconds_, *run->wall_seconds);
-        found.push_back(std::move(*run));
+        found_.kept(*run);
+        runs.push_back(std::move(*run));
     }
 
     Measurement measured(const RunDescription& run, std::uint64_t steps) {
         const auto begin = std::chrono::steady_clock::now();
-        const auto elapsed = [&] {
-            return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        };
-        const double most = method_is_classic(run) ? most_seconds_ : std::min(most_seconds_, patience());
-        Measurement result = measure(run, steps, reference_, [&] {
+        const double most = is_classic() ? question_.most_seconds : std::min(question_.most_seconds, found_.patience());
+        const auto look = [&] {
             check_interruption();
-            if (elapsed() > most) throw Abandoned();
-        });
-        result.wall_seconds = elapsed();
-        if (!result.diverged && result.error < least_error_) {
-            least_error_ = result.error;
-            most_accurate_ = result.run.method;
-        }
+            const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+            if (elapsed.count() > most) throw Abandoned();
+        };
+        Measurement result = measure(run, steps, question_.reference, look, execution_);
+        found_.measured(result);
         return result;
     }
 
-    bool kept(const Measurement& run) const { return !run.diverged && run.error <= error_; }
+    bool kept(const Measurement& run) const { return !run.diverged && run.error <= question_.error; }
+    bool is_classic() const { return method_ == classic; }
 
-    static bool method_is_classic(const RunDescription& run) { return run.method == classic; }
-
-    /// How long a run may take beside the fastest found, of which short ones are measured badly.
-    double patience() const { return hopeless * least_seconds_ + 0.02; }
-
-    /// By evaluations and by the clock, as an evaluation of one method may be cheaper than another's.
     bool too_costly(const Measurement& run) {
-        if (*run.wall_seconds > most_seconds_) throw Abandoned();
-        return !method_is_classic(run.run) && static_cast<double>(run.evaluations) > hopeless * least_evaluations_ &&
-               *run.wall_seconds > hopeless * least_seconds_;
+        if (run.rough_seconds > question_.most_seconds) throw Abandoned();
+        return !is_classic() && found_.makes_hopeless(run);
     }
 
     /// Halves dt until the error is kept, then closes in on the largest dt that keeps it.
-    std::optional<Measurement> over_dt(const std::string& method, Precision precision) {
-        const auto at = [&](std::uint64_t steps) { return measured(run_over(plan_, method, precision, steps), steps); };
+    std::optional<Measurement> over_dt() {
+        const StudyPlan& plan = question_.plan;
+        const auto at = [&](std::uint64_t steps) {
+            return measured(run_over(plan, method_, precision_, steps), steps);
+        };
         std::uint64_t failed = 0;
-        Measurement run = at(fewest_steps(plan_, method, frequency_));
+        Measurement run = at(fewest_steps(plan, method_, question_.frequency));
         for (GainWatch gain; !kept(run);) {
-            if (too_costly(run) || (gain.gains_no_more(run) && run.error < 1e-3 * plan_.time)) return std::nullopt;
+            if (too_costly(run) || (gain.gains_no_more(run) && run.error < 1e-3 * plan.time)) return std::nullopt;
             failed = run.steps;
             run = at(2 * failed);
         }
@@ -128,13 +175,13 @@ private:
     }
 
     /// From a loose tolerance down, 5, 2 and 1 in each decade, until the error is kept.
-    std::optional<Measurement> over_tolerance(const std::string& method, Precision precision) {
-        const int least = precision == Precision::float_ ? -8 : -17;
-        const int first = std::min(-2, static_cast<int>(std::ceil(std::log10(error_))) + 1);
+    std::optional<Measurement> over_tolerance() {
+        const int least = precision_ == Precision::float_ ? -8 : -17;
+        const int first = std::min(-2, static_cast<int>(std::ceil(std::log10(question_.error))) + 1);
         GainWatch gain;
         for (int decade = first; decade >= least; --decade) {
             for (const char* digit : {"5", "2", "1"}) {
-                RunDescription run = run_over(plan_, method, precision, 1);
+                RunDescription run = run_over(question_.plan, method_, precision_, 1);
                 set_parameter(run, "tolerance", fmt::format("{}e{}", digit, decade));
                 Measurement result = measured(run, 1);
                 if (kept(result)) return result;
@@ -144,14 +191,11 @@ private:
         return std::nullopt;
     }
 
-    const StudyPlan& plan_;
-    double error_;
-    const Reference& reference_;
-    double least_evaluations_ = infinity, least_seconds_ = infinity;
-    double least_error_ = infinity;
-    std::string most_accurate_;
-    double most_seconds_, frequency_;
-    bool abandoned_ = false;
+    const Question& question_;
+    std::string method_;
+    Precision precision_;
+    Execution execution_;
+    Found& found_;
 };
 
 /// A cheap run found early tells sooner which searches are hopeless.
@@ -162,17 +206,22 @@ std::vector<std::string> most_accurate_first(std::vector<std::string> methods) {
     return methods;
 }
 
-std::vector<Measurement> candidates(const StudyPlan& plan, Search& search, const StudyProgress& progress) {
-    std::vector<Measurement> found;
-    const double all = static_cast<double>(plan.methods.size() * plan.precisions.size());
-    double done = 0;
-    for (const std::string& method : most_accurate_first(possible_methods(plan))) {
-        for (const Precision precision : plan.precisions) {
-            for (Measurement& run : search.cheapest(method, precision)) found.push_back(std::move(run));
-            progress(++done / all * 0.8);
-        }
-    }
-    return found;
+/// The cheapest runs of all methods and precisions, which are looked for side by side.
+std::vector<Measurement> candidates(const Question& question, Found& found, const StudyProgress& progress) {
+    const std::vector<std::string> methods = most_accurate_first(possible_methods(question.plan));
+    const std::vector<Precision>& precisions = question.plan.precisions;
+    std::vector<std::vector<Measurement>> runs(methods.size() * precisions.size());
+    std::mutex mutex;
+    std::size_t done = 0;
+    side_by_side(runs.size(), [&](std::size_t i, const Execution& execution) {
+        const std::string& method = methods[i / precisions.size()];
+        runs[i] = Search(question, method, precisions[i % precisions.size()], execution, found).cheapest();
+        const std::lock_guard lock(mutex);
+        progress(0.8 * static_cast<double>(++done) / static_cast<double>(runs.size()));
+    });
+    std::vector<Measurement> all;
+    for (auto& some : runs) std::move(some.begin(), some.end(), std::back_inserter(all));
+    return all;
 }
 
 /// Runs that keep the error, looked for first among short ones. Throws UsageError if there are none.
@@ -180,12 +229,14 @@ std::vector<Measurement> found_runs(const StudyPlan& plan, double error, const R
                                     const StudyProgress& progress) {
     const double fastest_motion = frequency(plan);
     for (const bool long_runs : {false, true}) {
-        Search search(plan, error, reference, fastest_motion, plan.most_seconds_a_run * (long_runs ? long_run : 1));
-        std::vector<Measurement> runs = candidates(plan, search, progress);
+        Found found;
+        const double most_seconds = plan.most_seconds_a_run * (long_runs ? long_run : 1);
+        std::vector<Measurement> runs =
+            candidates({plan, error, reference, fastest_motion, most_seconds}, found, progress);
         if (!runs.empty()) return runs;
-        if (search.abandoned() && !long_runs) continue;
+        if (found.any_abandoned() && !long_runs) continue;
         throw UsageError(fmt::format("no method was found to keep an error of {} here: the least was {}, by {}",
-                                     typed(error), typed(search.least_error()), search.most_accurate()));
+                                     typed(error), typed(found.least_error()), found.most_accurate()));
     }
     return {};
 }
@@ -219,7 +270,6 @@ Advice advise(const StudyPlan& plan, double error, const Reference& reference, c
                         typed(error), reference.how, typed(certain), chaos.empty() ? "" : ". " + chaos));
     }
     std::vector<Measurement> runs = found_runs(plan, error, reference, progress);
-    for (Measurement& run : runs) run.wall_seconds.reset();  // looks were within the clock
     time_interleaved(runs, plan.rounds, [&](double part) { progress(0.8 + 0.2 * part); });
     std::sort(runs.begin(), runs.end(), [](const Measurement& a, const Measurement& b) {
         return a.wall_seconds.value_or(infinity) < b.wall_seconds.value_or(infinity);

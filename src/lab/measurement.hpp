@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/reference.hpp"
+#include "sim/execution.hpp"
 #include "sim/run_description.hpp"
 
 #include <cstdint>
@@ -20,6 +21,7 @@ struct Measurement {
     double energy_error = 0;             ///< largest |E - E0| over the moments looked at
     bool diverged = false;               ///< then error and wall_seconds mean nothing
     std::optional<double> wall_seconds;  ///< of the stepping alone, least of several; none until timed
+    double rough_seconds = 0;            ///< of the stepping when it was measured, whatever went on beside it
     std::string hash;
 };
 
@@ -27,7 +29,7 @@ struct Measurement {
 /// at each of them and may throw to end it.
 Measurement measure(
     const RunDescription& run, std::uint64_t steps, const Reference& reference,
-    const std::function<void()>& at_look = [] {});
+    const std::function<void()>& at_look = [] {}, const Execution& execution = {});
 
 /// Times the stepping of one run from a fresh start: nothing else is inside the clock, unless the method makes most of
 /// its evaluations as it starts (an adaptive one whose first step reaches the end): then starting is too.

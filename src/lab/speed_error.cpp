@@ -1,12 +1,18 @@
 #include "lab/speed_error.hpp"
 
 #include "core/error.hpp"
+#include "io/interruption.hpp"
 #include "lab/gain_watch.hpp"
 #include "lab/linearised.hpp"
+#include "lab/side_by_side.hpp"
 #include "sim/catalogue.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <mutex>
+#include <optional>
+#include <utility>
 #include <variant>
 
 namespace steplab {
@@ -30,46 +36,122 @@ private:
     double seconds_a_step_ = 0;
 };
 
+/// What was measured of one method in one precision.
+struct MeasuredSeries {
+    std::vector<Measurement> runs;
+    bool cut = false;  ///< by time, and by that only
+};
+
 class Series {
 public:
-    Series(const StudyPlan& plan, const Reference& reference, std::vector<Measurement>& out)
-        : plan_(plan), reference_(reference), out_(out), frequency_(frequency(plan)) {}
+    Series(const StudyPlan& plan, const Reference& reference, double frequency, const std::string& method,
+           Precision precision, const Execution& execution)
+        : plan_(plan),
+          reference_(reference),
+          frequency_(frequency),
+          method_(method),
+          precision_(precision),
+          execution_(execution) {}
 
-    /// False if only time ended it.
-    bool over_dt(const std::string& method, Precision precision) {
-        GainWatch gain;
-        CostWatch cost(plan_.most_seconds_a_run);
-        for (double wanted = static_cast<double>(fewest_steps(plan_, method, frequency_)); wanted < 1e9;
-             wanted *= plan_.ratio) {
-            const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
-            if (cost.too_long(steps)) return false;
-            const RunDescription run = run_over(plan_, method, precision, steps);
-            cost.ran(steps, stepping_seconds(run, steps));
-            out_.push_back(measure(run, steps, reference_));
-            if (gain.gains_no_more(out_.back())) return true;
-        }
-        return true;
-    }
-
-    /// False if only time ended it.
-    bool over_tolerance(const std::string& method, Precision precision) {
-        GainWatch gain;
-        const double least = precision == Precision::float_ ? 1e-8 : 1e-16;
-        for (double tolerance = 1e-2; tolerance > least; tolerance /= 10) {
-            RunDescription run = run_over(plan_, method, precision, 1);
-            run.method_parameters.set("tolerance", tolerance);
-            if (stepping_seconds(run, 1) > plan_.most_seconds_a_run) return false;
-            out_.push_back(measure(run, 1, reference_));
-            if (gain.gains_no_more(out_.back())) return true;
-        }
-        return true;
+    MeasuredSeries measured() {
+        bool complete = !takes_dt(method_) || over_dt();
+        complete = (!takes_tolerance(method_) || over_tolerance()) && complete;
+        return {std::move(runs_), !complete};
     }
 
 private:
+    /// False if only time ended it.
+    bool over_dt() {
+        GainWatch gain;
+        CostWatch cost(plan_.most_seconds_a_run);
+        for (double wanted = static_cast<double>(fewest_steps(plan_, method_, frequency_)); wanted < 1e9;
+             wanted *= plan_.ratio) {
+            const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
+            if (cost.too_long(steps)) return false;
+            runs_.push_back(made(run_over(plan_, method_, precision_, steps), steps));
+            cost.ran(steps, runs_.back().rough_seconds);
+            if (gain.gains_no_more(runs_.back())) return true;
+        }
+        return true;
+    }
+
+    /// False if only time ended it.
+    bool over_tolerance() {
+        GainWatch gain;
+        const double least = precision_ == Precision::float_ ? 1e-8 : 1e-16;
+        for (double tolerance = 1e-2; tolerance > least; tolerance /= 10) {
+            RunDescription run = run_over(plan_, method_, precision_, 1);
+            run.method_parameters.set("tolerance", tolerance);
+            Measurement result = made(run, 1);
+            if (result.rough_seconds > plan_.most_seconds_a_run) return false;
+            runs_.push_back(std::move(result));
+            if (gain.gains_no_more(runs_.back())) return true;
+        }
+        return true;
+    }
+
+    Measurement made(const RunDescription& run, std::uint64_t steps) const {
+        return measure(run, steps, reference_, check_interruption, execution_);
+    }
+
     const StudyPlan& plan_;
     const Reference& reference_;
-    std::vector<Measurement>& out_;
     double frequency_;
+    std::string method_;
+    Precision precision_;
+    Execution execution_;
+    std::vector<Measurement> runs_;
+};
+
+/// Series measured side by side and gathered in the order of the plan.
+class SeriesInOrder {
+public:
+    SeriesInOrder(const StudyPlan& plan, SeriesState& state, const std::function<void()>& keep)
+        : plan_(plan), state_(state), keep_(keep), methods_(possible_methods(plan)), first_(state.series) {
+        measured_.resize(all() - first_);
+    }
+
+    std::size_t all() const { return methods_.size() * plan_.precisions.size(); }
+
+    /// `progress` hears how many series there are.
+    void measure(const Reference& reference, const std::function<void(std::size_t)>& progress) {
+        if (measured_.empty()) return;
+        const double fastest_motion = frequency(plan_);
+        std::size_t done = first_;
+        progress(done);
+        side_by_side(measured_.size(), [&](std::size_t i, const Execution& execution) {
+            const std::size_t place = first_ + i;
+            Series series(plan_, reference, fastest_motion, method_of(place), precision_of(place), execution);
+            MeasuredSeries measured = series.measured();
+            const std::lock_guard lock(mutex_);
+            measured_[i] = std::move(measured);
+            gather();
+            progress(++done);
+        });
+    }
+
+private:
+    const std::string& method_of(std::size_t series) const { return methods_[series / plan_.precisions.size()]; }
+    Precision precision_of(std::size_t series) const { return plan_.precisions[series % plan_.precisions.size()]; }
+
+    /// What is complete up to the first series that is not.
+    void gather() {
+        const std::size_t before = state_.series;
+        for (; state_.series < all() && measured_[state_.series - first_]; ++state_.series) {
+            MeasuredSeries& series = *measured_[state_.series - first_];
+            std::move(series.runs.begin(), series.runs.end(), std::back_inserter(state_.runs));
+            if (series.cut) state_.cut.push_back({method_of(state_.series), precision_of(state_.series)});
+        }
+        if (state_.series > before) keep_();
+    }
+
+    const StudyPlan& plan_;
+    SeriesState& state_;
+    const std::function<void()>& keep_;
+    std::vector<std::string> methods_;
+    std::size_t first_;
+    std::mutex mutex_;  ///< of the state and of what follows
+    std::vector<std::optional<MeasuredSeries>> measured_;
 };
 
 double time_once(const Measurement& run) {
@@ -162,20 +244,10 @@ void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyPro
 
 void go_on_with_series(const StudyPlan& plan, const Reference& reference, SeriesState& state,
                        const std::function<void()>& keep, const StudyProgress& progress) {
-    Series series(plan, reference, state.runs);
-    const std::vector<std::string> methods = possible_methods(plan);
-    const std::size_t all = methods.size() * plan.precisions.size();
-    const double share = 2.0 / (2 + plan.rounds);  // a run is made twice, then once a round
-    while (state.series < all) {
-        const std::string& id = methods[state.series / plan.precisions.size()];
-        const Precision precision = plan.precisions[state.series % plan.precisions.size()];
-        progress(share * static_cast<double>(state.series) / static_cast<double>(all));
-        bool complete = !takes_dt(id) || series.over_dt(id, precision);
-        complete = (!takes_tolerance(id) || series.over_tolerance(id, precision)) && complete;
-        if (!complete) state.cut.push_back({id, precision});
-        ++state.series;
-        keep();
-    }
+    const double share = 1.0 / (1 + plan.rounds);  // a run is made once, then once a round
+    SeriesInOrder series(plan, state, keep);
+    const auto all = static_cast<double>(series.all());
+    series.measure(reference, [&](std::size_t done) { progress(share * static_cast<double>(done) / all); });
     if (!state.timed)
         time_interleaved(state.runs, plan.rounds, [&](double part) { progress(share + (1 - share) * part); });
     state.timed = true;

@@ -21,7 +21,8 @@ struct StudyPlan {
     int rounds = 3;                    ///< each run is timed in so many interleaved rounds
 };
 
-/// Called between runs with the part of the work that is done, 0 .. 1; may throw to end it.
+/// Called between runs with the part of the work that is done, 0 .. 1, by any thread but one at a time; may throw to
+/// end it.
 using StudyProgress = std::function<void(double)>;
 
 /// A series that ended because its next run would have taken too long, not because it gained no more.
@@ -39,8 +40,9 @@ struct SeriesState {
 };
 
 /// Measures every method and precision of the plan over a series of dt, largest first, down to where rounding or the
-/// reference ends the gain; adaptive methods over a series of tolerances. All runs that did not diverge are then timed
-/// in interleaved rounds, so that a disturbance of the machine hits all alike, and the least of each is kept.
+/// reference ends the gain; adaptive methods over a series of tolerances: side by side on all processors. All runs that
+/// did not diverge are then timed, one at a time and in interleaved rounds, so that a disturbance of the machine hits
+/// all alike, and the least of each is kept.
 std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& reference,
                                         const StudyProgress& progress);
 

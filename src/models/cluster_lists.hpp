@@ -25,7 +25,7 @@ class ClusterLists {
 public:
     static constexpr std::uint32_t size = Clusters::size;
     /// So far behind its end somebody may look who goes through a list.
-    static constexpr std::uint32_t ahead = 64;
+    static constexpr std::uint32_t spare = 64;
     /// Numbers of a particle: x, y, z and one that means nothing; and of a cluster.
     static constexpr std::size_t stride = 4, numbers = size * stride;
 
@@ -42,7 +42,7 @@ public:
     /// What the clusters of a slab need.
     struct Slab {
         std::vector<Row> rows;
-        std::vector<std::uint32_t> list;  ///< first numbers of particles; `ahead` more than the rows have
+        std::vector<std::uint32_t> list;  ///< first numbers of particles; `spare` more than the rows have
         std::vector<Image> images;
         std::size_t first_image = 0;  ///< the first number of the first of them
         std::uint32_t nowhere = 0;    ///< the first number of a particle that is nowhere
@@ -125,7 +125,7 @@ private:
             make_room((others.size() + 2) * size, rows, slab);
             append_row(cluster, others, slab, places);
         });
-        slab.list.insert(slab.list.end(), ahead, slab.nowhere);
+        slab.list.insert(slab.list.end(), spare, slab.nowhere);
         slabs_[i] = std::move(slab);
     }
 

@@ -96,9 +96,9 @@ private:
     static constexpr std::size_t stride = ClusterLists<T>::stride, numbers = ClusterLists<T>::numbers;
     /// Others of a group, on every machine, and those of them that go side by side.
     static constexpr std::uint32_t group = CacheLineLanes<T>::count / size, at_once = N::count / size;
-    /// Others that are fetched before it is their turn.
+    /// So many others, or particles, ahead of their turn their memory is fetched.
     static constexpr std::uint32_t ahead = 32;
-    static_assert(ahead + group <= ClusterLists<T>::ahead && 2 * group <= ClusterLists<T>::ahead);
+    static_assert(ahead + group <= ClusterLists<T>::spare && 2 * group <= ClusterLists<T>::spare);
     /// Of the parts of a group.
     using Sums = std::array<Vector<N>, group / at_once>;
 
@@ -132,6 +132,7 @@ private:
     void place(const Field<T>& u, Part part) {
         const auto places = lists_.places();
         for (std::size_t i = part.begin; i < part.end; ++i) {
+            __builtin_prefetch(positions_.data() + places[std::min(i + ahead, part.end - 1)] * stride, 1);
             T* const to = positions_.data() + places[i] * stride;
             const Vector<T> p = in_period(u, i);
             to[0] = p.x;
@@ -173,6 +174,7 @@ private:
         const auto places = lists_.places();
         T *const x = a.x(), *const y = a.y(), *const z = a.z();
         for (std::size_t i = part.begin; i < part.end; ++i) {
+            __builtin_prefetch(sums_.data() + places[std::min(i + ahead, part.end - 1)] * stride);
             const T* const sum = sums_.data() + places[i] * stride;
             x[i] = sum[0];
             y[i] = sum[1];

@@ -1,8 +1,9 @@
 #include "sim/energy.hpp"
 
+#include "core/sum.hpp"
+
 #include <algorithm>
 #include <limits>
-#include <utility>
 #include <variant>
 
 namespace steplab {
@@ -35,75 +36,55 @@ std::size_t shared(const Whole&) {
     return 0;
 }
 
-/// Copies particles to another place.
-void copy(const Field<double>& from, std::size_t first, std::size_t count, Field<double>& to, std::size_t place) {
-    std::copy_n(from.x() + first, count, to.x() + place);
-    std::copy_n(from.y() + first, count, to.y() + place);
-    std::copy_n(from.z() + first, count, to.z() + place);
+std::size_t shared(const Forces& forces) {
+    return std::visit([](const auto& layout) { return shared(layout); }, forces);
+}
+
+Pieces pieces_of(const Scene& scene) {
+    const std::size_t unit = shared(scene.forces), units = piece_length / std::max<std::size_t>(1, unit);
+    return {scene.reference.count, std::max<std::size_t>(1, units) * std::max<std::size_t>(1, unit), unit};
 }
 
 }  // namespace
 
-void SquareSum::add(const Field<double>& from, std::size_t first, std::size_t count) {
-    while (count > 0) {
-        const std::size_t more = std::min(count, held_.count() - count_);
-        copy(from, first, more, held_, count_);
-        count_ += more, first += more, count -= more;
-        if (count_ == held_.count()) finish_piece();
-    }
-}
-
-double SquareSum::take() {
-    finish_piece();
-    return std::exchange(sum_, {}).value();
-}
-
-void SquareSum::finish_piece() {
-    sum_.add(sums_->squares(held_, count_));
-    count_ = 0;
-}
-
 EnergyMeter::EnergyMeter(const Scene& scene, Instructions instructions)
-    : sums_(&energy_sums(instructions)),
+    : energy_sums_(&energy_sums(instructions)),
       mass_(scene.mass),
       forces_(scene.forces),
       floor_(std::visit([](const auto& forces) { return floor_of(forces); }, forces_)),
       count_(scene.reference.count),
-      unit_(std::visit([](const auto& forces) { return shared(forces); }, forces_)),
-      length_(unit_ > 0 ? std::max<std::size_t>(1, piece_length / unit_) * unit_ : count_),
-      squares_(*sums_, std::min(count_, piece_length)) {}
+      unit_(shared(forces_)),
+      pieces_(pieces_of(scene)),
+      sums_(pieces_.count()) {}
 
-void EnergyMeter::begin() {
-    const std::size_t capacity = std::min(count_, length_ + unit_);
-    if (piece_.count() != capacity) piece_ = Field<double>(capacity);
-    held_ = taken_ = 0;
-    squares_.take();
-    value_ = magnitude_ = external_ = {};
+Energy EnergyMeter::energy(std::size_t parts, const Look& look, const PieceSink& also) {
+    if (unit_ == 0 && whole_.count() != count_) whole_ = Field<double>(count_);
+    pieces_.each(parts, look, [&](const Piece& piece) {
+        sums_[piece.number] = sums_of(piece);
+        if (also) also(piece);
+    });
+    return total();
 }
 
-Energy EnergyMeter::energy(const std::function<void(const PortionSink&)>& look) {
-    begin();
-    look([this](const Portion& portion) { add(portion); });
-    return {mass_ / 2 * squares_.take(), {value_.value(), magnitude_.value(), external_.value()}};
+EnergyMeter::Sums EnergyMeter::sums_of(const Piece& piece) {
+    const Field<double>& u = piece.state.displacement;
+    const double squares = energy_sums_->squares(piece.state.velocity, piece.own);
+    if (unit_ > 0) return {squares, energy_sums_->potential(forces_, u, piece.held, piece.own)};
+    copy(u, 0, piece.own, whole_, piece.first);
+    return {squares, {}};
 }
 
-void EnergyMeter::add(const Portion& portion) {
-    squares_.add(portion.state.velocity, portion.place, portion.count);
-    for (std::size_t from = 0; from < portion.count;) {
-        const std::size_t more = std::min(portion.count - from, piece_.count() - held_);
-        copy(portion.state.displacement, portion.place + from, more, piece_, held_);
-        held_ += more, from += more, taken_ += more;
-        if (held_ == piece_.count() || taken_ == count_) finish_piece();
+Energy EnergyMeter::total() const {
+    CompensatedSum squares, value, magnitude, external;
+    for (const Sums& piece : sums_) {
+        squares.add(piece.squares);
+        value.add(piece.potential.value);
+        magnitude.add(piece.potential.magnitude);
+        external.add(piece.potential.external);
     }
-}
-
-void EnergyMeter::finish_piece() {
-    const bool last = taken_ == count_;
-    const std::size_t own = last ? held_ : length_;
-    const auto potential = sums_->potential(forces_, piece_, held_, own);
-    value_.add(potential.value), magnitude_.add(potential.magnitude), external_.add(potential.external);
-    held_ -= own;
-    copy(piece_, own, held_, piece_, 0);
+    const double kinetic = mass_ / 2 * squares.value();
+    if (unit_ == 0) return {kinetic, energy_sums_->potential(forces_, whole_, count_, count_)};
+    return {kinetic, {value.value(), magnitude.value(), external.value()}};
 }
 
 }  // namespace steplab

@@ -3,14 +3,14 @@
 #include "core/diagnostics.hpp"
 #include "core/field.hpp"
 #include "core/instructions.hpp"
-#include "core/sum.hpp"
 #include "models/model.hpp"
 #include "sim/energy_sums.hpp"
+#include "sim/pieces.hpp"
 #include "sim/stepper.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace steplab {
 
@@ -22,55 +22,40 @@ struct Energy {
     double total() const { return kinetic + potential.value; }
 };
 
-/// The sum of the squares of vectors, whichever portions they come in.
-class SquareSum {
-public:
-    /// So many vectors, at most, are held at a time.
-    SquareSum(const EnergySums& sums, std::size_t most) : sums_(&sums), held_(std::max<std::size_t>(1, most)) {}
-
-    void add(const Field<double>& from, std::size_t first, std::size_t count);
-    /// Of all since the last call.
-    double take();
-
-private:
-    void finish_piece();
-
-    const EnergySums* sums_;
-    Field<double> held_;
-    std::size_t count_ = 0;
-    CompensatedSum sum_;
-};
-
-/// Computes sums over a scene's particles in double. Chains and grids are taken piece by piece, each of as many
-/// particles whoever asks, so that neither memory for all of them is needed nor does it matter in which portions they
-/// come.
+/// Computes sums over a scene's particles in double. They are taken in pieces (Pieces), so that neither memory for all
+/// particles of a chain or grid is needed nor does it matter how they are shown.
 class EnergyMeter {
 public:
+    using Look = std::function<void(const PortionSink&)>;
+
     EnergyMeter(const Scene& scene, Instructions instructions);
 
     /// Of all particles, which `look` shows to what it is given, as Stepper::look() does.
-    Energy energy(const std::function<void(const PortionSink&)>& look);
+    Energy energy(const Look& look) { return energy(1, look, nullptr); }
+    /// The same of parts that may be shown side by side. Each piece is shown on to `also`, unless that is empty.
+    Energy energy(std::size_t parts, const Look& look, const PieceSink& also);
+    std::size_t pieces() const { return sums_.size(); }
     /// An energy no run of this scene may be judged by the changes of: rounding, and the depth of potential wells.
     double floor() const { return floor_; }
 
 private:
-    void begin();
-    void add(const Portion& portion);
-    void finish_piece();
+    struct Sums {
+        double squares;  ///< of velocities
+        PotentialEnergy potential;
+    };
 
-    const EnergySums* sums_;
+    Sums sums_of(const Piece& piece);
+    Energy total() const;
+
+    const EnergySums* energy_sums_;
     double mass_;
     Forces forces_;
     double floor_;
-    std::size_t count_;   ///< particles of the scene
-    std::size_t unit_;    ///< particles that pieces have in common: one of a chain, a row of a grid
-    std::size_t length_;  ///< particles of a piece, without those it has in common with the next
-
-    SquareSum squares_;      ///< of velocities
-    Field<double> piece_;    ///< displacements
-    std::size_t held_ = 0;   ///< particles in it
-    std::size_t taken_ = 0;  ///< particles of the scene that were shown
-    CompensatedSum value_, magnitude_, external_;
+    std::size_t count_;  ///< particles of the scene
+    std::size_t unit_;   ///< particles that pieces have in common: one of a chain, a row of a grid
+    Pieces pieces_;
+    std::vector<Sums> sums_;  ///< of each piece
+    Field<double> whole_;     ///< all displacements, where forces are not only those of neighbours
 };
 
 }  // namespace steplab

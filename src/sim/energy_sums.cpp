@@ -1,6 +1,7 @@
 #include "sim/energy_sums.hpp"
 
 #include "core/field_lanes.hpp"
+#include "core/instruction_set.hpp"
 #include "core/lanes.hpp"
 #include "core/sum.hpp"
 #include "models/layouts.hpp"
@@ -8,10 +9,6 @@
 #include <variant>
 
 // Compiled once for each instruction set.
-
-#ifndef STEPLAB_INSTRUCTION_SET
-#define STEPLAB_INSTRUCTION_SET baseline
-#endif
 
 namespace steplab::STEPLAB_INSTRUCTION_SET {
 

@@ -10,21 +10,28 @@
 
 namespace steplab {
 
-void ParticleSums::add(const Portion& portion) {
-    const Field<double>&u = portion.state.displacement, &velocity = portion.state.velocity;
-    scene_.reference.each(portion.first, portion.count, [&](std::size_t i, Vec3 reference) {
-        const std::size_t place = portion.place + (i - portion.first);
-        const Vec3 position = reference + u.at(place), v = velocity.at(place);
+void ParticleSums::add(const Piece& piece) {
+    const Field<double>&u = piece.state.displacement, &velocity = piece.state.velocity;
+    Diagnostics sums;
+    scene_.reference.each(piece.first, piece.own, [&](std::size_t i, Vec3 reference) {
+        const Vec3 position = reference + u.at(i - piece.first), v = velocity.at(i - piece.first);
         const Vec3 displacement = position - shape_.rest[i];
-        sums_.momentum = sums_.momentum + v;
-        sums_.angular_momentum = sums_.angular_momentum + cross(position, v);
-        sums_.max_displacement = std::max(sums_.max_displacement, dot(displacement, displacement));
-        sums_.max_speed = std::max(sums_.max_speed, dot(v, v));
+        sums.momentum = sums.momentum + v;
+        sums.angular_momentum = sums.angular_momentum + cross(position, v);
+        sums.max_displacement = std::max(sums.max_displacement, dot(displacement, displacement));
+        sums.max_speed = std::max(sums.max_speed, dot(v, v));
     });
+    pieces_[piece.number] = sums;
 }
 
 Diagnostics ParticleSums::result() const {
-    Diagnostics sums = sums_;
+    Diagnostics sums;
+    for (const Diagnostics& piece : pieces_) {
+        sums.momentum = sums.momentum + piece.momentum;
+        sums.angular_momentum = sums.angular_momentum + piece.angular_momentum;
+        sums.max_displacement = std::max(sums.max_displacement, piece.max_displacement);
+        sums.max_speed = std::max(sums.max_speed, piece.max_speed);
+    }
     sums.momentum = scene_.mass * sums.momentum;
     sums.angular_momentum = scene_.mass * sums.angular_momentum;
     sums.max_displacement = std::sqrt(sums.max_displacement);

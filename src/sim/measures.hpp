@@ -5,27 +5,32 @@
 #include "core/frame.hpp"
 #include "core/precision.hpp"
 #include "models/model.hpp"
+#include "sim/pieces.hpp"
 #include "sim/stepper.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace steplab {
 
 // What is measured of all particles at one moment.
 
-/// Momentum, angular momentum and the largest displacement and speed, of particles that are shown in their order.
+/// Momentum, angular momentum and the largest displacement and speed of a scene that comes in pieces.
 class ParticleSums {
 public:
-    ParticleSums(const Scene& scene, const Shape& shape) : scene_(scene), shape_(shape) {}
-    void add(const Portion& portion);
+    ParticleSums(const Scene& scene, const Shape& shape, std::size_t pieces)
+        : scene_(scene), shape_(shape), pieces_(pieces) {}
+    /// Different pieces may be added at the same time.
+    void add(const Piece& piece);
+    /// Of all pieces.
     Diagnostics result() const;
 
 private:
     const Scene& scene_;
     const Shape& shape_;
-    Diagnostics sums_;
+    std::vector<Diagnostics> pieces_;
 };
 
 /// Largest distance of a particle from the exact solution.

@@ -116,25 +116,20 @@ std::string Simulation::hash() const {
 const State<double>& Simulation::state() const { return settled().state(); }
 
 Diagnostics Simulation::diagnostics() const {
-    Body& body = settled();
-    ParticleSums sums(body.segment.scene, *shape());
-    body.look([&](const Portion& portion) { sums.add(portion); });
-    return measured(sums);
+    return measured([](const Portion&) {});
 }
 
 Diagnostics Simulation::look(Frame& out) const {
-    Body& body = settled();
+    settled();
     prepare(out);
-    ParticleSums sums(body.segment.scene, *out.shape);
-    body.measure([&](const Portion& portion) {
-        fill(out, portion);
-        sums.add(portion);
-    });
-    return measured(sums);
+    return measured([&](const Portion& portion) { fill(out, portion); });
 }
 
-Diagnostics Simulation::measured(const ParticleSums& particles) const {
-    Body& body = *body_;
+/// Shows all particles to `also`.
+Diagnostics Simulation::measured(const PortionSink& also) const {
+    Body& body = settled();
+    ParticleSums particles(body.segment.scene, *shape(), body.segment.meter.pieces());
+    body.measure(also, [&](const Piece& piece) { particles.add(piece); });
     Diagnostics sums = particles.result();
     sums.kinetic = body.energy().kinetic;
     sums.potential = body.energy().potential.value;

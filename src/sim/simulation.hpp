@@ -14,8 +14,6 @@
 
 namespace steplab {
 
-class ParticleSums;
-
 /// How a run ended that could not go on.
 struct Divergence {
     std::uint64_t step = 0;    ///< the last good step; the run stands there
@@ -126,7 +124,7 @@ private:
     struct Body;
     void fill(Frame& out, const Portion& portion) const;
     void prepare(Frame& out) const;
-    Diagnostics measured(const ParticleSums& sums) const;
+    Diagnostics measured(const PortionSink& also) const;
     /// The run as somebody who looks finds it: numbers that are not finite have been noticed.
     Body& settled() const;
     std::unique_ptr<Body> body_;

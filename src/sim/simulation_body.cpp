@@ -37,18 +37,22 @@ void Simulation::Body::look(const PortionSink& sink) {
 }
 
 const Energy& Simulation::Body::energy() {
-    if (!energy_known) measure([](const Portion&) {});
+    if (!energy_known) measure(nullptr, nullptr);
     return measured;
 }
 
-void Simulation::Body::measure(const PortionSink& also) {
+void Simulation::Body::measure(const PortionSink& portions, const PieceSink& pieces) {
     const FlushSubnormals flush;
-    measured = segment.meter.energy([&](const PortionSink& sink) {
-        look([&](const Portion& portion) {
-            also(portion);
+    const Stepper& stepper = *segment.stepper;
+    const auto look = [&](const PortionSink& sink) {
+        const PortionSink both = [&](const Portion& portion) {
+            if (portions) portions(portion);
             sink(portion);
-        });
-    });
+        };
+        if (state_known) return both({0, stepper.particles(), looked_at});
+        stepper.look_side_by_side(both);
+    };
+    measured = segment.meter.energy(state_known ? 1 : stepper.parts(), look, pieces);
     energy_known = true;
 }
 

@@ -53,8 +53,9 @@ struct Simulation::Body : Course {
     const State<double>& state();
     void look(const PortionSink& sink);
     const Energy& energy();
-    /// Shows all particles to `also`, and measures the energy on the way.
-    void measure(const PortionSink& also);
+    /// Measures the energy, and shows portions and pieces of particles on the way: those of several parts of the scene
+    /// at the same time.
+    void measure(const PortionSink& portions, const PieceSink& pieces);
     const ExactSolution* exact();
 
     bool energy_is_good();

@@ -22,6 +22,7 @@ struct Portion {
     std::size_t first, count;
     const State<double>& state;  ///< displacement and velocity of one time, each number one that the precision holds
     std::size_t place = 0;
+    std::size_t part = 0;  ///< of the scene; only look_side_by_side() has several
 };
 using PortionSink = std::function<void(const Portion&)>;
 
@@ -35,7 +36,11 @@ public:
     virtual std::size_t particles() const = 0;
     /// Shows all particles at the present time, portion after portion in their order. Changes nothing.
     virtual void look(const PortionSink& sink) const = 0;
-    /// The same in one piece; the memory of `out` is used again.
+    /// The same of parts of the scene, of which there are parts(), by threads of their own: portions of one part come
+    /// in their order, those of different parts at the same time. Throws what the sink throws.
+    virtual void look_side_by_side(const PortionSink& sink) const { look(sink); }
+    virtual std::size_t parts() const { return 1; }
+    /// The same as look() in one piece; the memory of `out` is used again.
     void synchronised(State<double>& out) const;
     /// Accelerations computed since the stepper was made, start-up included.
     virtual std::uint64_t evaluations() const = 0;

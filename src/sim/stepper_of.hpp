@@ -145,9 +145,7 @@ public:
         Integrator::each_part(integrator_, [&](Field<T>& mine) {
             const Field<T>& part = **their++;
             if (part.count() == 0) return;
-            std::copy_n(part.x() + from, count, mine.x() + to);
-            std::copy_n(part.y() + from, count, mine.y() + to);
-            std::copy_n(part.z() + from, count, mine.z() + to);
+            copy(part, from, count, mine, to);
         });
     }
 

@@ -7,11 +7,14 @@
 #include "lab/studies.hpp"
 #include "sim/catalogue.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace steplab::test {
 namespace {
@@ -74,6 +77,36 @@ TEST(SpeedError, goes_on_past_runs_that_cost_no_more_than_the_one_before) {
                                      [](const auto& m) { return !chooses_its_steps(m.run) && m.error < 1e-13; });
     EXPECT_GE(exact, 1);
     EXPECT_GT(static_cast<std::ptrdiff_t>(runs.size()), by_dt);  // and some by tolerance
+}
+
+/// All that measuring finds of a run but how long it took.
+std::string found(const Measurement& m) {
+    return fmt::format("{} {} {} {} {} {} {} {}", m.run.method, id(m.run.precision), m.steps, m.evaluations, m.error,
+                       m.rms_error, m.energy_error, m.hash);
+}
+
+// All series end because they gain no more: which runs they take is then no matter of time.
+TEST(SpeedError, of_series_measured_side_by_side_is_that_of_each_alone_in_the_order_of_the_plan) {
+    StudyPlan plan = small_plan({"kahan-li-8", "gauss-16", "rkn-12-10", "dop853"});
+    plan.precisions = {Precision::float_, Precision::double_};
+    plan.most_seconds_a_run = 60;
+    const Reference reference = reference_for(plan);
+    std::vector<std::string> together, alone;
+    SeriesState state;
+    const auto keep = [&] {
+        for (std::size_t i = together.size(); i < state.runs.size(); ++i) together.push_back(found(state.runs[i]));
+    };
+    go_on_with_series(plan, reference, state, keep, no_progress);
+    EXPECT_EQ(state.series, 8u);
+    for (const std::string& method : plan.methods) {
+        for (const Precision precision : plan.precisions) {
+            StudyPlan one = plan;
+            one.methods = {method};
+            one.precisions = {precision};
+            for (const Measurement& run : measure_series(one, reference, no_progress)) alone.push_back(found(run));
+        }
+    }
+    EXPECT_EQ(together, alone);
 }
 
 /// What time cuts of a series of runs none of which may take longer.

@@ -94,6 +94,33 @@ TEST(LargeBands, meet_only_every_few_steps) {
     }
 }
 
+// Of so many particles that they are summed in several pieces, some of which lie in two bands.
+TEST(LargeBands, look_as_one_thread_does) {
+    for (const Precision precision : {Precision::double_, Precision::float_}) {
+        for (const RunDescription& run :
+             {run_of("chain", "rk4", precision, 0.1, {{"n", 30011}, {"c", 0.2}}),
+              run_of("mesh", "velocity-verlet", precision, 0.1, {{"dim", 167}, {"v0", 30}})}) {
+            Simulation one(run, by_threads(1));
+            one.advance(30);
+            Frame expected, frame;
+            const Diagnostics right = one.look(expected);
+            for (const std::size_t threads : {2U, 3U, 5U, 11U}) {
+                Simulation several(run, by_threads(threads));
+                several.advance(30);
+                const Diagnostics found = several.look(frame);
+                EXPECT_EQ(frame.positions, expected.positions) << run.model << " by " << threads;
+                EXPECT_EQ(frame.velocities, expected.velocities);
+                EXPECT_EQ(found.energy, right.energy);
+                EXPECT_EQ(found.kinetic, right.kinetic);
+                EXPECT_EQ(found.momentum, right.momentum);
+                EXPECT_EQ(found.angular_momentum, right.angular_momentum);
+                EXPECT_EQ(found.max_displacement, right.max_displacement);
+                EXPECT_EQ(found.max_speed, right.max_speed);
+            }
+        }
+    }
+}
+
 TEST(LargeBands, diverge_at_the_step_and_particle_at_which_one_thread_does) {
     const RunDescription run = run_of("mesh", "rk4", Precision::double_, 1.1, {{"dim", 60}, {"v0", 10}});
     Simulation one(run, by_threads(1)), three(run, by_threads(3));

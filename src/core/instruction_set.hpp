@@ -1,0 +1,8 @@
+#pragma once
+
+// STEPLAB_INSTRUCTION_SET: the namespace of what a source defines that is compiled once for each instruction set. The
+// build names it but for the first time.
+
+#ifndef STEPLAB_INSTRUCTION_SET
+#define STEPLAB_INSTRUCTION_SET baseline
+#endif
