@@ -1,9 +1,8 @@
 #include "lab/all_limits.hpp"
 
 #include "core/error.hpp"
-#include "core/team.hpp"
+#include "lab/side_by_side.hpp"
 
-#include <algorithm>
 #include <mutex>
 
 namespace steplab {
@@ -25,7 +24,7 @@ std::vector<Limit> all_limits(const StabilityLab& lab, std::span<const RunDescri
     std::vector<Limit> limits(methods.size());
     std::mutex mutex;  // of what follows
     std::size_t found = 0;
-    Team(std::min(processors(), methods.size())).share(methods.size(), [&](std::size_t i) {
+    side_by_side(methods.size(), [&](std::size_t i, const Execution&) {
         limits[i] = limit_or_refusal(lab, methods[i]);
         const std::lock_guard lock(mutex);
         done(++found);

@@ -2,6 +2,7 @@
 
 #include "io/interruption.hpp"
 #include "lab/commit.hpp"
+#include "lab/side_by_side.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
 
@@ -43,9 +44,9 @@ const Measurement* at_cost(const Study& study, const std::string& method, double
 /// Moments at which the energy is looked at, and spans of which the largest error is drawn.
 constexpr std::uint64_t moments = 600, spans = 60;
 
-Curve energy_curve(const Measurement& run) {
+Curve energy_curve(const Measurement& run, const Execution& execution) {
     Curve curve{.name = run.run.method, .points = {}, .marks = false};
-    Simulation simulation(run.run);
+    Simulation simulation(run.run, execution);
     const std::uint64_t looks = std::min(moments, run.steps), looks_a_span = std::max<std::uint64_t>(1, looks / spans);
     double largest = 0;
     for (std::uint64_t i = 1; i <= looks; ++i) {
@@ -96,11 +97,14 @@ double share_of_work(const StudyPlan& plan) {
 }
 
 std::vector<Curve> energy_curves(const Study& study, double evaluations) {
-    std::vector<Curve> curves;
+    std::vector<const Measurement*> runs;
     for (const std::string& id : study.plan.methods) {
-        const Measurement* run = method(id).info.adaptive ? nullptr : at_cost(study, id, evaluations);
-        if (run) curves.push_back(energy_curve(*run));
+        const Measurement* const run = method(id).info.adaptive ? nullptr : at_cost(study, id, evaluations);
+        if (run) runs.push_back(run);
     }
+    std::vector<Curve> curves(runs.size());
+    side_by_side(runs.size(),
+                 [&](std::size_t i, const Execution& execution) { curves[i] = energy_curve(*runs[i], execution); });
     return curves;
 }
 
