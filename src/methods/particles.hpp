@@ -16,6 +16,8 @@ namespace steplab {
 template <class T, std::size_t Quantities>
 class InMemory {
 public:
+    static constexpr std::size_t quantities = Quantities;
+
     /// `fields` are of one count.
     explicit InMemory(const std::array<Field<T>*, Quantities>& fields) {
         for (std::size_t q = 0; q < Quantities; ++q) quantities_[q] = FieldLanes<T>(*fields[q]);

@@ -170,9 +170,11 @@ private:
     template <class Particles, class Stage>
     void run_in_memory(Force& force, Particles& particles, std::size_t registers, std::uint64_t steps,
                        std::size_t parts, Stage stage) {
+        const std::size_t bytes = Particles::quantities * sizeof(Vector<Lanes<T>>) * registers;
+        const std::size_t most = bytes > Force::bytes_alone ? Force::sweeps_together : 1;
         std::size_t part = 0;
         for (std::uint64_t left = steps * parts; left > 0;) {
-            const std::size_t together = std::min<std::uint64_t>(left, force.sweeps_together());
+            const std::size_t together = std::min<std::uint64_t>(left, most);
             sweep_together(force, particles, registers, together,
                            [&](std::size_t s, auto f) { stage((part + s) % parts, f); });
             part = (part + together) % parts;
@@ -181,14 +183,14 @@ private:
     }
 
     /// Several sweeps at once, each behind the one before it by no more than it must be, so that particles are moved
-    /// several times while they are in the cache.
+    /// several times while they are in a cache.
     template <class Particles, class Stage>
     void sweep_together(const Force& force, Particles& particles, std::size_t registers, std::size_t together,
                         Stage stage) {
         if (under_way_.size() < together) under_way_.resize(together);
         for (std::size_t s = 0; s < together; ++s) under_way_[s].restart();
         const std::size_t behind = force.registers_ahead();
-        const std::size_t block = together > 1 ? block_registers : registers;
+        const std::size_t block = together > 1 ? Force::registers_a_turn / Particles::quantities : registers;
         for (std::size_t front = block; under_way_[together - 1].at() < registers; front += block) {
             for (std::size_t s = 0; s < together && s * behind < front; ++s) {
                 auto& sweep = under_way_[s];
@@ -202,9 +204,6 @@ private:
             }
         }
     }
-
-    /// Some kilobytes of every quantity.
-    static constexpr std::size_t block_registers = 16;
 
     std::vector<typename detail::SweepOf<Force>::Type> under_way_;
     Field<T> accelerations_;  ///< of layouts without sweeps

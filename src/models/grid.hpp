@@ -172,7 +172,9 @@ public:
 
     /// How many registers ahead of its place a sweep reads.
     std::size_t registers_ahead() const { return behind + (forces_.columns + 1) / width + 2; }
-    static constexpr std::size_t sweeps_together() { return 1; }
+    /// So many sweeps, one behind the other in turns of so many registers of all quantities, find the particles in a
+    /// cache of the core; where particles take no more bytes than this, they do anyway.
+    static constexpr std::size_t sweeps_together = 16, registers_a_turn = 1536, bytes_alone = std::size_t{1} << 20;
 
     PotentialEnergy potential(const Field<T>& u) const { return potential(u, forces_.rows); }
     /// Of the springs that begin at the particles of the first `own` rows.

@@ -110,8 +110,9 @@ public:
 
     /// How many registers ahead of its place a sweep reads.
     static constexpr std::size_t registers_ahead() { return ahead + 1; }
-    /// So many sweeps, one behind the other, find the particles in the first-level cache.
-    static constexpr std::size_t sweeps_together() { return 16; }
+    /// So many sweeps, one behind the other in turns of so many registers of all quantities, find the particles in a
+    /// cache of the core; where particles take no more bytes than this, they do anyway.
+    static constexpr std::size_t sweeps_together = 16, registers_a_turn = 128, bytes_alone = 0;
 
     /// A whole sweep over particles that fill so many registers, known to the compiler.
     static constexpr std::size_t most_registers = std::max<std::size_t>(2, (10 + width - 1) / width);

@@ -94,12 +94,14 @@ TEST(LargeBands, meet_only_every_few_steps) {
     }
 }
 
-// Of so many particles that they are summed in several pieces, some of which lie in two bands.
+// Of so many particles that they are summed in several pieces, some of which lie in two bands; in one piece meshes take
+// more than a core's cache and go many sweeps together, in several bands one sweep at a time.
 TEST(LargeBands, look_as_one_thread_does) {
     for (const Precision precision : {Precision::double_, Precision::float_}) {
         for (const RunDescription& run :
              {run_of("chain", "rk4", precision, 0.1, {{"n", 30011}, {"c", 0.2}}),
-              run_of("mesh", "velocity-verlet", precision, 0.1, {{"dim", 167}, {"v0", 30}})}) {
+              run_of("mesh", "rk4", precision, 0.1, {{"dim", 167}, {"v0", 30}}),
+              run_of("mesh", "velocity-verlet", precision, 0.1, {{"dim", 230}, {"v0", 30}})}) {
             Simulation one(run, by_threads(1));
             one.advance(30);
             Frame expected, frame;
