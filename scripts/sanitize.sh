@@ -1,5 +1,8 @@
 #!/usr/bin/env bash
-# The core under sanitizers, assertions on, hardly optimised: scripts/sanitize.sh [arguments of ctest]
+# The core under sanitizers, assertions on, hardly optimised: scripts/sanitize.sh [--threads] [arguments of ctest]
+#
+# With --threads what several threads do together, under the sanitizer of threads; without, all else, under those of
+# memory and undefined behaviour.
 #
 # Its results have to be the same bits there too. It has to build where no OpenGL package is installed: nothing it
 # compiled has read a header of one. Takes half an hour on two cores, which is why .ci/run leaves it out: run it before
@@ -11,6 +14,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
 
 ensure_packages core checks
+if [[ ${1:-} == --threads ]]; then
+    shift
+    build tsan -DSTEPLAB_WERROR=ON
+    quiet_tests tsan -R 'Team|Worker|Bands|LargePairs|Pieces|SideBySide|SpeedError|Limits|Companions|Ensemble' "$@"
+    exit
+fi
 build asan -DSTEPLAB_WERROR=ON # by clang++, which takes half of the time that g++ takes here
 say "no OpenGL, GLFW or ImGui header was read"
 if ninja -C "$root/build/asan" -t deps | grep -E '/(GL|GLES[0-9]*|EGL|KHR|GLFW|glm|imgui)/|imgui\.h'; then

@@ -40,12 +40,15 @@ struct Row {
     std::size_t
         steps;  ///< of a batch: where it is short, with its share of steplab's checks of the energy, each 256 steps
     std::vector<std::string_view> methods;
+    bool sideways = false;  ///< with the last particle pulled off the axis along which the scene moves
 };
 
 const std::vector<Row>& rows() {
     static const std::vector<Row> all{
         {"chain-10", "chain", "n", 10, 0.1, 64 * 256, {"euler", "velocity-verlet", "midpoint", "rk4"}},
         {"chain-100000", "chain", "n", 100000, 0.1, 256, {"euler", "velocity-verlet", "midpoint", "rk4"}},
+        {"chain-10-sideways", "chain", "n", 10, 0.1, 64 * 256, {"euler", "velocity-verlet", "rk4"}, true},
+        {"chain-100000-sideways", "chain", "n", 100000, 0.1, 256, {"euler", "velocity-verlet", "rk4"}, true},
         {"mesh-100x100", "mesh", "dim", 100, 0.1, 256, {"euler", "velocity-verlet", "rk4"}},
         {"mesh-1000x1000", "mesh", "dim", 1000, 0.1, 32, {"euler", "velocity-verlet", "rk4"}},
         {"morse-28", "morse", "edge", 3, 0.01, 4 * 256, {"velocity-verlet", "rk4"}},
@@ -96,9 +99,15 @@ RunDescription description_of(const Row& row, std::string_view method, Precision
     return description;
 }
 
-Contestant ourselves(const RunDescription& description, std::size_t threads) {
-    return {threads > 1 ? fmt::format("steplab {} threads", threads) : "steplab", [description, threads] {
+void pull_sideways(Simulation& simulation) {
+    const std::size_t last = simulation.particles() - 1;
+    simulation.pull(last, simulation.frame().positions[last] + Vec3{0, 1, 0.5});
+}
+
+Contestant ourselves(const RunDescription& description, std::size_t threads, bool sideways = false) {
+    return {threads > 1 ? fmt::format("steplab {} threads", threads) : "steplab", [=] {
                 auto simulation = std::make_shared<Simulation>(description, Execution{.threads = threads});
+                if (sideways) pull_sideways(*simulation);
                 return Stepping{[simulation](std::size_t steps) { simulation->advance(steps); },
                                 [simulation] { return simulation->hash(); }};
             }};
@@ -131,9 +140,11 @@ std::string name_of(const Row& row, std::string_view method, Precision precision
 
 Comparison with_peers(const Row& row, std::string_view method, Precision precision) {
     const RunDescription description = description_of(row, method, precision);
-    const Simulation simulation(description);
-    Comparison comparison{
-        name_of(row, method, precision), simulation.particles(), {{ourselves(description, 1), row.steps}}};
+    Simulation simulation(description);
+    if (row.sideways) pull_sideways(simulation);
+    Comparison comparison{name_of(row, method, precision),
+                          simulation.particles(),
+                          {{ourselves(description, 1, row.sideways), row.steps}}};
     // without checks, each step of theirs is alike
     for (const Contestant& peer : peers_of(simulation)) comparison.entries.push_back({peer, row.steps / 4});
     return comparison;

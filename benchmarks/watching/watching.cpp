@@ -44,20 +44,23 @@ public:
         const auto begin = Clock::now();
         const std::uint64_t first = view_.frame.step;
         int views = 0;
-        double stepping = 0;  // sum of the speeds of the steps alone, as the views tell them
+        double stepping = 0;  // seconds of the steps and their checks alone, by the speed that each view tells
         // The last view may be a while old: the time counts until it came.
         double seconds = 0;
+        std::uint64_t last = first;
         while (seconds_since(begin) < round_time.count() || views == 0) {
             std::this_thread::sleep_for(frame_time);
             if (!take()) continue;
             ++views;
             seconds = seconds_since(begin);
-            stepping += view_.steps_per_second.value_or(0);
+            const double speed = view_.steps_per_second.value_or(0);
+            if (speed > 0) stepping += static_cast<double>(view_.frame.step - last) / speed;
+            last = view_.frame.step;
         }
         const double steps = static_cast<double>(view_.frame.step - first);
         worker_.play(false);
         while (!take() || view_.playing) std::this_thread::sleep_for(frame_time);
-        return {steps / seconds, views / seconds, 1 - steps / seconds / (stepping / views)};
+        return {steps / seconds, views / seconds, 1 - stepping / seconds};
     }
 
 private:

@@ -1,7 +1,7 @@
 #pragma once
 
 // STEPLAB_INSTRUCTION_SET: the namespace of what a source defines that is compiled once for each instruction set. The
-// build names it but for the first time.
+// build defines it for all but the first of them, the baseline.
 
 #ifndef STEPLAB_INSTRUCTION_SET
 #define STEPLAB_INSTRUCTION_SET baseline

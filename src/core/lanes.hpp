@@ -212,6 +212,11 @@ public:
             return root;
         });
     }
+    [[gnu::always_inline]] friend RegisterLanes magnitude(const RegisterLanes& x) {
+        const Bits signs = std::bit_cast<Bits>(-Register{});
+        return of_each(
+            [&](std::size_t p) { return std::bit_cast<Register>(std::bit_cast<Bits>(x.registers_[p]) & ~signs); });
+    }
     [[gnu::always_inline]] friend RegisterLanes exponential(const RegisterLanes& x) {
         if constexpr (parts == 1) {
             return detail::exponential_of<T, Bits>(x);

@@ -2,7 +2,10 @@
 
 #include "core/error.hpp"
 #include "lab/side_by_side.hpp"
+#include "sim/memory.hpp"
+#include "sim/stepper_group.hpp"
 
+#include <algorithm>
 #include <mutex>
 
 namespace steplab {
@@ -24,7 +27,10 @@ std::vector<Limit> all_limits(const StabilityLab& lab, std::span<const RunDescri
     std::vector<Limit> limits(methods.size());
     std::mutex mutex;  // of what follows
     std::size_t found = 0;
-    side_by_side(methods.size(), [&](std::size_t i, const Execution&) {
+    double bytes = 0;
+    for (const RunDescription& run : methods)
+        bytes = std::max(bytes, static_cast<double>(most_side_by_side) * bytes_of_run(run));
+    side_by_side(methods.size(), bytes, [&](std::size_t i, const Execution&) {
         limits[i] = limit_or_refusal(lab, methods[i]);
         const std::lock_guard lock(mutex);
         done(++found);

@@ -53,7 +53,8 @@ Measurement measure(const RunDescription& run, std::uint64_t steps, const Refere
     clock.started(simulation.evaluations());
     for (std::uint64_t look = 1; look <= looks && !simulation.divergence(); ++look) {
         at_look();
-        clock.time([&] { simulation.advance(steps * look / looks - simulation.step()); });
+        const std::uint64_t next = steps * look / looks - simulation.step();
+        clock.time([&] { simulation.advance(next); });
         measurement.energy_error = std::max(measurement.energy_error, std::abs(simulation.energy_error()));
     }
     simulation.conclude();

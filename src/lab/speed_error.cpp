@@ -6,6 +6,7 @@
 #include "lab/linearised.hpp"
 #include "lab/side_by_side.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ private:
             const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
             if (cost.too_long(steps)) return false;
             runs_.push_back(made(run_over(plan_, method_, precision_, steps), steps));
-            cost.ran(steps, runs_.back().rough_seconds);
+            if (!runs_.back().diverged) cost.ran(steps, runs_.back().rough_seconds);  // else it ended before
             if (gain.gains_no_more(runs_.back())) return true;
         }
         return true;
@@ -119,7 +120,7 @@ public:
         const double fastest_motion = frequency(plan_);
         std::size_t done = first_;
         progress(done);
-        side_by_side(measured_.size(), [&](std::size_t i, const Execution& execution) {
+        side_by_side(measured_.size(), dearest_bytes(plan_), [&](std::size_t i, const Execution& execution) {
             const std::size_t place = first_ + i;
             Series series(plan_, reference, fastest_motion, method_of(place), precision_of(place), execution);
             MeasuredSeries measured = series.measured();
@@ -230,6 +231,13 @@ std::vector<std::string> possible_methods(const StudyPlan& plan) {
         }
     }
     return possible;
+}
+
+double dearest_bytes(const StudyPlan& plan) {
+    double most = 0;
+    for (const std::string& id : possible_methods(plan))
+        most = std::max(most, bytes_of_run(run_over(plan, id, Precision::double_, 1)));
+    return most;
 }
 
 void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyProgress& progress) {

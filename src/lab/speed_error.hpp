@@ -16,7 +16,7 @@ struct StudyPlan {
     std::vector<std::string> methods;
     std::map<std::string, double> method_settings;  ///< parameters of methods; those that have them take them
     std::vector<Precision> precisions;
-    double most_seconds_a_run = 0.02;  ///< a series of smaller and smaller dt ends before a run takes longer
+    double most_seconds_a_run = 0.02;  ///< by its share of the machine; a series ends before a run takes longer
     double ratio = 2;                  ///< of neighbouring dt in a series, > 1
     int rounds = 3;                    ///< each run is timed in so many interleaved rounds
 };
@@ -71,6 +71,9 @@ std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method, dou
 
 /// The methods of the plan that can run its scene: others refuse it by name.
 std::vector<std::string> possible_methods(const StudyPlan& plan);
+
+/// Memory that a run of any of them takes.
+double dearest_bytes(const StudyPlan& plan);
 
 /// Times these runs in interleaved rounds and stores the least of each.
 void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyProgress& progress);

@@ -103,7 +103,7 @@ std::vector<Curve> energy_curves(const Study& study, double evaluations) {
         if (run) runs.push_back(run);
     }
     std::vector<Curve> curves(runs.size());
-    side_by_side(runs.size(),
+    side_by_side(runs.size(), dearest_bytes(study.plan),
                  [&](std::size_t i, const Execution& execution) { curves[i] = energy_curve(*runs[i], execution); });
     return curves;
 }

@@ -17,7 +17,9 @@ namespace steplab {
 
 // A sweep goes once over all particles, a register of them at a time: it computes their accelerations and hands them to
 // a sink, which moves the particles at once. A layout of forces whose class has a type Sweep reads no position again
-// that it has handed out; those of the others are computed for all particles first.
+// that it has handed out; those of the others are computed for all particles first. As many sweeps as the layout's
+// sweeps_together go one behind the other, by turns of registers_a_turn registers of all quantities, so that they find
+// particles in a cache; where these take no more than bytes_alone, they do anyway.
 //
 // An integrator describes its step as sweeps, part after part: stage(part, f) calls f(q, sink), where q (an
 // std::integral_constant) is the quantity that holds the positions of this part's evaluation, and sink(particles, r, a)
@@ -33,6 +35,12 @@ concept Sweeping = requires {
 template <class Force>
 concept SweepingInRegisters = Sweeping<Force> && requires {
     Force::most_registers;
+};
+
+/// Layouts that sweep in code of its own over particles that move along x alone.
+template <class Force>
+concept SweepingAlongX = requires {
+    Force::sweeps_along_x;
 };
 
 /// Layouts that sweep particle after particle where numbers have lanes.
@@ -57,6 +65,7 @@ struct SweepOf<Force> {
 /// Positions of particles as a sweep reads them.
 template <class Particles, std::size_t Q>
 struct PositionsOf {
+    static constexpr std::size_t axes = Particles::axes;
     const Particles& particles;
 
     [[gnu::always_inline]] auto get(std::size_t r) const { return particles.get(Q, r); }
@@ -90,12 +99,25 @@ void look_at(Force& force, const Field<T>& x, Sink sink) {
 template <class T, class Force>
 class Sweeps {
 public:
-    /// `steps` steps of `parts` sweeps each over the particles whose quantities are `fields`.
+    /// `steps` steps of `parts` sweeps each over the particles whose quantities are `fields`. With `axes` 1 these are
+    /// zero along y and z, and stay so.
     template <std::size_t Quantities, class Stage>
     void run(Force& force, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps, std::size_t parts,
-             Stage stage) {
+             Stage stage, std::size_t axes) {
+        if constexpr (SweepingAlongX<Force>) {
+            if (axes == 1) return run_along<1>(force, fields, steps, parts, stage);
+        }
+        run_along<3>(force, fields, steps, parts, stage);
+    }
+
+private:
+    static constexpr std::size_t width = Lanes<T>::count;
+
+    template <std::size_t Axes, std::size_t Quantities, class Stage>
+    void run_along(Force& force, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps,
+                   std::size_t parts, Stage stage) {
         if constexpr (SideBySide<T> && SweepingInTurn<Force>) {
-            InMemory<T, Quantities> particles(fields);
+            InMemory<T, Quantities, Axes> particles(fields);
             for (std::uint64_t s = 0; s < steps; ++s) {
                 for (std::size_t part = 0; part < parts; ++part) sweep_in_turn(force, particles, part, stage);
             }
@@ -105,21 +127,18 @@ public:
             const std::size_t registers = (fields[0]->count() + width - 1) / width;
             if constexpr (SweepingInRegisters<Force> && Stage::in_registers && !SideBySide<T>) {
                 if (registers <= Force::most_registers)
-                    return run_in_registers<Force::most_registers>(force, fields, registers, steps, parts, stage);
+                    return run_in_registers<Axes, Force::most_registers>(force, fields, registers, steps, parts, stage);
             }
-            InMemory<T, Quantities> particles(fields);
+            InMemory<T, Quantities, Axes> particles(fields);
             run_in_memory(force, particles, registers, steps, parts, stage);
         }
     }
 
-private:
-    static constexpr std::size_t width = Lanes<T>::count;
-
     template <std::size_t Quantities, class Stage>
     void sweep_whole(Force& force, const std::array<Field<T>*, Quantities>& fields, std::size_t part, Stage stage) {
-        InMemory<T, Quantities> particles(fields);
+        InMemory<T, Quantities, 3> particles(fields);
         if (accelerations_.count() != fields[0]->count()) accelerations_ = Field<T>(fields[0]->count());
-        InMemory<T, 1> accelerations({&accelerations_});
+        InMemory<T, 1, 3> accelerations({&accelerations_});
         stage(part, [&](auto q, auto sink) {
             force.accelerations(*fields[q], accelerations_);
             const std::size_t registers = (fields[0]->count() + width - 1) / width;
@@ -138,15 +157,15 @@ private:
     }
 
     /// The same for few particles, in code of its own for every number of registers.
-    template <std::size_t Registers, std::size_t Quantities, class Stage>
+    template <std::size_t Axes, std::size_t Registers, std::size_t Quantities, class Stage>
     void run_in_registers(Force& force, const std::array<Field<T>*, Quantities>& fields, std::size_t registers,
                           std::uint64_t steps, std::size_t parts, Stage stage) {
         if constexpr (Registers > 1) {
             if (registers < Registers)
-                return run_in_registers<Registers - 1>(force, fields, registers, steps, parts, stage);
+                return run_in_registers<Axes, Registers - 1>(force, fields, registers, steps, parts, stage);
         }
-        InMemory<T, Quantities> memory(fields);
-        InRegisters<T, Quantities, Registers> particles;
+        InMemory<T, Quantities, Axes> memory(fields);
+        InRegisters<T, Quantities, Axes, Registers> particles;
         particles.load(memory);
         const Force own = force;
         for (std::uint64_t i = 0; i < steps; ++i) {
@@ -154,13 +173,9 @@ private:
                 stage(
                     part, [&](auto q, auto sink) __attribute__((always_inline)) {
                         own.template sweep<Registers>(
-                            PositionsOf<InRegisters<T, Quantities, Registers>, q>{particles}, [&](std::size_t r,
-                                                                                                  const auto& a)
-                                                                                                  __attribute__((
-                                                                                                      always_inline)) {
-                                                                                                      sink(particles, r,
-                                                                                                           a);
-                                                                                                  });
+                            PositionsOf<InRegisters<T, Quantities, Axes, Registers>, q>{particles},
+                            [&](std::size_t r, const auto& a)
+                                __attribute__((always_inline)) { sink(particles, r, a); });
                     });
             }
         }
@@ -170,7 +185,7 @@ private:
     template <class Particles, class Stage>
     void run_in_memory(Force& force, Particles& particles, std::size_t registers, std::uint64_t steps,
                        std::size_t parts, Stage stage) {
-        const std::size_t bytes = Particles::quantities * sizeof(Vector<Lanes<T>>) * registers;
+        const std::size_t bytes = Particles::quantities * Particles::axes * sizeof(Lanes<T>) * registers;
         const std::size_t most = bytes > Force::bytes_alone ? Force::sweeps_together : 1;
         std::size_t part = 0;
         for (std::uint64_t left = steps * parts; left > 0;) {
@@ -190,6 +205,7 @@ private:
         if (under_way_.size() < together) under_way_.resize(together);
         for (std::size_t s = 0; s < together; ++s) under_way_[s].restart();
         const std::size_t behind = force.registers_ahead();
+        static_assert(Force::registers_a_turn >= Particles::quantities);
         const std::size_t block = together > 1 ? Force::registers_a_turn / Particles::quantities : registers;
         for (std::size_t front = block; under_way_[together - 1].at() < registers; front += block) {
             for (std::size_t s = 0; s < together && s * behind < front; ++s) {

@@ -45,8 +45,11 @@ public:
 
     /// a(x) of all particles, drag not included: one evaluation.
     void accelerations(const Field<T>& x, Field<T>& a) {
-        force_.accelerations(x, a);
         ++evaluations_;
+        if constexpr (SweepingAlongX<Force>) {
+            if (axes_ == 1) return force_.accelerations_along_x(x, a);
+        }
+        force_.accelerations(x, a);
     }
 
     /// The same for somebody who looks: not counted.
@@ -56,7 +59,7 @@ public:
     /// (sweeps.hpp); an evaluation each.
     template <std::size_t Quantities, class Stage>
     void sweep(const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps, std::size_t parts, Stage stage) {
-        sweeps_.run(force_, fields, steps, parts, stage);
+        sweeps_.run(force_, fields, steps, parts, stage, axes_);
         evaluations_ += steps * parts;
     }
 
@@ -94,11 +97,16 @@ public:
     void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a, std::size_t axes = 3) {
         if (!force_at_stages_) force_at_stages_.emplace(force_in<Stages<T>>(force_));
         evaluations_ += stage_count;
-        if constexpr (requires { force_at_stages_->accelerations_along_x(x, a); }) {
+        if constexpr (SweepingAlongX<Force>) {
             if (axes == 1) return force_at_stages_->accelerations_along_x(x, a);
         }
         force_at_stages_->accelerations(x, a);
     }
+
+    /// The axes along which something moves: with 1, all fields that the method hands out are zero along y and z, and
+    /// stay so (moving_axes.hpp).
+    std::size_t axes() const { return axes_; }
+    void axes(std::size_t count) { axes_ = count; }
 
     T drag() const { return drag_; }
     T dt() const { return dt_; }
@@ -112,6 +120,7 @@ private:
     Sweeps<T, Force> sweeps_;
     T drag_;
     T dt_;
+    std::size_t axes_ = 3;
     std::uint64_t evaluations_ = 0;
 };
 

@@ -31,6 +31,8 @@ class Grid {
     /// Registers between computing pulls and adding them up in narrow grids: what has just been stored is slow to load
     /// in parts.
     static constexpr std::size_t behind = 3;
+    /// Columns of such grids, at most; in registers of a cache line they are no faster so.
+    static constexpr std::size_t narrow = width * sizeof(T) < 64 ? 4 * width - 1 : 0;
 
 public:
     explicit Grid(const GridForces& forces)
@@ -74,7 +76,7 @@ public:
         void to(const Grid& grid, std::size_t end, Positions positions, Sink sink) {
             if (at_ == 0) begin(grid);
             Passed passed = passed_;
-            if (grid.forces_.columns >= 4 * width) {
+            if (grid.forces_.columns > narrow) {
                 for (; at_ < end; ++at_) {
                     const Own own = pass(grid, at_, positions, passed);
                     sink(at_, sum(grid, at_, own));
@@ -172,8 +174,6 @@ public:
 
     /// How many registers ahead of its place a sweep reads.
     std::size_t registers_ahead() const { return behind + (forces_.columns + 1) / width + 2; }
-    /// So many sweeps, one behind the other in turns of so many registers of all quantities, find the particles in a
-    /// cache of the core; where particles take no more bytes than this, they do anyway.
     static constexpr std::size_t sweeps_together = 16, registers_a_turn = 1536, bytes_alone = std::size_t{1} << 20;
 
     PotentialEnergy potential(const Field<T>& u) const { return potential(u, forces_.rows); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/along_x.hpp"
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
@@ -49,16 +50,15 @@ public:
         f(self.stiffness_), f(self.length_), f(self.gravity_);
     }
 
-    void accelerations(const Field<T>& u, Field<T>& a) const {
-        if constexpr (SideBySide<T>) return accelerate_in_turn<3>(u, a);
-        const FieldLanes<T> out(a);
-        const FieldLanes<const T> positions(u);
-        Sweep sweep;  // not Sweep(), which would be filled with zeros
-        sweep.to(*this, registers(), positions, [&](std::size_t r, const Vec& sum) { out.set(r, sum); });
-    }
+    void accelerations(const Field<T>& u, Field<T>& a) const { accelerate<3>(u, a); }
+
+    static constexpr bool sweeps_along_x = true;
+    /// The same where all particles move along x alone: the components along x of `a`.
+    void accelerations_along_x(const Field<T>& u, Field<T>& a) const { accelerate<1>(u, a); }
 
     /// One sweep over all particles (methods/sweeps.hpp). `positions.get(r)` are those of the r-th register of
-    /// particles; sink(r, a) is called with their accelerations once their positions are needed no more.
+    /// particles; sink(r, a) is called with their accelerations once their positions are needed no more. Where
+    /// `positions.axes` is 1, they and what matters of a are those along x.
     class Sweep {
     public:
         void restart() { at_ = 0; }
@@ -68,23 +68,24 @@ public:
         template <class Positions, class Sink>
         void to(const Line& line, std::size_t end, Positions positions, Sink sink) {
             const std::size_t registers = line.registers();
-            Vec here = here_, before = before_;
+            constexpr std::size_t axes = Positions::axes;
+            Moving<N, axes> here = moving<axes>(here_), before = moving<axes>(before_);
             const auto look = [&](std::size_t r) __attribute__((always_inline)) {
-                const Vec next = r + 1 < registers ? positions.get(r + 1) : here;
-                keep(r, line, line.springs(here, next));
+                const Moving<N, axes> next = r + 1 < registers ? moving<axes>(positions.get(r + 1)) : here;
+                keep<axes>(r, line, line.springs(here, next));
                 here = next;
             };
             if (at_ == 0) {
-                here = positions.get(0);
-                before = none();
+                here = moving<axes>(positions.get(0));
+                before = moving<axes>(none());
                 for (std::size_t r = 0; r < std::min(ahead, registers); ++r) look(r);
             }
             for (std::size_t r = at_; r < end; ++r) {
                 if (r + ahead < registers) look(r + ahead);
-                sink(r, line.sum(r, registers, kept(r), before));
+                sink(r, as_vector(line.sum(r, registers, kept<axes>(r), before)));
             }
-            here_ = here;
-            before_ = before;
+            here_ = as_vector(here);
+            before_ = as_vector(before);
             at_ = end;
         }
 
@@ -93,14 +94,21 @@ public:
         static constexpr std::size_t places = ahead + 1;
 
         /// The factor and the vector of each: its pull, but for the product.
+        template <std::size_t Axes>
         [[gnu::always_inline]] void keep(std::size_t r, const Line& line, const SpringGeometry<N>& springs) {
             T* const to = ahead_.data() + r % places * 4 * width;
             spring_factor(springs, N(line.length_), N(line.stiffness_)).store(to);
-            springs.d.x.store(to + width), springs.d.y.store(to + 2 * width), springs.d.z.store(to + 3 * width);
+            springs.d.x.store(to + width);
+            if constexpr (Axes == 1) return;
+            springs.d.y.store(to + 2 * width), springs.d.z.store(to + 3 * width);
         }
-        [[gnu::always_inline]] Vec kept(std::size_t r) const {
+        template <std::size_t Axes>
+        [[gnu::always_inline]] Moving<N, Axes> kept(std::size_t r) const {
             const T* const from = ahead_.data() + r % places * 4 * width;
-            return N::load(from) * Vec{N::load(from + width), N::load(from + 2 * width), N::load(from + 3 * width)};
+            if constexpr (Axes == 1)
+                return N::load(from) * N::load(from + width);
+            else
+                return N::load(from) * Vec{N::load(from + width), N::load(from + 2 * width), N::load(from + 3 * width)};
         }
 
         std::size_t at_ = 0;
@@ -110,15 +118,14 @@ public:
 
     /// How many registers ahead of its place a sweep reads.
     static constexpr std::size_t registers_ahead() { return ahead + 1; }
-    /// So many sweeps, one behind the other in turns of so many registers of all quantities, find the particles in a
-    /// cache of the core; where particles take no more bytes than this, they do anyway.
     static constexpr std::size_t sweeps_together = 16, registers_a_turn = 128, bytes_alone = 0;
 
     /// A whole sweep over particles that fill so many registers, known to the compiler.
     static constexpr std::size_t most_registers = std::max<std::size_t>(2, (10 + width - 1) / width);
     template <std::size_t Registers, class Positions, class Sink>
     [[gnu::always_inline]] void sweep(Positions positions, Sink sink) const {
-        Vec here = positions.get(0), before = none();
+        constexpr std::size_t axes = Positions::axes;
+        Moving<N, axes> here = moving<axes>(positions.get(0)), before = moving<axes>(none());
         [&]<std::size_t... R>(std::index_sequence<R...>) __attribute__((always_inline)) {
             (pass(R, Registers, positions, sink, here, before), ...);
         }
@@ -130,29 +137,25 @@ public:
     /// begins a root and a division while it waits for those of the springs before.
     template <class Positions, class Sink>
     [[gnu::always_inline]] void sweep_in_turn(const Positions& positions, Sink sink) const requires SideBySide<T> {
-        const N zero(T(0));
-        const Vec none{zero, zero, zero};
+        constexpr std::size_t axes = Positions::axes;
+        using V = Moving<N, axes>;
         const std::size_t count = forces_.count;
-        Vec before = none, first = none, second = none, here = positions.get(0);
+        const V still = moving<axes>(none());
+        V before = still, first = still, second = still, here = moving<axes>(positions.get(0));
         for (std::size_t i = 0; i < count + 2; ++i) {
-            Vec third = none;
+            V third = still;
             if (i + 1 < count) {
-                const Vec next = positions.get(i + 1);
+                const V next = moving<axes>(positions.get(i + 1));
                 third = pulls(here, next);
                 here = next;
             }
             if (i >= 2) {
-                Vec sum = first - before;
-                if (falls_) sum.y = sum.y - N(gravity_);
-                sink(i - 2, i - 2 < first_moving_ ? none : sum);
+                V sum = first - before;
+                if (falls_) fall(sum, N(gravity_));
+                sink(i - 2, as_vector(i - 2 < first_moving_ ? still : sum));
             }
             before = first, first = second, second = third;
         }
-    }
-
-    /// The same where all particles move along x alone: the components along x of `a`.
-    void accelerations_along_x(const Field<T>& u, Field<T>& a) const requires SideBySide<T> {
-        accelerate_in_turn<1>(u, a);
     }
 
     PotentialEnergy potential(const Field<T>& u) const { return potential(u, forces_.count); }
@@ -227,40 +230,66 @@ private:
 
     /// Hands out the accelerations of register r of so many. `here` are its positions and `before` the pulls of the
     /// springs before it; they become those of the next.
-    template <class Positions, class Sink>
+    template <class Positions, class Sink, class V>
     [[gnu::always_inline]] void pass(std::size_t r, std::size_t registers, const Positions& positions, Sink& sink,
-                                     Vec& here, Vec& before) const {
-        const Vec next = r + 1 < registers ? positions.get(r + 1) : here;
-        const Vec pull = pulls(here, next);
+                                     V& here, V& before) const {
+        const V next = r + 1 < registers ? moving<Positions::axes>(positions.get(r + 1)) : here;
+        const V pull = pulls(here, next);
         here = next;
-        sink(r, sum(r, registers, pull, before));
+        sink(r, as_vector(sum(r, registers, pull, before)));
     }
 
+    [[gnu::always_inline]] N pulls(const N& here, const N& next) const {
+        return spring_pull(springs(here, next), N(length_), N(stiffness_)).x;
+    }
     [[gnu::always_inline]] Vec pulls(const Vec& here, const Vec& next) const {
         return spring_pull(springs(here, next), N(length_), N(stiffness_));
     }
 
     /// The springs that begin at the particles of one register; `next` holds the particles after them.
-    [[gnu::always_inline]] SpringGeometry<N> springs(const Vec& here, const Vec& next) const {
+    template <class V>
+    [[gnu::always_inline]] SpringGeometry<N> springs(const V& here, const V& next) const {
         const auto along = [](const N& from, const N& to) __attribute__((always_inline)) {
             return N::shifted_down(from, to) - from;
         };
-        const Vec e{along(here.x, next.x), along(here.y, next.y), along(here.z, next.z)};
-        return {Offset<N, Zero, Zero>{N(length_), {}, {}}, e};
+        return geometry(N(length_), each_component(along, here, next));
+    }
+    template <class M>
+    [[gnu::always_inline]] static SpringGeometry<M> geometry(const M& length, const M& along_x) {
+        return SpringGeometry<M>::along_x(length, along_x);
+    }
+    template <class M>
+    [[gnu::always_inline]] static SpringGeometry<M> geometry(const M& length, const Vector<M>& e) {
+        return {Offset<M, Zero, Zero>{length, {}, {}}, e};
     }
 
     /// The accelerations of register r of so many by the pulls of its springs and of those of the register before,
     /// whose place these take.
-    [[gnu::always_inline]] Vec sum(std::size_t r, std::size_t registers, Vec pull, Vec& before) const {
+    template <class V>
+    [[gnu::always_inline]] V sum(std::size_t r, std::size_t registers, V pull, V& before) const {
         const bool last = r + 1 == registers;
         if (last) pull = first_lanes(forces_.count - 1 - r * width, pull);
-        Vec sum{pull.x - N::shifted_up(before.x, pull.x), pull.y - N::shifted_up(before.y, pull.y),
-                pull.z - N::shifted_up(before.z, pull.z)};
-        if (falls_)
-            sum.y = sum.y - (last ? where(N::first(forces_.count - r * width), N(gravity_), N(T(0))) : N(gravity_));
+        const auto less = [](const N& own, const N& behind) __attribute__((always_inline)) {
+            return own - N::shifted_up(behind, own);
+        };
+        V sum = each_component(less, pull, before);
+        if (falls_) fall(sum, last ? where(N::first(forces_.count - r * width), N(gravity_), N(T(0))) : N(gravity_));
         if (r == 0 && first_moving_ > 0) sum = after_first(sum);
         before = pull;
         return sum;
+    }
+
+    [[gnu::always_inline]] static void fall(Vec& a, const N& gravity) { a.y = a.y - gravity; }
+    /// Along x nothing falls.
+    [[gnu::always_inline]] static void fall(N&, const N&) {}
+
+    template <std::size_t Axes>
+    void accelerate(const Field<T>& u, Field<T>& a) const {
+        if constexpr (SideBySide<T>) return accelerate_in_turn<Axes>(u, a);
+        const FieldLanes<T, Axes> out(a);
+        const FieldLanes<const T, Axes> positions(u);
+        Sweep sweep;  // not Sweep(), which would be filled with zeros
+        sweep.to(*this, registers(), positions, [&](std::size_t r, const Vec& sum) { out.set(r, sum); });
     }
 
     /// Numbers that fill registers by themselves: spring after spring, whose pull stays in registers for the next. The
@@ -276,7 +305,8 @@ private:
             Vector<T> pull{zero, zero, zero};
             if (i + 1 < forces_.count) {
                 const Vector<T> next = at(i + 1);
-                pull = spring_pull(Offset<T, Zero, Zero>{length_, {}, {}}, length_, stiffness_, next - here);
+                const Vector<T> e = next - here;
+                pull = spring_pull(Axes == 1 ? geometry(length_, e.x) : geometry(length_, e), length_, stiffness_);
                 here = next;
             }
             const bool moves = i >= first_moving_;
@@ -289,15 +319,17 @@ private:
     }
 
     /// Keeps the lanes of springs that exist: the last particle has none behind it.
-    static Vec first_lanes(std::size_t count, const Vec& pull) {
+    template <class V>
+    static V first_lanes(std::size_t count, const V& pull) {
         const auto kept = N::first(count);
-        return {where(kept, pull.x, N(T(0))), where(kept, pull.y, N(T(0))), where(kept, pull.z, N(T(0)))};
+        return each_component([&](const N& number) { return where(kept, number, N(T(0))); }, pull);
     }
 
     /// No acceleration for the fixed first particle.
-    static Vec after_first(const Vec& sum) {
+    template <class V>
+    static V after_first(const V& sum) {
         const auto fixed = N::first(1);
-        return {where(fixed, N(T(0)), sum.x), where(fixed, N(T(0)), sum.y), where(fixed, N(T(0)), sum.z)};
+        return each_component([&](const N& number) { return where(fixed, N(T(0)), number); }, sum);
     }
 
     void add_gravity(Field<T>& a) const {

@@ -45,6 +45,18 @@ struct SpringGeometry {
           stretch(e.x * (rest.x + d.x) + (e.y * (rest.y + d.y) + e.z * (rest.z + d.z))),
           distance2(d.x * d.x + (d.y * d.y + d.z * d.z)),
           distance(square_root(distance2)) {}
+
+    /// The same numbers for a spring that lies along x and moves along x alone: the root of a square is its size, to
+    /// the last bit.
+    [[gnu::always_inline]] static SpringGeometry along_x(const N& rest, const N& e) {
+        const N zero(0);
+        SpringGeometry spring;
+        spring.d = {rest + e, zero, zero};
+        spring.stretch = e * (rest + spring.d.x);
+        spring.distance2 = spring.d.x * spring.d.x;
+        spring.distance = magnitude(spring.d.x);
+        return spring;
+    }
 };
 
 /// stiffness (|d| - length) / |d|. Inlined by order: whole registers of numbers would be handed over through memory.

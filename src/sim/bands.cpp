@@ -91,17 +91,18 @@ public:
     std::size_t particles() const override { return particles_; }
 
     void look(const PortionSink& sink) const override {
-        for (std::size_t i = 0; i < bands_.size(); ++i) look_at(i, sink);
+        for (std::size_t i = 0; i < bands_.size(); ++i) look_at(i, 0, sink);
     }
     void look_side_by_side(const PortionSink& sink) const override {
-        team_.share(bands_.size(), [&](std::size_t i) { look_at(i, sink); });
+        team_.share(bands_.size(), [&](std::size_t i) { look_at(i, i, sink); });
     }
     std::size_t parts() const override { return bands_.size(); }
 
     std::uint64_t evaluations() const override { return bands_.front().stepper->evaluations(); }
 
     void save(std::any& to) const override {
-        if (!std::any_cast<Saved>(&to)) to = Saved(bands_.size());
+        const Saved* const before = std::any_cast<Saved>(&to);
+        if (!before || before->size() != bands_.size()) to = Saved(bands_.size());
         Saved& saved = *std::any_cast<Saved>(&to);
         team_.share(bands_.size(), [&](std::size_t i) { bands_[i].stepper->save(saved[i]); });
     }
@@ -133,15 +134,15 @@ private:
                                     setup.precision, setup.dt, setup.instructions});
     }
 
-    /// What a band owns.
-    void look_at(std::size_t i, const PortionSink& sink) const {
+    /// What a band owns, as this part of the scene.
+    void look_at(std::size_t i, std::size_t part, const PortionSink& sink) const {
         const Band& band = bands_[i];
         const std::size_t begin = band.begin * unit_, end = band.end * unit_, first = band.first() * unit_;
         band.stepper->look([&](const Portion& portion) {
             const std::size_t from = first + portion.first, to = from + portion.count;
             const std::size_t own = std::max(from, begin);
             if (own < std::min(to, end))
-                sink({own, std::min(to, end) - own, portion.state, portion.place + own - from, i});
+                sink({own, std::min(to, end) - own, portion.state, portion.place + own - from, part});
         });
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "methods/moving_axes.hpp"
 #include "methods/runge_kutta_steps.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
@@ -35,7 +36,7 @@ public:
           integrator_(std::move(integrator)) {
         std::vector<State<T>> starts;
         for (const StepperSetup& run : runs) starts.push_back(run.start.template state<T>());
-        integrator_.start(system_, state_in_lanes(starts));
+        start(starts);
     }
 
     std::size_t runs() const override { return runs_; }
@@ -49,7 +50,7 @@ public:
         std::vector<State<T>> starts;
         for (const State<double>& state : states)
             starts.push_back({converted<T>(state.displacement), converted<T>(state.velocity)});
-        integrator_.start(system_, state_in_lanes(starts));
+        start(starts);
         forget();
     }
 
@@ -85,6 +86,12 @@ public:
 
 private:
     using Integrator = typename Method::template Integrator<N>;
+
+    void start(const std::vector<State<T>>& states) {
+        State<N> all = state_in_lanes(states);
+        if constexpr (SweepingAlongX<Force<N>>) system_.axes(moving_axes(system_, all));
+        integrator_.start(system_, std::move(all));
+    }
 
     void forget() { seen_known_ = finite_known_ = bound_known_ = false; }
 

@@ -12,31 +12,32 @@ namespace steplab {
 
 void ParticleSums::add(const Piece& piece) {
     const Field<double>&u = piece.state.displacement, &velocity = piece.state.velocity;
-    Diagnostics sums;
+    Sums sums;
     scene_.reference.each(piece.first, piece.own, [&](std::size_t i, Vec3 reference) {
         const Vec3 position = reference + u.at(i - piece.first), v = velocity.at(i - piece.first);
         const Vec3 displacement = position - shape_.rest[i];
-        sums.momentum = sums.momentum + v;
-        sums.angular_momentum = sums.angular_momentum + cross(position, v);
-        sums.max_displacement = std::max(sums.max_displacement, dot(displacement, displacement));
-        sums.max_speed = std::max(sums.max_speed, dot(v, v));
+        sums.velocity = sums.velocity + v;
+        sums.turning = sums.turning + cross(position, v);
+        sums.displacement_squared = std::max(sums.displacement_squared, dot(displacement, displacement));
+        sums.speed_squared = std::max(sums.speed_squared, dot(v, v));
     });
     pieces_[piece.number] = sums;
 }
 
 Diagnostics ParticleSums::result() const {
-    Diagnostics sums;
-    for (const Diagnostics& piece : pieces_) {
-        sums.momentum = sums.momentum + piece.momentum;
-        sums.angular_momentum = sums.angular_momentum + piece.angular_momentum;
-        sums.max_displacement = std::max(sums.max_displacement, piece.max_displacement);
-        sums.max_speed = std::max(sums.max_speed, piece.max_speed);
+    Sums all;
+    for (const Sums& piece : pieces_) {
+        all.velocity = all.velocity + piece.velocity;
+        all.turning = all.turning + piece.turning;
+        all.displacement_squared = std::max(all.displacement_squared, piece.displacement_squared);
+        all.speed_squared = std::max(all.speed_squared, piece.speed_squared);
     }
-    sums.momentum = scene_.mass * sums.momentum;
-    sums.angular_momentum = scene_.mass * sums.angular_momentum;
-    sums.max_displacement = std::sqrt(sums.max_displacement);
-    sums.max_speed = std::sqrt(sums.max_speed);
-    return sums;
+    Diagnostics diagnostics;
+    diagnostics.momentum = scene_.mass * all.velocity;
+    diagnostics.angular_momentum = scene_.mass * all.turning;
+    diagnostics.max_displacement = std::sqrt(all.displacement_squared);
+    diagnostics.max_speed = std::sqrt(all.speed_squared);
+    return diagnostics;
 }
 
 double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time) {

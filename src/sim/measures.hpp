@@ -28,9 +28,14 @@ public:
     Diagnostics result() const;
 
 private:
+    struct Sums {
+        Vec3 velocity, turning;                              ///< momenta without the mass
+        double displacement_squared = 0, speed_squared = 0;  ///< the largest
+    };
+
     const Scene& scene_;
     const Shape& shape_;
-    std::vector<Diagnostics> pieces_;
+    std::vector<Sums> pieces_;
 };
 
 /// Largest distance of a particle from the exact solution.

@@ -87,6 +87,12 @@ double bytes_per_particle(const RunDescription& description) {
     return (fields + 3) * vector + 2 * seen + shown;
 }
 
+double bytes_of_run(const RunDescription& description) {
+    const Model& entry = model(description.model);
+    return entry.particles(description.scene) * bytes_per_particle(description) +
+           bytes_of_interactions(description, entry.scene(description.scene));
+}
+
 double bytes_of_interactions(const RunDescription& description, const Scene& scene) {
     const Method& entry = method(description.method);
     const auto* const near = std::get_if<NearPairForces>(&scene.forces);

@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "methods/kick_drift.hpp"
+#include "methods/moving_axes.hpp"
 #include "methods/system.hpp"
 #include "models/layouts.hpp"
 #include "models/plain.hpp"
@@ -61,6 +62,7 @@ public:
             for (std::size_t i = 0; i < particles_; ++i) reference_.set(i, setup.scene.reference.at(i));
             add_reference(state.displacement, T(1));
         }
+        if constexpr (SweepingAlongX<Force>) system_.axes(moving_axes(system_, state));
         integrator_.start(system_, std::move(state));
     }
 
@@ -110,6 +112,7 @@ public:
         });
         saved.progress = progress();
         if constexpr (has_history) saved.history = system_.force().history();
+        saved.axes = system_.axes();
         saved.evaluations = system_.evaluations();
     }
 
@@ -119,6 +122,7 @@ public:
         Integrator::each_part(integrator_, [&](Field<T>& mine) { mine = *part++; });
         if constexpr (has_progress<Integrator>) integrator_.progress(saved.progress);
         if constexpr (has_history) system_.force().history(saved.history);
+        system_.axes(saved.axes);
         system_.evaluations(saved.evaluations);
     }
 
@@ -138,9 +142,10 @@ public:
     }
 
     void take_over(const Stepper& other, std::size_t from, std::size_t to, std::size_t count) override {
+        const StepperOf& owner = static_cast<const StepperOf&>(other);
+        system_.axes(std::max(system_.axes(), owner.system_.axes()));
         std::vector<const Field<T>*> theirs;
-        Integrator::each_part(static_cast<const StepperOf&>(other).integrator_,
-                              [&](const Field<T>& part) { theirs.push_back(&part); });
+        Integrator::each_part(owner.integrator_, [&](const Field<T>& part) { theirs.push_back(&part); });
         auto their = theirs.begin();
         Integrator::each_part(integrator_, [&](Field<T>& mine) {
             const Field<T>& part = **their++;
@@ -192,6 +197,7 @@ private:
         std::vector<Field<T>> parts;
         ProgressOf<Integrator> progress{};
         Field<T> history;  ///< of the force, if it has one
+        std::size_t axes = 3;
         std::uint64_t evaluations = 0;
     };
 

@@ -40,11 +40,25 @@ State<T> disturbed(const Force& force, std::size_t count) {
     return state;
 }
 
+/// Particles that move along x alone. Some meet their neighbours, pass them, or lie where they are.
+template <class T, class Force>
+State<T> disturbed_along_x(const Force& force, std::size_t count) {
+    State<T> state{Field<T>(count), Field<T>(count)};
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!force.moves(i)) continue;
+        const double phase = static_cast<double>(i), sizes[] = {1, 0.1, 0, 3};
+        state.displacement.set(i, {sizes[i % 4] * (i % 8 < 4 ? 1 : -1), 0, 0});
+        state.velocity.set(i, {std::cos(5 * phase), 0, 0});
+    }
+    return state;
+}
+
 /// Displacements and velocities after `steps` steps, taken `together` at a time.
 template <class Method, class T, class Force>
 std::vector<T> after(Force force, const State<T>& start, T drag, bool compensated, std::uint64_t steps,
-                     std::uint64_t together) {
+                     std::uint64_t together, std::size_t axes = 3) {
     System<T, Force> system(force, drag, T(0.05));
+    system.axes(axes);
     ParameterValues values(Method::info.parameters);
     values.set("compensated", compensated ? 1 : 0);
     typename Method::template Integrator<T> integrator{values};
@@ -71,18 +85,39 @@ void expect_same_bits(const Force& force, std::size_t count) {
     }
 }
 
+/// Some numbers of particles: in registers, in one block and in many; ends before, at and after the end of a register.
+constexpr std::size_t lengths[] = {2, 3, 8, 9, 10, 16, 17, 32, 33, 64, 500, 1601};
+
+template <class Method, class T>
+void expect_same_bits_along_x(std::size_t count) {
+    const Line<T> line({.count = count, .first_fixed = count % 2 == 0, .k = 2, .rest_length = 1});
+    const State<T> start = disturbed_along_x<T>(line, count), sideways = disturbed<T>(line, count);
+    for (const T drag : {T(0), T(0.3)}) {
+        for (const bool compensated : {false, true}) {
+            const auto run = [&](const State<T>& from, std::size_t axes) {
+                return after<Method, T>(line, from, drag, compensated, 40, 20, axes);
+            };
+            EXPECT_TRUE(run(start, 1) == run(start, 3)) << count;
+            EXPECT_FALSE(run(sideways, 1) == run(sideways, 3)) << count << ", the partner";
+        }
+    }
+}
+
 template <class T>
 class Sweep : public testing::Test {
 protected:
-    /// In registers, in one block and in many; ends before, at and after the end of a register.
     template <class Method>
     static void lines() {
-        for (const std::size_t count : {2U, 3U, 8U, 9U, 10U, 16U, 17U, 32U, 33U, 64U, 500U, 1601U}) {
+        for (const std::size_t count : lengths) {
             for (const double gravity : {0.0, 1.0}) {
                 const LineForces forces{.count = count, .first_fixed = count % 2 == 0, .k = 2, .gravity = gravity};
                 expect_same_bits<Method, T>(Line<T>(forces), count);
             }
         }
+    }
+    template <class Method>
+    static void lines_along_x() {
+        for (const std::size_t count : lengths) expect_same_bits_along_x<Method, T>(count);
     }
     /// Narrower than a register, narrow and wide.
     template <class Method>
@@ -91,6 +126,11 @@ protected:
             expect_same_bits<Method, T>(Grid<T>({.rows = dim, .columns = dim, .k = 2}), dim * dim);
             expect_same_bits<Method, T>(Grid<T>({.rows = 5, .columns = dim, .k = 2}), 5 * dim);
         }
+    }
+    /// More than a core's cache holds: several sweeps go one behind the other.
+    template <class Method>
+    static void large_grid(std::size_t rows, std::size_t columns) {
+        expect_same_bits<Method, T>(Grid<T>({.rows = rows, .columns = columns, .k = 2}), rows * columns);
     }
 };
 
@@ -105,11 +145,20 @@ TYPED_TEST(Sweep, moves_lines_as_all_accelerations_first_would) {
     this->template lines<Rk4>();
 }
 
+TYPED_TEST(Sweep, moves_lines_along_x_as_along_all_axes) {
+    this->template lines_along_x<Euler>();
+    this->template lines_along_x<Pefrl>();
+    this->template lines_along_x<Rk4>();
+}
+
 TYPED_TEST(Sweep, moves_grids_as_all_accelerations_first_would) {
     this->template grids<Euler>();
     this->template grids<VelocityVerlet>();
     this->template grids<Pefrl>();
     this->template grids<Rk4>();
+    this->template large_grid<VelocityVerlet>(6, 8000);
+    this->template large_grid<Rk4>(6, 3000);
+    this->template large_grid<Rk4>(260, 70);
 }
 
 }  // namespace

@@ -64,13 +64,14 @@ TEST_F(SpeedTables, tell_the_limits_of_the_machine) {
     EXPECT_THAT(text, HasSubstr("| two reads and a write over 32 KB | 24 GB/s | 24 GB/s |"));
 }
 
-// A chain has a spring for each particle, which in double has 96 bytes of position and velocity, read and written.
+// A chain has a spring for each particle, which in double has 32 bytes of position and velocity along x, read and
+// written.
 TEST_F(SpeedTables, roofline_has_springs_a_second_over_springs_a_byte) {
     write(measured);
     const auto figures = speed_figures(results().front());
     ASSERT_EQ(figures.size(), 2U);
     EXPECT_EQ(figures[1].file, "speed-some-roofline.svg");
-    EXPECT_THAT(figures[1].figure.curves.front().points, testing::ElementsAre(Pair(1.0 / 96, 0.25e9)));
+    EXPECT_THAT(figures[1].figure.curves.front().points, testing::ElementsAre(Pair(1.0 / 32, 0.25e9)));
 }
 
 TEST_F(SpeedTables, are_without_diagrams_where_nothing_grows) {

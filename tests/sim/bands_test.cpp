@@ -1,8 +1,14 @@
+#include "sim/bands.hpp"
+
+#include "sim/energy.hpp"
 #include "support/runs.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <any>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -94,8 +100,8 @@ TEST(LargeBands, meet_only_every_few_steps) {
     }
 }
 
-// Of so many particles that they are summed in several pieces, some of which lie in two bands; in one piece meshes take
-// more than a core's cache and go many sweeps together, in several bands one sweep at a time.
+// Of so many particles that they are summed in several pieces, some of which lie in two bands; in few bands meshes take
+// more than a core's cache and go many sweeps together, in many bands one sweep at a time.
 TEST(LargeBands, look_as_one_thread_does) {
     for (const Precision precision : {Precision::double_, Precision::float_}) {
         for (const RunDescription& run :
@@ -120,6 +126,77 @@ TEST(LargeBands, look_as_one_thread_does) {
                 EXPECT_EQ(found.max_speed, right.max_speed);
             }
         }
+    }
+}
+
+// Bands leave out the axes along which nothing moves, each by itself: a pull sideways at one end reaches the bands at
+// the other after 800 steps, with moments from before and after to go back to.
+TEST(LargeBands, move_along_the_axes_of_their_neighbours) {
+    const RunDescription run = run_of("chain", "velocity-verlet", Precision::double_, 0.5, {{"n", 800}});
+    const auto pulled = [&](std::size_t threads) {
+        Simulation simulation(run, by_threads(threads));
+        simulation.advance(100);
+        simulation.pull(799, {1598, 30, 20});
+        return simulation;
+    };
+    Simulation one = pulled(1);
+    one.advance(1200);
+    EXPECT_NE(one.frame().positions[1].y, 0);
+    for (const std::size_t threads : {2U, 5U}) {
+        Simulation several = pulled(threads);
+        const auto before = several.save();
+        several.advance(1200);
+        EXPECT_EQ(several.hash(), one.hash()) << threads;
+        const auto after = several.save();
+        several.restore(before);
+        several.restore(after);
+        several.advance(100);
+        several.restore(before);
+        several.advance(1200);
+        EXPECT_EQ(several.hash(), one.hash()) << threads;
+        several.restore(after);
+        Simulation further = pulled(1);
+        further.advance(1300);
+        several.advance(100);
+        EXPECT_EQ(several.hash(), further.hash()) << threads;
+    }
+}
+
+/// A chain by so many threads.
+std::unique_ptr<Stepper> chain_in_bands(const Scene& scene, std::string_view id, std::size_t threads) {
+    const Method& entry = method(id);
+    const ParameterValues parameters(entry.info.parameters);
+    return make_stepper(entry, {scene, scene.start, parameters, Precision::double_, 0.1}, by_threads(threads));
+}
+
+// look() shows one part, whoever steps.
+TEST(LargeBands, look_one_after_the_other_in_one_part) {
+    const Scene scene = model("chain").scene(run_of("chain", "euler", Precision::double_, 0.1, {{"n", 9000}}).scene);
+    const auto one = chain_in_bands(scene, "euler", 1), several = chain_in_bands(scene, "euler", 5);
+    ASSERT_EQ(several->parts(), 5u);
+    EnergyMeter meter(scene, fastest_instructions());
+    const Energy right = meter.energy([&](const PortionSink& sink) { one->look(sink); });
+    const Energy found = meter.energy([&](const PortionSink& sink) { several->look(sink); });
+    EXPECT_EQ(found.kinetic, right.kinetic);
+    EXPECT_EQ(found.total(), right.total());
+    several->look([](const Portion& portion) { EXPECT_EQ(portion.part, 0u); });
+}
+
+// The steps of one method reach further than those of the other, so it has fewer bands.
+TEST(LargeBands, save_over_what_another_method_saved) {
+    const Scene scene = model("chain").scene(run_of("chain", "euler", Precision::double_, 0.1, {{"n", 331}}).scene);
+    const auto few = chain_in_bands(scene, "kahan-li-8", 16), many = chain_in_bands(scene, "euler", 16);
+    ASSERT_LT(few->parts(), many->parts());
+    std::any saved;
+    for (const auto* stepper : {&few, &many, &few}) {
+        (*stepper)->save(saved);
+        State<double> before, after;
+        (*stepper)->synchronised(before);
+        (*stepper)->advance(10);
+        (*stepper)->restore(saved);
+        (*stepper)->synchronised(after);
+        EXPECT_TRUE(std::ranges::equal(after.displacement.flat(), before.displacement.flat()));
+        EXPECT_TRUE(std::ranges::equal(after.velocity.flat(), before.velocity.flat()));
     }
 }
 

@@ -100,6 +100,43 @@ TEST_P(Groups, begin_anew_and_are_seen_along_a_shape_as_runs_alone) {
     }
 }
 
+/// The scene's own start, faster from run to run.
+State<double> faster(const Scene& scene, std::size_t run) {
+    State<double> state = scene.start.state();
+    for (double& v : state.velocity.flat()) v *= 1 + 0.1 * static_cast<double>(run);
+    return state;
+}
+
+// A chain moves along x. Lanes leave the other axes out until one run is pulled sideways.
+TEST_P(Groups, leave_axes_out_as_runs_alone) {
+    const FlushSubnormals flush;
+    const Method& method = steplab::method(GetParam().id());
+    const ParameterValues parameters(method.info.parameters);
+    const Scene chain = scenes().front();
+    std::vector<StepperSetup> setups = setups_of(GetParam(), chain, parameters);
+    for (std::size_t run = 0; run < setups.size(); ++run) setups[run].start = faster(chain, run);
+    const auto group = method.make_group(setups);
+    for (const double sideways : {0.0, 0.1, 0.0}) {
+        std::vector<State<double>> starts;
+        for (std::size_t run = 0; run < group->runs(); ++run) starts.push_back(faster(chain, run));
+        starts.back().velocity.set(3, {0, 0, sideways});
+        group->restart(starts);
+        group->advance(20);
+        for (std::size_t run = 0; run < group->runs(); ++run) {
+            setups[run].start = starts[run];
+            const auto alone = method.make(setups[run]);
+            alone->advance(20);
+            State<double> expected, seen;
+            alone->synchronised(expected);
+            group->synchronised(run, seen);
+            EXPECT_TRUE(std::ranges::equal(seen.displacement.flat(), expected.displacement.flat())) << sideways;
+            EXPECT_TRUE(std::ranges::equal(seen.velocity.flat(), expected.velocity.flat())) << sideways;
+            const bool moves_sideways = sideways != 0 && run + 1 == group->runs();
+            EXPECT_EQ(seen.displacement.at(3).z != 0, moves_sideways);
+        }
+    }
+}
+
 std::vector<MethodCase> methods_in_lanes() {
     std::vector<MethodCase> cases = all_methods();
     std::erase_if(cases, [](const MethodCase& it) { return !method(it.id()).goes_in_groups(fastest_instructions()); });
