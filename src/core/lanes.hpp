@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -336,12 +337,6 @@ using Lanes =
 template <class T>
 using CacheLineLanes = std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>,
                                           RegisterLanes<T, 64 / sizeof(T)>, SingleLane<T>>;
-
-/// The size of a number, or of each lane.
-template <class N>
-N magnitude(N x) {
-    return where(x < N(0), N(0) - x, x);
-}
 
 /// Calls f(k) for the places k = 0, Lanes<T>::count, ... of a field's numbers where its registers begin. The step
 /// written with them is in vector registers even where the compiler would not find the way there itself.

@@ -30,6 +30,12 @@ T where(bool condition, T then, T otherwise) {
     return condition ? then : otherwise;
 }
 
+/// The size of a number, or of each lane.
+template <class N>
+N magnitude(N x) {
+    return where(x < N(0), N(0) - x, x);
+}
+
 namespace detail {
 
 /// How exponential() takes a number type apart. ln 2 is split so that n * ln2_high is exact for every exponent n.

@@ -51,6 +51,19 @@ std::vector<CutSeries> cut_of(const Json& list) {
     return cut;
 }
 
+Json json_of(const std::map<std::size_t, MeasuredSeries>& ahead) {
+    Json list = Json::array();
+    for (const auto& [place, series] : ahead) list.push_back({place, speed_error_csv(series.runs), series.cut});
+    return list;
+}
+
+std::map<std::size_t, MeasuredSeries> ahead_of(const Json& list) {
+    std::map<std::size_t, MeasuredSeries> ahead;
+    for (const Json& json : list)
+        ahead[json.at(0)] = {parse_speed_error_csv(json.at(1).get<std::string>()), json.at(2)};
+    return ahead;
+}
+
 Json json_of(const std::vector<Limit>& limits) {
     Json list = Json::array();
     for (const Limit& limit : limits) {
@@ -81,6 +94,7 @@ StudyState state_of(const Json& json, const StudyPlan& plan) {
                      .series = {.runs = parse_speed_error_csv(json.at("runs").get<std::string>()),
                                 .cut = cut_of(json.at("cut")),
                                 .series = json.at("series"),
+                                .ahead = ahead_of(json.at("ahead")),
                                 .timed = json.at("timed")},
                      .limits = {}};
     if (json.contains("limits")) state.limits = limits_of(json.at("limits"), plan);
@@ -122,6 +136,7 @@ void KeptStudies::keep(const StudyPlan& plan, const StudyState& state) const {
               {"runs", speed_error_csv(state.series.runs)},
               {"cut", json_of(state.series.cut)},
               {"series", state.series.series},
+              {"ahead", json_of(state.series.ahead)},
               {"timed", state.series.timed}};
     if (state.limits) json["limits"] = json_of(*state.limits);
     OutputFile file(file_of(plan));

@@ -37,12 +37,6 @@ private:
     double seconds_a_step_ = 0;
 };
 
-/// What was measured of one method in one precision.
-struct MeasuredSeries {
-    std::vector<Measurement> runs;
-    bool cut = false;  ///< by time, and by that only
-};
-
 class Series {
 public:
     Series(const StudyPlan& plan, const Reference& reference, double frequency, const std::string& method,
@@ -108,25 +102,28 @@ private:
 class SeriesInOrder {
 public:
     SeriesInOrder(const StudyPlan& plan, SeriesState& state, const std::function<void()>& keep)
-        : plan_(plan), state_(state), keep_(keep), methods_(possible_methods(plan)), first_(state.series) {
-        measured_.resize(all() - first_);
-    }
+        : plan_(plan), state_(state), keep_(keep), methods_(possible_methods(plan)) {}
 
     std::size_t all() const { return methods_.size() * plan_.precisions.size(); }
 
     /// `progress` hears how many series there are.
     void measure(const Reference& reference, const std::function<void(std::size_t)>& progress) {
-        if (measured_.empty()) return;
+        std::vector<std::size_t> left;
+        for (std::size_t place = state_.series; place < all(); ++place) {
+            if (!state_.ahead.contains(place)) left.push_back(place);
+        }
+        if (left.empty()) return;
         const double fastest_motion = frequency(plan_);
-        std::size_t done = first_;
+        std::size_t done = all() - left.size();
         progress(done);
-        side_by_side(measured_.size(), dearest_bytes(plan_), [&](std::size_t i, const Execution& execution) {
-            const std::size_t place = first_ + i;
+        side_by_side(left.size(), dearest_bytes(plan_), [&](std::size_t i, const Execution& execution) {
+            const std::size_t place = left[i];
             Series series(plan_, reference, fastest_motion, method_of(place), precision_of(place), execution);
             MeasuredSeries measured = series.measured();
             const std::lock_guard lock(mutex_);
-            measured_[i] = std::move(measured);
+            state_.ahead.emplace(place, std::move(measured));
             gather();
+            keep_();
             progress(++done);
         });
     }
@@ -137,22 +134,19 @@ private:
 
     /// What is complete up to the first series that is not.
     void gather() {
-        const std::size_t before = state_.series;
-        for (; state_.series < all() && measured_[state_.series - first_]; ++state_.series) {
-            MeasuredSeries& series = *measured_[state_.series - first_];
+        for (auto next = state_.ahead.begin(); next != state_.ahead.end() && next->first == state_.series;
+             next = state_.ahead.erase(next), ++state_.series) {
+            MeasuredSeries& series = next->second;
             std::move(series.runs.begin(), series.runs.end(), std::back_inserter(state_.runs));
             if (series.cut) state_.cut.push_back({method_of(state_.series), precision_of(state_.series)});
         }
-        if (state_.series > before) keep_();
     }
 
     const StudyPlan& plan_;
     SeriesState& state_;
     const std::function<void()>& keep_;
     std::vector<std::string> methods_;
-    std::size_t first_;
-    std::mutex mutex_;  ///< of the state and of what follows
-    std::vector<std::optional<MeasuredSeries>> measured_;
+    std::mutex mutex_;  ///< of the state
 };
 
 double time_once(const Measurement& run) {

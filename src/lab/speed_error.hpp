@@ -31,11 +31,18 @@ struct CutSeries {
     Precision precision = Precision::double_;
 };
 
+/// What was measured of one method in one precision.
+struct MeasuredSeries {
+    std::vector<Measurement> runs;
+    bool cut = false;  ///< by time, and by that only
+};
+
 /// How far the measuring of a plan is: enough to go on from there.
 struct SeriesState {
     std::vector<Measurement> runs;
     std::vector<CutSeries> cut;
     std::size_t series = 0;  ///< of a method in a precision, in the plan's order, that are complete in `runs`
+    std::map<std::size_t, MeasuredSeries> ahead;  ///< complete too, by their place, but behind one that is not
     bool timed = false;
 };
 

@@ -53,7 +53,7 @@ public:
     void accelerations(const Field<T>& u, Field<T>& a) const { accelerate<3>(u, a); }
 
     static constexpr bool sweeps_along_x = true;
-    /// The same where all particles move along x alone: the components along x of `a`.
+    /// The same where all particles move along x alone; where numbers have lanes, no other component of `a` is set.
     void accelerations_along_x(const Field<T>& u, Field<T>& a) const { accelerate<1>(u, a); }
 
     /// One sweep over all particles (methods/sweeps.hpp). `positions.get(r)` are those of the r-th register of
@@ -286,7 +286,7 @@ private:
     template <std::size_t Axes>
     void accelerate(const Field<T>& u, Field<T>& a) const {
         if constexpr (SideBySide<T>) return accelerate_in_turn<Axes>(u, a);
-        const FieldLanes<T, Axes> out(a);
+        const FieldLanes<T> out(a);
         const FieldLanes<const T, Axes> positions(u);
         Sweep sweep;  // not Sweep(), which would be filled with zeros
         sweep.to(*this, registers(), positions, [&](std::size_t r, const Vec& sum) { out.set(r, sum); });

@@ -18,6 +18,7 @@ StudyState state() {
     state.series = {.runs = {run_with("rk4", 0.1, 1e-5, 3e-6), diverged("euler", 1)},
                     .cut = {{"rk4", Precision::float_}},
                     .series = 2,
+                    .ahead = {{4, {{run_with("pefrl", 0.1, 1e-7, 5e-6)}, true}}},
                     .timed = true};
     state.limits = {
         {.description = describe("chain", "rk4"), .omega_max = 2, .theory = infinity, .measured = {}, .note = "why"}};
@@ -34,6 +35,11 @@ TEST(KeptStudy, is_found_again) {
     EXPECT_EQ(found->reference, "exact solution");
     EXPECT_EQ(found->series.series, 2u);
     EXPECT_TRUE(found->series.timed);
+    ASSERT_EQ(found->series.ahead.size(), 1u);
+    const MeasuredSeries& ahead = found->series.ahead.at(4);
+    ASSERT_EQ(ahead.runs.size(), 1u);
+    EXPECT_EQ(ahead.runs[0].error, 1e-7);
+    EXPECT_TRUE(ahead.cut);
     ASSERT_EQ(found->series.runs.size(), 2u);
     EXPECT_EQ(found->series.runs[0].error, 1e-5);
     EXPECT_TRUE(found->series.runs[1].diverged);

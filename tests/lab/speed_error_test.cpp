@@ -109,6 +109,26 @@ TEST(SpeedError, of_series_measured_side_by_side_is_that_of_each_alone_in_the_or
     EXPECT_EQ(together, alone);
 }
 
+// What an interruption found complete behind a series that was not.
+TEST(SpeedError, goes_on_around_series_that_are_complete) {
+    const StudyPlan plan = small_plan({"pefrl", "rk4", "kahan-li-8"});
+    SeriesState state;
+    state.ahead[1] = {{run_with("rk4", 0.1, 123, 1e-6)}, true};
+    state.timed = true;
+    go_on_with_series(
+        plan, reference_for(plan), state, [] {}, no_progress);
+    EXPECT_EQ(state.series, 3u);
+    EXPECT_TRUE(state.ahead.empty());
+    std::vector<std::string> methods;
+    for (const Measurement& run : state.runs) {
+        if (methods.empty() || methods.back() != run.run.method) methods.push_back(run.run.method);
+        EXPECT_EQ(run.error == 123, run.run.method == "rk4");
+    }
+    EXPECT_EQ(methods, plan.methods);
+    EXPECT_TRUE(
+        std::any_of(state.cut.begin(), state.cut.end(), [](const CutSeries& it) { return it.method == "rk4"; }));
+}
+
 /// What time cuts of a series of runs none of which may take longer.
 std::vector<CutSeries> cut_by(double most_seconds_a_run) {
     StudyPlan plan = small_plan({"pefrl", "gauss-16"});

@@ -151,6 +151,20 @@ TYPED_TEST(Sweep, moves_lines_along_x_as_along_all_axes) {
     this->template lines_along_x<Rk4>();
 }
 
+// A method that works on accelerations must not find numbers of before along y and z, least of all some that are none.
+TYPED_TEST(Sweep, along_x_leaves_no_component_as_it_was) {
+    const std::size_t count = 33;
+    const Line<TypeParam> line({.count = count, .first_fixed = true, .k = 2, .rest_length = 1});
+    System<TypeParam, Line<TypeParam>> system(line, 0, 1);
+    const Field<TypeParam> x = disturbed_along_x<TypeParam>(line, count).displacement;
+    Field<TypeParam> all(count), along(count);
+    system.accelerations(x, all);
+    for (std::size_t i = 0; i < count; ++i) along.set(i, {7, 8, 9});
+    system.axes(1);
+    system.accelerations(x, along);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(along.at(i), all.at(i)) << i;
+}
+
 TYPED_TEST(Sweep, moves_grids_as_all_accelerations_first_would) {
     this->template grids<Euler>();
     this->template grids<VelocityVerlet>();

@@ -26,6 +26,8 @@ const std::vector<Kernel>& kernels() {
     static const std::vector<Kernel> all{
         {"chain-10", "chain", {{"n", 10}}, 0.1, 512},
         {"chain-300", "chain", {{"n", 300}}, 0.1, 48},
+        {"rope-10", "rope", {{"n", 10}}, 0.001, 512},
+        {"rope-300", "rope", {{"n", 300}}, 0.001, 48},
         {"mesh-30x30", "mesh", {{"dim", 30}}, 0.1, 8},
         {"morse-28", "morse", {}, 0.01, 16},
         {"morse-cutoff", "morse", {{"edge", 5}, {"cutoff", 1}}, 0.01, 8},
