@@ -12,7 +12,6 @@
 #include <cmath>
 #include <iterator>
 #include <mutex>
-#include <optional>
 #include <utility>
 #include <variant>
 
