@@ -76,8 +76,11 @@ public:
                 bands_[i].stepper->advance(taken);
                 left -= taken;
                 team_.meet();
-                renew_borders(i);
-                team_.meet();
+                // every other band first: what one takes over changes it, and its neighbours look at that
+                for (const std::size_t turn : {0U, 1U}) {
+                    if (i % 2 == turn) renew_borders(i);
+                    team_.meet();
+                }
             }
         });
     }
