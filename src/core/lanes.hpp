@@ -203,11 +203,13 @@ public:
 
     [[gnu::always_inline]] friend RegisterLanes where(const Mask& condition, const RegisterLanes& then,
                                                       const RegisterLanes& otherwise) {
-        return of_each([&](std::size_t p) { return condition.bits[p] ? then.registers_[p] : otherwise.registers_[p]; });
+        return of_each([&](std::size_t p) __attribute__((always_inline)) {
+            return condition.bits[p] ? then.registers_[p] : otherwise.registers_[p];
+        });
     }
 
     [[gnu::always_inline]] friend RegisterLanes square_root(const RegisterLanes& x) {
-        return of_each([&](std::size_t p) {
+        return of_each([&](std::size_t p) __attribute__((always_inline)) {
             Register root = x.registers_[p];  // every lane of it is set below
             for (std::size_t lane = 0; lane < width; ++lane) root[lane] = std::sqrt(x.registers_[p][lane]);
             return root;

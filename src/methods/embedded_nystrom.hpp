@@ -51,6 +51,7 @@ public:
 
     explicit EmbeddedNystrom(std::size_t count) : x_(count), v_(count), error_x_(count), error_v_(count) {
         for (auto& field : k_) field = Field<T>(count);
+        for (auto& field : sums_) field = Field<T>(count);
     }
 
     /// From `from` on for h. Fills positions and velocities of `next`; the error is the largest of any component,
@@ -121,6 +122,7 @@ private:
     template <std::size_t I, class System>
     void stage(System& system, const Moment<T>& from, T h) {
         const T drag = system.drag(), step = static_cast<T>(table.c[I]) * h;
+        if constexpr (first_of(I) == I) begin_sums<I>(from, drag);
         begin_stage<I>(from, h, step, drag);
         if (drag == T(0)) return system.accelerations(x_, k_[I]);
         const T growth = exponential(drag * step / T(2)), decay = T(1) / growth, stiffness = drag * drag / T(4);
@@ -130,13 +132,36 @@ private:
         elementwise(x_.flat().size(), [=](std::size_t k) { force[k] = growth * (force[k] + stiffness * at[k]); });
     }
 
+    /// Stages whose sums over the slopes before all of them are taken together: slopes of all stages are more than a
+    /// first-level cache holds, and are read once for them.
+    static constexpr std::size_t together = 4;
+    /// Of those that stage I is taken together with.
+    static constexpr std::size_t first_of(std::size_t i) { return (i - 1) / together * together + 1; }
+
+    /// The first I terms of the sums of stage I and of those that are taken together with it.
+    template <std::size_t I>
+    void begin_sums(const Moment<T>& from, T drag) {
+        const auto before = accelerations<I>(from, drag);
+        [&]<std::size_t... S>(std::index_sequence<S...>) {
+            const std::array<T*, sizeof...(S)> to{sums_[S].flat().data()...};
+            lanewise<T>(x_.flat().size(), [=](std::size_t k) {
+                const std::array<N, sizeof...(S)> sums{weighted_sum<StageWeights<I + S>>(before, k)...};
+                (sums[S].store(to[S] + k), ...);
+            });
+        }
+        (std::make_index_sequence<std::min(together, stages - I)>{});
+    }
+
     template <std::size_t I>
     void begin_stage(const Moment<T>& from, T h, T step, T drag) {
         const T *const x = from.x.flat().data(), *const v = slope(from, drag);
         T* const at = x_.flat().data();
         const auto before = accelerations<I>(from, drag);
+        constexpr std::size_t begun = first_of(I);
+        const T* const sums = sums_[I - begun].flat().data();
         lanewise<T>(x_.flat().size(), [=, square = h * h](std::size_t k) {
-            const N moved = N(step) * N::load(v + k) + N(square) * weighted_sum<StageWeights<I>>(before, k);
+            const N sum = with_terms<StageWeights<I>, begun>(N::load(sums + k), before, k);
+            const N moved = N(step) * N::load(v + k) + N(square) * sum;
             (N::load(x + k) + moved).store(at + k);
         });
     }
@@ -181,6 +206,7 @@ private:
     Field<T> v_;                  ///< u' at the beginning
     Field<T> error_x_, error_v_;  ///< relative to what is allowed
     std::array<Field<T>, stages> k_;
+    std::array<Field<T>, together> sums_;  ///< begun for so many stages
     Moment<T> seen_;
 };
 

@@ -22,11 +22,12 @@ constexpr bool any_before(std::size_t count) {
 
 }  // namespace detail
 
-/// w_0 p_0 + ... + w_(M-1) p_(M-1) of the numbers in the register that begins at place k, from left to right.
-/// `Weights::weights` is known at compile time, so that terms whose weight is zero are left out.
-template <class Weights, class T, std::size_t M>
-Lanes<T> weighted_sum(const std::array<const T*, M>& terms, std::size_t k) {
-    const auto add = [&]<std::size_t J>(Lanes<T>& sum, std::integral_constant<std::size_t, J>) {
+/// `sum`, the first First terms of w_0 p_0 + w_1 p_1 + ..., goes on by those behind them, from left to right: of the
+/// numbers in the register that begins at place k. `Weights::weights` is known at compile time, so that terms whose
+/// weight is zero are left out.
+template <class Weights, std::size_t First, class T, std::size_t M>
+[[gnu::always_inline]] inline Lanes<T> with_terms(Lanes<T> sum, const std::array<const T*, M>& terms, std::size_t k) {
+    const auto add = [&]<std::size_t J>(std::integral_constant<std::size_t, J>) __attribute__((always_inline)) {
         constexpr auto weight = Weights::weights[J];
         if constexpr (weight == 0) {
             return;
@@ -36,10 +37,17 @@ Lanes<T> weighted_sum(const std::array<const T*, M>& terms, std::size_t k) {
             sum = sum + Lanes<T>(static_cast<T>(weight)) * Lanes<T>::load(terms[J] + k);
         }
     };
-    Lanes<T> sum(T(0));
-    [&]<std::size_t... J>(std::index_sequence<J...>) { (add(sum, std::integral_constant<std::size_t, J>{}), ...); }
-    (std::make_index_sequence<M>{});
+    [&]<std::size_t... J>(std::index_sequence<J...>) __attribute__((always_inline)) {
+        (add(std::integral_constant<std::size_t, First + J>{}), ...);
+    }
+    (std::make_index_sequence<M - First>{});
     return sum;
+}
+
+/// The whole sum.
+template <class Weights, class T, std::size_t M>
+[[gnu::always_inline]] inline Lanes<T> weighted_sum(const std::array<const T*, M>& terms, std::size_t k) {
+    return with_terms<Weights, 0>(Lanes<T>(T(0)), terms, k);
 }
 
 }  // namespace steplab

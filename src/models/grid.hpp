@@ -139,7 +139,7 @@ public:
         /// For the row after this one.
         [[gnu::always_inline]] void keep(std::size_t p, const Vec& pull) {
             const std::size_t place = p & (ring_ - 1);
-            const auto store = [&](std::size_t to) {
+            const auto store = [&](std::size_t to) __attribute__((always_inline)) {
                 pull.x.store(from_north(0) + to), pull.y.store(from_north(1) + to), pull.z.store(from_north(2) + to);
             };
             store(place);
@@ -189,21 +189,22 @@ public:
         return {value, value, 0};
     }
 
-    /// Calls f(first, second) for springs that turn round between two positions.
+    /// Calls f(first, second) for springs that turn round between two positions. All of a direction are looked at
+    /// first, and with them what joins the end of a row to the next one: its particles are fixed.
     template <class F>
     void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
+        const std::size_t columns = forces_.columns;
         for (std::size_t d = east; d <= south_west; ++d) {
             const Direction way = direction(d);
-            for (std::size_t i = 0; i + way.rows < forces_.rows; ++i) {
-                const std::size_t start = i * forces_.columns + way.first;
-                const auto turned = [&, offset = way.offset](std::size_t j) {
-                    return turned_round(spring(from, way, start + j, offset), spring(to, way, start + j, offset));
-                };
-                if (!any_of_all(way.last - way.first, turned)) continue;
-                for (std::size_t j = 0; j < way.last - way.first; ++j) {
-                    const std::size_t first = start + j;
-                    if (turned(j)) f(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(first + way.offset));
-                }
+            const auto turned = [&, offset = way.offset](std::size_t p) {
+                return turned_round(spring(from, way, p, offset), spring(to, way, p, offset));
+            };
+            const std::size_t first = way.first, end = (forces_.rows - way.rows - 1) * columns + way.last;
+            if (!any_of_all(end - first, [=](std::size_t k) { return turned(first + k); })) continue;
+            for (std::size_t p = first; p < end; ++p) {
+                const std::size_t column = p % columns;
+                if (way.first <= column && column < way.last && turned(p))
+                    f(static_cast<std::uint32_t>(p), static_cast<std::uint32_t>(p + way.offset));
             }
         }
     }

@@ -39,7 +39,7 @@ template <class Other>
 void cut(Other&, std::size_t, std::size_t) {}
 
 /// The part of a band that its borders may take on either side.
-constexpr std::size_t band_over_border = 50;
+constexpr std::size_t band_over_border = 30;
 /// Steps from one meeting to the next, at most.
 constexpr std::size_t most_steps = 64;
 

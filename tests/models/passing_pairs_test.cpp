@@ -55,6 +55,12 @@ TEST(PassingPairs, of_a_grid_are_springs_that_turn_round) {
     EXPECT_EQ(passing(engine, from, to), expected);
 }
 
+TEST(PassingPairs, of_a_grid_do_not_join_the_end_of_a_row_to_another_row) {
+    Field<double> from(25), to(25);
+    to.set(14, {2.5, 0, 0});  // the end of row 2, far beyond where row 3 begins: no spring of its own turns round
+    EXPECT_EQ(passing(Grid<double>(grid), from, to), PairList{});
+}
+
 TEST(PassingPairs, of_pairs_are_any_two_within_reach) {
     Field<double> from(20), to(20);
     for (std::size_t i = 0; i < 20; ++i) from.set(i, {0.4 * static_cast<double>(i), 0, 0});
