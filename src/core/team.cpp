@@ -1,7 +1,7 @@
 #include "core/team.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <chrono>
 #include <exception>
 #include <mutex>
 
@@ -9,14 +9,27 @@ namespace steplab {
 
 std::size_t processors() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-Team::Team(std::size_t members)
-    : members_(std::max<std::size_t>(1, members)), meeting_(static_cast<std::ptrdiff_t>(members_)) {
+void Meeting::wait() {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::microseconds awake{100};  // about what it takes to be woken
+    const std::uint32_t round = round_;
+    if (++arrived_ == members_) {
+        arrived_ = 0;
+        ++round_;
+        return round_.notify_all();
+    }
+    // a thread that others have to wait for may need this processor
+    for (const auto end = Clock::now() + awake; round_ == round && Clock::now() < end;) std::this_thread::yield();
+    round_.wait(round);
+}
+
+Team::Team(std::size_t members) : members_(std::max<std::size_t>(1, members)), meeting_(members_) {
     try {
         for (std::size_t member = 1; member < members_; ++member) {
             others_.emplace_back([this, member] { serve(member); });
         }
     } catch (...) {
-        for (std::size_t missing = others_.size() + 1; missing < members_; ++missing) meeting_.arrive_and_drop();
+        meeting_.expect(others_.size() + 1);
         dismiss();
         throw;
     }
@@ -30,7 +43,7 @@ void Team::dismiss() {
 }
 
 void Team::meet() {
-    if (members_ > 1) meeting_.arrive_and_wait();
+    if (members_ > 1) meeting_.wait();
 }
 
 void Team::run(const std::function<void(std::size_t)>& work) {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <barrier>
+#include <atomic>
 #include <cfenv>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -11,6 +12,22 @@ namespace steplab {
 
 /// Threads that work side by side on this machine; at least one.
 std::size_t processors();
+
+/// Where so many threads wait for each other, over and over: awake for a moment, as to be woken takes longer than some
+/// steps of a large scene (std::barrier sleeps at once), then asleep.
+class Meeting {
+public:
+    explicit Meeting(std::size_t members) : members_(members) {}
+    /// So many come from now on, not fewer than are here.
+    void expect(std::size_t members) { members_ = members; }
+    /// Nobody goes on before all are here.
+    void wait();
+
+private:
+    std::atomic<std::size_t> members_;
+    std::atomic<std::size_t> arrived_ = 0;
+    std::atomic<std::uint32_t> round_ = 0;
+};
 
 /// Some threads, the caller's among them, that do the same work side by side. They sleep between.
 class Team {
@@ -44,7 +61,7 @@ private:
     void dismiss();
 
     std::size_t members_;
-    std::barrier<> meeting_;
+    Meeting meeting_;
     std::fenv_t mode_{};
     const std::function<void(std::size_t)>* work_ = nullptr;  ///< null: it is time to go home
     std::vector<std::jthread> others_;

@@ -8,10 +8,28 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace steplab::test {
 namespace {
+
+TEST(MeetingOf, fewer_than_were_expected_goes_on) {
+    Meeting meeting(5);
+    std::atomic<int> gone_on = 0;
+    {
+        std::vector<std::jthread> others;
+        for (int i = 0; i < 2; ++i) {
+            others.emplace_back([&] {
+                meeting.wait();
+                ++gone_on;
+            });
+        }
+        meeting.expect(3);
+        meeting.wait();
+    }
+    EXPECT_EQ(gone_on, 2);
+}
 
 class TeamOf : public testing::TestWithParam<std::size_t> {};
 
