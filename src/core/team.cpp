@@ -9,7 +9,7 @@ namespace steplab {
 
 std::size_t processors() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-void Meeting::wait() {
+void Rendezvous::wait() {
     using Clock = std::chrono::steady_clock;
     constexpr std::chrono::microseconds awake{100};  // about what it takes to be woken
     const std::uint32_t round = round_;

@@ -15,9 +15,9 @@ std::size_t processors();
 
 /// Where so many threads wait for each other, over and over: awake for a moment, as to be woken takes longer than some
 /// steps of a large scene (std::barrier sleeps at once), then asleep.
-class Meeting {
+class Rendezvous {
 public:
-    explicit Meeting(std::size_t members) : members_(members) {}
+    explicit Rendezvous(std::size_t members) : members_(members) {}
     /// So many come from now on, not fewer than are here.
     void expect(std::size_t members) { members_ = members; }
     /// Nobody goes on before all are here.
@@ -61,7 +61,7 @@ private:
     void dismiss();
 
     std::size_t members_;
-    Meeting meeting_;
+    Rendezvous meeting_;
     std::fenv_t mode_{};
     const std::function<void(std::size_t)>* work_ = nullptr;  ///< null: it is time to go home
     std::vector<std::jthread> others_;

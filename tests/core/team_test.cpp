@@ -14,8 +14,8 @@
 namespace steplab::test {
 namespace {
 
-TEST(MeetingOf, fewer_than_were_expected_goes_on) {
-    Meeting meeting(5);
+TEST(RendezvousOf, fewer_than_were_expected_goes_on) {
+    Rendezvous meeting(5);
     std::atomic<int> gone_on = 0;
     {
         std::vector<std::jthread> others;
