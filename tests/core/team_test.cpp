@@ -19,6 +19,7 @@ TEST(RendezvousOf, fewer_than_were_expected_goes_on) {
     std::atomic<int> gone_on = 0;
     {
         std::vector<std::jthread> others;
+        others.reserve(2);
         for (int i = 0; i < 2; ++i) {
             others.emplace_back([&] {
                 meeting.wait();
