@@ -5,9 +5,11 @@
 #include "core/vector.hpp"
 #include "models/morse_pair.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace steplab {
 
@@ -39,28 +41,6 @@ template <class T>
     block.z.store(to.z);
 }
 
-/// What a pair of particles needs roots for; they are taken while the pulls of other pairs are computed.
-template <class N>
-struct Measured {
-    Vector<N> d;  ///< distance vector
-    N distance;
-};
-
-/// The Morse pull in these two parts.
-template <class T>
-struct MorsePulls {
-    MorseConstants<T> morse;
-
-    template <class N>
-    [[gnu::always_inline]] Measured<N> measured(const Vector<N>& d) const {
-        return {d, square_root(d.x * d.x + d.y * d.y + d.z * d.z)};
-    }
-    template <class N>
-    [[gnu::always_inline]] Vector<N> pull(const Measured<N>& pair) const {
-        return morse_factor(constants_as<N>(morse), pair.distance) * pair.d;
-    }
-};
-
 /// Of every particle of a block, the pulls of others side by side, to be added up at the end.
 template <class T>
 class RowSums {
@@ -88,126 +68,144 @@ private:
     alignas(64) Rows x_, y_, z_;
 };
 
-namespace detail {
-
-/// Several registers' worth of pairs at a time, so that they do not wait for each other: rows of a block, as many as
-/// the machine has room for.
+/// The Morse pulls of particles at each other, block by block, some dozens of registers of pairs at a time: first all
+/// of their distances, then the factors that make distance vectors pulls, then the pulls. A processor has several
+/// registers under way in each of these loops; in one for all of them it does not look ahead far enough.
 template <class T>
-inline constexpr std::size_t rows_at_once = register_bytes == 64 ? 2 : 1;
-
-template <class T, std::size_t Rows>
-using RowLanes = RegisterLanes<T, Rows * block_size<T>>;
-
-/// Of particles in rows, each with all of the block.
-template <std::size_t Rows, class T>
-[[gnu::always_inline]] inline RowLanes<T, Rows> differences(const T* rows, const BlockLanes<T>& block) {
-    using Wide = RowLanes<T, Rows>;
-    std::array<typename Wide::Register, Wide::parts> registers;
-    for (std::size_t p = 0; p < Wide::parts; ++p)
-        registers[p] = rows[p / BlockLanes<T>::parts] - block.registers()[p % BlockLanes<T>::parts];
-    return Wide(registers);
-}
-
-template <class T, std::size_t Count>
-[[gnu::always_inline]] inline BlockLanes<T> row_of(const RegisterLanes<T, Count>& rows, std::size_t row) {
+class BlockPulls {
     using N = BlockLanes<T>;
-    std::array<typename N::Register, N::parts> registers;
-    for (std::size_t p = 0; p < N::parts; ++p) registers[p] = rows.registers()[row * N::parts + p];
-    return N(registers);
-}
-template <class T, std::size_t Count>
-[[gnu::always_inline]] inline Vector<BlockLanes<T>> row_of(const Vector<RegisterLanes<T, Count>>& rows,
-                                                           std::size_t row) {
-    return {row_of(rows.x, row), row_of(rows.y, row), row_of(rows.z, row)};
-}
+    static constexpr std::size_t width = block_size<T>, half = width / 2;
 
-/// pull_across() for rows from .. to, a multiple of Rows of them.
-template <std::size_t Rows, class T, class Pulls>
-[[gnu::always_inline]] inline void pull_rows(const Pulls& pulls, const Components<const T>& rows, std::size_t from,
-                                             std::size_t to, const Vector<BlockLanes<T>>& block,
-                                             Vector<BlockLanes<T>>& opposite, RowSums<T>& sums) {
-    const auto measured = [&](std::size_t row) {
-        return pulls.measured(Vector<RowLanes<T, Rows>>{differences<Rows>(rows.x + row, block.x),
-                                                        differences<Rows>(rows.y + row, block.y),
-                                                        differences<Rows>(rows.z + row, block.z)});
-    };
-    if (from == to) return;
-    auto next = measured(from);
-    for (std::size_t row = from; row < to; row += Rows) {
-        const auto now = next;
-        if (row + Rows < to) next = measured(row + Rows);
-        const auto pull = pulls.pull(now);
-        for (std::size_t r = 0; r < Rows; ++r) {
-            sums.add(row + r, row_of(pull, r));
-            opposite = opposite - row_of(pull, r);
+public:
+    /// Positions and accelerations are those of `count` particles.
+    BlockPulls(const MorseConstants<T>& morse, const Components<const T>& positions, const Components<T>& accelerations,
+               std::size_t count)
+        : morse_(morse), positions_(positions), accelerations_(accelerations), count_(count) {}
+
+    /// Sets the accelerations to those of the particles of each block by each other, counted in a circle: P_s(i) is the
+    /// pull at i of the particle s further, 0 if one of them is not there. That of i is the sum from left to right of
+    /// P_s(i) - P_s(i - s), s = 1, 2, ... up to half of the circle, where it is P_s(i) alone. All others are 0.
+    [[gnu::always_inline]] void pull_within() const {
+        std::array<N, at_once * half> numbers;  // distances, then factors
+        for (std::size_t from = 0; from < count_; from += at_once * width) {
+            const std::size_t to = std::min(count_, from + at_once * width);
+            std::size_t pairs = 0;
+            for (std::size_t first = from; first < to; first += width, pairs += half)
+                measure_circle(first, numbers.data() + pairs);
+            make_factors(numbers.data(), pairs);
+            pairs = 0;
+            for (std::size_t first = from; first < to; first += width, pairs += half)
+                set_circle(first, numbers.data() + pairs);
         }
     }
-}
 
-}  // namespace detail
-
-/// Adds the pulls of the particles of a block at each of `count` rows to the sums of the rows, and subtracts them, row
-/// after row, from the accelerations of the block.
-template <class T, class Pulls>
-[[gnu::always_inline]] inline void pull_across(const Pulls& pulls, const Components<const T>& rows, std::size_t count,
-                                               RowSums<T>& sums, const Components<const T>& block,
-                                               const Components<T>& accelerations) {
-    constexpr std::size_t at_once = detail::rows_at_once<T>;
-    const Vector<BlockLanes<T>> others = load_block(block);
-    Vector<BlockLanes<T>> opposite = load_block(accelerations);
-    const std::size_t even = count / at_once * at_once;
-    detail::pull_rows<at_once>(pulls, rows, 0, even, others, opposite, sums);
-    if constexpr (at_once > 1) detail::pull_rows<1>(pulls, rows, even, count, others, opposite, sums);
-    store_block(accelerations, opposite);
-}
-
-namespace detail {
-
-/// The terms of pull_within() from `Shift` on.
-template <std::size_t Shift, bool Full, class T, class Pulls>
-[[gnu::always_inline]] inline void add_circles(const Pulls& pulls, const Vector<BlockLanes<T>>& block,
-                                               const BlockLanes<T>& there, const Measured<BlockLanes<T>>& now,
-                                               Vector<BlockLanes<T>>& sum) {
-    using N = BlockLanes<T>;
-    constexpr std::size_t half = block_size<T> / 2;
-    const auto measured = [&]<std::size_t By>(std::integral_constant<std::size_t, By>) {
-        return pulls.measured(block - Vector<N>{rotated<By>(block.x), rotated<By>(block.y), rotated<By>(block.z)});
-    };
-    Measured<N> next = now;
-    if constexpr (Shift < half) next = measured(std::integral_constant<std::size_t, Shift + 1>{});
-    Vector<N> pull = pulls.pull(now);
-    if constexpr (!Full) {
-        const auto both = there * rotated<Shift>(there) > N(T(0));
-        pull = {where(both, pull.x, N(T(0))), where(both, pull.y, N(T(0))), where(both, pull.z, N(T(0)))};
+    /// Adds the pulls at the particles of the block that begins with `first` by those of all earlier blocks, as RowSums
+    /// has them, and subtracts them, particle after particle, from the accelerations of these.
+    [[gnu::always_inline]] void pull_across(std::size_t first) const {
+        const std::size_t rows = std::min(width, count_ - first);
+        RowSums<T> sums;
+        std::array<N, at_once * width> numbers;  // distances, then factors
+        for (std::size_t from = 0; from < first; from += at_once * width) {
+            const std::size_t to = std::min(first, from + at_once * width);
+            std::size_t pairs = 0;
+            for (std::size_t other = from; other < to; other += width, pairs += rows)
+                measure_rows(first, rows, other, numbers.data() + pairs);
+            make_factors(numbers.data(), pairs);
+            pairs = 0;
+            for (std::size_t other = from; other < to; other += width, pairs += rows)
+                add_rows(first, rows, other, numbers.data() + pairs, sums);
+        }
+        const Components<T> own = accelerations_.from(first);
+        store_block(own, load_block(own) + sums.sums());
     }
-    if constexpr (Shift < half) {
-        constexpr std::size_t back = block_size<T> - Shift;
-        sum = sum + (pull - Vector<N>{rotated<back>(pull.x), rotated<back>(pull.y), rotated<back>(pull.z)});
-        add_circles<Shift + 1, Full, T>(pulls, block, there, next, sum);
-    } else {
-        sum = sum + pull;
-    }
-}
 
-}  // namespace detail
+private:
+    /// Blocks within which, or with which, pulls are computed at a time.
+    static constexpr std::size_t at_once = 4;
+    using Shifts = std::make_index_sequence<half>;
 
-/// The accelerations of the first `count` particles of a block by each other, counted in a circle: P_s(i) is the pull
-/// at i of the particle s further, 0 if one of them is not there. That of i is the sum from left to right of
-/// P_s(i) - P_s(i - s), s = 1, 2, ... up to half of the circle, where it is P_s(i) alone. All others are 0.
-template <class T, class Pulls>
-[[gnu::always_inline]] inline Vector<BlockLanes<T>> pull_within(const Pulls& pulls, const Components<const T>& block,
-                                                                std::size_t count) {
-    using N = BlockLanes<T>;
-    const Vector<N> u = load_block(block);
-    const N there = where(N::first(count), N(T(1)), N(T(0)));
-    Vector<N> sum{N(T(0)), N(T(0)), N(T(0))};
-    const auto first = pulls.measured(u - Vector<N>{rotated<1>(u.x), rotated<1>(u.y), rotated<1>(u.z)});
-    if (count == block_size<T>) {
-        detail::add_circles<1, true, T>(pulls, u, there, first, sum);
-    } else {
-        detail::add_circles<1, false, T>(pulls, u, there, first, sum);
+    [[gnu::always_inline]] static N distance(const Vector<N>& d) {
+        return square_root(d.x * d.x + d.y * d.y + d.z * d.z);
     }
-    return sum;
-}
+    template <std::size_t Shift>
+    [[gnu::always_inline]] static Vector<N> turned(const Vector<N>& block) {
+        return {rotated<Shift>(block.x), rotated<Shift>(block.y), rotated<Shift>(block.z)};
+    }
+    /// From all of a block to a particle.
+    [[gnu::always_inline]] static Vector<N> to_row(const Components<const T>& row, const Vector<N>& block) {
+        return Vector<N>{N(*row.x), N(*row.y), N(*row.z)} - block;
+    }
+
+    /// Of so many registers of distances, in their place.
+    [[gnu::always_inline]] void make_factors(N* numbers, std::size_t count) const {
+        const MorseConstants<N> morse = constants_as<N>(morse_);
+        for (std::size_t p = 0; p < count; ++p) numbers[p] = morse_factor(morse, numbers[p]);
+    }
+
+    [[gnu::always_inline]] void measure_circle(std::size_t first, N* distances) const {
+        const Vector<N> block = load_block(positions_.from(first));
+        [&]<std::size_t... S>(std::index_sequence<S...>) __attribute__((always_inline)) {
+            ((distances[S] = distance(block - turned<S + 1>(block))), ...);
+        }
+        (Shifts{});
+    }
+    [[gnu::always_inline]] void set_circle(std::size_t first, const N* factors) const {
+        const Vector<N> block = load_block(positions_.from(first));
+        const Components<T> to = accelerations_.from(first);
+        const N one(T(1));
+        if (count_ - first >= width) {
+            store_block(to, circle<true>(block, one, factors));
+        } else {
+            store_block(to, circle<false>(block, where(N::first(count_ - first), one, N(T(0))), factors));
+        }
+    }
+    /// Of particles of which those are there where `there` is 1, or all.
+    template <bool Full>
+    [[gnu::always_inline]] static Vector<N> circle(const Vector<N>& block, const N& there, const N* factors) {
+        const N zero(T(0));
+        Vector<N> sum{zero, zero, zero};
+        const auto add = [&]<std::size_t Shift>(std::integral_constant<std::size_t, Shift>)
+            __attribute__((always_inline)) {
+            Vector<N> pull = factors[Shift - 1] * (block - turned<Shift>(block));
+            if constexpr (!Full) {
+                const auto both = there * rotated<Shift>(there) > zero;
+                pull = {where(both, pull.x, zero), where(both, pull.y, zero), where(both, pull.z, zero)};
+            }
+            if constexpr (Shift < half) {
+                sum = sum + (pull - turned<width - Shift>(pull));
+            } else {
+                sum = sum + pull;
+            }
+        };
+        [&]<std::size_t... S>(std::index_sequence<S...>) __attribute__((always_inline)) {
+            (add(std::integral_constant<std::size_t, S + 1>{}), ...);
+        }
+        (Shifts{});
+        return sum;
+    }
+
+    [[gnu::always_inline]] void measure_rows(std::size_t first, std::size_t rows, std::size_t other,
+                                             N* distances) const {
+        const Vector<N> block = load_block(positions_.from(other));
+        for (std::size_t row = 0; row < rows; ++row)
+            distances[row] = distance(to_row(positions_.from(first + row), block));
+    }
+    [[gnu::always_inline]] void add_rows(std::size_t first, std::size_t rows, std::size_t other, const N* factors,
+                                         RowSums<T>& sums) const {
+        const Vector<N> block = load_block(positions_.from(other));
+        Vector<N> opposite = load_block(accelerations_.from(other));
+        for (std::size_t row = 0; row < rows; ++row) {
+            const Vector<N> pull = factors[row] * to_row(positions_.from(first + row), block);
+            sums.add(row, pull);
+            opposite = opposite - pull;
+        }
+        store_block(accelerations_.from(other), opposite);
+    }
+
+    MorseConstants<T> morse_;
+    Components<const T> positions_;
+    Components<T> accelerations_;
+    std::size_t count_;
+};
 
 }  // namespace steplab

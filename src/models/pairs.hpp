@@ -55,7 +55,7 @@ private:
 
 /// PairForces at work. Every pair is computed once, in blocks of 8 particles (float: 16) that follow each other,
 /// whatever the registers of the machine. The acceleration of i is: its sum in the circle of its own block (as
-/// pull_within() has it), plus the pulls of all particles of earlier blocks: those of the same place in their blocks in
+/// BlockPulls has it), plus the pulls of all particles of earlier blocks: those of the same place in their blocks in
 /// turn, then the places in halves (as RowSums has it); minus its pulls at the particles of later blocks in turn.
 template <class T>
 class Pairs {
@@ -136,19 +136,9 @@ private:
 
     /// By itself, so that the constants are in registers.
     [[gnu::noinline]] void pull_blocks(const Components<const T>& u, const Components<T>& a) const {
-        const MorsePulls<T> pulls{morse_};
-        for (std::size_t first = 0; first < count_; first += width) {
-            const Components<const T> rows = u.from(first);
-            const std::size_t size = std::min(width, count_ - first);
-            auto sum = pull_within(pulls, rows, size);
-            if (first > 0) {
-                RowSums<T> row_sums;
-                for (std::size_t other = 0; other < first; other += width)
-                    pull_across(pulls, rows, size, row_sums, u.from(other), a.from(other));
-                sum = sum + row_sums.sums();
-            }
-            store_block(a.from(first), sum);
-        }
+        BlockPulls<T> pulls(morse_, u, a, count_);
+        pulls.pull_within();
+        for (std::size_t first = width; first < count_; first += width) pulls.pull_across(first);
     }
 
     /// The same sums for numbers that no register holds.

@@ -14,7 +14,8 @@
 namespace steplab::test {
 namespace {
 
-constexpr std::array<std::size_t, 13> counts{1, 2, 3, 4, 5, 7, 8, 9, 16, 17, 28, 33, 50};
+// up to more blocks than are computed at a time
+constexpr std::array<std::size_t, 14> counts{1, 2, 3, 4, 5, 7, 8, 9, 16, 17, 28, 33, 50, 90};
 
 /// Particles at random places of a box with room of a sphere of r0 for each.
 template <class T>
