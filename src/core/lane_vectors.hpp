@@ -82,6 +82,19 @@ template <class T, std::size_t Count, class F>
     }
 }
 
+/// Four numbers, aligned as four are, in every four of the lanes.
+template <class T, std::size_t Count>
+[[gnu::always_inline]] inline RegisterLanes<T, Count> repeated_four(const T* four) {
+    using N = RegisterLanes<T, Count>;
+    if constexpr (N::width < 4) {
+        return N::each([=](std::size_t lane) { return four[lane % 4]; });
+    } else {
+        std::array<typename N::Register, N::parts> registers;
+        registers.fill(detail::fours<T, N::width, 0>([=](std::size_t) { return four; }));
+        return N(registers);
+    }
+}
+
 /// Calls f(j, four) for every four lanes in turn, with their sums along x, y and z and a number without meaning: of
 /// lanes 0 to 3, (0 + 1) + (2 + 3).
 template <class T, std::size_t Count, class F>

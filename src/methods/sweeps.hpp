@@ -49,6 +49,13 @@ concept SweepingInTurn = requires {
     Force::sweeps_in_turn;
 };
 
+/// Layouts that compute accelerations for all particles first and hand them out then, register by register, by several
+/// threads side by side: a sink touches its register alone, and does not throw.
+template <class Force, class T>
+concept HandingOut = requires(Force& force, const Field<T>& positions) {
+    force.each_acceleration(positions, [](std::size_t, const auto&) {});
+};
+
 namespace detail {
 
 template <class Force>
@@ -137,6 +144,13 @@ private:
     template <std::size_t Quantities, class Stage>
     void sweep_whole(Force& force, const std::array<Field<T>*, Quantities>& fields, std::size_t part, Stage stage) {
         InMemory<T, Quantities, 3> particles(fields);
+        if constexpr (HandingOut<Force, T>) {
+            return stage(part, [&](auto q, auto sink) {
+                force.each_acceleration(
+                    *fields[q], [&](std::size_t r, const auto& a)
+                                    __attribute__((always_inline)) { sink(particles, r, a); });
+            });
+        }
         if (accelerations_.count() != fields[0]->count()) accelerations_ = Field<T>(fields[0]->count());
         InMemory<T, 1, 3> accelerations({&accelerations_});
         stage(part, [&](auto q, auto sink) {

@@ -1,13 +1,17 @@
 #pragma once
 
+#include "core/compressed_lanes.hpp"
 #include "core/error.hpp"
+#include "core/field.hpp"
+#include "core/lane_vectors.hpp"
 #include "core/lanes.hpp"
-#include "core/stages.hpp"
 #include "core/team.hpp"
 #include "core/vector.hpp"
+#include "models/cluster_pairs.hpp"
 #include "models/clusters.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -25,7 +29,7 @@ class ClusterLists {
 public:
     static constexpr std::uint32_t size = Clusters::size;
     /// So far behind its end somebody may look who goes through a list.
-    static constexpr std::uint32_t spare = 64;
+    static constexpr std::uint32_t spare = 128;
     /// Numbers of a particle: x, y, z and one that means nothing; and of a cluster.
     static constexpr std::size_t stride = 4, numbers = size * stride;
 
@@ -57,7 +61,7 @@ public:
         period_ = period;
         clusters_.make(particles, position, reach, period, team);
         if (clusters_.count() > Clusters::most) refuse();
-        gather_coordinates(particles, position);
+        gather_coordinates(particles, position, team);
         slabs_.resize(clusters_.slabs().size());
         team.share(slabs_.size(), [this](std::size_t i) { make(i); });
         coordinates_ = {};
@@ -68,16 +72,23 @@ public:
         }
         if (count_ > most) refuse();
         team.share(slabs_.size(), [this](std::size_t i) { number_images(slabs_[i]); });
+        longest_ = 0;
+        for (const Slab& slab : slabs_) {
+            for (const Row& row : slab.rows) longest_ = std::max<std::size_t>(longest_, row.end - row.begin);
+        }
     }
 
     std::span<const Slab> slabs() const { return slabs_; }
-    /// Of each particle: the first of its numbers is this times `stride`.
+    /// Of each particle, and then some of nobody (Clusters::places()): the first of its numbers is this times `stride`.
     std::span<const std::uint32_t> places() const { return clusters_.places(); }
+    /// Others in a row, at most.
+    std::size_t longest() const { return longest_; }
+    std::size_t clusters() const { return clusters_.count(); }
     /// All numbers.
     std::size_t count() const { return count_; }
 
 private:
-    using Four = RegisterLanes<T, 4>;
+    using N = CacheLineLanes<T>;
 
     /// Places of images among those of a slab, plus one; 0 where an image has none. Of clusters from `first` on.
     struct Places {
@@ -98,16 +109,19 @@ private:
     std::uint32_t first_image() const { return nowhere(slabs_.size()); }
 
     /// Of every cluster x of its particles, then y, then z.
-    void gather_coordinates(std::size_t particles, const Clusters::Position& position) {
+    void gather_coordinates(std::size_t particles, const Clusters::Position& position, Team& team) {
         coordinates_.assign(clusters_.count() * 3 * size, std::numeric_limits<T>::quiet_NaN());
-        for (std::size_t i = 0; i < particles; ++i) {
-            const Vec3 p = position(i);
-            const std::uint32_t place = clusters_.places()[i];
-            T* const to = coordinates_.data() + place / size * 3 * size + place % size;
-            to[0] = static_cast<T>(p.x);
-            to[size] = static_cast<T>(p.y);
-            to[2 * size] = static_cast<T>(p.z);
-        }
+        team.run([&](std::size_t member) {
+            const auto [begin, end] = team.part(particles, member);
+            for (std::size_t i = begin; i < end; ++i) {
+                const Vec3 p = position(i);
+                const std::uint32_t place = clusters_.places()[i];
+                T* const to = coordinates_.data() + place / size * 3 * size + place % size;
+                to[0] = static_cast<T>(p.x);
+                to[size] = static_cast<T>(p.y);
+                to[2 * size] = static_cast<T>(p.z);
+            }
+        });
     }
 
     /// Its images are numbered as if there were no other slab.
@@ -121,7 +135,7 @@ private:
         Places places{all[i].begin, {}};
         const std::size_t end = i == 0 ? clusters_.count() : all[std::min(i + 1, all.size() - 1)].end;
         if (period_ > 0) places.of_image.resize((end - places.first) * Clusters::images);
-        clusters_.each(all[i], [&, rows = all[i].end - all[i].begin](std::uint32_t cluster, const auto& others) {
+        ClusterPairs(clusters_).each(all[i], [&, rows = all[i].end - all[i].begin](std::uint32_t cluster, auto others) {
             make_room((others.size() + 2) * size, rows, slab);
             append_row(cluster, others, slab, places);
         });
@@ -143,13 +157,14 @@ private:
         list.resize(begin + (others.size() + 2) * size);
         for (std::uint32_t i = 0; i < size; ++i) list[begin + i] = own + static_cast<std::uint32_t>(i * stride);
         std::size_t end = begin + size;
+        const FourByFour particles = four_by_four(cluster);
         for (const Clusters::Other other : others) {
-            const auto near = within_reach(cluster, other);
-            if (other.image() != Clusters::own_image && !any(near, size)) continue;
+            const LaneSet near = within_reach(particles, other);
+            if (other.image() != Clusters::own_image && near == 0) continue;
             const std::uint32_t first = first_of(other, slab, places);
             for (std::size_t j = 0; j < size; ++j) {
                 list[end] = first + static_cast<std::uint32_t>(j * stride);
-                end += near[j] != 0 ? 1 : 0;
+                end += near >> j & 1;
             }
         }
         for (; end % group_ > 0; ++end) list[end] = slab.nowhere;
@@ -157,21 +172,34 @@ private:
         slab.rows.push_back({own, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
     }
 
-    /// Which particles of another cluster are within reach of a particle of this one.
-    auto within_reach(std::uint32_t cluster, Clusters::Other other) const {
-        const Vector<T> image = shift_of(other.image());
-        const T* const own = coordinates_.data() + cluster * 3 * size;
-        const T* const them = coordinates_.data() + other.cluster() * 3 * size;
-        const Four x = Four::load_anywhere(them), y = Four::load_anywhere(them + size),
-                   z = Four::load_anywhere(them + 2 * size);
-        Four nearest(std::numeric_limits<T>::infinity());
-        for (std::size_t i = 0; i < size; ++i) {
-            const Four dx = Four(own[i] - image.x) - x, dy = Four(own[i + size] - image.y) - y,
-                       dz = Four(own[i + 2 * size] - image.z) - z;
-            const Four square = dx * dx + dy * dy + dz * dz;
-            nearest = where(square < nearest, square, nearest);
+    /// The particles of a cluster, each four times, in as many registers as there are numbers for.
+    using FourByFour = std::array<Vector<N>, size * size / N::count>;
+    FourByFour four_by_four(std::uint32_t cluster) const {
+        const T* const from = coordinates_.data() + cluster * 3 * size;
+        FourByFour result;
+        for (std::size_t k = 0; k < result.size(); ++k) {
+            const auto along = [&](const T* four) {
+                return N::each([=](std::size_t lane) { return four[(k * N::count + lane) / size]; });
+            };
+            result[k] = {along(from), along(from + size), along(from + 2 * size)};
         }
-        return nearest < Four(static_cast<T>(reach_ * reach_));
+        return result;
+    }
+
+    /// Which particles of another cluster are within reach of a particle of this one.
+    LaneSet within_reach(const FourByFour& own, Clusters::Other other) const {
+        const Vector<T> image = shift_of(other.image());
+        const T* const from = coordinates_.data() + other.cluster() * 3 * size;
+        const auto along = [=](std::size_t axis) { return repeated_four<T, N::count>(from + axis * size); };
+        const Vector<N> them{along(0), along(1), along(2)};
+        const N reach2(static_cast<T>(reach_ * reach_));
+        LaneSet near = 0;
+        for (const Vector<N>& some : own) {
+            const Vector<N> d = some - Vector<N>{N(image.x), N(image.y), N(image.z)} - them;
+            near |= lanes_below(d.x * d.x + d.y * d.y + d.z * d.z, reach2);
+        }
+        for (std::size_t half = N::count / 2; half >= size; half /= 2) near |= near >> half;
+        return near & first_lanes(size);
     }
 
     /// The first number of another cluster, or of its image.
@@ -204,8 +232,8 @@ private:
     double reach_ = 0, period_ = 0;
     Clusters clusters_;
     std::vector<Slab> slabs_;
-    std::size_t count_ = 0;
-    std::vector<T> coordinates_;  ///< only while make() works
+    std::size_t count_ = 0, longest_ = 0;
+    std::vector<T, CacheLineAllocator<T>> coordinates_;  ///< only while make() works
 };
 
 }  // namespace steplab

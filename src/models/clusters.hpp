@@ -13,10 +13,10 @@ namespace steplab {
 
 class Team;
 
-/// Particles that are near each other in clusters of four, and the pairs of clusters that may hold two particles within
-/// reach: what a kernel needs that computes 4 x 4 pairs in registers (Pall and Hess, Comput. Phys. Commun. 184 (2013)
-/// 2641). Columns along z have a cross-section about as wide as a cluster; the particles of a column, from below, four
-/// by four, are its clusters. All of it depends on the positions alone.
+/// Particles that are near each other in clusters of four, so that those within reach of each other are found by pairs
+/// of clusters (cluster_pairs.hpp): what a kernel needs that computes 4 x 4 pairs in registers (Pall and Hess, Comput.
+/// Phys. Commun. 184 (2013) 2641). Columns along z have a cross-section about as wide as a cluster; the particles of a
+/// column, from below, four by four, are its clusters. All of it depends on the positions alone.
 ///
 /// With a period, space repeats itself along each axis: a pair of clusters says which image of the second it means.
 class Clusters {
@@ -24,6 +24,7 @@ public:
     static constexpr std::size_t size = 4;
     /// Images of space: 9 (x + 1) + 3 (y + 1) + z + 1 for the one x, y, z periods away.
     static constexpr std::uint32_t own_image = 13, images = 27;
+    static constexpr std::size_t spare = 64;  ///< of places()
     /// As many clusters can be told apart.
     static constexpr std::size_t most = std::size_t{1} << 27;
 
@@ -61,11 +62,31 @@ public:
     };
     /// All clusters; few of them are one slab.
     std::span<const Slab> slabs() const { return slabs_; }
-    /// Of each particle: the cluster times four, plus its place there.
+    /// Of each particle: the cluster times four, plus its place there. Behind them, for whoever goes through particles
+    /// some at a time and looks ahead, `spare` times the last place of a cluster behind all others.
     std::span<const std::uint32_t> places() const { return places_; }
-    /// Calls f(cluster, others) for each cluster of a slab in turn. Each pair of clusters and image is among the others
-    /// of one of them, that whose slab comes first; that of a cluster with itself is not.
-    void each(const Slab& slab, const std::function<void(std::uint32_t, std::span<const Other>)>& f) const;
+
+    /// Clusters of one column follow each other, from below upwards.
+    struct Column {
+        std::uint32_t x, y;
+        std::uint32_t begin, end;  ///< its clusters
+    };
+    std::span<const Column> columns() const { return columns_; }
+    /// Null if nobody is there.
+    const Column* column(int x, int y) const;
+    /// With a period, 0 without.
+    std::uint32_t columns_a_row() const { return columns_a_row_; }
+    /// How many columns away somebody may be within reach.
+    std::uint32_t range() const;
+    /// Where the particles of clusters are, along one axis: low above high if they are nowhere. After the last, some
+    /// more that are infinitely far away, so that `side_by_side` can be read from each on.
+    struct Bounds {
+        std::vector<float> low, high;
+    };
+    static constexpr std::size_t side_by_side = 8;
+    const Bounds& bounds(std::size_t axis) const { return bounds_[axis]; }
+    double reach() const { return reach_; }
+    double period() const { return period_; }
 
 private:
     /// Sorts particles by column, then from below.
@@ -73,43 +94,15 @@ private:
         std::uint64_t key;
         std::uint32_t particle;
     };
-    /// Where the particles of clusters are, along one axis; after the last, some more that are infinitely far away.
-    struct Bounds {
-        std::vector<float> low, high;
-    };
-    struct Column {
-        std::uint32_t x, y;
-        std::uint32_t begin, end;  ///< its clusters
-    };
-    /// A column, or an image of it, that may be within reach, while the clusters of another are gone through.
-    struct Adjacent {
-        std::uint32_t begin, end;
-        int x, y;                            ///< image
-        std::array<std::uint32_t, 3> first;  ///< no cluster before is within reach, by image along z
-    };
-    /// Where the particles of a cluster are, and which images along z may be within their reach.
-    struct Box {
-        std::uint32_t cluster;
-        std::array<float, 3> low, high;
-        int first_z, last_z;
-    };
-
     void choose_columns(std::size_t particles, const Position& position);
     std::uint32_t column_at(double position) const;
     std::uint64_t key_at(Vec3 position) const;
+    std::vector<std::uint32_t> former_order(std::size_t particles) const;
     void sort(std::size_t particles, const Position& position, Team& team);
-    void form_clusters(const Position& position);
+    std::vector<std::uint32_t> form_clusters();
+    void find_bounds(std::span<const std::uint32_t> firsts, const Position& position, Team& team);
+    void include(std::size_t cluster, Vec3 position);
     void form_slabs();
-    void add_cluster();
-    /// How many columns away somebody may be within reach.
-    std::uint32_t range() const;
-    std::vector<Adjacent> adjacent(const Column& column) const;
-    using Others = std::vector<Other>;
-    Box box_of(std::uint32_t cluster) const;
-    Box moved_back(Box box, std::uint32_t image) const;
-    void append_others(const Box& box, Adjacent& adjacent, Others& others) const;
-    void append_within_reach(const Box& box, std::uint32_t from, std::uint32_t to, std::uint32_t image,
-                             Others& others) const;
 
     double reach_ = 0, period_ = 0;
     double width_ = 1;                 ///< of a column

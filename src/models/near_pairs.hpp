@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/field_lanes.hpp"
 #include "core/stages.hpp"
 #include "models/forces.hpp"
 #include "models/interactions.hpp"
@@ -50,12 +51,20 @@ public:
 
     void accelerations(const Field<T>& u, Field<T>& a) {
         if constexpr (by_clusters) {
-            if (!sums_.holds_at(u)) sums_.make_at(u);
-            sums_.accelerations(u, a);
+            each_acceleration(u, [to = FieldLanes<T>(a)](std::size_t r, const auto& of) { to.set(r, of); });
         } else {
             sum_neighbours(u, a);
+            balance_.take_off(a);
         }
-        balance_.take_off(a);
+    }
+
+    /// The same, handed out: calls sink(r, a) for every register r of particles, by several threads side by side, when
+    /// nobody looks at u any more.
+    template <class Sink>
+    void each_acceleration(const Field<T>& u, Sink sink) requires(by_clusters) {
+        if (!sums_.holds_at(u)) sums_.make_at(u);
+        sums_.accelerations(
+            u, [&](std::size_t r, const auto& a) __attribute__((always_inline)) { sink(r, balance_.taken_off(r, a)); });
     }
 
     /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does.

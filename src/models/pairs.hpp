@@ -49,6 +49,11 @@ public:
         elementwise(a.flat().size(), [=](std::size_t k) { out[k] -= balance[k]; });
     }
 
+    /// The same from those of the r-th register of particles.
+    [[gnu::always_inline]] Vector<Lanes<T>> taken_off(std::size_t r, const Vector<Lanes<T>>& a) const {
+        return accelerations_.count() == 0 ? a : a - FieldLanes<const T>(accelerations_).get(r);
+    }
+
 private:
     Field<T> accelerations_;
 };
