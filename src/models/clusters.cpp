@@ -1,5 +1,6 @@
 #include "models/clusters.hpp"
 
+#include "core/root.hpp"
 #include "core/team.hpp"
 #include "models/cluster_pairs.hpp"
 
@@ -63,7 +64,7 @@ void Clusters::choose_columns(std::size_t particles, const Position& position) {
         volume = std::max(0.0, high.x - low.x) * std::max(0.0, high.y - low.y) * std::max(0.0, high.z - low.z);
     }
     const double count = static_cast<double>(std::max<std::size_t>(1, particles));
-    width_ = std::clamp(std::cbrt(static_cast<double>(size) * volume / count), reach_ / 4, reach_);
+    width_ = std::clamp(root(static_cast<double>(size) * volume / count, 3), reach_ / 4, reach_);
     width_ = std::max(width_, std::numeric_limits<double>::min());  // a reach may be flushed to zero
     if (period_ == 0) return;
     columns_a_row_ = static_cast<std::uint32_t>(std::clamp(std::floor(period_ / width_), 1.0, double{most_columns}));
