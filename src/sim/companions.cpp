@@ -160,7 +160,7 @@ void Companions::make_groups() {
     std::vector<StepperSetup> setups;
     for (const Companion& it : companions_)
         setups.push_back({it.scene, it.scene.start, it.held.method_parameters, it.held.precision, it.held.dt,
-                          execution_.instructions});
+                          instructions_of(execution_)});
     for (std::size_t first = 0; first < setups.size(); first += groups_.back().count)
         groups_.push_back(make_group(std::span<const StepperSetup>(setups).subspan(first), first));
 }
@@ -174,7 +174,7 @@ Companions::Group Companions::make_group(std::span<const StepperSetup> setups, s
     if (there == 0) return group;
     const Method& how = method(companions_[first].held.method);
     const auto together = alike_ones(setups.first(there));
-    if (!together.empty() && how.goes_in_groups(execution_.instructions)) group.lanes = how.make_group(together);
+    if (!together.empty() && how.goes_in_groups(instructions_of(execution_))) group.lanes = how.make_group(together);
     if (group.lanes) {
         group.count = group.lanes->runs();
     } else {

@@ -30,11 +30,11 @@ struct Member {
     Member(const EnsembleRun& run, const Execution& execution)
         : held(as_held(run.description)),
           scene(model(held.model).scene(held.scene)),
-          meter(scene, execution.instructions),
+          meter(scene, instructions_of(execution)),
           steps(run.steps) {}
 
     StepperSetup setup(const Execution& execution) const {
-        return {scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions};
+        return {scene, scene.start, held.method_parameters, held.precision, held.dt, instructions_of(execution)};
     }
 };
 
@@ -162,7 +162,7 @@ std::vector<std::optional<EnsembleResult>> run_side_by_side(std::span<const Ense
                                                             const Execution& execution, const StepsDone& done) {
     const FlushSubnormals flush;
     const Method& how = method(runs.front().description.method);
-    if (!how.goes_in_groups(execution.instructions)) return {};
+    if (!how.goes_in_groups(instructions_of(execution))) return {};
     Together together(runs, execution);
     if (together.setups.empty()) return {};
     const auto group = how.make_group(together.setups);

@@ -10,7 +10,7 @@ Segment::Segment(const RunDescription& given, const Execution& how)
       held(as_held(given)),
       execution(how),
       scene(model(held.model).scene(held.scene)),
-      meter(scene, how.instructions) {
+      meter(scene, instructions_of(how)) {
     restart();
 }
 
@@ -19,7 +19,7 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
       held(as_held(given)),
       execution(how),
       scene(model(held.model).scene(held.scene)),
-      meter(scene, how.instructions) {
+      meter(scene, instructions_of(how)) {
     scene.start = start;
     restart();
 }
@@ -27,9 +27,11 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
 void Segment::restart() {
     const FlushSubnormals flush;
     stepper.reset();
+    const Method& how = method(held.method);
     stepper = make_stepper(
-        method(held.method),
-        {scene, scene.start, held.method_parameters, held.precision, held.dt, execution.instructions}, execution);
+        how,
+        {scene, scene.start, held.method_parameters, held.precision, held.dt, instructions_for(how, scene, execution)},
+        execution);
 }
 
 const std::optional<StabilityLimit>& Segment::limit() const {
