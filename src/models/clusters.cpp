@@ -46,7 +46,7 @@ void Clusters::make(std::size_t particles, const Position& position, double reac
     sort(particles, position, team);
     find_bounds(form_clusters(), position, team);
     form_slabs();
-    placed_ = {};
+    std::vector<Placed>().swap(placed_);  // to assign {} would keep the memory
 }
 
 /// As wide as a cube that holds a cluster; where particles are few, or crowd together, as pairs ask for.
