@@ -64,7 +64,7 @@ public:
         gather_coordinates(particles, position, team);
         slabs_.resize(clusters_.slabs().size());
         team.share(slabs_.size(), [this](std::size_t i) { make(i); });
-        coordinates_ = {};
+        Numbers().swap(coordinates_);
         count_ = first_image();
         for (Slab& slab : slabs_) {
             slab.first_image = count_;
@@ -89,6 +89,7 @@ public:
 
 private:
     using N = CacheLineLanes<T>;
+    using Numbers = std::vector<T, CacheLineAllocator<T>>;
 
     /// Places of images among those of a slab, plus one; 0 where an image has none. Of clusters from `first` on.
     struct Places {
@@ -233,7 +234,7 @@ private:
     Clusters clusters_;
     std::vector<Slab> slabs_;
     std::size_t count_ = 0, longest_ = 0;
-    std::vector<T, CacheLineAllocator<T>> coordinates_;  ///< only while make() works
+    Numbers coordinates_;  ///< only while make() works
 };
 
 }  // namespace steplab

@@ -67,10 +67,15 @@ public:
             u, [&](std::size_t r, const auto& a) __attribute__((always_inline)) { sink(r, balance_.taken_off(r, a)); });
     }
 
-    /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does.
+    /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does,
+    /// and it is made again, as there is room for one only.
     void look_at_accelerations(const Field<T>& u, Field<T>& a) {
         if constexpr (by_clusters) {
-            if (!sums_.holds_at(u)) return NearPairs(forces_, team_).accelerations(u, a);
+            if (!sums_.holds_at(u)) {
+                const Field<T> made_at = sums_.made_at();
+                accelerations(u, a);
+                return sums_.make_at(made_at);
+            }
         }
         accelerations(u, a);
     }

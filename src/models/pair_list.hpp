@@ -56,8 +56,8 @@ public:
     /// Makes the lists of these positions.
     void make_at(const Field<T>& u) {
         made_at_ = {};  // should it fail, there are none
-        positions_ = {};
-        sums_ = {};
+        positions_.clear();
+        sums_.clear();
         const auto position = [&](std::size_t i) { return within_period(periods_, u, i); };
         lists_.make(u.count(), position, reach_, period_, *team_);
         for (ClusterPulls<T>& pulls : pulls_) pulls.make_room(lists_.longest());

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -131,6 +132,27 @@ TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
     }
     EXPECT_GT(renewed, 5);
     EXPECT_LT(renewed, 100);
+}
+
+// Before the first evaluation, where lists hold, and where they do not.
+TYPED_TEST(CrystalForces, are_seen_without_renewing_lists) {
+    const Scene scene = crystal();
+    const Field<TypeParam> u = scattered<TypeParam>(scene, 0.1), further = scattered<TypeParam>(scene, 0.4);
+    NearPairs<TypeParam> forces(forces_of(scene));
+    const auto look = [&](const Field<TypeParam>& at) {
+        Field<TypeParam> a(at.count()), expected(at.count());
+        const Field<TypeParam> made_at = forces.history();
+        forces.look_at_accelerations(at, a);
+        EXPECT_TRUE(std::ranges::equal(forces.history().flat(), made_at.flat()));
+        NearPairs<TypeParam> fresh(forces_of(scene));
+        fresh.accelerations(at, expected);
+        EXPECT_TRUE(std::ranges::equal(a.flat(), expected.flat()));
+    };
+    look(u);
+    Field<TypeParam> a(u.count());
+    forces.accelerations(u, a);
+    look(u);
+    look(further);
 }
 
 TEST(Crystal, starts_without_momentum_and_as_warm_as_it_says) {
