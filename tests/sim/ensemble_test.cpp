@@ -140,16 +140,33 @@ std::vector<MethodCase> compensating_methods() {
 
 INSTANTIATE_TEST_SUITE_P(Methods, Compensated, testing::ValuesIn(compensating_methods()), test::case_name);
 
-/// Which of the runs of a scene go side by side: those that fill half of a register at least.
+/// Numbers of a precision that one register has room for.
+std::size_t lanes(Instructions instructions, Precision precision) {
+    const std::size_t bytes = instructions == Instructions::avx512 ? 64 : instructions == Instructions::avx2 ? 32 : 16;
+    return bytes / (precision == Precision::double_ ? sizeof(double) : sizeof(float));
+}
+
+/// Runs of one size go side by side where they fill half of a register at least.
+void expect_side_by_side_where_half_is_full(const RunDescription& chain, Instructions instructions) {
+    const auto together = [&](const Spread& spread, std::size_t runs) {
+        return side_by_side(run_ensemble(runs_of(chain, {spread}, 10, runs), 10, {.instructions = instructions}));
+    };
+    const std::size_t half = lanes(instructions, chain.precision) / 2;
+    for (const Spread& spread : {Spread{"k", 1, 2}, Spread{"dt", 0.01, 0.02}}) {
+        EXPECT_EQ(together(spread, half), half);
+        EXPECT_EQ(together(spread, half - 1), 0u);
+        EXPECT_GE(together(spread, count), 32u);
+    }
+    EXPECT_EQ(together({"n", 10, 46}, count), half == 1 ? count : 0u);
+}
+
 TEST(Ensemble, computes_runs_side_by_side_where_it_can) {
     for (const char* const method : {"euler", "stoermer", "kahan-li-8", "rk4", "midpoint", "euler-forward"}) {
         for (const Precision precision : test::precisions) {
-            SCOPED_TRACE(method);
-            const RunDescription chain = test::run_of("chain", method, precision, 0.02);
-            EXPECT_GE(side_by_side(run_ensemble(runs_of(chain, {{"k", 1, 2}}, 10), 10)), 32u);
-            EXPECT_GE(side_by_side(run_ensemble(runs_of(chain, {{"dt", 0.01, 0.02}}, 10), 10)), 32u);
-            EXPECT_EQ(side_by_side(run_ensemble(runs_of(chain, {{"n", 10, 46}}, 10), 10)), 0u);
-            EXPECT_EQ(side_by_side(run_ensemble(runs_of(chain, {{"k", 1, 2}}, 10, 1), 10)), 0u);
+            for (const Instructions instructions : instructions_here()) {
+                SCOPED_TRACE(std::string(method) + " by " + std::string(id(instructions)));
+                expect_side_by_side_where_half_is_full(test::run_of("chain", method, precision, 0.02), instructions);
+            }
         }
     }
 }
