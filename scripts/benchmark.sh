@@ -2,25 +2,28 @@
 # Measures this machine: scripts/benchmark.sh [--quick] [--rows REGEX]
 #
 # Installs what is missing, builds build/release and its benchmarks, times the steps of steplab beside hand-written
-# loops, Boost.odeint, GSL, SUNDIALS and LAMMPS, one core each, and writes benchmarks/results/<processor>.csv. Ten minutes
-# on a quiet machine; with --quick, less exactly, two or three. --rows chain-10/rk4 prints only the rows
+# loops, Boost.odeint, GSL, SUNDIALS and LAMMPS, one core each, then the time to an error beside the same libraries,
+# drawing, watching, writing and whole processes, and writes benchmarks/results/<processor>.csv. TIME
+# on a quiet machine; with --quick, less exactly, QUICK. --rows chain-10/rk4 prints only the rows of steps
 # (row/method/precision) it is found in and writes nothing.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-rounds=5 options=() rows=
+rounds=5 options=() rows='' error_rounds=20 repeats=5
 while (($#)); do
     case $1 in
         -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;;
-        --quick) rounds=1 options=(--benchmark_repetitions=2 --benchmark_min_time=0.005) ;;
+        --quick) rounds=1 error_rounds=3 repeats=1 options=(--benchmark_repetitions=2 --benchmark_min_time=0.005) ;;
         --rows) rows=${2:?--rows needs a regular expression}; shift ;;
         *) fail "unknown argument $1" ;;
     esac
     shift
 done
 
-steps() { "$root/build/release/benchmarks/steps" "${options[@]}" --benchmark_filter="${1:-.}" "${@:2}"; }
+programs=$root/build/release/benchmarks
+
+steps() { "$programs/steps" "${options[@]}" --benchmark_filter="${1:-.}" "${@:2}"; }
 
 # lammps ROW PARTICLES WHO SCRIPT STEPS VARIABLE...: the time of a step as LAMMPS tells it, in the columns of `steps`.
 lammps() {
@@ -56,6 +59,31 @@ measure() {
             fi
         done
     done
+}
+
+# process NAME ARGUMENT...: the least time of some processes of steplab that write into an empty folder.
+process() {
+    local name=$1 folder begin ns round least=''
+    shift
+    for ((round = 0; round < 4 * repeats; ++round)); do
+        folder=$(mktemp -d)
+        begin=$(date +%s%N)
+        (cd "$folder" && "$root/build/release/bin/steplab" "$@" >/dev/null)
+        ns=$(($(date +%s%N) - begin))
+        rm -r "$folder"
+        if [[ -z $least ]] || ((ns < least)); then least=$ns; fi
+    done
+    printf 'process-%s,-,double,1,steplab,%d.00,%d.0000,\n' "$name" "$least" "$least"
+}
+
+# What is no step: the time to an error, pictures, a window that watches, files, whole processes.
+measure_others() {
+    "$programs/peers" --lines "$error_rounds"
+    if [[ -x $programs/drawing ]]; then "$programs/drawing" --lines $((2 * repeats)); fi
+    "$programs/watching" --lines "$repeats"
+    "$programs/trajectories" --lines
+    process run-1000 run --model chain --steps 1000 --out run.csv
+    process snapshot snapshot --out picture.png
 }
 
 # The least of all times of the same, in the order of first appearance; a hash that differs is an error.
@@ -106,12 +134,12 @@ about() {
 }
 
 ensure_packages core benchmarks lammps
-build release --target benchmark_steps
+build release --target benchmarks programs
 say "measuring (a quiet machine measures best)"
 if [[ -n $rows ]]; then measure | least; exit; fi
 
 results=$root/benchmarks/results/$(processor).csv
 mkdir -p "${results%/*}"
-{ about && measure | tee /dev/stderr | least; } >"$results.partial"
+{ about && { measure && measure_others; } | tee /dev/stderr | least; } >"$results.partial"
 mv "$results.partial" "$results"
 say "the results are in $results; scripts/update-docs.sh puts them into docs/performance.md"

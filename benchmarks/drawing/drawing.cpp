@@ -1,11 +1,12 @@
 // What drawing a mesh takes at 1280x720 without a display: whole frames as the window shows them, from the frame of the
 // run to the bytes of the picture, in turns with a bare draw of the same positions as GL_POINTS into the same target.
 //
-//     drawing [PICTURES [COLOURING [DIM...]]]
+//     drawing [--lines] [PICTURES [COLOURING [DIM...]]]
 //         least times of so many pictures each (default 7); what colours tell (default role); meshes of DIM x DIM
-//         particles (default 100, 316, 1000)
+//         particles (default 100, 316, 1000); with --lines in lines for benchmarks/results
 
 #include "app/offscreen_context.hpp"
+#include "lines.hpp"
 #include "render/framing.hpp"
 #include "render/gl.hpp"
 #include "render/gl_objects.hpp"
@@ -150,10 +151,22 @@ Colouring colouring_of(const std::string& word) {
     return static_cast<Colouring>(found == colouring_ids.end() ? 0 : found - colouring_ids.begin());
 }
 
+void print(double particles, const Times& times) {
+    fmt::print("{:8.0f} particles  scene {:7.1f} ms  bare points {:7.1f} ms  ratio {:.2f}\n", particles,
+               1e3 * times.scene, 1e3 * times.bare, times.scene / times.bare);
+}
+
+void print_lines(double particles, const Times& times) {
+    const std::string row = fmt::format("drawing-{:.0f}", particles);
+    benchmark::print({row, "-", "float", particles, "steplab", 1e9 * times.scene});
+    benchmark::print({row, "-", "float", particles, "bare points", 1e9 * times.bare});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> words(argv + 1, argv + argc);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool in_lines = benchmark::wants_lines(words);
     const int pictures = words.empty() ? 7 : std::max(1, std::atoi(words[0].c_str()));
     Style style;
     if (words.size() > 1) style.colouring = colouring_of(words[1]);
@@ -164,10 +177,9 @@ int main(int argc, char** argv) {
     load_opengl();
     SceneRenderer scene;
     const BarePoints bare;
-    fmt::print("{}\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    if (!in_lines) fmt::print("{}\n", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     for (const double dim : dims) {
         const Times times = measure(mesh_under_way(dim), style, pictures, scene, bare);
-        fmt::print("{:8.0f} particles  scene {:7.1f} ms  bare points {:7.1f} ms  ratio {:.2f}\n", dim * dim,
-                   1e3 * times.scene, 1e3 * times.bare, times.scene / times.bare);
+        in_lines ? print_lines(dim * dim, times) : print(dim * dim, times);
     }
 }

@@ -6,6 +6,7 @@
 #include "core/flush_subnormals.hpp"
 #include "lab/speed_error.hpp"
 #include "lab/study.hpp"
+#include "lines.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/simulation.hpp"
 #include "solver.hpp"
@@ -28,6 +29,7 @@ struct Entry {
     double error = 0;
     std::function<double()> seconds;
     double least = 1e300;
+    std::function<std::string()> hash = [] { return std::string(); };  ///< of the state at the end, if it is ours
 };
 
 constexpr double targets[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
@@ -65,6 +67,12 @@ double error_of(const std::vector<Vec3>& end, const StudyPlan& plan, const Refer
     return std::isfinite(largest) ? largest : 1e300;
 }
 
+std::string hash_at_the_end(const RunDescription& run, std::uint64_t steps) {
+    Simulation simulation(run);
+    simulation.advance(steps);
+    return simulation.hash();
+}
+
 class Contest {
 public:
     Contest(std::string_view scene) : plan_(plan_of(scene)), reference_(reference_for(plan_)) {
@@ -86,7 +94,23 @@ public:
         }
     }
 
-    void print() const {
+    /// The fastest of steplab and of the others for each error, where both reach it.
+    void print_lines() const {
+        const std::string row = fmt::format("error-{}", plan_.scene.model);
+        const double particles = model(plan_.scene.model).particles(plan_.scene.scene);
+        for (const double target : targets) {
+            const std::string error = fmt::format("{:.0e}", target);
+            const auto add = [&](const std::string& who, const Entry& entry) {
+                benchmark::print({row, error, "double", particles, who, entry.least * 1e9, entry.hash()});
+            };
+            if (const Entry* own = best(0, target)) add("steplab " + own->who, *own);
+            const Entry *plain = best(1, target), *gather = best(2, target);
+            if (plain) add(plain->who, *plain);
+            if (gather) add(gather->who, *gather);
+        }
+    }
+
+    void print_table() const {
         fmt::print("\n{} to t = {}, reference: {} ({:.0e})\n", plan_.scene.model, plan_.time, reference_.how,
                    reference_.moments.back().error);
         fmt::print("{:<7} {:>10}  {:<30} {:>10} {:>6}  {:<34} {:>10} {:>6}  {}\n", "error", "steplab", "", "plain",
@@ -108,7 +132,8 @@ private:
     void enter(const Measurement& run) {
         if (run.diverged) return;
         entries_.push_back({fmt::format("{} {}", run.run.method, setting(run.run)), 0, run.error,
-                            [run] { return stepping_seconds(run.run, run.steps); }, run.wall_seconds.value_or(1e300)});
+                            [run] { return stepping_seconds(run.run, run.steps); }, run.wall_seconds.value_or(1e300),
+                            [run] { return hash_at_the_end(run.run, run.steps); }});
     }
 
     /// The same series as those of the libraries' adaptive methods.
@@ -182,14 +207,15 @@ private:
 
 int main(int argc, char** argv) {
     using namespace steplab::benchmark;
-    std::vector<std::string> scenes;
+    std::vector<std::string> words(argv + 1, argv + argc), scenes;
+    const bool in_lines = wants_lines(words);
     int rounds = 20;
-    for (int i = 1; i < argc; ++i) {
-        const int number = std::atoi(argv[i]);
+    for (const std::string& word : words) {
+        const int number = std::atoi(word.c_str());
         if (number > 0) {
             rounds = number;
         } else {
-            scenes.emplace_back(argv[i]);
+            scenes.emplace_back(word);
         }
     }
     if (scenes.empty()) scenes = {"chain", "morse", "mesh"};
@@ -197,6 +223,6 @@ int main(int argc, char** argv) {
     for (const std::string& scene : scenes) {
         Contest contest(scene);
         contest.hold(rounds);
-        contest.print();
+        in_lines ? contest.print_lines() : contest.print_table();
     }
 }

@@ -7,6 +7,7 @@
 
 #include "core/flush_subnormals.hpp"
 #include "core/team.hpp"
+#include "lines.hpp"
 #include "machine.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/ensemble.hpp"
@@ -15,6 +16,7 @@
 #include "stepping.hpp"
 
 #include <fmt/format.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -27,6 +29,7 @@
 #include <map>
 #include <memory>
 #include <regex>
+#include <sstream>
 #include <utility>
 
 namespace steplab::benchmark {
@@ -113,17 +116,29 @@ Contestant ourselves(const RunDescription& description, std::size_t threads, boo
             }};
 }
 
+std::vector<EnsembleRun> runs_with_other_k(const RunDescription& description, std::size_t runs, std::uint64_t steps) {
+    const std::vector<Spread> spreads{{"k", 1, 2}};
+    std::vector<EnsembleRun> all;
+    for (std::size_t i = 0; i < runs; ++i) all.push_back({spread_run(description, spreads, i, runs), steps});
+    return all;
+}
+
+/// That of the hashes of all runs, one behind the other.
+std::string hash_of(const std::vector<EnsembleResult>& results) {
+    std::string hashes;
+    for (const EnsembleResult& result : results) hashes += result.hash;
+    return fmt::format("{:016x}", XXH64(hashes.data(), hashes.size(), 0));
+}
+
 /// Runs that differ in k, every time from the start, which counts; a batch is the steps of all runs together.
 Contestant our_ensemble(const RunDescription& description, std::size_t runs) {
     return {"steplab ensemble", [description, runs] {
-                return Stepping{[description, runs](std::size_t steps) {
-                                    const std::vector<Spread> spreads{{"k", 1, 2}};
-                                    std::vector<EnsembleRun> all;
-                                    for (std::size_t i = 0; i < runs; ++i)
-                                        all.push_back({spread_run(description, spreads, i, runs), steps / runs});
-                                    run_ensemble(all, steps, {.threads = 1});
+                auto results = std::make_shared<std::vector<EnsembleResult>>();
+                return Stepping{[=](std::size_t steps) {
+                                    *results = run_ensemble(runs_with_other_k(description, runs, steps / runs), steps,
+                                                            {.threads = 1});
                                 },
-                                {}};
+                                [results] { return hash_of(*results); }};
             }};
 }
 
@@ -200,13 +215,12 @@ public:
         if (first.run_type != Run::RT_Iteration) return;  // means and deviations
         double least = std::numeric_limits<double>::infinity();
         for (const Run& run : runs) least = std::min<double>(least, run.counters.at("ns_per_step"));
-        const std::string name = first.run_name.function_name;  // row/method/precision/who
-        const auto slash = name.rfind('/');
-        const double particles = first.counters.at("particles");
-        std::string line = fmt::format("{}/{}/{}/{:.2f}/{:.4f}/{}\n", name.substr(0, slash), particles,
-                                       name.substr(slash + 1), least, least / particles, first.report_label);
-        std::replace(line.begin(), line.end(), '/', ',');
-        lines_[first.family_index] = line;
+        std::istringstream name(first.run_name.function_name);
+        std::string row, method, precision, who;
+        for (std::string* const part : {&row, &method, &precision}) std::getline(name, *part, '/');
+        std::getline(name, who);
+        lines_[first.family_index] =
+            text({row, method, precision, first.counters.at("particles"), who, least, first.report_label});
     }
 
     void Finalize() override {

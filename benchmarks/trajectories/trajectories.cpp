@@ -1,9 +1,12 @@
 // What writing trajectories takes: frames of a mesh that were computed before, fed to the writer of each format.
 //
-//     trajectories [PARTICLES [FRAMES [FILE [FORMAT]]]]    FILE: where to (default /dev/null); FORMAT: only this one
+//     trajectories [--lines] [PARTICLES [FRAMES [FILE [FORMAT]]]]
+//         FILE: where to (default /dev/null); FORMAT: only this one; with --lines in lines for benchmarks/results: ns a
+//         frame of all threads together, and a byte
 
 #include "io/temporary_folder.hpp"
 #include "io/trajectory.hpp"
+#include "lines.hpp"
 #include "sim/simulation.hpp"
 
 #include <fmt/format.h>
@@ -96,35 +99,60 @@ double megabytes(const std::vector<Frame>& frames, TrajectoryFormat format) {
     return 1e-6 * static_cast<double>(std::filesystem::file_size(name)) / static_cast<double>(frames.size());
 }
 
-void measure(const std::vector<Frame>& frames, std::size_t count, const std::string& name, const std::string& place) {
+struct Written {
+    std::string format;
+    std::string_view precision;
+    std::size_t frames, rows;  ///< rows of all frames
+    double megabytes;
+    Seconds spent;
+};
+
+Written measure(const std::vector<Frame>& frames, std::size_t count, const std::string& name,
+                const std::string& place) {
     const TrajectoryFormat format = trajectory_format(name);
-    const double bytes = static_cast<double>(count) * megabytes(frames, format);
-    const double rows = static_cast<double>(count * frames[0].positions.size());
+    const double size = static_cast<double>(count) * megabytes(frames, format);
     const Seconds begin = Seconds::now();
     OutputFile file(place);
     write(frames, count, format, file);
     const Seconds end = Seconds::now();
-    const double process = end.process - begin.process;
+    return {name,  id(frames[0].precision),
+            count, count * frames[0].positions.size(),
+            size,  {end.wall - begin.wall, end.process - begin.process, end.feeding - begin.feeding}};
+}
+
+void print(const Written& file) {
+    const auto& [format, precision, frames, rows, megabytes, spent] = file;
+    const double millions = 1e-6 * static_cast<double>(rows);
     fmt::print(
         "{:<12}{:<8}{:>8.1f} MB, {:>5.1f} bytes a row: {:>7.1f} MB/s by the clock, {:>6.1f} MB/s or {:>5.2f} million "
-        "rows a second "
-        "and core, {:>4.1f} % of it on the thread that feeds\n",
-        name, id(frames[0].precision), bytes, 1e6 * bytes / rows, bytes / (end.wall - begin.wall), bytes / process,
-        1e-6 * rows / process, 100 * (end.feeding - begin.feeding) / process);
+        "rows a second and core, {:>4.1f} % of it on the thread that feeds\n",
+        format, precision, megabytes, megabytes / millions, megabytes / spent.wall, megabytes / spent.process,
+        millions / spent.process, 100 * spent.feeding / spent.process);
+}
+
+void print_lines(const Written& file) {
+    const double frames = static_cast<double>(file.frames);
+    benchmark::print({"writing-" + file.format, "-", file.precision, 1e6 * file.megabytes / frames, "steplab",
+                      1e9 * file.spent.process / frames});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::size_t particles = argc > 1 ? std::stoul(argv[1]) : 10000;
-    const std::size_t count = argc > 2 ? std::stoul(argv[2]) : 100;
-    const std::string place = argc > 3 ? argv[3] : "/dev/null";
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool in_lines = benchmark::wants_lines(words);
+    const std::size_t particles = words.empty() ? 10000 : std::stoul(words[0]);
+    const std::size_t count = words.size() > 1 ? std::stoul(words[1]) : 100;
+    const std::string place = words.size() > 2 ? words[2] : "/dev/null";
     const std::vector<std::string> formats =
-        argc > 4 ? std::vector<std::string>{argv[4]} : std::vector<std::string>{"csv", "xyz", "trajectory"};
+        words.size() > 3 ? std::vector<std::string>{words[3]} : std::vector<std::string>{"csv", "xyz", "trajectory"};
     for (const Precision precision : {Precision::double_, Precision::float_}) {
         const std::vector<Frame> frames = frames_of(precision, particles);
         for (int repeat = 0; repeat < 3; ++repeat) {
-            for (const std::string& name : formats) measure(frames, count, name, place);
+            for (const std::string& name : formats) {
+                const Written file = measure(frames, count, name, place);
+                in_lines ? print_lines(file) : print(file);
+            }
         }
     }
 }

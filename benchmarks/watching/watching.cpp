@@ -2,9 +2,11 @@
 // every new view sixty times a second, beside the same steps taken with nobody watching. As a shared machine is not as
 // fast in one round as in the next, the part of a watched run's own time that is not spent in steps is told too.
 //
-//     watching [ROUNDS [PRECISION [DIM...]]]
-//         rounds of two seconds each way (default 5), medians are told; meshes of DIM x DIM (default 100, 316, 1000)
+//     watching [--lines] [ROUNDS [PRECISION [DIM...]]]
+//         rounds of two seconds each way (default 5), medians are told; meshes of DIM x DIM (default 100, 316, 1000);
+//         with --lines in lines for benchmarks/results: ns a step of the watched run, and of its steps alone
 
+#include "lines.hpp"
 #include "sim/worker.hpp"
 
 #include <fmt/format.h>
@@ -88,7 +90,15 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-void compare(const RunDescription& description, int rounds) {
+/// Medians of some rounds.
+struct Cost {
+    std::size_t particles = 0;
+    double alone = 0, watched = 0;              ///< steps a second
+    double views = 0;                           ///< a second
+    double by_the_clock = 0, beside_steps = 0;  ///< parts of the time
+};
+
+Cost measure(const RunDescription& description, int rounds) {
     Simulation simulation(description);
     Watching watching(description);
     std::vector<double> by_itself, watched, views, cost, beside;
@@ -97,19 +107,31 @@ void compare(const RunDescription& description, int rounds) {
         const Watched now = watching.measure();
         watched.push_back(now.steps_per_second);
         views.push_back(now.views_per_second);
-        beside.push_back(100 * now.beside_steps);
-        cost.push_back(100 * (1 - watched.back() / by_itself.back()));
+        beside.push_back(now.beside_steps);
+        cost.push_back(1 - watched.back() / by_itself.back());
     }
+    return {simulation.particles(), median(by_itself), median(watched), median(views), median(cost), median(beside)};
+}
+
+void print(const Cost& cost) {
     fmt::print(
         "{:8} particles  alone {:9.1f} steps/s  watched {:9.1f} steps/s  {:5.1f} views/s  cost {:5.1f} %  "
         "beside its steps {:4.1f} %\n",
-        simulation.particles(), median(by_itself), median(watched), median(views), median(cost), median(beside));
+        cost.particles, cost.alone, cost.watched, cost.views, 100 * cost.by_the_clock, 100 * cost.beside_steps);
+}
+
+void print_lines(const Cost& cost, Precision precision) {
+    const std::string row = fmt::format("watching-{}", cost.particles);
+    const double particles = static_cast<double>(cost.particles), ns = 1e9 / cost.watched;
+    benchmark::print({row, "velocity-verlet", id(precision), particles, "steplab watched", ns});
+    benchmark::print({row, "velocity-verlet", id(precision), particles, "steplab", ns * (1 - cost.beside_steps)});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    const std::vector<std::string> words(argv + 1, argv + argc);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const bool in_lines = benchmark::wants_lines(words);
     const int rounds = words.empty() ? 5 : std::max(1, std::atoi(words[0].c_str()));
     RunDescription description = describe("mesh", "velocity-verlet");
     if (words.size() > 1) description.precision = words[1] == "float" ? Precision::float_ : Precision::double_;
@@ -118,6 +140,7 @@ int main(int argc, char** argv) {
     for (std::size_t i = 2; i < words.size(); ++i) dims.push_back(std::atof(words[i].c_str()));
     for (const double dim : dims) {
         description.scene.set("dim", dim);
-        compare(description, rounds);
+        const Cost cost = measure(description, rounds);
+        in_lines ? print_lines(cost, description.precision) : print(cost);
     }
 }
