@@ -54,6 +54,14 @@ std::vector<Results> read_results(const std::filesystem::path& folder) {
     return all;
 }
 
+bool is_peer(const Time& time) {
+    return !time.who.starts_with("steplab") && time.who != "machine" && time.who != "bare points";
+}
+
+std::string ratio_text(const Time* ours, const Time* theirs) {
+    return ours && theirs ? fmt::format("{:.2f}", theirs->step / ours->step) : "-";
+}
+
 const Time* own(const Row& row, const std::string& precision) {
     return fastest(row, precision, [](const Time& time) { return time.who == "steplab"; });
 }

@@ -41,9 +41,16 @@ const Time* fastest(const Row& row, const std::string& precision, Wanted wanted)
     return best;
 }
 
+/// Whether it is somebody else's: neither steplab, nor a limit of the machine, nor a picture of bare points.
+bool is_peer(const Time& time);
+
+/// "2.50": how many times as fast as them we are; "-" if either is null.
+std::string ratio_text(const Time* ours, const Time* theirs);
+
 /// steplab itself, by one thread.
 const Time* own(const Row& row, const std::string& precision);
-/// steplab in another way: by the most threads that were tried, or in an ensemble; null if there is none.
+/// steplab in another way, whose name goes on: by the most threads that were tried, in an ensemble, by a method; null
+/// if there is none.
 const Time* own_with(const Row& row, const std::string& precision);
 
 /// ns that the machine takes at most for a number, in a row of its limits.

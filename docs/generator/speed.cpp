@@ -1,6 +1,7 @@
 #include "speed.hpp"
 
 #include "lab/table.hpp"
+#include "other_speed.hpp"
 #include "results.hpp"
 #include "speed_figures.hpp"
 
@@ -11,7 +12,6 @@
 namespace steplab::docs {
 namespace {
 
-bool is_peer(const Time& time) { return time.who.find("steplab") == std::string::npos && time.who != "machine"; }
 bool is_lammps(const Time& time) { return time.who.starts_with("LAMMPS"); }
 
 /// What the project wants to reach: times as fast as the best peer.
@@ -40,18 +40,14 @@ std::string time_text(const Row& row, const Time* time) {
     return row.particles < 1000 ? fmt::format("{:.1f}", time->step) : fmt::format("{:.2f}", time->particle);
 }
 
-std::string ratio_text(const Time* ours, const Time* theirs) {
-    return ours && theirs ? fmt::format("{:.2f}", theirs->step / ours->step) : "-";
-}
-
 std::string peer_table(const Results& results) {
     Table table{{"row", "method", "precision", "steplab, ns", "best peer, ns", "who", "times as fast", "goal"}, {}};
     for (const Row& row : results.rows) {
         for (const std::string precision : {"double", "float"}) {
             const Time* theirs =
                 fastest(row, precision, [](const Time& time) { return is_peer(time) && !is_lammps(time); });
-            if (!theirs) continue;
             const Time* ours = own(row, precision);
+            if (!ours || !theirs) continue;
             table.rows.push_back({row.id, fmt::format("`{}`", row.method), precision, time_text(row, ours),
                                   time_text(row, theirs), theirs->who, ratio_text(ours, theirs),
                                   goal_text(goals, row, precision == "float")});
@@ -93,16 +89,20 @@ std::string ensemble_table(const Results& results) {
 
 /// A scene as it grows: ns a step and particle, by one thread and by the most that were tried.
 std::string growing_table(const Results& results, std::string_view id) {
-    Table table{
-        {"particles", "double, ns", "with threads", "times as fast", "float, ns", "with threads", "times as fast"}, {}};
+    Table table{{"particles", "double, ns", "with threads", "times as fast", "float, ns", "with threads",
+                 "times as fast", "goal"},
+                {}};
     for (const Row* row : rows_of(results, id)) {
         std::vector<std::string> cells{fmt::format("{:.0f}", row->particles)};
+        std::string goal;
         for (const std::string precision : {"double", "float"}) {
             const Time *one = own(*row, precision), *threads = own_with(*row, precision);
             cells.push_back(one ? fmt::format("{:.2f}", one->particle) : "-");
             cells.push_back(threads ? fmt::format("{:.2f} ({})", threads->particle, threads->who.substr(8)) : "");
             cells.push_back(threads ? ratio_text(threads, one) : "");
+            if (threads && threads->who == "steplab 2 threads") goal = "1.8";
         }
+        cells.push_back(goal);
         table.rows.push_back(cells);
     }
     return markdown(table);
@@ -146,9 +146,9 @@ std::string growing_section(const Results& results) {
 std::string speed_tables(const std::filesystem::path& folder) {
     std::string text;
     for (const Results& results : read_results(folder)) {
-        text +=
-            fmt::format("{}### {}\n\n{}\n{}{}{}{}", text.empty() ? "" : "\n", results.name, results.about,
-                        peer_table(results), lammps_table(results), ensemble_table(results), growing_section(results));
+        text += fmt::format("{}### {}\n\n{}\n{}{}{}{}{}{}", text.empty() ? "" : "\n", results.name, results.about,
+                            peer_table(results), lammps_table(results), ensemble_table(results),
+                            growing_section(results), error_section(results), others_section(results));
     }
     return text;
 }

@@ -12,6 +12,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <unistd.h>
 
 namespace steplab {
 
@@ -62,20 +63,19 @@ double seconds_a_step(const RunDescription& run, const Execution& execution) {
     return least;
 }
 
-/// Of one model's sizes in one precision, small ones first: by how the time for a particle changes from one to the
-/// next.
-void find_bounds(std::span<Speed> sizes) {
-    constexpr double clearly = 1.25;
-    constexpr std::size_t few = 100, many = 100000;
-    const auto slower = [&](const Speed& a, const Speed& b) {
-        return a.seconds / static_cast<double>(a.particles) > clearly * b.seconds / static_cast<double>(b.particles);
-    };
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const bool alone = sizes.size() == 1;
-        if (sizes[i].particles <= few && (alone || (i + 1 < sizes.size() && slower(sizes[i], sizes[i + 1]))))
-            sizes[i].bound = Bound::latency;
-        if (sizes[i].particles >= many && i > 0 && slower(sizes[i], sizes[i - 1])) sizes[i].bound = Bound::memory;
-    }
+double seconds_a_particle(const Speed& speed) { return speed.seconds / static_cast<double>(speed.particles); }
+
+/// The least time a particle among some sizes; infinite if there are none.
+double least_a_particle(std::span<const Speed> sizes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Speed& size : sizes) least = std::min(least, seconds_a_particle(size));
+    return least;
+}
+
+/// Of the cache that one core has to itself; where the system does not tell, the least that processors have today.
+std::size_t bytes_of_second_cache() {
+    const long bytes = sysconf(_SC_LEVEL2_CACHE_SIZE);
+    return bytes > 0 ? static_cast<std::size_t>(bytes) : std::size_t{256} << 10;
 }
 
 Comparison compared(const RunDescription& run) {
@@ -83,6 +83,23 @@ Comparison compared(const RunDescription& run) {
 }
 
 }  // namespace
+
+void find_bounds(std::span<Speed> sizes, std::size_t cache) {
+    constexpr double clearly = 1.25;  // what else runs on a machine moves times by a tenth or two
+    constexpr std::size_t few = 100;  // a dozen of wide registers: too few to hide how long a root takes
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        Speed& size = sizes[i];
+        const double each = seconds_a_particle(size);
+        const std::size_t bytes = 6 * size.particles * (size.run.precision == Precision::double_ ? 8 : 4);
+        const bool alone = sizes.size() == 1;
+        if (size.particles <= few && (alone || each > clearly * least_a_particle(sizes.subspan(i + 1))))
+            size.bound = Bound::latency;
+        else if (bytes > cache && each > clearly * least_a_particle(sizes.first(i)))
+            size.bound = Bound::memory;
+        else
+            size.bound = Bound::arithmetic;
+    }
+}
 
 std::string_view text(Bound bound) {
     constexpr std::array<std::string_view, 3> texts{"latency", "arithmetic", "memory"};
@@ -102,7 +119,7 @@ MachineSpeed measure_machine(const std::string& method, const std::function<void
                 speed.scenes.push_back(
                     {.run = run, .particles = compared(run).particles, .seconds = seconds_a_step(run, {.threads = 1})});
             }
-            find_bounds(std::span(speed.scenes).subspan(first));
+            find_bounds(std::span(speed.scenes).subspan(first), bytes_of_second_cache());
         }
     }
     RunDescription mesh = describe("mesh", method);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,12 @@ struct Speed {
     double seconds = 0;  ///< of a step
     Bound bound = Bound::arithmetic;
 };
+
+/// Tells what bounds each size of one model in one precision, small ones first, from how the time a particle changes.
+/// Few particles are bound by latency where they take clearly longer, each, than in a larger size, or where there is no
+/// other size; positions and velocities beyond the `cache` of a core, in bytes, are bound by memory where a particle
+/// takes clearly longer than in a smaller size. All else is bound by arithmetic.
+void find_bounds(std::span<Speed> sizes, std::size_t cache);
 
 /// Times of a step of the same run, computed in several ways.
 struct Comparison {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -15,7 +16,8 @@
 namespace steplab {
 namespace {
 
-/// Largest error of exponential() over its range in units of the last place of the result, against long double.
+/// Largest error of exponential() over a range in units of the last place of the result, of 64 bits at most, against
+/// long double.
 template <class T>
 double worst_error_in_ulp(T low, T high) {
     double worst = 0;
@@ -23,7 +25,9 @@ double worst_error_in_ulp(T low, T high) {
         const T x = low + (high - low) * static_cast<T>(i) / T(100000);
         const long double right = std::exp(static_cast<long double>(x));
         const T result = exponential(x);
-        const T ulp = std::nextafter(result, std::numeric_limits<T>::infinity()) - result;
+        const int places = std::min(std::numeric_limits<T>::digits, 64) - 1;
+        const int exponent = std::max(std::ilogb(result), std::numeric_limits<T>::min_exponent - 1);
+        const T ulp = std::ldexp(T(1), exponent - places);
         worst = std::max(worst, static_cast<double>(std::abs(static_cast<long double>(result) - right) /
                                                     static_cast<long double>(ulp)));
     }
@@ -32,10 +36,24 @@ double worst_error_in_ulp(T low, T high) {
 
 // The reduction and the polynomial round a few times: less than 1.5 ulp in all is what number.hpp promises.
 TEST(Exponential, is_right_within_one_and_a_half_ulp) {
-    EXPECT_LT(worst_error_in_ulp<double>(-700, 700), 1.5);
-    EXPECT_LT(worst_error_in_ulp<float>(-86, 88), 1.5);
+    EXPECT_LT(worst_error_in_ulp<double>(-708.739, 709.436), 1.5);
+    EXPECT_LT(worst_error_in_ulp<float>(-87.68f, 88.37f), 1.5);
     EXPECT_LT(worst_error_in_ulp<double>(-1, 1), 1.5);
     EXPECT_LT(worst_error_in_ulp<float>(-1, 1), 1.5);
+    EXPECT_LT(worst_error_in_ulp<double>(-708.739, -708.3), 1.5);  // where results leave the normal numbers
+    EXPECT_LT(worst_error_in_ulp<float>(-87.68f, -87.3f), 1.5);
+}
+
+// 1022.5 ln 2 = 708.7430, 1023.5 ln 2 = 709.4361; 126.5 ln 2 = 87.6831, 127.5 ln 2 = 88.3763.
+TEST(Exponential, ends_where_it_says) {
+    EXPECT_GT(exponential(-708.7429), 0.0);
+    EXPECT_EQ(exponential(-708.7431), 0.0);
+    EXPECT_LT(exponential(709.4361), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(exponential(709.4362), std::numeric_limits<double>::infinity());
+    EXPECT_GT(exponential(-87.683f), 0.0f);
+    EXPECT_EQ(exponential(-87.6832f), 0.0f);
+    EXPECT_LT(exponential(88.3762f), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(exponential(88.3764f), std::numeric_limits<float>::infinity());
 }
 
 // libm's is within 1.1 ulp of x87's numbers, ours within 1.5. A degree less is 11 ulp off.

@@ -28,7 +28,18 @@ constexpr const char* measured =
     "growing-chain,velocity-verlet,double,100000,steplab 4 threads,200000,2,67\n"
     "machine-springs,-,double,1024,machine,1024,1,\n"
     "machine-springs,-,float,1024,machine,512,0.5,\n"
-    "machine-memory,-,double,2048,machine,2048,1,\n";
+    "machine-memory,-,double,2048,machine,2048,1,\n"
+    "error-chain,1e-06,double,10,steplab gauss-16 dt 2,50000,5000,89\n"
+    "error-chain,1e-06,double,10,odeint fehlberg78 1e-7,150000,15000,\n"
+    "error-chain,1e-06,double,10,GSL rk8pd 1e-7,100000,10000,\n"
+    "error-chain,1e-14,double,10,steplab gauss-16 dt 1,90000,9000,ab\n"
+    "drawing-10000,-,float,10000,steplab,20000000,2000,\n"
+    "drawing-10000,-,float,10000,bare points,10000000,1000,\n"
+    "watching-10000,velocity-verlet,double,10000,steplab watched,1000,0.1,\n"
+    "watching-10000,velocity-verlet,double,10000,steplab,970,0.097,\n"
+    "writing-csv,-,double,500000,steplab,2000000,4,\n"
+    "writing-trajectory,-,float,500000,steplab,1000000,2,\n"
+    "process-run-1000,-,double,1,steplab,3500000,3500000,\n";
 
 class SpeedTables : public testing::Test {
 protected:
@@ -53,7 +64,44 @@ TEST_F(SpeedTables, tell_what_most_threads_gain) {
     write(measured);
     const std::string text = speed_tables(folder_.path());
     EXPECT_THAT(text, HasSubstr("| 10 | 5.00 |  |  |"));
-    EXPECT_THAT(text, HasSubstr("| 100000 | 4.00 | 2.00 (4 threads) | 2.00 |"));
+    EXPECT_THAT(text, HasSubstr("| 100000 | 4.00 | 2.00 (4 threads) | 2.00 | - |  |  |  |"));
+}
+
+TEST_F(SpeedTables, have_a_goal_for_two_threads) {
+    write(
+        "growing-mesh,velocity-verlet,double,100000,steplab,400000,4,67\n"
+        "growing-chain,velocity-verlet,double,100000,steplab,400000,4,67\n"
+        "growing-chain,velocity-verlet,double,100000,steplab 2 threads,250000,2.5,67\n");
+    const std::string text = speed_tables(folder_.path());
+    EXPECT_THAT(text, HasSubstr("| 100000 | 4.00 | 2.50 (2 threads) | 1.60 | - |  |  | 1.8 |"));
+    EXPECT_THAT(text, HasSubstr("| 100000 | 4.00 |  |  | - |  |  |  |"));
+}
+
+TEST_F(SpeedTables, tell_the_time_to_an_error_beside_the_best_library) {
+    write(measured);
+    const std::string text = speed_tables(folder_.path());
+    EXPECT_THAT(text, HasSubstr("| `chain` | 1e-06 | 50 | gauss-16 dt 2 | 100 | GSL rk8pd 1e-7 | 2.00 | 2.7 |"));
+    EXPECT_THAT(text, HasSubstr("| `chain` | 1e-14 | 90 | gauss-16 dt 1 | - | none reaches it | - |  |"));
+}
+
+TEST_F(SpeedTables, tell_of_drawing_files_and_processes) {
+    write(measured);
+    const std::string text = speed_tables(folder_.path());
+    for (const char* line :
+         {"| pictures of 10000 particles | 50.0 a second; 2.0 times `GL_POINTS` of the same arrays | "
+          "30 a second |",
+          "| of the stepping of 10000 particles, double, handed over to a picture | 3.0 % | below 5 % |",
+          "| csv in double, of a core | 250 MB/s | 200 MB/s |", "| trajectory in float, of a core | 500 MB/s |  |",
+          "| `steplab run`, 1000 steps of ten particles | 3.5 ms | 15 ms |"})
+        EXPECT_THAT(text, HasSubstr(line));
+}
+
+// Only what is measured in the same way stands beside steplab's steps.
+TEST_F(SpeedTables, take_nothing_but_peers_of_steps_for_peers) {
+    write(measured);
+    const std::string text = speed_tables(folder_.path());
+    EXPECT_THAT(text, testing::Not(HasSubstr("| drawing-10000 |")));
+    EXPECT_THAT(text, testing::Not(HasSubstr("| error-chain |")));
 }
 
 // 2048 pairs of doubles are 32 KB; three times 8 bytes a ns are 24 GB/s.
@@ -77,6 +125,8 @@ TEST_F(SpeedTables, roofline_has_springs_a_second_over_springs_a_byte) {
 TEST_F(SpeedTables, are_without_diagrams_where_nothing_grows) {
     write("chain-10,rk4,double,10,steplab,100,10,0123\n");
     EXPECT_TRUE(speed_figures(results().front()).empty());
+    EXPECT_THAT(speed_tables(folder_.path()), testing::Not(HasSubstr("error")));
+    EXPECT_THAT(speed_tables(folder_.path()), testing::Not(HasSubstr("files")));
 }
 
 TEST_F(SpeedTables, refuse_what_is_no_result) {
