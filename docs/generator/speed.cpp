@@ -23,6 +23,7 @@ constexpr Goal goals[] = {{"chain-10", "midpoint", 0, 0}, {"chain-100000", "rk4"
                           {"chain-100000", "", 2.0, 3.8}, {"chain-10", "", 2.0, 1.8},
                           {"mesh", "rk4", 2.1, 3.5},      {"mesh", "", 1.9, 3.2},
                           {"morse-28", "", 3, 5}};
+constexpr Goal plain_goals[] = {{"morse-28", "", 5.8, 8}};
 constexpr Goal lammps_goals[] = {{"mesh", "", 4.5, 9}, {"morse-bulk", "", 3.0, 4.5}};
 
 template <std::size_t count>
@@ -40,20 +41,32 @@ std::string time_text(const Row& row, const Time* time) {
     return row.particles < 1000 ? fmt::format("{:.1f}", time->step) : fmt::format("{:.2f}", time->particle);
 }
 
-std::string peer_table(const Results& results) {
+/// A line for each precision of the rows whose names begin with `id`, beside the fastest of `who`.
+template <class Who, std::size_t count>
+Table comparison(const Results& results, std::string_view id, Who who, const Goal (&all)[count]) {
     Table table{{"row", "method", "precision", "steplab, ns", "best peer, ns", "who", "times as fast", "goal"}, {}};
-    for (const Row& row : results.rows) {
+    for (const Row* row : rows_of(results, id)) {
         for (const std::string precision : {"double", "float"}) {
-            const Time* theirs =
-                fastest(row, precision, [](const Time& time) { return is_peer(time) && !is_lammps(time); });
-            const Time* ours = own(row, precision);
+            const Time *ours = own(*row, precision), *theirs = fastest(*row, precision, who);
             if (!ours || !theirs) continue;
-            table.rows.push_back({row.id, fmt::format("`{}`", row.method), precision, time_text(row, ours),
-                                  time_text(row, theirs), theirs->who, ratio_text(ours, theirs),
-                                  goal_text(goals, row, precision == "float")});
+            table.rows.push_back({row->id, fmt::format("`{}`", row->method), precision, time_text(*row, ours),
+                                  time_text(*row, theirs), theirs->who, ratio_text(ours, theirs),
+                                  goal_text(all, *row, precision == "float")});
         }
     }
-    return markdown(table);
+    return table;
+}
+
+std::string peer_table(const Results& results) {
+    const auto library = [](const Time& time) { return is_peer(time) && !is_lammps(time); };
+    return markdown(comparison(results, "", library, goals));
+}
+
+/// Beside forces that compilers do not vectorise, of all pairs of a few particles.
+std::string plain_table(const Results& results) {
+    const auto plain = [](const Time& time) { return time.who.ends_with(" plain"); };
+    const Table table = comparison(results, "morse-28", plain, plain_goals);
+    return table.rows.empty() ? "" : fmt::format("\nMorse beside the plain force alone:\n\n{}", markdown(table));
 }
 
 std::string lammps_table(const Results& results) {
@@ -146,8 +159,8 @@ std::string growing_section(const Results& results) {
 std::string speed_tables(const std::filesystem::path& folder) {
     std::string text;
     for (const Results& results : read_results(folder)) {
-        text += fmt::format("{}### {}\n\n{}\n{}{}{}{}{}{}", text.empty() ? "" : "\n", results.name, results.about,
-                            peer_table(results), lammps_table(results), ensemble_table(results),
+        text += fmt::format("{}### {}\n\n{}\n{}{}{}{}{}{}{}", text.empty() ? "" : "\n", results.name, results.about,
+                            peer_table(results), plain_table(results), lammps_table(results), ensemble_table(results),
                             growing_section(results), error_section(results), others_section(results));
     }
     return text;

@@ -71,6 +71,17 @@ Json role_runs(const FrameBlock& block) {
     return runs;
 }
 
+Json box_json(const Shape& shape) {
+    return {{"edge", shape.period}, {"corner", {shape.corner.x, shape.corner.y, shape.corner.z}}};
+}
+
+void set_box(Shape& shape, const Json& json) {
+    shape.period = json.at("edge");
+    if (!(shape.period > 0)) throw std::runtime_error("no box");
+    const Json& corner = json.at("corner");
+    shape.corner = {corner.at(0), corner.at(1), corner.at(2)};
+}
+
 std::size_t count_of(const Json& json) {
     if (!json.is_number_unsigned()) throw std::runtime_error("no count");
     return json;
@@ -91,11 +102,12 @@ Precision precision_of(const Json& run) {
 }  // namespace
 
 std::string description_json(const RunDescription& run, const FrameBlock& block) {
-    const Json json{{"program", "steplab " STEPLAB_VERSION},
-                    {"run", json_of(run)},
-                    {"rows", block.frame_rows},
-                    {"particles", particle_runs(block)},
-                    {"roles", role_runs(block)}};
+    Json json{{"program", "steplab " STEPLAB_VERSION},
+              {"run", json_of(run)},
+              {"rows", block.frame_rows},
+              {"particles", particle_runs(block)},
+              {"roles", role_runs(block)}};
+    if (block.shape->period != 0) json["box"] = box_json(*block.shape);
     return json.dump() + "\n";
 }
 
@@ -121,6 +133,7 @@ Description parse_description(std::string_view text, std::uint64_t most_rows) {
     }
     if (particles.size() != description.rows || shape.roles.size() != description.rows)
         throw std::runtime_error("too few particles");
+    if (json.contains("box")) set_box(shape, json.at("box"));
     description.particles = std::make_shared<const std::vector<std::size_t>>(std::move(particles));
     description.shape = std::make_shared<const Shape>(std::move(shape));
     return description;

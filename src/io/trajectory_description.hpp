@@ -16,7 +16,7 @@ struct Description {
     Precision precision = Precision::double_;
     std::size_t rows = 0;                ///< of a frame
     ParticleChoice particles;            ///< which ones of the scene
-    std::shared_ptr<const Shape> shape;  ///< the roles of just these, nothing else
+    std::shared_ptr<const Shape> shape;  ///< the roles of just these, and the box that repeats
 };
 
 /// As JSON, for people too. `block`: any one of the trajectory.

@@ -63,6 +63,14 @@ void append_rows(std::string& text, const FrameBlock& block, std::size_t moment,
     }
 }
 
+/// Whether space repeats itself, and how, as extended XYZ says it.
+std::string box_text(const Shape& shape) {
+    if (shape.period == 0) return "pbc=\"F F F\"";
+    const std::string edge = number_text(shape.period);
+    return fmt::format("Lattice=\"{0} 0 0 0 {0} 0 0 0 {0}\" Origin=\"{1} {2} {3}\" pbc=\"T T T\"", edge,
+                       number_text(shape.corner.x), number_text(shape.corner.y), number_text(shape.corner.z));
+}
+
 }  // namespace
 
 void append_csv(std::string& text, const FrameBlock& block) {
@@ -78,8 +86,8 @@ void append_csv(std::string& text, const FrameBlock& block) {
 void append_xyz(std::string& text, const FrameBlock& block) {
     for (std::size_t i = 0; i < block.moments.size(); ++i) {
         if (block.first_row == 0) {
-            text += fmt::format("{}\nProperties=type:S:1:pos:R:3:velo:R:3 Time={} Step={} pbc=\"F F F\"\n",
-                                block.frame_rows, number_text(block.moments[i].time), block.moments[i].step);
+            text += fmt::format("{}\nProperties=type:S:1:pos:R:3:velo:R:3 Time={} Step={} {}\n", block.frame_rows,
+                                number_text(block.moments[i].time), block.moments[i].step, box_text(*block.shape));
         }
         append_rows(text, block, i, ' ', [&](Line& line, std::size_t row) { line.add(id(block.role(row))); });
     }

@@ -60,6 +60,19 @@ TEST(Trajectory, xyz_is_what_ovito_reads) {
               "kicked 1 2 3 0 0 0\n");
 }
 
+TEST(Trajectory, xyz_tells_how_space_repeats_itself) {
+    Frame frame = sample_frame(Precision::double_);
+    Shape shape = *frame.shape;
+    shape.period = 6.5;
+    shape.corner = {-0.5, 0, 1};
+    frame.shape = std::make_shared<const Shape>(shape);
+    EXPECT_EQ(written(frame, TrajectoryFormat::xyz, {1}),
+              "1\n"
+              "Properties=type:S:1:pos:R:3:velo:R:3 Time=0.30000000000000004 Step=3 "
+              "Lattice=\"6.5 0 0 0 6.5 0 0 0 6.5\" Origin=\"-0.5 0 1\" pbc=\"T T T\"\n"
+              "kicked 1 2 3 0 0 0\n");
+}
+
 TEST(Trajectory, format_follows_the_ending) {
     EXPECT_EQ(trajectory_format_of("a.csv"), TrajectoryFormat::csv);
     EXPECT_EQ(trajectory_format_of("b/a.XYZ"), TrajectoryFormat::xyz);

@@ -55,6 +55,16 @@ TEST_F(SpeedTables, name_the_best_peer_and_the_goal) {
                 HasSubstr("| chain-10 | `rk4` | double | 100.0 | 250.0 | odeint gather | 2.50 | 2.0 |"));
 }
 
+TEST_F(SpeedTables, set_morse_beside_the_plain_force_too) {
+    write(
+        "morse-28,rk4,float,28,steplab,100,4,01\n"
+        "morse-28,rk4,float,28,loops plain,900,30,\n"
+        "morse-28,rk4,float,28,odeint gather,400,14,\n");
+    const std::string text = speed_tables(folder_.path());
+    EXPECT_THAT(text, HasSubstr("| morse-28 | `rk4` | float | 100.0 | 900.0 | loops plain | 9.00 | 8.0 |"));
+    EXPECT_THAT(text, HasSubstr("| morse-28 | `rk4` | float | 100.0 | 400.0 | odeint gather | 4.00 | 5.0 |"));
+}
+
 TEST_F(SpeedTables, tell_what_an_ensemble_gains) {
     write(measured);
     EXPECT_THAT(speed_tables(folder_.path()), HasSubstr("| `euler` | double | 90.0 | 30.0 | 3.00 | 2.4 |"));

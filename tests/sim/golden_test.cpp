@@ -44,7 +44,7 @@ std::map<std::string, std::string> golden_hashes() {
 }
 
 // The same bits from every compiler, level of optimisation and instruction set: the continuous checks run this test
-// with g++ and clang++, with and without optimisation.
+// with g++ and clang++, scripts/sanitize.sh hardly optimised.
 class GoldenHashes : public testing::TestWithParam<Instructions> {};
 
 TEST_P(GoldenHashes, are_those_of_every_compiler) {
