@@ -94,7 +94,7 @@ public:
         }
     }
 
-    /// The fastest of steplab and of the others for each error, where both reach it.
+    /// The fastest of steplab and of the libraries with either force, for each error.
     void print_lines() const {
         const std::string row = fmt::format("error-{}", plan_.scene.model);
         const double particles = model(plan_.scene.model).particles(plan_.scene.scene);
@@ -105,8 +105,8 @@ public:
             };
             if (const Entry* own = best(0, target)) add("steplab " + own->who, *own);
             const Entry *plain = best(1, target), *gather = best(2, target);
-            if (plain) add(plain->who, *plain);
-            if (gather) add(gather->who, *gather);
+            if (plain) add(plain->who + " plain", *plain);
+            if (gather) add(gather->who + " gather", *gather);
         }
     }
 

@@ -39,7 +39,8 @@ void Worker::Body::wait_for_work() {
     if (companions_are_behind()) return;
     const auto called = [this] { return stopping || !commands.empty() || wanted; };
     if (!playing) return changed.wait(lock, called);
-    changed.wait_until(lock, pace.next_due(Clock::now(), rate, simulation.dt()), called);
+    const auto now = Clock::now(), due = pace.next_due(now, rate, simulation.dt());
+    if (due > now) changed.wait_until(lock, due, called);  // what is over at once would still ask the system
 }
 
 bool Worker::Body::carry_out_commands() {
