@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # The core for arm64, whose vectors are those of NEON, on another processor: scripts/arm64.sh [arguments of ctest]
 #
-# Builds tests of numbers, models and runs by Debian's cross compiler and runs those of golden hashes and of the
-# exponential in an emulator: the same bits are to come out. Lets apt install packages of arm64. Takes half an hour to
-# build on two cores, which is why .ci/run leaves it out.
+# Builds tests of numbers, models and runs by Debian's cross compiler and runs those of golden hashes, of forces and
+# of the exponential in an emulator: the same bits are to come out. Lets apt install packages of arm64. Takes half an hour
+# to build on two cores, which is why .ci/run leaves it out.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -17,5 +17,5 @@ if [[ $(dpkg --print-architecture) != arm64 ]] && ! dpkg --print-foreign-archite
 fi
 ensure_packages core arm64
 build arm64 -DSTEPLAB_WERROR=ON --target test_core test_models test_sim
-(($#)) || set -- -R 'GoldenHashes|Exponential'
+(($#)) || set -- -R 'GoldenHashes|Exponential|Forces'
 quiet_tests arm64 "$@"

@@ -6,6 +6,7 @@
 #include "core/vec3.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -43,13 +44,7 @@ private:
     using Number = typename NumberOf<N>::Type;
 
     /// Adding and subtracting it rounds to a whole number.
-    static constexpr Number rounding = [] {
-        if constexpr (std::is_same_v<Number, long double>) {
-            return 0x1.8p63L;
-        } else {
-            return detail::ExponentialTraits<Number>::shift;
-        }
-    }();
+    static constexpr Number rounding = Number(1.5) / std::numeric_limits<Number>::epsilon();
 
     Number length_, inverse_;
 };

@@ -2,6 +2,7 @@
 /// number of steps counted. What comes before (the start, memory, caches) is not counted.
 
 #include "sim/catalogue.hpp"
+#include "sim/ensemble.hpp"
 #include "sim/simulation.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ struct Kernel {
     double dt;
     unsigned steps;  ///< few: valgrind takes a hundred times as long, and longer still to find the exact motion of a
                      ///< long chain
+    std::vector<std::string_view> methods{"euler", "velocity-verlet", "rk4"};
 };
 
 const std::vector<Kernel>& kernels() {
@@ -31,20 +33,39 @@ const std::vector<Kernel>& kernels() {
         {"mesh-30x30", "mesh", {{"dim", 30}}, 0.1, 8},
         {"morse-28", "morse", {}, 0.01, 16},
         {"morse-cutoff", "morse", {{"edge", 5}, {"cutoff", 1}}, 0.01, 8},
+        {"crystal-6", "crystal", {}, 0.01, 8, {"velocity-verlet"}},
+        {"chain-10", "chain", {{"n", 10}}, 0.1, 256, {"srkn-11b", "gauss-16"}},
     };
     return all;
 }
 
-void count(const Kernel& kernel, std::string_view method, Precision precision) {
+RunDescription run_of(const Kernel& kernel, std::string_view method, Precision precision) {
     RunDescription description = describe(kernel.model, method);
     for (const auto& [name, value] : kernel.parameters) description.scene.set(name, value);
     description.precision = precision;
     description.dt = kernel.dt;
-    Simulation simulation(description);
+    return description;
+}
+
+void count(const Kernel& kernel, std::string_view method, Precision precision) {
+    Simulation simulation(run_of(kernel, method, precision));
     simulation.advance(1);
     const std::string name = fmt::format("{} {} {} {}", kernel.name, method, id(precision), kernel.steps);
     CALLGRIND_ZERO_STATS;
     simulation.advance(kernel.steps);
+    CALLGRIND_DUMP_STATS_AT(name.c_str());
+}
+
+/// Runs that differ in k, side by side: instructions a run and step. Their start is counted too.
+void count_ensemble(std::string_view method, Precision precision) {
+    constexpr std::size_t runs = 64;
+    constexpr unsigned steps = 8192;
+    const Kernel kernel{"ensemble-10", "chain", {{"n", 10}}, 0.1, steps};
+    std::vector<EnsembleRun> all(runs, {run_of(kernel, method, precision), steps});
+    for (std::size_t i = 0; i < runs; ++i) all[i].description.scene.set("k", 1 + 0.01 * static_cast<double>(i));
+    const std::string name = fmt::format("{} {} {} {}", kernel.name, method, id(precision), runs * steps);
+    CALLGRIND_ZERO_STATS;
+    run_ensemble(all, steps, {.threads = 1});
     CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 
@@ -53,10 +74,10 @@ void count(const Kernel& kernel, std::string_view method, Precision precision) {
 
 int main() {
     using namespace steplab;
-    for (const Kernel& kernel : kernels()) {
-        for (const Method& method : methods()) {
-            for (const Precision precision : {Precision::double_, Precision::float_})
-                count(kernel, method.info.id, precision);
+    for (const Precision precision : {Precision::double_, Precision::float_}) {
+        for (const Kernel& kernel : kernels()) {
+            for (const std::string_view method : kernel.methods) count(kernel, method, precision);
         }
+        for (const std::string_view method : {"euler", "rk4"}) count_ensemble(method, precision);
     }
 }

@@ -9,10 +9,11 @@
 namespace {
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
-// operator new can reach nothing but such a variable.
-std::atomic<std::size_t> largest = no_limit;
+// operator new can reach nothing but such variables.
+std::atomic<std::size_t> largest = no_limit, asked = 0;
 
 void* allocated(std::size_t bytes, std::size_t alignment) {
+    ++asked;
     const std::size_t whole = (std::max<std::size_t>(1, bytes) + alignment - 1) / alignment * alignment;
     void* const memory = bytes > largest ? nullptr : std::aligned_alloc(alignment, whole);
     if (!memory) throw std::bad_alloc();
@@ -21,8 +22,13 @@ void* allocated(std::size_t bytes, std::size_t alignment) {
 
 }  // namespace
 
-// In place of those of the library; all others go through these.
+// In place of those of the library, whose other ones go through these; a sanitizer's do not.
 void* operator new(std::size_t bytes) { return allocated(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept try {
+    return allocated(bytes, alignof(std::max_align_t));
+} catch (const std::bad_alloc&) {
+    return nullptr;
+}
 void* operator new(std::size_t bytes, std::align_val_t alignment) {
     return allocated(bytes, std::max(static_cast<std::size_t>(alignment), alignof(std::max_align_t)));
 }
@@ -32,6 +38,8 @@ void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace steplab::test {
+
+std::size_t allocations() { return asked; }
 
 NoLargerThan::NoLargerThan(std::size_t bytes) { largest = bytes; }
 NoLargerThan::~NoLargerThan() { largest = no_limit; }

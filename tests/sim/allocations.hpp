@@ -4,6 +4,9 @@
 
 namespace steplab::test {
 
+/// How often anybody has asked for memory so far.
+std::size_t allocations();
+
 /// As long as it lives, there is no memory for anything larger than so many bytes, whoever asks.
 struct NoLargerThan {
     explicit NoLargerThan(std::size_t bytes);
