@@ -3,8 +3,8 @@
 #
 # Installs what is missing, builds build/release and its benchmarks, times the steps of steplab beside hand-written
 # loops, Boost.odeint, GSL, SUNDIALS and LAMMPS, one core each, then the time to an error beside the same libraries,
-# drawing, watching, writing and whole processes, and writes benchmarks/results/<processor>.csv. TIME
-# on a quiet machine; with --quick, less exactly, QUICK. --rows chain-10/rk4 prints only the rows of steps
+# drawing, watching, writing and whole processes, and writes benchmarks/results/<processor>.csv. Takes
+# some ten minutes on a quiet machine; with --quick fewer, less exactly. --rows chain-10/rk4 prints only the rows of steps
 # (row/method/precision) it is found in and writes nothing.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
