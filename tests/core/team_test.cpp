@@ -57,6 +57,14 @@ TEST_P(TeamOf, throws_on_the_first_exception_and_begins_nothing_after_it) {
     EXPECT_EQ(begun, 10u);  // it goes on working
 }
 
+// More than could ever be done: a member that went on after another's exception would not come back.
+TEST_P(TeamOf, ends_for_all_on_the_exception_of_one) {
+    const auto first_fails = [](std::size_t i) {
+        if (i == 0) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(Team(GetParam()).share(std::numeric_limits<std::size_t>::max() / 2, first_fails), std::runtime_error);
+}
+
 TEST_P(TeamOf, meets_before_anybody_goes_on) {
     Team team(GetParam());
     std::atomic<std::size_t> here = 0;
