@@ -61,19 +61,26 @@ measure() {
     done
 }
 
-# process NAME ARGUMENT...: the least time of some processes of steplab that write into an empty folder.
+# nanoseconds PROGRAM ARGUMENT...: what a process takes that writes into an empty folder.
+nanoseconds() {
+    local folder begin
+    folder=$(mktemp -d)
+    begin=$(date +%s%N)
+    (cd "$folder" && exec "$@" >/dev/null)
+    echo $(($(date +%s%N) - begin))
+    rm -r "$folder"
+}
+
+# process NAME ARGUMENT...: processes of steplab, in turns with one that does nothing.
 process() {
-    local name=$1 folder begin ns round least=''
+    local row=process-$1,-,double,1 ns round
     shift
     for ((round = 0; round < 4 * repeats; ++round)); do
-        folder=$(mktemp -d)
-        begin=$(date +%s%N)
-        (cd "$folder" && "$root/build/release/bin/steplab" "$@" >/dev/null)
-        ns=$(($(date +%s%N) - begin))
-        rm -r "$folder"
-        if [[ -z $least ]] || ((ns < least)); then least=$ns; fi
+        ns=$(nanoseconds "$root/build/release/bin/steplab" "$@")
+        printf '%s,steplab,%d.00,%d.0000,\n' "$row" "$ns" "$ns"
+        ns=$(nanoseconds true)
+        printf '%s,nothing,%d.00,%d.0000,\n' "$row" "$ns" "$ns"
     done
-    printf 'process-%s,-,double,1,steplab,%d.00,%d.0000,\n' "$name" "$least" "$least"
 }
 
 # What is no step: the time to an error, pictures, a window that watches, files, whole processes.

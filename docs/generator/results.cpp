@@ -55,7 +55,8 @@ std::vector<Results> read_results(const std::filesystem::path& folder) {
 }
 
 bool is_peer(const Time& time) {
-    return !time.who.starts_with("steplab") && time.who != "machine" && time.who != "bare points";
+    return !time.who.starts_with("steplab") && time.who != "machine" && time.who != "bare points" &&
+           time.who != "nothing";
 }
 
 std::string ratio_text(const Time* ours, const Time* theirs) {

@@ -24,8 +24,8 @@ std::string key(const StudyPlan& plan) {
     for (const std::string& method : plan.methods) text += " " + method;
     for (const auto& [name, value] : plan.method_settings) text += fmt::format(" {}={}", name, number_text(value));
     for (const Precision precision : plan.precisions) text += fmt::format(" {}", id(precision));
-    return text + fmt::format(" {} {} {} by {} {} {} on {}", plan.most_seconds_a_run, plan.ratio, plan.rounds,
-                              made.version, made.commit, made.compiler, made.processor);
+    return text + fmt::format(" {} {} {} {} by {} {} {} on {}", plan.most_seconds_a_run, plan.most_steps_a_run,
+                              plan.ratio, plan.rounds, made.version, made.commit, made.compiler, made.processor);
 }
 
 /// As text: JSON has no infinity.

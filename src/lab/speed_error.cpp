@@ -58,7 +58,8 @@ private:
     bool over_dt() {
         GainWatch gain;
         CostWatch cost(plan_.most_seconds_a_run);
-        for (double wanted = static_cast<double>(fewest_steps(plan_, method_, frequency_)); wanted < 1e9;
+        const auto most = static_cast<double>(plan_.most_steps_a_run);
+        for (double wanted = static_cast<double>(fewest_steps(plan_, method_, frequency_)); wanted < most;
              wanted *= plan_.ratio) {
             const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
             if (cost.too_long(steps)) return false;

@@ -2,6 +2,7 @@
 
 #include "lab/measurement.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -17,8 +18,9 @@ struct StudyPlan {
     std::map<std::string, double> method_settings;  ///< parameters of methods; those that have them take them
     std::vector<Precision> precisions;
     double most_seconds_a_run = 0.02;  ///< by its share of the machine; a series ends before a run takes longer
-    double ratio = 2;                  ///< of neighbouring dt in a series, > 1
-    int rounds = 3;                    ///< each run is timed in so many interleaved rounds
+    std::uint64_t most_steps_a_run = 1'000'000'000;  ///< nor of more steps
+    double ratio = 2;                                ///< of neighbouring dt in a series, > 1
+    int rounds = 3;                                  ///< each run is timed in so many interleaved rounds
 };
 
 /// Called between runs with the part of the work that is done, 0 .. 1, by any thread but one at a time; may throw to

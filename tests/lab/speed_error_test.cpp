@@ -70,7 +70,6 @@ TEST(SpeedError, is_never_below_that_of_the_reference) {
 TEST(SpeedError, goes_on_past_runs_that_cost_no_more_than_the_one_before) {
     StudyPlan plan = small_plan({"gauss-16"});
     plan.time = 60;
-    plan.most_seconds_a_run = 0.05;
     const auto runs = measure_series(plan, reference_for(plan), no_progress);
     const auto by_dt = std::count_if(runs.begin(), runs.end(), [](const auto& m) { return !chooses_its_steps(m.run); });
     const auto exact = std::count_if(runs.begin(), runs.end(),
@@ -85,11 +84,10 @@ std::string found(const Measurement& m) {
                        m.rms_error, m.energy_error, m.hash);
 }
 
-// All series end because they gain no more: which runs they take is then no matter of time.
+// No clock ends a series: which runs they take is then no matter of time.
 TEST(SpeedError, of_series_measured_side_by_side_is_that_of_each_alone_in_the_order_of_the_plan) {
     StudyPlan plan = small_plan({"kahan-li-8", "gauss-16", "rkn-12-10", "dop853"});
     plan.precisions = {Precision::float_, Precision::double_};
-    plan.most_seconds_a_run = 60;
     const Reference reference = reference_for(plan);
     std::vector<std::string> together, alone;
     SeriesState state;
@@ -180,8 +178,7 @@ TEST(Advice, takes_no_smaller_dt_than_needed) {
 }
 
 TEST(Advice, compares_with_rk4_however_slow_that_is) {
-    StudyPlan plan = small_plan({"rk4", "taylor"});
-    plan.most_seconds_a_run = 1;  // it takes some milliseconds
+    const StudyPlan plan = small_plan({"rk4", "taylor"});
     const Advice advice = advise(plan, 1e-11, reference_for(plan), no_progress);
     EXPECT_EQ(advice.best.run.method, "taylor");
     ASSERT_EQ(advice.others.size(), 1u);

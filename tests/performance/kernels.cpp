@@ -15,6 +15,8 @@
 namespace steplab {
 namespace {
 
+const Execution by_baseline{.instructions = Instructions::baseline, .threads = 1};
+
 struct Kernel {
     std::string_view name, model;
     std::vector<std::pair<std::string_view, double>> parameters;
@@ -48,7 +50,7 @@ RunDescription run_of(const Kernel& kernel, std::string_view method, Precision p
 }
 
 void count(const Kernel& kernel, std::string_view method, Precision precision) {
-    Simulation simulation(run_of(kernel, method, precision));
+    Simulation simulation(run_of(kernel, method, precision), by_baseline);
     simulation.advance(1);
     const std::string name = fmt::format("{} {} {} {}", kernel.name, method, id(precision), kernel.steps);
     CALLGRIND_ZERO_STATS;
@@ -65,7 +67,7 @@ void count_ensemble(std::string_view method, Precision precision) {
     for (std::size_t i = 0; i < runs; ++i) all[i].description.scene.set("k", 1 + 0.01 * static_cast<double>(i));
     const std::string name = fmt::format("{} {} {} {}", kernel.name, method, id(precision), runs * steps);
     CALLGRIND_ZERO_STATS;
-    run_ensemble(all, steps, {.threads = 1});
+    run_ensemble(all, steps, by_baseline);
     CALLGRIND_DUMP_STATS_AT(name.c_str());
 }
 

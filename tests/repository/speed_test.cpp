@@ -39,7 +39,8 @@ constexpr const char* measured =
     "watching-10000,velocity-verlet,double,10000,steplab,970,0.097,\n"
     "writing-csv,-,double,500000,steplab,2000000,4,\n"
     "writing-trajectory,-,float,500000,steplab,1000000,2,\n"
-    "process-run-1000,-,double,1,steplab,3500000,3500000,\n";
+    "process-run-1000,-,double,1,steplab,3500000,3500000,\n"
+    "process-run-1000,-,double,1,nothing,1200000,1200000,\n";
 
 class SpeedTables : public testing::Test {
 protected:
@@ -104,7 +105,7 @@ TEST_F(SpeedTables, tell_of_drawing_files_and_processes) {
           "30 a second |",
           "| of the stepping of 10000 particles, double, handed over to a picture | 3.0 % | below 5 % |",
           "| csv in double, of a core | 250 MB/s | 200 MB/s |", "| trajectory in float, of a core | 500 MB/s |  |",
-          "| `steplab run`, 1000 steps of ten particles | 3.5 ms | 15 ms |"})
+          "| `steplab run`, 1000 steps of ten particles | 3.5 ms; a process that does nothing 1.2 ms | 15 ms |"})
         EXPECT_THAT(text, HasSubstr(line));
 }
 
@@ -114,6 +115,7 @@ TEST_F(SpeedTables, take_nothing_but_peers_of_steps_for_peers) {
     const std::string text = speed_tables(folder_.path());
     EXPECT_THAT(text, testing::Not(HasSubstr("| drawing-10000 |")));
     EXPECT_THAT(text, testing::Not(HasSubstr("| error-chain |")));
+    EXPECT_THAT(text, testing::Not(HasSubstr("| process-run-1000 |")));
 }
 
 // 2048 pairs of doubles are 32 KB; three times 8 bytes a ns are 24 GB/s.
