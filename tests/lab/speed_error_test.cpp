@@ -33,6 +33,21 @@ TEST(SpeedError, falls_with_dt_by_the_order_of_the_method) {
         EXPECT_GT(run.wall_seconds.value_or(0), 0) << run.run.method << " " << run.run.dt;
 }
 
+// verlet gains from smaller steps for much longer; that steps end its series is not what time cuts.
+TEST(SpeedError, takes_no_run_of_more_steps_than_the_plan_allows) {
+    StudyPlan plan = small_plan({"verlet"});
+    plan.most_steps_a_run = 100;
+    SeriesState state;
+    go_on_with_series(
+        plan, reference_for(plan), state, [] {}, no_progress);
+    const auto most = std::max_element(state.runs.begin(), state.runs.end(),
+                                       [](const auto& a, const auto& b) { return a.steps < b.steps; });
+    ASSERT_NE(most, state.runs.end());
+    EXPECT_LE(most->steps, 100u);
+    EXPECT_GT(most->steps, 50u);  // the next one, of twice as many, is the first that is not allowed
+    EXPECT_TRUE(state.cut.empty());
+}
+
 TEST(SpeedError, ends_where_the_run_was_asked_to_end) {
     const StudyPlan plan = small_plan({"rk4"});
     for (const Measurement& run : measure_series(plan, reference_for(plan), no_progress))
