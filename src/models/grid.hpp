@@ -74,13 +74,20 @@ public:
         /// Goes on up to this register.
         template <class Positions, class Sink>
         void to(const Grid& grid, std::size_t end, Positions positions, Sink sink) {
+            if (at_ >= end) return;
             if (at_ == 0) begin(grid);
             Passed passed = passed_;
             if (grid.forces_.columns > narrow) {
-                for (; at_ < end; ++at_) {
-                    const Own own = pass(grid, at_, positions, passed);
-                    sink(at_, sum(grid, at_, own));
+                // A register's kick comes after the next one's springs: it fills the time they wait for divisions.
+                std::size_t r = at_;
+                Vec late = sum(grid, r, pass(grid, r, positions, passed));
+                for (++r; r < end; ++r) {
+                    const Vec next = sum(grid, r, pass(grid, r, positions, passed));
+                    sink(r - 1, late);
+                    late = next;
                 }
+                sink(r - 1, late);
+                at_ = end;
             } else {
                 for (; at_ < end; ++at_) {
                     for (const std::size_t ahead = std::min(at_ + behind + 1, grid.registers()); passed_by_ < ahead;
