@@ -32,11 +32,12 @@ function(steplab_compile target)
   target_link_libraries(${target} PRIVATE steplab_arithmetic steplab_warnings steplab_instruments)
 endfunction()
 
-# steplab_library(folder [LINK target...]): the static library steplab_<folder> of all sources in the current folder.
+# steplab_library(folder [LINK target...]): the static library steplab_<folder> of all sources in the current folder
+# and the rooms below it.
 # It is compiled as position-independent code, because the off-screen modules link it too.
 function(steplab_library folder)
   cmake_parse_arguments(ARG "" "" "LINK;SOURCES" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   set(target steplab_${folder})
   if(sources OR ARG_SOURCES)
     add_library(${target} STATIC ${sources} ${ARG_SOURCES})
@@ -58,10 +59,11 @@ function(steplab_program name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
 endfunction()
 
-# steplab_tests(folder [LINK target...]): test_<folder> of all *_test.cpp in the current folder, each test known to ctest.
+# steplab_tests(folder [LINK target...]): test_<folder> of all sources in the current folder and the
+# rooms below it, each test known to ctest.
 function(steplab_tests folder)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(NOT sources)
     return()
   endif()
@@ -110,6 +112,7 @@ endforeach()
 function(steplab_catalogue sources)
   cmake_parse_arguments(ARG "" "" "METHODS;MODELS;INSTRUCTIONS" ${ARGN})
   set(folder ${PROJECT_SOURCE_DIR}/src/sim)
+  set(templates ${folder}/steppers)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
   set(written ${generated}/catalogue_entries.cpp)
   set(steppers "")
@@ -119,8 +122,8 @@ function(steplab_catalogue sources)
     steplab_method_class(${id} STEPLAB_CLASS)
     set(STEPLAB_METHOD ${id})
     steplab_stepper_makers(${STEPLAB_CLASS} "${ARG_INSTRUCTIONS}")
-    configure_file(${folder}/method.cpp.in ${generated}/method_${id}.cpp @ONLY)
-    configure_file(${folder}/stepper.cpp.in ${generated}/stepper_${id}.cpp @ONLY)
+    configure_file(${templates}/method.cpp.in ${generated}/method_${id}.cpp @ONLY)
+    configure_file(${templates}/stepper.cpp.in ${generated}/stepper_${id}.cpp @ONLY)
     list(APPEND written ${generated}/method_${id}.cpp)
     list(APPEND steppers ${generated}/stepper_${id}.cpp)
     string(APPEND STEPLAB_METHOD_MAKERS "Method method_${STEPLAB_CLASS}();\n")
@@ -137,8 +140,8 @@ function(steplab_catalogue sources)
   configure_file(${folder}/catalogue_entries.cpp.in ${generated}/catalogue_entries.cpp @ONLY)
   list(APPEND written ${steppers})
   foreach(set IN LISTS ARG_INSTRUCTIONS)
-    steplab_steppers(${set} object ${steppers} ${folder}/kick_drift_steps.cpp ${folder}/runge_kutta_steps.cpp
-                     ${folder}/energy_sums.cpp)
+    steplab_steppers(${set} object ${steppers} ${templates}/kick_drift_steps.cpp ${templates}/runge_kutta_steps.cpp
+                     ${templates}/energy_sums.cpp)
     list(APPEND written ${object})
   endforeach()
   set(${sources} ${written} PARENT_SCOPE)

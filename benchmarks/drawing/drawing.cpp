@@ -5,7 +5,7 @@
 //         least times of so many pictures each (default 7); what colours tell (default role); meshes of DIM x DIM
 //         particles (default 100, 316, 1000); with --lines in lines for benchmarks/results
 
-#include "app/offscreen_context.hpp"
+#include "app/offscreen/context.hpp"
 #include "lines.hpp"
 #include "render/framing.hpp"
 #include "render/gl.hpp"
@@ -13,7 +13,7 @@
 #include "render/scene_renderer.hpp"
 #include "render/shader_program.hpp"
 #include "render/view_uniforms.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <fmt/format.h>
 

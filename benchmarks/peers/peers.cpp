@@ -4,11 +4,11 @@
 // writes it and once as compilers vectorise it (with -fno-math-errno). Usage: peers [chain|morse|mesh ...] [rounds]
 
 #include "core/flush_subnormals.hpp"
-#include "lab/speed_error.hpp"
-#include "lab/study.hpp"
+#include "lab/study/speed_error.hpp"
+#include "lab/study/study.hpp"
 #include "lines.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 #include "solver.hpp"
 
 #include <fmt/format.h>

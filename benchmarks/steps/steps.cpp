@@ -10,9 +10,9 @@
 #include "lines.hpp"
 #include "machine.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/ensemble.hpp"
-#include "sim/simulation.hpp"
-#include "sim/spread.hpp"
+#include "sim/ensemble/ensemble.hpp"
+#include "sim/ensemble/parameter_range.hpp"
+#include "sim/run/simulation.hpp"
 #include "stepping.hpp"
 
 #include <fmt/format.h>

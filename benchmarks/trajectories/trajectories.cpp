@@ -7,7 +7,7 @@
 #include "io/temporary_folder.hpp"
 #include "io/trajectory.hpp"
 #include "lines.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <fmt/format.h>
 

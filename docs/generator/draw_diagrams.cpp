@@ -1,7 +1,7 @@
 /// Draws the diagrams of docs/hard-cases.md and docs/performance.md: draw_diagrams FOLDER [ID of a hard case |
 /// speed]...
 
-#include "lab/page.hpp"
+#include "lab/report/page.hpp"
 #include "speed_figures.hpp"
 #include "tables.hpp"
 

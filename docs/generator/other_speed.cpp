@@ -1,6 +1,6 @@
 #include "other_speed.hpp"
 
-#include "lab/table.hpp"
+#include "lab/report/table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "speed.hpp"
 
-#include "lab/table.hpp"
+#include "lab/report/table.hpp"
 #include "other_speed.hpp"
 #include "results.hpp"
 #include "speed_figures.hpp"

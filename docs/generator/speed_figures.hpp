@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/figure.hpp"
+#include "lab/report/figure.hpp"
 #include "results.hpp"
 
 #include <string>

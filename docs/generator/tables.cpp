@@ -1,7 +1,7 @@
 #include "tables.hpp"
 
 #include "io/temporary_folder.hpp"
-#include "lab/thesis.hpp"
+#include "lab/study/thesis.hpp"
 #include "shell.hpp"
 #include "sim/catalogue.hpp"
 #include "speed.hpp"

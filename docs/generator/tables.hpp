@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/hard_case.hpp"
+#include "lab/hard_cases/hard_case.hpp"
 
 #include <string>
 

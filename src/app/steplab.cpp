@@ -1,5 +1,5 @@
-#include "app/command_line.hpp"
-#include "app/commands.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/commands/commands.hpp"
 
 int main(int argc, char** argv) {
     steplab::prepare_standard_streams();

@@ -4,7 +4,7 @@
 #include "io/frame_block.hpp"
 #include "io/ordered_writer.hpp"
 #include "io/trajectory_format.hpp"
-#include "sim/run_description.hpp"
+#include "sim/run/run_description.hpp"
 
 #include <cstdint>
 #include <deque>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/frame_block.hpp"
-#include "sim/run_description.hpp"
+#include "sim/run/run_description.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/entry.hpp"
-#include "methods/embedded_runge_kutta.hpp"
+#include "methods/engines/embedded_runge_kutta.hpp"
 
 namespace steplab {
 

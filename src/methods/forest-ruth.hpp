@@ -1,6 +1,6 @@
 #pragma once
 
-#include "methods/splitting.hpp"
+#include "methods/engines/splitting.hpp"
 
 namespace steplab {
 

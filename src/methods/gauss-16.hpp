@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/entry.hpp"
-#include "methods/gauss.hpp"
+#include "methods/engines/gauss.hpp"
 
 namespace steplab {
 

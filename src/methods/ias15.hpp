@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/entry.hpp"
-#include "methods/adaptive.hpp"
-#include "methods/gauss_radau.hpp"
+#include "methods/engines/adaptive.hpp"
+#include "methods/engines/gauss_radau.hpp"
 
 namespace steplab {
 

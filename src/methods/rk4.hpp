@@ -1,6 +1,6 @@
 #pragma once
 
-#include "methods/runge_kutta.hpp"
+#include "methods/engines/runge_kutta.hpp"
 
 namespace steplab {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/entry.hpp"
-#include "methods/embedded_nystrom.hpp"
+#include "methods/engines/embedded_nystrom.hpp"
 
 namespace steplab {
 

@@ -2,8 +2,8 @@
 
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "methods/engines/synchronised.hpp"
 #include "methods/stoermer.hpp"
-#include "methods/synchronised.hpp"
 
 #include <utility>
 

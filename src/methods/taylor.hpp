@@ -4,12 +4,12 @@
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/power.hpp"
-#include "methods/accelerate.hpp"
-#include "methods/adaptive.hpp"
-#include "methods/collisions.hpp"
-#include "methods/compensated.hpp"
-#include "methods/series_forces.hpp"
-#include "methods/series_motion.hpp"
+#include "methods/engines/accelerate.hpp"
+#include "methods/engines/adaptive.hpp"
+#include "methods/engines/collisions.hpp"
+#include "methods/engines/compensated.hpp"
+#include "methods/engines/series_forces.hpp"
+#include "methods/engines/series_motion.hpp"
 
 #include <algorithm>
 #include <array>

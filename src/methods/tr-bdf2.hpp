@@ -1,8 +1,8 @@
 #pragma once
 
-#include "methods/halved_steps.hpp"
-#include "methods/implicit_stage.hpp"
-#include "methods/synchronised.hpp"
+#include "methods/engines/halved_steps.hpp"
+#include "methods/engines/implicit_stage.hpp"
+#include "methods/engines/synchronised.hpp"
 
 namespace steplab {
 

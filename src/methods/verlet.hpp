@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/entry.hpp"
-#include "methods/three_point.hpp"
+#include "methods/engines/three_point.hpp"
 
 namespace steplab {
 

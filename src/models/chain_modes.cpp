@@ -1,6 +1,6 @@
 #include "models/chain_modes.hpp"
 
-#include "models/linear_response.hpp"
+#include "models/forces/linear_response.hpp"
 
 #include <cmath>
 #include <numbers>

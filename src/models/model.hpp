@@ -5,7 +5,7 @@
 #include "core/lattice.hpp"
 #include "core/shape.hpp"
 #include "core/start.hpp"
-#include "models/forces.hpp"
+#include "models/forces/forces.hpp"
 
 #include <memory>
 #include <optional>

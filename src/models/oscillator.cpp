@@ -1,5 +1,5 @@
+#include "models/forces/linear_response.hpp"
 #include "models/line_scene.hpp"
-#include "models/linear_response.hpp"
 #include "models/parameters.hpp"
 
 #include <cmath>

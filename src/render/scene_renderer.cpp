@@ -1,6 +1,6 @@
 #include "render/scene_renderer.hpp"
 
-#include "render/cloud_dots.hpp"
+#include "render/ensemble_dots.hpp"
 #include "render/ground.hpp"
 #include "render/known_shape.hpp"
 #include "render/overlay.hpp"

@@ -2,8 +2,8 @@
 
 #include "core/coupling.hpp"
 #include "models/model.hpp"
-#include "sim/stepper.hpp"
-#include "sim/stepper_group.hpp"
+#include "sim/ensemble/ensemble_stepper.hpp"
+#include "sim/steppers/stepper.hpp"
 
 #include <array>
 #include <cstddef>

@@ -2,12 +2,12 @@
 
 #include "render/camera.hpp"
 #include "render/style.hpp"
-#include "sim/worker.hpp"
+#include "sim/run/worker.hpp"
 #include "ui/display.hpp"
-#include "ui/history.hpp"
-#include "ui/layout.hpp"
-#include "ui/theme.hpp"
+#include "ui/plot/history.hpp"
 #include "ui/wanted.hpp"
+#include "ui/widgets/layout.hpp"
+#include "ui/widgets/theme.hpp"
 
 #include <array>
 #include <optional>

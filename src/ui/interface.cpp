@@ -1,7 +1,7 @@
 #include "ui/interface.hpp"
 
 #include "ui/actions.hpp"
-#include "ui/panels.hpp"
+#include "ui/panels/panels.hpp"
 #include "ui/scene_pointer.hpp"
 #include "ui/view_keeper.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/worker.hpp"
+#include "sim/run/worker.hpp"
 #include "ui/context.hpp"
 #include "ui/display.hpp"
 #include "ui/input.hpp"

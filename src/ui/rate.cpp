@@ -1,6 +1,6 @@
 #include "ui/rate.hpp"
 
-#include "ui/format.hpp"
+#include "ui/widgets/format.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/worker.hpp"
+#include "sim/run/worker.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "app/program.hpp"
 
-#include "app/commands.hpp"
+#include "app/commands/commands.hpp"
 #include "io/files.hpp"
 
 #include <gmock/gmock.h>

@@ -4,7 +4,7 @@
 #include "io/files.hpp"
 #include "io/trajectory_reader.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <gmock/gmock.h>
 

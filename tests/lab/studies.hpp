@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/study.hpp"
+#include "lab/study/study.hpp"
 
 #include <string>
 #include <utility>

@@ -1,8 +1,8 @@
 #include "methods/ias15.hpp"
 
+#include "methods/engines/system.hpp"
 #include "methods/gauss-16.hpp"
-#include "methods/system.hpp"
-#include "models/layouts.hpp"
+#include "models/forces/layouts.hpp"
 #include "support/circling_ball.hpp"
 #include "support/runs.hpp"
 

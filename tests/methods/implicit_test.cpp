@@ -1,7 +1,7 @@
 #include "core/error.hpp"
-#include "models/layouts.hpp"
-#include "sim/linear_limit.hpp"
-#include "sim/stepper_of.hpp"
+#include "models/forces/layouts.hpp"
+#include "sim/run/linear_limit.hpp"
+#include "sim/steppers/stepper_of.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>

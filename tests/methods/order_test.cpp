@@ -1,6 +1,6 @@
 #include "method_types.hpp"
-#include "methods/system.hpp"
-#include "models/line.hpp"
+#include "methods/engines/system.hpp"
+#include "models/forces/line.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "methods/taylor.hpp"
 
 #include "core/error.hpp"
-#include "methods/system.hpp"
-#include "models/layouts.hpp"
+#include "methods/engines/system.hpp"
+#include "models/forces/layouts.hpp"
 #include "support/circling_ball.hpp"
 #include "support/runs.hpp"
 

@@ -1,6 +1,6 @@
 #include "core/flush_subnormals.hpp"
-#include "models/layouts.hpp"
-#include "models/plain.hpp"
+#include "models/forces/layouts.hpp"
+#include "models/forces/plain.hpp"
 #include "support/crystals.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "models/chain_modes.hpp"
-#include "models/linear_response.hpp"
-#include "models/morse_pair.hpp"
+#include "models/forces/linear_response.hpp"
+#include "models/forces/morse_pair.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "models/layouts.hpp"
-#include "models/plain.hpp"
+#include "models/forces/layouts.hpp"
+#include "models/forces/plain.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 /// number of steps counted. What comes before (the start, memory, caches) is not counted.
 
 #include "sim/catalogue.hpp"
-#include "sim/ensemble.hpp"
-#include "sim/simulation.hpp"
+#include "sim/ensemble/ensemble.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <fmt/format.h>
 

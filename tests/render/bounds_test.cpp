@@ -1,7 +1,7 @@
 #include "render/bounds.hpp"
 
+#include "render/scenes.hpp"
 #include "render/ticks.hpp"
-#include "scenes.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #include "render/colouring.hpp"
 
-#include "scenes.hpp"
+#include "render/scenes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 
 #include "core/error.hpp"
 #include "render/drawn_sizes.hpp"
-#include "scenes.hpp"
+#include "render/scenes.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 #include "app/png.hpp"
+#include "render/studio.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/simulation.hpp"
-#include "studio.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <gmock/gmock.h>
 #include <png.h>

@@ -1,6 +1,6 @@
 #include "render/imgui_renderer.hpp"
 
-#include "studio.hpp"
+#include "render/studio.hpp"
 
 #include <imgui.h>
 

@@ -1,8 +1,7 @@
-#include "app/offscreen.hpp"
-
+#include "app/offscreen/modules.hpp"
 #include "core/error.hpp"
 #include "io/files.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <gmock/gmock.h>
 

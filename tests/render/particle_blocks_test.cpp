@@ -1,8 +1,8 @@
 #include "render/particle_blocks.hpp"
 
 #include "render/drawn_sizes.hpp"
+#include "render/scenes.hpp"
 #include "render/view_uniforms.hpp"
-#include "scenes.hpp"
 
 #include <gmock/gmock.h>
 

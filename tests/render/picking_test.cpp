@@ -1,6 +1,6 @@
 #include "render/picking.hpp"
 
-#include "scenes.hpp"
+#include "render/scenes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "core/error.hpp"
 #include "render/drawn_sizes.hpp"
-#include "scenes.hpp"
-#include "sim/simulation.hpp"
-#include "studio.hpp"
+#include "render/scenes.hpp"
+#include "render/studio.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 #include "core/error.hpp"
 #include "io/files.hpp"
 #include "render/shader_program.hpp"
-#include "studio.hpp"
+#include "render/studio.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/offscreen_context.hpp"
+#include "app/offscreen/context.hpp"
 #include "render/framing.hpp"
 #include "render/gl.hpp"
 #include "render/palette.hpp"

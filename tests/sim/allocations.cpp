@@ -1,4 +1,4 @@
-#include "allocations.hpp"
+#include "sim/allocations.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -3,7 +3,7 @@
 /// judges nothing.
 
 #include "core/flush_subnormals.hpp"
-#include "sim/segment.hpp"
+#include "sim/run/segment.hpp"
 #include "support/runs.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/entry.hpp"
-#include "methods/system.hpp"
-#include "models/line.hpp"
+#include "methods/engines/system.hpp"
+#include "models/forces/line.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // Crystals for tests of near pairs.
 
-#include "models/layouts.hpp"
+#include "models/forces/layouts.hpp"
 #include "sim/catalogue.hpp"
 #include "support/runs.hpp"
 

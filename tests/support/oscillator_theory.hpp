@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/flush_subnormals.hpp"
-#include "methods/system.hpp"
-#include "models/line.hpp"
-#include "sim/segment.hpp"
+#include "methods/engines/system.hpp"
+#include "models/forces/line.hpp"
+#include "sim/run/segment.hpp"
 #include "support/runs.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

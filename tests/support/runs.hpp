@@ -2,7 +2,7 @@
 
 #include "core/error.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/simulation.hpp"
+#include "sim/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "desk.hpp"
+#include "ui/desk.hpp"
 
 #include <gtest/gtest.h>
 

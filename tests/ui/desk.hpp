@@ -1,7 +1,7 @@
 #pragma once
 
-#include "recorder.hpp"
 #include "ui/interface.hpp"
+#include "ui/recorder.hpp"
 
 #include <string>
 #include <string_view>

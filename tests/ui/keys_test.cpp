@@ -1,7 +1,7 @@
 #include "ui/keys.hpp"
 
-#include "desk.hpp"
 #include "sim/catalogue.hpp"
+#include "ui/desk.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "desk.hpp"
+#include "ui/desk.hpp"
 #include "ui/view_keeper.hpp"
 
 #include <gtest/gtest.h>

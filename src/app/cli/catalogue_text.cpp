@@ -1,0 +1,97 @@
+#include "app/cli/catalogue_text.hpp"
+
+#include "app/cli/text_table.hpp"
+#include "sim/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+std::string default_text(const ParameterInfo& info) {
+    const std::string value = format_value(info, info.default_value);
+    return info.unit.empty() ? value : fmt::format("{} {}", value, info.unit);
+}
+
+std::string parameter_rows(std::span<const ParameterInfo> parameters) {
+    if (parameters.empty()) return "";
+    std::vector<Row> rows;
+    for (const ParameterInfo& info : parameters) {
+        rows.push_back(
+            {std::string(info.name), "default " + default_text(info), range_text(info), std::string(info.what)});
+    }
+    return aligned(rows, 6);
+}
+
+template <class Info>
+std::string help_entry(const Info& info) {
+    std::string text = fmt::format("  {:<14}", info.id);
+    return text + wrapped(fmt::format("{}: {}", info.name, info.what), text.size()) + '\n' +
+           parameter_rows(info.parameters);
+}
+
+std::string settings(std::span<const ParameterInfo> parameters) {
+    std::string text;
+    for (const ParameterInfo& info : parameters) {
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", info.name, format_value(info, info.default_value));
+    }
+    return text;
+}
+
+std::string limit_text(const MethodInfo& info) {
+    if (info.linear_limit == 0) return "never";
+    const double limit = linear_limit(info, ParameterValues(info.parameters));
+    return limit == infinity ? "any dt" : fmt::format("< {:.4g}", limit);
+}
+
+std::string properties(const MethodInfo& info) {
+    std::string text;
+    const auto add = [&text](bool has, std::string_view word) {
+        if (has) text += (text.empty() ? "" : ", ") + std::string(word);
+    };
+    add(info.symplectic, "symplectic");
+    add(info.reversible, "reversible");
+    add(info.adaptive, "adaptive");
+    add(info.implicit, "implicit");
+    add(info.curiosity, "curiosity");
+    return text.empty() ? "-" : text;
+}
+
+}  // namespace
+
+std::string catalogue_help() {
+    std::string text = "Models (--model) and their parameters (--set name=value)\n";
+    for (const Model& model : models()) text += help_entry(model.info);
+    text += "\nMethods (--method) and their parameters (--set name=value)\n";
+    for (const Method& method : methods()) text += help_entry(method.info);
+    return text.substr(0, text.size() - 1);
+}
+
+std::string models_table() {
+    std::vector<Row> rows{{"MODEL", "WHAT IT IS, AND ITS PARAMETERS"}};
+    for (const Model& model : models()) {
+        rows.push_back({std::string(model.info.id), fmt::format("{}: {}", model.info.name, model.info.what)});
+        rows.push_back({"", settings(model.info.parameters)});
+    }
+    return aligned(rows, 0);
+}
+
+std::string methods_table() {
+    std::vector<Row> rows{{"METHOD", "NAME", "ORDER", "EVALUATIONS", "STABLE ω dt", "PROPERTIES"}};
+    for (const Method& method : methods()) {
+        const MethodInfo& info = method.info;
+        std::string evaluations = fmt::format("{:g}", evaluations_per_step(info, ParameterValues(info.parameters)));
+        if (const ParameterValues values(info.parameters); values.contains("substeps"))
+            evaluations += fmt::format(" (substeps={:g})", values["substeps"]);
+        rows.push_back({std::string(info.id), std::string(info.name), std::to_string(info.order), evaluations,
+                        limit_text(info), properties(info)});
+    }
+    return aligned(rows, 0);
+}
+
+}  // namespace steplab

@@ -1,0 +1,157 @@
+#include "app/cli/command_line.hpp"
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "io/interruption.hpp"
+#include "io/output_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fcntl.h>
+#include <initializer_list>
+#include <malloc.h>
+#include <new>
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
+[[noreturn]] void refuse_extra(const CLI::App& app, const std::string& word) {
+    if (!word.starts_with('-'))
+        throw UsageError(fmt::format("unexpected '{}': every value belongs to an option", word));
+    const std::vector<std::string> names = option_names(app);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    throw UsageError(unknown_word("option", word.substr(0, word.find('=')), known));
+}
+
+/// "--dt: At Most 1 required but received 2" and the like, as one says it.
+[[noreturn]] void refuse_count(const CLI::ArgumentMismatch& error) {
+    const std::string text = error.what();
+    const std::string option = text.substr(0, text.find(':'));
+    const bool too_many = text.find("At Most") != std::string::npos;
+    throw UsageError(option + (too_many ? " is given more than once" : " needs a value"));
+}
+
+/// The parser would take the argument after "--out=" for its value.
+void refuse_empty_values(const std::vector<std::string>& arguments) {
+    for (const std::string& argument : arguments) {
+        if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) {
+            throw UsageError(fmt::format("{} needs a value", argument.substr(0, argument.size() - 1)));
+        }
+    }
+}
+
+/// No option means anything with an empty text for a value.
+void refuse_empty_values(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        for (const std::string& value : option->results()) {
+            if (value.empty()) throw UsageError(fmt::format("{} needs a value", option->get_name()));
+        }
+    }
+}
+
+std::string without_double_gaps(std::string text) {
+    for (auto gap = text.find("\n\n\n"); gap != std::string::npos; gap = text.find("\n\n\n")) text.erase(gap, 1);
+    return text;
+}
+
+/// One line on standard error; where even that is closed there is nobody to tell.
+void complain(const std::string& program, const char* message) {
+    std::fputs(fmt::format("{}: {}\n", program, message).c_str(), stderr);
+}
+
+}  // namespace
+
+CLI::Option* text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
+                         const std::string& what) {
+    const auto take = [&value](const CLI::results_t& results) {
+        value = results.back();
+        return true;
+    };
+    return app.add_option(name, take, what)->option_text(placeholder);
+}
+
+CLI::Option* repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                             const std::string& placeholder, const std::string& what) {
+    const auto take = [&values](const CLI::results_t& results) {
+        values = results;
+        return true;
+    };
+    return app.add_option(name, take, what)
+        ->option_text(placeholder)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::optional<std::string> parse(CLI::App& app, std::vector<std::string> arguments) {
+    refuse_empty_values(arguments);
+    app.allow_extras();
+    std::reverse(arguments.begin(), arguments.end());  // the order in which the parser takes them
+    try {
+        app.parse(std::move(arguments));
+    } catch (const CLI::CallForHelp&) {
+        return without_double_gaps(app.help());
+    } catch (const CLI::CallForVersion& version) {
+        return std::string(version.what()) + "\n";
+    } catch (const CLI::ArgumentMismatch& error) {
+        refuse_count(error);
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    refuse_empty_values(app);
+    const std::vector<std::string> extras = app.remaining();
+    if (!extras.empty()) refuse_extra(app, extras.front());
+    return std::nullopt;
+}
+
+void print(std::string_view text) {
+    OutputFile out("-");
+    out.write(text);
+    out.commit();
+}
+
+int guarded(const std::string& program, const std::function<int()>& body) {
+    try {
+        return body();
+    } catch (const Error& error) {
+        complain(program, error.what());
+        return static_cast<int>(error.code());
+    } catch (const ReaderGone&) {
+        return static_cast<int>(ExitCode::done);
+    } catch (const Interrupted& interrupted) {
+        return interrupted.exit_code();
+    } catch (const std::bad_alloc&) {
+        complain(program, "this needs more memory than there is");
+        return static_cast<int>(ExitCode::usage);
+    }
+}
+
+void keep_no_freed_memory() {
+#ifdef M_MMAP_THRESHOLD
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);  // glibc's own grows to 32 MiB, and what is freed below it leaves holes
+    mallopt(M_TRIM_THRESHOLD, 2 << 20);
+#endif
+}
+
+void prepare_standard_streams() {
+    // A closed one becomes one that cannot be written, so that writing it is an error; open() takes the lowest number.
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != descriptor) return;
+    }
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then a file that cannot be written
+}
+
+}  // namespace steplab

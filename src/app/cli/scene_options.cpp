@@ -1,0 +1,155 @@
+#include "app/cli/scene_options.hpp"
+
+#include "app/cli/catalogue_text.hpp"
+#include "app/cli/command_line.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "sim/catalogue.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::string_view all_methods = "all";
+
+/// Up to here every whole number is a double, so that step * dt is the time.
+constexpr double most_steps = 9007199254740992.0;
+
+constexpr ParameterInfo dt_info{.name = "--dt", .unit = "", .minimum_included = false, .what = "time step"};
+constexpr ParameterInfo until_info{.name = "--until", .unit = "", .what = "time to reach"};
+constexpr ParameterInfo steps_info{.name = "--steps",
+                                   .kind = ParameterInfo::Kind::integer,
+                                   .unit = "",
+                                   .maximum = most_steps,
+                                   .what = "number of steps"};
+
+}  // namespace
+
+Precision precision_of(std::string_view text) {
+    if (const auto precision = parse_precision(text)) return *precision;
+    constexpr std::array known{id(Precision::float_), id(Precision::double_)};
+    throw UsageError(unknown_word("precision", text, known));
+}
+
+std::vector<Setting> parse_settings(const std::vector<std::string>& texts) {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw UsageError(fmt::format("--set '{}' is not of the form name=value, such as --set n=20", text));
+        const std::string name = text.substr(0, equals);
+        for (const Setting& earlier : settings) {
+            if (earlier.name == name) throw UsageError(fmt::format("parameter '{}' is set more than once", name));
+        }
+        settings.push_back({name, text.substr(equals + 1)});
+    }
+    return settings;
+}
+
+namespace {
+
+bool has_parameter(const RunDescription& description, std::string_view name) {
+    return description.scene.contains(name) || description.method_parameters.contains(name);
+}
+
+/// Throws UsageError if a setting belongs to none of the runs.
+void check_known(const std::vector<Setting>& settings, const std::vector<RunDescription>& runs) {
+    for (const Setting& setting : settings) {
+        if (std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return has_parameter(run, setting.name); }))
+            continue;
+        std::vector<std::string_view> known;
+        for (const ParameterInfo& info : runs.front().scene.infos()) known.push_back(info.name);
+        for (const RunDescription& run : runs) {
+            for (const ParameterInfo& info : run.method_parameters.infos()) {
+                if (std::find(known.begin(), known.end(), info.name) == known.end()) known.push_back(info.name);
+            }
+        }
+        throw UsageError(
+            unknown_word("parameter", setting.name, known, fmt::format("{} and the methods", runs.front().model)));
+    }
+}
+
+}  // namespace
+
+void SceneOptions::declare(CLI::App& app) {
+    const RunDescription defaults = describe();
+    model_ = defaults.model;
+    method_ = defaults.method;
+    precision_ = id(defaults.precision);
+    dt_ = number_text(defaults.dt);
+    const std::string group = "Scene";
+    text_option(app, "--model", model_, "ID", fmt::format("What moves (default {})", model_))->group(group);
+    repeated_option(app, "--set", settings_, "name=value", "A parameter of the model or method; repeatable")
+        ->group(group);
+    const std::string_view many = methods_ == Methods::one_or_all ? "; all: every method" : "";
+    method_option_ = text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
+                                 fmt::format("How it is integrated (default {}{})", method_, many))
+                         ->group(group);
+    precision_option_ = text_option(app, "--precision", precision_, "float|double",
+                                    fmt::format("Of the whole run (default {})", precision_))
+                            ->group(group);
+    text_option(app, "--dt", dt_, "X", fmt::format("Time step (default {})", dt_))->group(group);
+    app.footer(catalogue_help);
+}
+
+bool SceneOptions::names_method() const { return method_option_->count() > 0; }
+bool SceneOptions::names_precision() const { return precision_option_->count() > 0; }
+
+RunDescription SceneOptions::description() const {
+    RunDescription description = describe(model_, method_);
+    description.precision = precision_of(precision_);
+    description.dt = parse_value(dt_info, dt_);
+    for (const Setting& setting : parse_settings(settings_)) set_parameter(description, setting.name, setting.text);
+    check(description);
+    return description;
+}
+
+std::vector<RunDescription> SceneOptions::descriptions() const {
+    if (method_ != all_methods) return {description()};
+    const std::vector<Setting> settings = parse_settings(settings_);
+    std::vector<RunDescription> runs;
+    for (const Method& method : methods()) runs.push_back(describe(model_, method.info.id));
+    check_known(settings, runs);
+    for (RunDescription& run : runs) {
+        run.precision = precision_of(precision_);
+        run.dt = parse_value(dt_info, dt_);
+        for (const Setting& setting : settings) {
+            if (has_parameter(run, setting.name)) set_parameter(run, setting.name, setting.text);
+        }
+    }
+    check(runs.front());
+    return runs;
+}
+
+void TimeOptions::declare(CLI::App& app) {
+    const std::string group = "Time";
+    text_option(app, "--steps", steps_, "N", fmt::format("How many steps (default {})", default_steps_))->group(group);
+    text_option(app, "--until", until_, "T", "Instead of --steps: the time to reach")->group(group);
+}
+
+std::uint64_t TimeOptions::steps(const RunDescription& description) const {
+    if (!steps_.empty() && !until_.empty()) throw UsageError("--steps and --until both say how long: give one of them");
+    if (!steps_.empty()) return static_cast<std::uint64_t>(parse_value(steps_info, steps_));
+    if (until_.empty()) return default_steps_;
+    const double until = parse_value(until_info, until_);
+    if (until / description.dt > most_steps) {
+        throw UsageError(fmt::format("--until {} takes more than {} steps of {}", until_, number_text(most_steps),
+                                     number_text(description.dt)));
+    }
+    return steps_until(until, description.dt);
+}
+
+double TimeOptions::duration(const RunDescription& description) const {
+    const double time =
+        until_.empty() ? static_cast<double>(steps(description)) * description.dt : parse_value(until_info, until_);
+    if (!(time > 0)) throw UsageError("the time to reach must be > 0: give --until T, or --steps N with --dt X");
+    return time;
+}
+
+}  // namespace steplab

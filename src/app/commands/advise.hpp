@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/commands/command.hpp"
+
+#include <memory>
+
+namespace steplab {
+
+/// `steplab advise`: the method, dt and precision for a scene and an error.
+std::unique_ptr<Command> advise_command();
+
+}  // namespace steplab

@@ -1,0 +1,58 @@
+#include "app/commands/bench.hpp"
+
+#include "app/cli/command_line.hpp"
+#include "app/cli/progress.hpp"
+#include "app/commands/bench_text.hpp"
+#include "core/error.hpp"
+#include "io/interruption.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+constexpr const char* notes =
+    "Examples:\n"
+    "  steplab bench\n"
+    "  steplab bench --method rk4 --json\n\n"
+    "It takes less than a minute, and is most exact on a machine that does nothing else.";
+
+class BenchCommand final : public Command {
+public:
+    std::string_view name() const override { return "bench"; }
+    std::string_view what() const override { return "Measure how fast this machine steps, and what bounds it"; }
+
+    void declare(CLI::App& app) override {
+        text_option(app, "--method", method_, "ID", "Method to step with (default: velocity-verlet)");
+        app.add_flag("--json", json_, "As JSON, times in seconds")->group("Output");
+        app.footer(notes);
+    }
+
+    int run() override {
+        catch_interruptions();
+        constexpr std::uint64_t whole = 1000;
+        Progress progress(whole, isatty(STDERR_FILENO) != 0);
+        const MachineSpeed speed = measure_machine(method_.empty() ? "velocity-verlet" : method_, [&](double part) {
+            check_interruption();
+            progress.at(static_cast<std::uint64_t>(part * whole));
+        });
+        progress.clear();
+        print(json_ ? bench_json(speed) : bench_text(speed));
+        return static_cast<int>(ExitCode::done);
+    }
+
+private:
+    std::string method_;
+    bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> bench_command() { return std::make_unique<BenchCommand>(); }
+
+}  // namespace steplab

@@ -1,0 +1,95 @@
+#include "app/commands/commands.hpp"
+
+#include "app/cli/catalogue_text.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/commands/advise.hpp"
+#include "app/commands/bench.hpp"
+#include "app/commands/convert.hpp"
+#include "app/commands/limits.hpp"
+#include "app/commands/list.hpp"
+#include "app/commands/report.hpp"
+#include "app/commands/run.hpp"
+#include "app/commands/snapshot.hpp"
+#include "app/commands/view.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace steplab {
+
+namespace {
+
+using Commands = std::vector<std::unique_ptr<Command>>;
+
+constexpr std::string_view version_text = "steplab " STEPLAB_VERSION "\n";
+
+std::string program_help(const Commands& all) {
+    std::string text =
+        "steplab, a laboratory for numerical integrators: scenes of point masses, live or as numbers\n\n";
+    text += "Usage: steplab [COMMAND] [OPTIONS]\n\nCommands:\n";
+    for (const auto& command : all) text += fmt::format("  {:<12}{}\n", command->name(), command->what());
+    text += "\nWithout a command, the scene opens in a window: steplab --model rope --dt 0.02\n";
+    text += "The options of a command: steplab COMMAND --help\n";
+    text += "The version: steplab --version\n\n";
+    text += "Exit codes: 0 done, 2 wrong use, 3 a file cannot be read or written, 4 the run diverged,\n";
+    text += "5 no OpenGL, 128 + n ended by signal n\n\n";
+    return text + catalogue_help() + '\n';
+}
+
+int run_command(Command& command, std::vector<std::string> arguments) {
+    CLI::App app(std::string(command.what()), fmt::format("steplab {}", command.name()));
+    command.declare(app);
+    app.get_formatter()->column_width(32);
+    if (const auto text = parse(app, std::move(arguments))) {
+        print(*text);
+        return static_cast<int>(ExitCode::done);
+    }
+    return command.run();
+}
+
+Command& find_command(const Commands& all, std::string_view name) {
+    std::vector<std::string_view> known;
+    for (const auto& command : all) {
+        if (command->name() == name) return *command;
+        known.push_back(command->name());
+    }
+    throw UsageError(unknown_word("command", name, known));
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& arguments) {
+    Commands all;
+    all.push_back(list_command());
+    all.push_back(run_command());
+    all.push_back(convert_command());
+    all.push_back(snapshot_command());
+    all.push_back(limits_command());
+    all.push_back(report_command());
+    all.push_back(advise_command());
+    all.push_back(bench_command());
+    all.push_back(view_command(arguments));
+    return all;
+}
+
+int run_steplab(std::vector<std::string> arguments) {
+    const std::string first = arguments.empty() ? "" : arguments.front();
+    const bool bare = first.empty() || first.starts_with('-');  // options of a scene: the window
+    std::string program = "steplab";  // as messages begin; grows by the command once it is known
+    if (!bare) arguments.erase(arguments.begin());
+    return guarded(program, [&] {
+        const Commands all = commands(arguments);
+        if (first == "--version") return print(version_text), static_cast<int>(ExitCode::done);
+        if (first == "--help" || first == "-h") return print(program_help(all)), static_cast<int>(ExitCode::done);
+        Command& command = find_command(all, bare ? "view" : first);
+        if (!bare) program += fmt::format(" {}", command.name());
+        return run_command(command, arguments);
+    });
+}
+
+}  // namespace steplab

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/commands/command.hpp"
+
+#include <memory>
+
+namespace steplab {
+
+/// `steplab convert FILE.trajectory [--out FILE|-] [--format ...]`: the frames of a file in another format.
+std::unique_ptr<Command> convert_command();
+
+}  // namespace steplab

@@ -1,0 +1,131 @@
+#include "app/commands/ensemble_job.hpp"
+
+#include "app/cli/command_line.hpp"
+#include "app/cli/progress.hpp"
+#include "app/commands/ensemble_rows.hpp"
+#include "app/commands/recorded_run.hpp"
+#include "core/error.hpp"
+#include "io/interruption.hpp"
+#include "io/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+RunSummary summary_of(const RunDescription& description, const EnsembleResult& result) {
+    RunSummary summary;
+    summary.model = description.model;
+    summary.method = description.method;
+    summary.precision = description.precision;
+    summary.dt = result.dt;
+    summary.steps = result.steps;
+    summary.time = result.time;
+    summary.particles = result.particles;
+    summary.evaluations = result.evaluations;
+    summary.energy_start = result.energy_start;
+    summary.energy_end = result.energy_end;
+    summary.energy_error = result.energy_error;
+    summary.drag = has_drag(description);
+    summary.hash = result.hash;
+    if (result.divergence) summary.diverged_step = result.steps + 1;
+    summary.collisions = result.collisions;
+    return summary;
+}
+
+/// The runs without rows: side by side.
+std::vector<RunSummary> computed(const EnsembleJob& job) {
+    const std::uint64_t steps =
+        std::accumulate(job.runs.begin(), job.runs.end(), std::uint64_t(0),
+                        [](std::uint64_t sum, const EnsembleRun& run) { return sum + run.steps; });
+    Progress progress(steps, isatty(STDERR_FILENO) != 0);
+    const auto results = run_ensemble(job.runs, job.every, job.execution, [&](std::uint64_t done) {
+        check_interruption();
+        progress.at(done);
+    });
+    std::vector<RunSummary> summaries;
+    for (std::size_t i = 0; i < results.size(); ++i)
+        summaries.push_back(summary_of(job.runs[i].description, results[i]));
+    return summaries;
+}
+
+/// The runs with their rows, one after the other.
+std::vector<RunSummary> recorded(const EnsembleJob& job, EnsembleRows& rows) {
+    std::vector<RunSummary> summaries;
+    Progress progress(1, false);
+    for (std::size_t i = 0; i < job.runs.size(); ++i) {
+        const EnsembleRun& run = job.runs[i];
+        rows.begin(i, run.description);
+        Simulation simulation(run.description, job.execution);
+        summaries.push_back(record_run(simulation, run.steps, job.every, progress,
+                                       [&rows](const Simulation& now) { rows.record(now); }));
+        check_interruption();
+    }
+    return summaries;
+}
+
+EnsembleSummary summary_of(const EnsembleJob& job, const std::vector<RunSummary>& runs, double seconds) {
+    EnsembleSummary summary;
+    summary.wall_seconds = seconds;
+    for (const Spread& spread : job.spreads) summary.spreads.push_back({spread.name, spread.from, spread.to});
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        std::vector<double> values;
+        for (const Spread& spread : job.spreads) values.push_back(spread.value(i, runs.size()));
+        summary.runs.push_back({values, runs[i]});
+    }
+    return summary;
+}
+
+void show(const EnsembleJob& job, const EnsembleSummary& summary) {
+    std::string text = summary_text(summary);
+    if (const std::string files = job.output.files(); !files.empty())
+        text += fmt::format("  {:<14}{}\n", "written", files);
+    if (job.output.standard_output_taken()) {
+        std::fputs(text.c_str(), stderr);
+    } else {
+        print(text);
+    }
+}
+
+std::string divergence_message(const EnsembleSummary& summary) {
+    std::size_t first = 0;
+    while (!summary.runs[first].summary.diverged_step) ++first;
+    return fmt::format("{} of {} runs diverged, the first of them run {} in step {}", summary.diverged(),
+                       summary.runs.size(), first, *summary.runs[first].summary.diverged_step);
+}
+
+}  // namespace
+
+void EnsembleJob::run() const {
+    EnsembleRows rows(output, runs);
+    std::optional<OutputFile> summary_file;
+    if (!output.summary.empty()) summary_file.emplace(output.summary);
+    const auto begin = Clock::now();
+    try {
+        const auto done = rows.wanted() ? recorded(*this, rows) : computed(*this);
+        const EnsembleSummary summary =
+            summary_of(*this, done, std::chrono::duration<double>(Clock::now() - begin).count());
+        rows.commit();
+        if (summary_file) summary_file->write(summary_json(summary)), summary_file->commit();
+        show(*this, summary);
+        if (summary.diverged() > 0) throw Error(ExitCode::diverged, divergence_message(summary));
+    } catch (const Interrupted&) {
+        const std::vector<std::string> kept = rows.keep_partial();
+        std::string text = "steplab run: interrupted";
+        if (!kept.empty()) text += fmt::format("; what was written is kept as '{}'", fmt::join(kept, "' and '"));
+        std::fputs((text + '\n').c_str(), stderr);
+        throw;
+    }
+}
+
+}  // namespace steplab

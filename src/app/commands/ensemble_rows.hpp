@@ -1,0 +1,43 @@
+#pragma once
+
+#include "app/commands/run_outputs.hpp"
+#include "sim/ensemble/ensemble.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace steplab {
+
+/// The rows of --out and --series of an ensemble, as CSV: those of a run alone, each behind the number of its run, run
+/// after run.
+class EnsembleRows {
+public:
+    /// Throws UsageError for a format without such a column, FileError for files that cannot be written.
+    EnsembleRows(const OutputOptions& options, std::span<const EnsembleRun> runs);
+
+    /// Whether anybody asked for rows.
+    bool wanted() const { return rows_file_ || series_file_; }
+    /// What follows belongs to this run. Throws UsageError for particles that it does not have.
+    void begin(std::size_t run, const RunDescription& description);
+    void record(const Simulation& simulation);
+    /// All rows are there: the files take their places.
+    void commit();
+    /// The ensemble was interrupted: what there is of the rows stays under other names, which are returned.
+    std::vector<std::string> keep_partial();
+
+private:
+    void write_rows();
+
+    std::string chosen_;  ///< --particles
+    std::optional<OutputFile> rows_file_;
+    std::optional<OutputFile> series_file_;
+    std::optional<SeriesWriter> series_;
+    std::size_t run_ = 0;
+    std::vector<std::size_t> particles_;  ///< of the present run
+    Frame frame_;
+};
+
+}  // namespace steplab

@@ -1,0 +1,70 @@
+#include "app/commands/limits.hpp"
+
+#include "app/cli/catalogue_text.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/scene_options.hpp"
+#include "app/commands/limits_text.hpp"
+#include "core/error.hpp"
+#include "io/interruption.hpp"
+#include "lab/limits/all_limits.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  steplab limits --model chain --method all\n"
+    "  steplab limits --model rope --set c=3 --method rk4 --json\n\n";
+
+constexpr const char* explained =
+    "\nThe largest dt at which a small vibration does not grow: by theory, from ω, and measured on runs.\n";
+
+class LimitsCommand final : public Command {
+public:
+    std::string_view name() const override { return "limits"; }
+    std::string_view what() const override { return "Find the largest stable dt, by theory and by runs"; }
+
+    void declare(CLI::App& app) override {
+        scene_.declare(app);
+        app.add_flag("--json", json_, "As JSON: time steps; 0: unstable at any dt, null: no limit")->group("Output");
+        app.footer([] { return std::string(examples) + catalogue_help(); });
+    }
+
+    int run() override {
+        const std::vector<RunDescription> runs = scene_.descriptions();
+        catch_interruptions();
+        const StabilityLab lab(runs.front());
+        const std::vector<Limit> limits = limits_of(lab, runs);
+        if (json_) {
+            print(limits_json(limits));
+        } else {
+            print(fmt::format("{} in {}: largest ω at the start {:.9g}\n\n{}{}", runs.front().model,
+                              id(runs.front().precision), lab.omega_max(), limits_table(limits, runs.front().dt),
+                              explained));
+        }
+        return static_cast<int>(ExitCode::done);
+    }
+
+private:
+    static std::vector<Limit> limits_of(const StabilityLab& lab, const std::vector<RunDescription>& runs) {
+        if (runs.size() == 1) return {lab.limit(runs.front())};
+        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0);
+        return all_limits(lab, runs, [&](std::size_t found) { progress.at(found); });
+    }
+
+    SceneOptions scene_{SceneOptions::Methods::one_or_all};
+    bool json_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> limits_command() { return std::make_unique<LimitsCommand>(); }
+
+}  // namespace steplab

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/commands/command.hpp"
+
+#include <memory>
+
+namespace steplab {
+
+/// `steplab list [models|methods] [--json]`: what the catalogue holds.
+std::unique_ptr<Command> list_command();
+
+}  // namespace steplab

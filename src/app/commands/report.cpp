@@ -1,0 +1,155 @@
+#include "app/commands/report.hpp"
+
+#include "app/cli/catalogue_text.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/scene_options.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "io/interruption.hpp"
+#include "lab/report/report.hpp"
+#include "sim/catalogue.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <unistd.h>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+constexpr ParameterInfo error_info{
+    .name = "--error", .unit = "", .minimum_included = false, .what = "error to answer for"};
+constexpr ParameterInfo time_info{.name = "--time", .unit = "", .minimum_included = false, .what = "time to reach"};
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  steplab report --quick --out out\n"
+    "  steplab report --model chain --set n=100 --time 50 --error 1e-3 --error 1e-9 --out chain\n\n";
+
+class ReportCommand final : public Command {
+public:
+    std::string_view name() const override { return "report"; }
+    std::string_view what() const override { return "Measure speed against error: a table and a page"; }
+
+    void declare(CLI::App& app) override {
+        app.add_flag("--thesis", thesis_, "The tables and charts of the thesis of 2008 instead, as thesis.html");
+        text_option(app, "--out", out_, "DIR", "Where speed_error.csv and report.html go (required)");
+        app.add_flag("--quick", quick_, "Under a minute instead of under fifteen: fewer and shorter runs");
+        repeated_option(app, "--model", models_, "ID", "Only this model; repeatable (default all)");
+        repeated_option(app, "--method", methods_, "ID", "Only this method; repeatable (default all)");
+        text_option(app, "--precision", precision_, "float|double", "Only this precision (default both)");
+        repeated_option(app, "--set", settings_, "name=value", "A parameter of the models or methods; repeatable");
+        text_option(app, "--time", time_, "T", "How long the scenes run (default: a time that suits each)");
+        repeated_option(app, "--error", errors_, "E", "An error to answer for; repeatable (default 1e-2 ... 1e-12)");
+        app.footer([] { return std::string(examples) + catalogue_help(); });
+    }
+
+    int run() override {
+        if (out_.empty()) throw UsageError("--out DIR is needed: where speed_error.csv and report.html go");
+        if (thesis_) {
+            refuse_beside_thesis();
+            return write_thesis();
+        }
+        ReportRequest request{.folder = out_, .plans = plans()};
+        if (!errors_.empty()) request.errors = errors();
+        catch_interruptions();
+        Progress bar(1000, isatty(STDERR_FILENO) != 0);
+        try {
+            write_report(request, [&](double part, const std::string&) {
+                check_interruption();
+                bar.at(static_cast<std::uint64_t>(part * 1000));
+            });
+        } catch (const Interrupted&) {
+            bar.clear();
+            fmt::print(stderr, "steplab report: interrupted; the same command goes on from here ({}/.measured)\n",
+                       out_);
+            throw;
+        }
+        bar.clear();
+        print(fmt::format("{}/speed_error.csv and {}/report.html are written\n", out_, out_));
+        return static_cast<int>(ExitCode::done);
+    }
+
+private:
+    /// The thesis has its own scenes, methods and times.
+    void refuse_beside_thesis() const {
+        const std::pair<bool, const char*> others[] = {
+            {quick_, "--quick"},           {!models_.empty(), "--model"},        {!methods_.empty(), "--method"},
+            {!settings_.empty(), "--set"}, {!precision_.empty(), "--precision"}, {!time_.empty(), "--time"},
+            {!errors_.empty(), "--error"}};
+        for (const auto& [given, name] : others) {
+            if (given) throw UsageError(fmt::format("--thesis takes its own scenes: {} has no say in it", name));
+        }
+    }
+
+    int write_thesis() const {
+        write_thesis_page(out_);
+        print(fmt::format("{}/thesis.html is written\n", out_));
+        return static_cast<int>(ExitCode::done);
+    }
+
+    std::vector<StudyPlan> plans() const {
+        for (const std::string& id : models_) model(id);
+        for (const std::string& id : methods_) method(id);
+        std::vector<StudyPlan> chosen = default_plans(quick_);
+        const auto all = static_cast<double>(chosen.size());
+        std::erase_if(chosen, [&](const StudyPlan& plan) {
+            return !models_.empty() && std::find(models_.begin(), models_.end(), plan.scene.model) == models_.end();
+        });
+        for (StudyPlan& plan : chosen) {
+            // the time of models left out goes to the others: in little time a dear scene shows few methods at their
+            // best
+            if (quick_) plan.most_seconds_a_run *= all / static_cast<double>(chosen.size());
+            if (!methods_.empty()) plan.methods = methods_;
+            if (!precision_.empty()) plan.precisions = {precision_of(precision_)};
+            if (!time_.empty()) plan.time = parse_value(time_info, time_);
+        }
+        for (const Setting& setting : parse_settings(settings_)) apply(setting, chosen);
+        for (const StudyPlan& plan : chosen) check(plan.scene);
+        return chosen;
+    }
+
+    /// Where a model or method has the parameter; at least one must.
+    static void apply(const Setting& setting, std::vector<StudyPlan>& plans) {
+        bool known = false;
+        for (StudyPlan& plan : plans) {
+            if (plan.scene.scene.contains(setting.name)) {
+                plan.scene.scene.set_text(setting.name, setting.text);
+                known = true;
+            }
+            for (const std::string& id : plan.methods) {
+                ParameterValues values(method(id).info.parameters);
+                if (!values.contains(setting.name)) continue;
+                values.set_text(setting.name, setting.text);
+                plan.method_settings[setting.name] = values[setting.name];
+                known = true;
+            }
+        }
+        if (!known)
+            throw UsageError(fmt::format("no model or method of the report has a parameter '{}'", setting.name));
+    }
+
+    std::vector<double> errors() const {
+        std::vector<double> values;
+        for (const std::string& text : errors_) values.push_back(parse_value(error_info, text));
+        std::sort(values.begin(), values.end(), std::greater<>());
+        return values;
+    }
+
+    std::string out_;
+    bool quick_ = false, thesis_ = false;
+    std::vector<std::string> models_, methods_, settings_, errors_;
+    std::string precision_, time_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> report_command() { return std::make_unique<ReportCommand>(); }
+
+}  // namespace steplab

@@ -1,0 +1,141 @@
+#include "app/commands/run.hpp"
+
+#include "app/cli/catalogue_text.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/scene_options.hpp"
+#include "app/commands/ensemble_job.hpp"
+#include "app/commands/ensemble_options.hpp"
+#include "app/commands/recorded_run.hpp"
+#include "app/commands/run_outputs.hpp"
+#include "core/error.hpp"
+#include "io/interruption.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+constexpr const char* examples =
+    "Examples:\n"
+    "  steplab run --model chain --set n=20 --until 100 --every 10 --out chain.csv\n"
+    "  steplab run --model rope --method rk4 --dt 0.02 --series energy.csv --summary -\n"
+    "  steplab run --model chain --ensemble 100 --spread k=1:2 --until 50 --summary -\n\n";
+
+class RunCommand final : public Command {
+public:
+    std::string_view name() const override { return "run"; }
+    std::string_view what() const override { return "Compute a run and write its numbers"; }
+
+    void declare(CLI::App& app) override {
+        scene_.declare(app);
+        time_.declare(app);
+        text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
+        output_.declare(app);
+        ensemble_.declare(app);
+        text_option(app, "--isa", isa_, "SET", "Instruction set of the processor (default: the fastest)")
+            ->group("Computing");
+        text_option(app, "--threads", threads_, "N", "At most so many, where they pay (default: all processors)")
+            ->group("Computing");
+        app.footer([] { return std::string(examples) + catalogue_help(); });
+    }
+
+    int run() override {
+        const RunDescription description = scene_.description();
+        output_.check();
+        if (ensemble_.asked()) return run_ensemble(description);
+        const std::uint64_t steps = time_.steps(description), rows_every = every(steps);
+        catch_interruptions();
+        RunOutputs outputs(output_, description);
+        Simulation simulation(description, execution());
+        try {
+            const bool rows_on_terminal = output_.standard_output_taken() && isatty(STDOUT_FILENO) != 0;
+            Progress progress(steps, isatty(STDERR_FILENO) != 0 && !rows_on_terminal);
+            const RunSummary summary = record_run(simulation, steps, rows_every, progress,
+                                                  [&outputs](const Simulation& now) { outputs.record(now); });
+            outputs.commit(summary);
+            show(summary);
+        } catch (const Interrupted&) {
+            tell_interruption(simulation.step(), outputs.keep_partial());
+            throw;
+        }
+        if (!simulation.divergence()) return static_cast<int>(ExitCode::done);
+        throw Error(ExitCode::diverged, simulation.divergence()->message);
+    }
+
+private:
+    int run_ensemble(const RunDescription& description) const {
+        const std::vector<Spread> spreads = ensemble_.spreads(description);
+        EnsembleJob job{.spreads = spreads,
+                        .runs = ensemble_.runs(description, spreads, time_),
+                        .output = output_,
+                        .execution = execution()};
+        std::uint64_t most = 0;
+        for (const EnsembleRun& run : job.runs) most = std::max(most, run.steps);
+        job.every = every(most);
+        catch_interruptions();
+        job.run();
+        return static_cast<int>(ExitCode::done);
+    }
+
+    /// Steps between two rows of a run of so many.
+    std::uint64_t every(std::uint64_t steps) const {
+        if (every_.empty()) return std::max<std::uint64_t>(1, steps);
+        return whole_number("--every", every_, 9007199254740992.0, "steps between two rows");
+    }
+
+    Execution execution() const {
+        Execution execution;
+        if (!isa_.empty()) execution.instructions = parse_instructions(isa_);
+        if (!threads_.empty())
+            execution.threads = whole_number("--threads", threads_, 1024, "threads that step a run, at most");
+        return execution;
+    }
+
+    static std::uint64_t whole_number(std::string_view option, const std::string& text, double maximum,
+                                      std::string_view what) {
+        const ParameterInfo info{.name = option,
+                                 .kind = ParameterInfo::Kind::integer,
+                                 .unit = "",
+                                 .minimum = 1,
+                                 .maximum = maximum,
+                                 .what = what};
+        return static_cast<std::uint64_t>(parse_value(info, text));
+    }
+
+    void show(const RunSummary& summary) const {
+        std::string text = summary_text(summary);
+        if (const std::string files = output_.files(); !files.empty())
+            text += fmt::format("  {:<14}{}\n", "written", files);
+        if (output_.standard_output_taken()) {
+            std::fputs(text.c_str(), stderr);
+        } else {
+            print(text);
+        }
+    }
+
+    static void tell_interruption(std::uint64_t step, const std::vector<std::string>& kept) {
+        std::string text = fmt::format("steplab run: interrupted after step {}", step);
+        if (!kept.empty()) text += fmt::format("; what was written is kept as '{}'", fmt::join(kept, "' and '"));
+        std::fputs((text + '\n').c_str(), stderr);
+    }
+
+    SceneOptions scene_;
+    TimeOptions time_{1000};
+    std::string every_;
+    std::string isa_, threads_;
+    OutputOptions output_;
+    EnsembleOptions ensemble_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> run_command() { return std::make_unique<RunCommand>(); }
+
+}  // namespace steplab

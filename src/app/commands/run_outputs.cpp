@@ -1,0 +1,108 @@
+#include "app/commands/run_outputs.hpp"
+
+#include "app/cli/command_line.hpp"
+#include "app/cli/particle_list.hpp"
+#include "core/error.hpp"
+#include "sim/catalogue.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace steplab {
+
+void OutputOptions::declare(CLI::App& app) {
+    const std::string group = "Output";
+    text_option(app, "--out", out, "FILE|-", "Positions and velocities; - is standard output")->group(group);
+    text_option(app, "--format", format, "csv|xyz|trajectory", "Of --out (default: by the file's ending)")
+        ->group(group);
+    text_option(app, "--particles", particles, "9,0-3", "Only these in --out (default all)")->group(group);
+    text_option(app, "--series", series, "FILE", "Energy, momentum and the like over time, as CSV")->group(group);
+    text_option(app, "--summary", summary, "FILE|-", "What came of the run, as JSON")->group(group);
+}
+
+void OutputOptions::check() const {
+    if (out.empty() && !format.empty()) throw UsageError("--format says how --out is written, but there is no --out");
+    if (out.empty() && !particles.empty()) throw UsageError("--particles says what --out holds, but there is no --out");
+    const std::array<std::pair<std::string_view, const std::string*>, 3> files{
+        {{"--out", &out}, {"--series", &series}, {"--summary", &summary}}};
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const std::string& a = *files[j].second;
+            const std::string& b = *files[i].second;
+            if (a.empty() || b.empty() || !same_output(a, b)) continue;
+            const std::string where = b == "-" ? "standard output" : fmt::format("'{}'", b);
+            throw UsageError(
+                fmt::format("{} and {} both write {}: give each its own", files[j].first, files[i].first, where));
+        }
+    }
+}
+
+bool OutputOptions::standard_output_taken() const { return out == "-" || series == "-" || summary == "-"; }
+
+std::string OutputOptions::files() const {
+    std::string text;
+    for (const std::string& file : {out, series, summary}) {
+        if (!file.empty() && file != "-") text += (text.empty() ? "" : ", ") + file;
+    }
+    return text;
+}
+
+RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& description) {
+    const Model& scene = model(description.model);
+    if (!options.out.empty()) {
+        const TrajectoryFormat format =
+            options.format.empty() ? trajectory_format_of(options.out) : trajectory_format(options.format);
+        const auto count = static_cast<std::size_t>(scene.particles(description.scene));
+        const auto particles =
+            options.particles.empty() ? std::vector<std::size_t>() : parse_particles(options.particles, count);
+        rows_file_.emplace(options.out);
+        rows_.emplace(*rows_file_, format, description, particles);
+        watched_ = written_directly(options.out);
+    }
+    if (!options.series.empty()) {
+        series_file_.emplace(options.series);
+        series_.emplace(*series_file_, scene.exact(description.scene) != nullptr);
+    }
+    if (!options.summary.empty()) summary_file_.emplace(options.summary);
+}
+
+void RunOutputs::record(const Simulation& simulation) {
+    if (series_) series_->add(simulation.step(), simulation.time(), simulation.diagnostics());
+    if (!rows_) return;
+    simulation.frame(frame_);
+    rows_->add(frame_);
+    if (watched_) show_now_and_then();
+}
+
+void RunOutputs::show_now_and_then() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - shown_ < std::chrono::milliseconds(200)) return;
+    shown_ = now;
+    rows_->flush();
+    rows_file_->flush();
+}
+
+void RunOutputs::commit(const RunSummary& summary) {
+    if (rows_) rows_->finish();
+    if (rows_file_) rows_file_->commit();
+    if (series_file_) series_file_->commit();
+    if (!summary_file_) return;
+    summary_file_->write(summary_json(summary));
+    summary_file_->commit();
+}
+
+std::vector<std::string> RunOutputs::keep_partial() {
+    std::vector<std::string> kept;
+    const auto keep = [&kept](OutputFile& file) {
+        if (auto name = file.keep_partial()) kept.push_back(std::move(*name));
+    };
+    if (rows_ && !watched_) rows_->finish();  // a pipe whose reader sleeps would hold us here
+    if (rows_file_) keep(*rows_file_);
+    if (series_file_) keep(*series_file_);
+    return kept;
+}
+
+}  // namespace steplab

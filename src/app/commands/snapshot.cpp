@@ -1,0 +1,107 @@
+#include "app/commands/snapshot.hpp"
+
+#include "app/cli/command_line.hpp"
+#include "app/cli/scene_options.hpp"
+#include "app/commands/ensemble_options.hpp"
+#include "app/commands/pacer.hpp"
+#include "app/commands/snapshot_ensemble.hpp"
+#include "app/commands/snapshot_options.hpp"
+#include "app/png.hpp"
+#include "io/interruption.hpp"
+#include "io/output_file.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+// Moments of the run that the panel's plots show; fewer of large scenes, where each takes a while.
+constexpr std::uint64_t most_moments = 400;
+constexpr std::uint64_t most_particle_moments = 20'000'000;
+
+class SnapshotCommand final : public Command {
+public:
+    std::string_view name() const override { return "snapshot"; }
+    std::string_view what() const override { return "Draw a moment of a run into a PNG file, without a display"; }
+
+    void declare(CLI::App& app) override {
+        scene_.declare(app);
+        time_.declare(app);
+        picture_.declare(app);
+        ensemble_.declare(app);
+    }
+
+    int run() override {
+        const RunDescription description = scene_.description();
+        const std::uint64_t steps = time_.steps(description);
+        PictureRequest request = picture_.request(description);
+        catch_interruptions();
+        std::optional<SnapshotCloud> cloud = cloud_of(description);
+        OutputFile file(picture_.out());
+        Offscreen offscreen(picture_.gl());
+        Simulation simulation(description);
+        compute(simulation, steps, request);
+        if (cloud) cloud->put_into(request.view);
+        const Picture picture = offscreen.draw(request);
+        file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
+        file.commit();
+        if (!written_directly(picture_.out())) tell(request.view, offscreen.kind());
+        if (!simulation.divergence()) return static_cast<int>(ExitCode::done);
+        throw Error(ExitCode::diverged, simulation.divergence()->message);
+    }
+
+private:
+    /// Takes the steps; the panel's plots get moments on the way.
+    void compute(Simulation& simulation, std::uint64_t steps, PictureRequest& request) const {
+        Progress progress(steps, isatty(STDERR_FILENO) != 0);
+        Pacer pacer(steps);
+        const std::optional<std::size_t> particle = followed_particle(simulation, request);
+        const std::uint64_t bound = std::max<std::uint64_t>(16, most_particle_moments / simulation.particles());
+        const std::uint64_t moments = request.panel ? std::min({steps, most_moments, bound}) : 1;
+        for (std::uint64_t moment = 0; moment < moments && !simulation.divergence(); ++moment) {
+            if (request.panel) request.past.push_back(without_particles(view_of(simulation, particle)));
+            const double part = static_cast<double>(moment + 1) / static_cast<double>(moments);
+            const bool last = moment + 1 == moments;
+            pacer.advance(simulation, last ? steps : static_cast<std::uint64_t>(part * static_cast<double>(steps)),
+                          progress);
+        }
+        request.view = view_of(simulation, particle);
+    }
+
+    std::optional<SnapshotCloud> cloud_of(const RunDescription& description) const {
+        if (!ensemble_.asked()) return std::nullopt;
+        return SnapshotCloud(description, ensemble_.count(), ensemble_.spreads(description));
+    }
+
+    static std::optional<std::size_t> followed_particle(const Simulation& simulation, const PictureRequest& request) {
+        if (request.style.selected) return request.style.selected;
+        return request.panel ? std::optional(first_followed(*simulation.shape())) : std::nullopt;
+    }
+
+    static RunView without_particles(RunView view) {
+        view.frame.positions = {};
+        view.frame.velocities = {};
+        return view;
+    }
+
+    void tell(const RunView& view, const std::string& gl) const {
+        print(fmt::format("{}: step {}, time {}, {}, drawn by {}\n", picture_.out(), view.frame.step, view.frame.time,
+                          picture_.size_text(), gl));
+    }
+
+    SceneOptions scene_;
+    TimeOptions time_{0};
+    SnapshotOptions picture_;
+    EnsembleOptions ensemble_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> snapshot_command() { return std::make_unique<SnapshotCommand>(); }
+
+}  // namespace steplab

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "app/commands/command.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace steplab {
+
+/// `steplab view SCENE`, `steplab SCENE` and `steplab`: checks the options and becomes `steplab-view`, the window's
+/// program beside this one, with the same arguments. run() throws GraphicsError where there is no such program.
+std::unique_ptr<Command> view_command(std::vector<std::string> arguments);
+
+}  // namespace steplab

@@ -1,0 +1,54 @@
+#include "app/offscreen/module.hpp"
+
+#include "app/offscreen/context.hpp"
+#include "app/offscreen/painter.hpp"
+#include "render/gl.hpp"
+
+#include <exception>
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+
+namespace steplab {
+namespace {
+
+/// Runs `action`; what it throws becomes an answer.
+ModuleAnswer answered(const std::function<void()>& action) noexcept {
+    try {
+        action();
+        return {};
+    } catch (const Error& error) {
+        return {error.code(), error.what()};
+    } catch (const std::bad_alloc&) {
+        return {ExitCode::usage, "the picture needs more memory than there is"};
+    } catch (const std::exception& error) {
+        return {ExitCode::no_opengl, error.what()};
+    }
+}
+
+/// A context and what draws in it, in the order in which they must be made.
+class Module final : public OffscreenModule {
+public:
+    Module() { render::load_opengl(); }
+    ModuleAnswer draw(const PictureRequest& request, Picture& picture) noexcept override {
+        return answered([&] {
+            if (!painter_) painter_.emplace();
+            picture = painter_->paint(request);
+        });
+    }
+
+private:
+    OffscreenContext context_;
+    std::optional<OffscreenPainter> painter_;
+};
+
+}  // namespace
+}  // namespace steplab
+
+extern "C" __attribute__((visibility("default"))) steplab::OffscreenModule* steplab_open_offscreen_module(
+    steplab::ModuleAnswer& answer) {
+    steplab::OffscreenModule* module = nullptr;
+    answer = steplab::answered([&] { module = std::make_unique<steplab::Module>().release(); });
+    return module;
+}

@@ -1,0 +1,131 @@
+#include "app/offscreen/painter.hpp"
+
+#include "render/framing.hpp"
+#include "render/render_target.hpp"
+#include "sim/run/run_description.hpp"
+#include "ui/interface.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace steplab {
+namespace {
+
+// Longest side of a tile: the multisampled framebuffer of one takes 128 MiB.
+constexpr int tile_side = 2048;
+
+/// A tile in the whole picture.
+struct Place {
+    int left;
+    int top;
+    render::PictureSize size;
+};
+
+void copy_into(Picture& picture, const Place& place, const std::vector<std::uint8_t>& tile) {
+    const std::size_t row = 4 * static_cast<std::size_t>(place.size.width);
+    for (int y = 0; y < place.size.height; ++y) {
+        const std::size_t to =
+            4 * (static_cast<std::size_t>(place.top + y) * static_cast<std::size_t>(picture.size.width) +
+                 static_cast<std::size_t>(place.left));
+        std::copy_n(tile.data() + static_cast<std::size_t>(y) * row, row, picture.rgba.data() + to);
+    }
+}
+
+/// Has every tile painted and puts them together.
+Picture in_tiles(render::PictureSize size,
+                 const std::function<void(const Place&, const render::RenderTarget&)>& paint) {
+    Picture picture{size, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size.width) *
+                                                    static_cast<std::size_t>(size.height))};
+    for (int top = 0; top < size.height; top += tile_side) {
+        for (int left = 0; left < size.width; left += tile_side) {
+            const Place place{
+                left, top, {std::min(tile_side, size.width - left), std::min(tile_side, size.height - top)}};
+            const render::RenderTarget target(place.size);
+            paint(place, target);
+            copy_into(picture, place, target.read());
+        }
+    }
+    return picture;
+}
+
+/// The same description with the parameters of this module's catalogue: what came from the program points to its own.
+RunDescription of_this_module(const RunDescription& description) {
+    RunDescription own = describe(description.model, description.method);
+    const auto take_over = [](const ParameterValues& from, ParameterValues& to) {
+        for (const ParameterInfo& info : from.infos()) to.set(info.name, from[info.name]);
+    };
+    take_over(description.scene, own.scene);
+    take_over(description.method_parameters, own.method_parameters);
+    own.precision = description.precision;
+    own.dt = description.dt;
+    return own;
+}
+
+RunView of_this_module(RunView view) {
+    view.description = of_this_module(view.description);
+    return view;
+}
+
+Picture paint_scene(render::SceneRenderer& scene, const PictureRequest& request) {
+    const Frame& frame = request.view.frame;
+    const render::Camera camera = render::camera_of(request.camera, frame, request.size);
+    return in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
+        scene.draw(frame, request.style, camera, target, render::Tile{request.size, place.left, place.top});
+    });
+}
+
+/// The panels as the window would show them, and the camera and style they leave.
+class Panels {
+public:
+    Panels(const PictureRequest& request, render::ImguiRenderer& renderer)
+        : interface_({request.size.width, request.size.height, static_cast<float>(request.style.pixel_scale)}),
+          view_(of_this_module(request.view)),
+          style_(request.style),
+          renderer_(renderer) {
+        renderer_.upload_fonts(interface_.fonts());
+        for (const RunView& moment : request.past) interface_.record(of_this_module(moment));
+        interface_.record(view_);
+        // The first frame finds out where the scene is; the second is drawn with the camera for it.
+        draw();
+        camera_ = render::camera_of(request.camera, view_.frame, scene_size());
+        draw();
+    }
+
+    render::PictureSize scene_size() const { return {interface_.scene().width, interface_.scene().height}; }
+
+    void paint(render::SceneRenderer& scene, const Place& place, const render::RenderTarget& target) const {
+        const ui::PixelRect rect = interface_.scene();
+        scene.draw(view_.frame, style_, camera_, target,
+                   render::Tile{scene_size(), place.left - rect.x, place.top - rect.y});
+        ImDrawData data = interface_.draw_data();
+        const ImVec2 scale = data.FramebufferScale;
+        data.DisplayPos = {static_cast<float>(place.left) / scale.x, static_cast<float>(place.top) / scale.y};
+        data.DisplaySize = {static_cast<float>(place.size.width) / scale.x,
+                            static_cast<float>(place.size.height) / scale.y};
+        renderer_.draw(data);
+    }
+
+private:
+    void draw() { interface_.draw_still(view_, {camera_, style_}); }
+
+    ui::Interface interface_;
+    RunView view_;
+    render::Style style_;
+    render::Camera camera_;
+    render::ImguiRenderer& renderer_;
+};
+
+}  // namespace
+
+Picture OffscreenPainter::paint(const PictureRequest& request) {
+    if (!request.panel) return paint_scene(scene_, request);
+    if (!panels_) panels_.emplace();
+    const Panels panels(request, *panels_);
+    return in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
+        panels.paint(scene_, place, target);
+    });
+}
+
+}  // namespace steplab

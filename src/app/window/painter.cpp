@@ -1,0 +1,119 @@
+#include "app/window/painter.hpp"
+
+#include "app/window/priority.hpp"
+#include "render/motion.hpp"
+#include "render/scene_renderer.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace steplab {
+
+using Clock = std::chrono::steady_clock;
+
+/// What belongs to the painter's context: the renderer and what is drawn into.
+class Painting {
+public:
+    std::vector<std::uint8_t> draw(const PaintJob& job) {
+        if (!target_ || target_->size() != job.size) target_.emplace(job.size);
+        renderer_.draw(moment(job), job.style, job.camera, *target_);
+        return target_->read();
+    }
+
+private:
+    const Frame& moment(const PaintJob& job) {
+        if (!job.from) return job.view->frame;
+        render::between(job.from->frame, job.view->frame, job.fraction, between_);
+        return between_;
+    }
+
+    Frame between_;
+    render::SceneRenderer renderer_;
+    std::optional<render::RenderTarget> target_;
+};
+
+ScenePainter::ScenePainter(void (*wake)()) : wake_(wake) {
+    thread_ = std::thread([this] { work(); });
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return started_ || failure_; });
+    if (!failure_) return;
+    lock.unlock();
+    thread_.join();
+    std::rethrow_exception(failure_);
+}
+
+ScenePainter::~ScenePainter() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void ScenePainter::ask(const PaintJob& job) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (last_ == job) return;
+        last_ = asked_ = job;
+    }
+    changed_.notify_all();
+}
+
+bool ScenePainter::take(Painted& picture) {
+    const std::lock_guard lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+    if (!fresh_) return false;
+    std::swap(picture, ready_);
+    fresh_ = false;
+    return true;
+}
+
+void ScenePainter::work() {
+    give_way();
+    context_.make_current();
+    try {
+        Painting painting;
+        {
+            const std::lock_guard lock(mutex_);
+            started_ = true;
+        }
+        changed_.notify_all();
+        draw_jobs(painting);
+    } catch (...) {
+        const std::lock_guard lock(mutex_);
+        failure_ = std::current_exception();
+    }
+    changed_.notify_all();
+    wake_();
+    context_.release();
+}
+
+/// Until the window closes.
+void ScenePainter::draw_jobs(Painting& painting) {
+    while (const auto job = next_job()) {
+        const auto begin = Clock::now();
+        Painted picture{painting.draw(*job), job->size, 0};
+        picture.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        finish(picture);
+    }
+}
+
+/// Waits for a job; none once the painter is to stop.
+std::optional<PaintJob> ScenePainter::next_job() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return stopping_ || asked_; });
+    if (stopping_) return std::nullopt;
+    return std::exchange(asked_, std::nullopt);
+}
+
+void ScenePainter::finish(Painted& picture) {
+    {
+        const std::lock_guard lock(mutex_);
+        std::swap(ready_, picture);
+        fresh_ = true;
+    }
+    wake_();
+}
+
+}  // namespace steplab

@@ -1,0 +1,75 @@
+#include "app/window/trace.hpp"
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "render/framing.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <system_error>
+#include <vector>
+
+namespace steplab {
+
+void Trace::Close::operator()(std::FILE* file) const {
+    if (file != stdout) std::fclose(file);
+}
+
+Trace::Trace(const std::string& file) {
+    if (file.empty()) return;
+    out_.reset(file == "-" ? stdout : std::fopen(file.c_str(), "w"));
+    if (!out_) {
+        throw FileError(fmt::format("cannot write '{}': {}", file, std::generic_category().message(errno)));
+    }
+}
+
+void Trace::tell(std::string_view name, const std::string& value) {
+    if (!out_) return;
+    const auto told = told_.find(name);
+    if (told != told_.end() && told->second == value) return;
+    told_.insert_or_assign(std::string(name), value);
+    fmt::print(out_.get(), "{} {}\n", name, value);
+    std::fflush(out_.get());
+}
+
+void Trace::tell(const RunView& view) {
+    const RunDescription& run = view.description;
+    tell("model", run.model);
+    tell("method", run.method);
+    tell("precision", std::string(id(run.precision)));
+    tell("dt", number_text(run.dt));
+    tell("command", command_line(run));
+    tell("run", std::to_string(view.run));
+    tell("step", std::to_string(view.frame.step));
+    tell("playing", view.playing ? "true" : "false");
+    tell("rate", view.rate.as_fast_as_possible ? "fastest" : number_text(view.rate.seconds_per_second));
+    tell("tracked", view.tracked ? std::to_string(view.tracked->particle) : "none");
+    tell("diverged", view.divergence ? std::to_string(view.divergence->step) : "no");
+    tell("cloud", view.cloud.runs == 0       ? "none"
+                  : view.frame.cloud.empty() ? "being computed"
+                                             : number_text(view.cloud_reading.largest));
+    tell("error", view.error.empty() ? "none" : view.error);
+}
+
+void Trace::tell(const render::Camera& camera) { tell("camera", render::view_text(camera)); }
+
+void Trace::tell(const ui::WidgetMap& widgets, bool last_frame) {
+    if (!out_) return;
+    std::vector<std::string> gone;
+    for (const auto& [line, value] : told_) {
+        if (!line.starts_with("widget ") || value == "gone") continue;
+        const std::string widget = line.substr(7);
+        if (!widgets.contains(widget) && (last_frame || !before_.contains(widget))) gone.push_back(line);
+    }
+    for (const std::string& line : gone) tell(line, "gone");
+    for (const auto& [name, place] : widgets) {
+        const auto before = before_.find(name);
+        if (!last_frame && (before == before_.end() || before->second != place)) continue;
+        tell("widget " + name,
+             fmt::format("{:.0f} {:.0f} {:.0f} {:.0f}", place.left, place.top, place.right, place.bottom));
+    }
+    before_ = widgets;
+}
+
+}  // namespace steplab

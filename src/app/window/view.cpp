@@ -1,0 +1,60 @@
+#include "app/cli/command_line.hpp"
+#include "app/cli/scene_options.hpp"
+#include "app/cli/view_options.hpp"
+#include "app/window/viewer.hpp"
+#include "core/error.hpp"
+#include "ui/keys.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace steplab;
+
+/// How to get a picture of the same scene without a window.
+std::string way_out(const RunDescription& description) {
+    return "`steplab snapshot " + command_line(description) + " --out picture.png` draws without a display";
+}
+
+int open_window(const RunDescription& description, const WindowRequest& request) {
+    std::optional<Viewer> viewer;
+    try {
+        viewer.emplace(description, request);
+    } catch (const GraphicsError& error) {
+        throw GraphicsError(fmt::format("{}; {}", error.what(), way_out(description)));
+    }
+    viewer->run();
+    return static_cast<int>(ExitCode::done);
+}
+
+int run(const std::vector<std::string>& arguments) {
+    CLI::App app("The scene in a window", "steplab-view");
+    app.set_version_flag("--version", std::string("steplab-view ") + STEPLAB_VERSION);
+    SceneOptions scene;
+    ViewOptions options;
+    bool keys = false;
+    options.declare(app);
+    app.add_flag("--keys", keys, "print the table of keys (Markdown) and end");
+    scene.declare(app);
+    if (const auto text = parse(app, arguments)) {
+        print(*text);
+    } else if (keys) {
+        print(ui::key_table());
+    } else {
+        return open_window(scene.description(), options.request());
+    }
+    return static_cast<int>(ExitCode::done);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    prepare_standard_streams();
+    const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
+    return guarded("steplab-view", [&] { return run(arguments); });
+}

@@ -1,0 +1,187 @@
+#include "app/window/viewer.hpp"
+
+#include "app/window/picture.hpp"
+#include "app/window/priority.hpp"
+#include "core/error.hpp"
+#include "render/framing.hpp"
+#include "render/gl.hpp"
+#include "ui/plot/plot_files.hpp"
+
+#include <algorithm>
+#include <future>
+
+namespace steplab {
+namespace {
+
+// Waiting for the display's refresh does nothing under a virtual display: the rate is kept down here.
+constexpr std::chrono::duration<double> frame_time{1.0 / 60};
+// A click reaches the panels in one frame; what it opens has found its size two frames later.
+constexpr int frames_after_input = 3;
+// Pictures of the moments between two steps are drawn only where they take less than this.
+constexpr double slow_picture = 0.05;
+
+double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+/// The run's thread has the priority of the thread that makes it.
+std::unique_ptr<Worker> start_worker(const RunDescription& description) {
+    return std::async(std::launch::async,
+                      [&] {
+                          give_way();
+                          return std::make_unique<Worker>(description);
+                      })
+        .get();
+}
+
+}  // namespace
+
+std::shared_ptr<RunView> ViewPool::free_view() {
+    const auto unused = [](const std::shared_ptr<RunView>& view) { return view.use_count() == 1; };
+    const auto found = std::find_if(views_.begin(), views_.end(), unused);
+    return found != views_.end() ? *found : views_.emplace_back(std::make_shared<RunView>());
+}
+
+void SceneTexture::upload(const Painted& picture) {
+    glBindTexture(GL_TEXTURE_2D, texture_.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const auto [width, height] = picture.size;
+    if (size_ == picture.size) {
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
+        return;
+    }
+    size_ = picture.size;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+Viewer::OpenGl::OpenGl() { render::load_opengl(); }
+
+Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
+    : window_(request.width, request.height, request.scale),
+      interface_(window_.display()),
+      painter_(&Window::wake),
+      trace_(request.trace),
+      worker_(start_worker(description)) {
+    panels_.upload_fonts(interface_.fonts());
+    window_.listen(interface_.input());
+    interface_.use_clipboard({[this] { return window_.pasted(); }, [this](const auto& text) { window_.copy(text); }});
+    worker_->on_view(&Window::wake);
+    if (request.full_screen) window_.toggle_full_screen();
+    take_news();
+    const ui::PixelRect scene = pixels(ui::arrange(window_.display()).scene);
+    if (!request.view.empty()) camera_ = render::camera_of(request.view, view_->frame, {scene.width, scene.height});
+    if (request.playing) worker_->play(true);
+}
+
+void Viewer::run() {
+    while (!quit_ && !window_.closing()) {
+        take_news();
+        if (frames_wanted_ > 0 && Clock::now() - drawn_ >= frame_time) {
+            draw_frame();
+        } else {
+            wait();
+        }
+    }
+}
+
+/// Newer views of the run and pictures of the scene; each wants a frame.
+void Viewer::take_news() {
+    auto newer = pool_.free_view();
+    if (worker_->take(*newer)) {
+        view_ = std::move(newer);
+        interface_.record(*view_);
+        glide_.arrived(view_, Clock::now());
+        frames_wanted_ = std::max(frames_wanted_, 1);
+    }
+    if (painter_.take(painted_)) {
+        scene_.upload(painted_);
+        interface_.show_scene(scene_.name());
+        measured_.frame_seconds = painted_.seconds;
+        frames_wanted_ = std::max(frames_wanted_, 1);
+    }
+}
+
+void Viewer::wait() {
+    const auto now = Clock::now();
+    if (frames_wanted_ > 0) {
+        window_.wait(std::max(1e-4, frame_time.count() - seconds(now - drawn_)));
+    } else {
+        window_.wait(change_ == Clock::time_point::max() ? 1e9 : std::max(1e-3, seconds(change_ - now)));
+    }
+    if (window_.take_touched()) frames_wanted_ = frames_after_input;
+    if (Clock::now() >= change_) frames_wanted_ = std::max(frames_wanted_, 1);
+}
+
+void Viewer::draw_frame() {
+    const auto now = Clock::now();
+    measured_.since_last_frame = std::max(1e-4, seconds(now - drawn_));
+    drawn_ = now;
+    --frames_wanted_;
+    const ui::Display display = window_.display();
+    trace_.tell("size", std::to_string(display.width) + "x" + std::to_string(display.height));
+    if (display.width <= 0 || display.height <= 0) return;  // minimised
+    if (interface_.resize(display)) panels_.upload_fonts(interface_.fonts());
+    interface_.draw(*view_, *worker_, {camera_, style_}, measured_);
+    ask_for_scene(now);
+    draw_panels(display);
+    for (const ui::Request& request : interface_.take_requests()) carry_out(request);
+    window_.show_picture();
+    const double still = interface_.seconds_until_change();
+    if (still <= 0) frames_wanted_ = frames_after_input;
+    change_ = still < 1e6 ? now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(still))
+                          : Clock::time_point::max();
+    tell();
+}
+
+void Viewer::ask_for_scene(Clock::time_point now) {
+    const ui::PixelRect scene = interface_.scene();
+    const bool gliding = measured_.frame_seconds < slow_picture && glide_.gliding(now);
+    const auto from = gliding ? glide_.from(now) : nullptr;
+    painter_.ask({view_, from, gliding ? glide_.fraction(now) : 1, style_, camera_, {scene.width, scene.height}});
+    if (gliding) frames_wanted_ = std::max(frames_wanted_, 1);
+}
+
+void Viewer::draw_panels(const ui::Display& display) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glViewport(0, 0, display.width, display.height);
+    glClearColor(0.06f, 0.07f, 0.09f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    panels_.draw(interface_.draw_data());
+}
+
+void Viewer::carry_out(const ui::Request& request) {
+    switch (request.kind) {
+        case ui::Request::Kind::save_picture:
+            return save_picture(request);
+        case ui::Request::Kind::copy_text:
+            window_.copy(request.text);
+            return trace_.tell("copied", request.text);
+        case ui::Request::Kind::full_screen:
+            return window_.toggle_full_screen();
+        case ui::Request::Kind::quit:
+            quit_ = true;
+    }
+}
+
+/// Draws the frame again into a picture of its own: what other windows cover is not in the window's buffer.
+void Viewer::save_picture(const ui::Request& request) {
+    const std::string name = request.file.empty() ? ui::free_name({}, view_->description.model, "png") : request.file;
+    const ui::Display display = window_.display();
+    try {
+        write_panels(panels_, interface_.draw_data(), {display.width, display.height}, request.part, name);
+        interface_.notify("saved " + name);
+    } catch (const Error& error) {
+        interface_.complain(error.what());
+    }
+    frames_wanted_ = std::max(frames_wanted_, 1);
+    trace_.tell("saved", name);
+}
+
+void Viewer::tell() {
+    if (!trace_.wanted()) return;
+    trace_.tell(*view_);
+    trace_.tell(camera_);
+    trace_.tell(interface_.widgets(), frames_wanted_ == 0);
+}
+
+}  // namespace steplab

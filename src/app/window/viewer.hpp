@@ -1,0 +1,90 @@
+#pragma once
+
+#include "app/cli/view_options.hpp"
+#include "app/window/painter.hpp"
+#include "app/window/trace.hpp"
+#include "app/window/window.hpp"
+#include "render/gl_objects.hpp"
+#include "render/imgui_renderer.hpp"
+#include "sim/run/worker.hpp"
+#include "ui/glide.hpp"
+#include "ui/interface.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace steplab {
+
+/// Views of a run that go round: one that somebody still looks at is not written to.
+class ViewPool {
+public:
+    /// One that nobody holds.
+    std::shared_ptr<RunView> free_view();
+
+private:
+    std::vector<std::shared_ptr<RunView>> views_;
+};
+
+/// The newest picture of the scene as a texture of the window's context.
+class SceneTexture {
+public:
+    void upload(const Painted& picture);
+    std::uint32_t name() const { return texture_.id(); }
+
+private:
+    render::Texture texture_;
+    render::PictureSize size_{0, 0};
+};
+
+/// The window's program: the worker computes, the painter draws the scene, and this thread draws the panels over the
+/// newest picture and hands on what the person does. It sleeps while nothing happens.
+class Viewer {
+public:
+    /// Throws GraphicsError where there is no display, no OpenGL 3.3 or no shader.
+    Viewer(const RunDescription& description, const WindowRequest& request);
+
+    /// Until the window is closed.
+    void run();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    /// The window's OpenGL; made after the window and before everything that draws.
+    struct OpenGl {
+        OpenGl();
+    };
+
+    void take_news();
+    void wait();
+    void draw_frame();
+    void ask_for_scene(Clock::time_point now);
+    void draw_panels(const ui::Display& display);
+    void carry_out(const ui::Request& request);
+    void save_picture(const ui::Request& request);
+    void tell();
+
+    WindowSystem system_;
+    Window window_;
+    OpenGl opengl_;
+    ui::Interface interface_;
+    render::ImguiRenderer panels_;
+    SceneTexture scene_;
+    Painted painted_;
+    ScenePainter painter_;
+    Trace trace_;
+    ViewPool pool_;
+    std::unique_ptr<Worker> worker_;
+    std::shared_ptr<RunView> view_;
+    ui::Glide glide_;
+    render::Camera camera_;
+    render::Style style_;
+    ui::Measured measured_;
+    Clock::time_point drawn_ = Clock::now();               ///< when the last frame was begun
+    Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes by itself
+    int frames_wanted_ = 3;
+    bool quit_ = false;
+};
+
+}  // namespace steplab

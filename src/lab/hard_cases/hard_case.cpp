@@ -1,0 +1,115 @@
+#include "lab/hard_cases/hard_case.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab {
+
+Simulation Trial::with(std::string_view method) const {
+    RunDescription description = with_method(run, method);
+    ParameterValues& parameters = description.method_parameters;
+    if (steplab::method(method).info.adaptive) parameters.set("tolerance", tolerance);
+    if (parameters.contains("compensated")) parameters.set("compensated", compensated ? 1 : 0);
+    Simulation simulation(description);
+    prepare(simulation);
+    return simulation;
+}
+
+Trial trial(std::string_view model, Settings settings, double dt, double time) {
+    Trial trial{.run = describe(model, "rk4"), .time = time};
+    for (const auto& [name, value] : settings) trial.run.scene.set(name, value);
+    trial.run.dt = dt;
+    return trial;
+}
+
+bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Look& look) {
+    const std::uint64_t looks = std::min(moments, steps);
+    for (std::uint64_t i = 1; i <= looks; ++i) {
+        simulation.advance(steps * i / looks - simulation.step());
+        if (i == looks) simulation.conclude();
+        if (simulation.divergence()) return false;
+        look(simulation);
+    }
+    return true;
+}
+
+double limit_of(const Method& method) { return linear_limit(method.info, ParameterValues(method.info.parameters)); }
+
+bool has_limit(const Method& method) {
+    return !method.info.adaptive && limit_of(method) > 0 && std::isfinite(limit_of(method));
+}
+
+Table over_methods(std::span<const Column> columns) {
+    Table table{{"method"}, {}};
+    for (const Column& column : columns) table.head.push_back(column.head);
+    for (const Method& method : methods()) {
+        std::vector<std::string> row{fmt::format("`{}`", method.info.id)};
+        for (const Column& column : columns) {
+            try {
+                row.push_back(column.cell(method));
+            } catch (const UsageError&) {
+                row.emplace_back("refuses the scene");
+            }
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+std::string number_cell(double value, double least) {
+    if (!std::isfinite(value)) return "no number";
+    if (std::abs(value) < least) return fmt::format("< {:.0e}", least);
+    return std::abs(value) >= 0.01 && std::abs(value) < 100 ? fmt::format("{:.2g}", value)
+                                                            : fmt::format("{:.1e}", value);
+}
+
+std::string divergence_cell(const Simulation& simulation) {
+    return fmt::format("blows up at t = {:.2g}", simulation.divergence()->time);
+}
+
+std::string energy_cell(const Trial& trial, const Method& method, double scale, double least) {
+    Simulation simulation = trial.with(method.info.id);
+    double worst = 0;
+    const bool whole = watched(simulation, trial.steps(), 64,
+                               [&](Simulation& s) { worst = std::max(worst, std::abs(s.energy_error()) / scale); });
+    return whole ? number_cell(worst, least) : divergence_cell(simulation);
+}
+
+Column energy_column(std::string head, const Trial& trial, double scale, double least) {
+    return {std::move(head), [=](const Method& method) { return energy_cell(trial, method, scale, least); }};
+}
+
+Column end_column(std::string head, const Trial& trial, const std::function<std::string(Simulation&)>& found) {
+    return {std::move(head), [=](const Method& method) {
+                Simulation simulation = trial.with(method.info.id);
+                const bool whole = watched(simulation, trial.steps(), 1, [](Simulation&) {});
+                return whole ? found(simulation) : divergence_cell(simulation);
+            }};
+}
+
+Curve curve_over_time(const Trial& trial, std::string_view method, int colour,
+                      const std::function<double(const Simulation&)>& y, std::uint64_t moments) {
+    Curve curve{.name = std::string(method), .points = {}, .colour = colour, .marks = false};
+    Simulation simulation = trial.with(method);
+    watched(simulation, trial.steps(), moments,
+            [&](const Simulation& s) { curve.points.emplace_back(s.time(), y(s)); });
+    return curve;
+}
+
+std::vector<Curve> energy_curves_of(const Trial& trial, std::span<const std::string_view> methods, double scale) {
+    std::vector<Curve> curves;
+    for (const std::string_view method : methods) {
+        double worst = 0;
+        const auto largest_so_far = [&](const Simulation& simulation) {
+            return worst = std::max(worst, std::abs(simulation.energy_error()) / scale);
+        };
+        curves.push_back(curve_over_time(trial, method, static_cast<int>(curves.size()), largest_so_far));
+    }
+    return curves;
+}
+
+}  // namespace steplab

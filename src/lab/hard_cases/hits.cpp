@@ -1,0 +1,270 @@
+#include "lab/hard_cases/hits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::string_view of_each_kind[] = {"velocity-verlet", "pefrl",  "srkn-11b",  "rk4",
+                                             "dopri5",          "dop853", "rkn-12-10", "gauss-16"};
+
+Figure energy_figure(const Trial& trial, double scale = 1) {
+    return {.x = linear_axis("time [s]"),
+            .y = {.label = "largest |energy error| so far [J]"},
+            .curves = energy_curves_of(trial, of_each_kind, scale)};
+}
+
+std::string collisions_cell(Simulation& simulation) {
+    const CollisionRecord record = simulation.collisions();
+    if (record.count() == 0) return "–";
+    return fmt::format("{}, the first at {:.4g}", record.count(), record.kept().front().time);
+}
+
+std::string evaluations_cell(Simulation& simulation) {
+    return fmt::format("{:.2g}", static_cast<double>(simulation.evaluations()));
+}
+
+std::string error_cell(Simulation& simulation) {
+    const auto error = simulation.diagnostics().error;
+    return error ? number_cell(*error) : "not known";
+}
+
+Curve error_curve(const Trial& trial, std::string_view method, int colour) {
+    return curve_over_time(trial, method, colour, [](const Simulation& simulation) {
+        return std::max(1e-15, simulation.diagnostics().error.value_or(0));
+    });
+}
+
+Figure error_figure(const Trial& trial) {
+    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "error of a position [m]"}, .curves = {}};
+    for (const std::string_view method : of_each_kind)
+        figure.curves.push_back(error_curve(trial, method, static_cast<int>(figure.curves.size())));
+    return figure;
+}
+
+// ---- neighbours that pass each other
+
+Trial passing(double dt) { return trial("chain", {{"n", 3}, {"L", 1}, {"v0", 5}}, dt, 10); }
+
+Table passing_table() {
+    const Column columns[] = {energy_column("dt 0.01: energy error", passing(0.01)),
+                              energy_column("dt 0.001", passing(0.001)),
+                              end_column("collisions found", passing(0.01), collisions_cell)};
+    return over_methods(columns);
+}
+
+// ---- a mesh that folds
+
+Trial folding() { return trial("mesh", {{"v0", 40}}, 0.02, 7); }
+
+/// Springs of the mesh that point backwards.
+std::size_t turned_over(const Simulation& simulation) {
+    const Frame frame = simulation.frame();
+    const auto& springs = frame.shape->springs;
+    return static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), [&](const auto& spring) {
+        const Vec3 rest = frame.shape->rest[spring.second] - frame.shape->rest[spring.first];
+        return dot(rest, frame.positions[spring.second] - frame.positions[spring.first]) < 0;
+    }));
+}
+
+Table folding_table() {
+    const auto most_turned = [](const Method& method) {
+        const Trial trial = folding();
+        Simulation simulation = trial.with(method.info.id);
+        std::size_t most = 0;
+        watched(simulation, trial.steps(), 100, [&](Simulation& s) { most = std::max(most, turned_over(s)); });
+        return std::to_string(most);
+    };
+    Trial fine = folding();
+    fine.run.dt /= 4;
+    fine.tolerance = 1e-12;
+    const Column columns[] = {{"springs turned over at most", most_turned},
+                              energy_column("dt 0.02, tolerance 1e-9: energy error", folding()),
+                              energy_column("dt 0.005, tolerance 1e-12", fine)};
+    return over_methods(columns);
+}
+
+// ---- grazing hits
+
+Trial grazing(double aside) {
+    Trial hit = trial("morse", {{"edge", 1}, {"v0", 1}}, 0.01, 20);
+    hit.prepare = [aside](Simulation& simulation) {
+        if (aside > 0) simulation.pull(0, {0, aside, 0});
+    };
+    return hit;
+}
+
+Table grazing_table() {
+    std::vector<Column> columns;
+    for (const double aside : {0.3, 1e-2, 1e-4, 1e-9, 0.0}) {
+        columns.push_back(
+            energy_column(aside > 0 ? fmt::format("aside {:g}: energy error", aside) : "head on", grazing(aside)));
+    }
+    return over_methods(columns);
+}
+
+Figure grazing_figure() {
+    Figure figure{.x = {.label = "how far the bullet aims aside [m]"},
+                  .y = {.label = "largest |energy error| [J]"},
+                  .curves = {}};
+    for (const std::string_view method : of_each_kind) {
+        Curve curve{.name = std::string(method), .points = {}, .colour = static_cast<int>(figure.curves.size())};
+        for (double aside = 1; aside > 1e-7; aside /= 10) {
+            const Curve energy = energy_curves_of(grazing(aside), std::span(&method, 1)).front();
+            curve.points.emplace_back(aside, std::max(1e-16, energy.points.back().second));
+        }
+        figure.curves.push_back(std::move(curve));
+    }
+    return figure;
+}
+
+// ---- the threshold of escape
+
+/// Kinetic energy equal to the depth of the potential where it starts: the particles repel each other and part, slower
+/// and slower, for ever.
+Trial escape(Precision precision) {
+    constexpr double r0 = 4, b = 0.5;  // k = 0.5, D = 1
+    const double e = std::exp(-b * (10 - r0));
+    Trial trial = steplab::trial("morse", {{"edge", 1}, {"r0", r0}, {"v0", std::sqrt(4 * e * (2 - e))}}, 0.1, 2000);
+    trial.run.precision = precision;
+    trial.tolerance = precision == Precision::float_ ? 1e-6 : 1e-9;
+    return trial;
+}
+
+double separation(const Simulation& simulation) {
+    const State<double>& state = simulation.state();
+    return length(state.displacement.at(0) - state.displacement.at(1));
+}
+
+/// Where they are at the end, and whether they have come nearer again.
+Column fate_column(std::string head, const Trial& trial) {
+    return {std::move(head), [trial](const Method& method) {
+                Simulation simulation = trial.with(method.info.id);
+                double farthest = 0;
+                const bool whole = watched(simulation, trial.steps(), 500, [&](const Simulation& s) {
+                    if (s.time() > 20) farthest = std::max(farthest, separation(s));
+                });
+                if (!whole) return divergence_cell(simulation);
+                const bool back = separation(simulation) < 0.999 * farthest;
+                return fmt::format("{:.3g}{}", separation(simulation), back ? ", turned back" : "");
+            }};
+}
+
+Table escape_table() {
+    const Trial in_double = escape(Precision::double_);
+    const Column columns[] = {fate_column("distance at t = 2000", in_double),
+                              end_column("error", in_double, error_cell), energy_column("energy error / D", in_double),
+                              fate_column("distance in float", escape(Precision::float_))};
+    return over_methods(columns);
+}
+
+Figure escape_figure() {
+    Figure figure{.x = linear_axis("time [s]"),
+                  .y = linear_axis("distance of the particles [m]", std::pair(0, 45)),
+                  .curves = {}};
+    const auto add = [&](Precision precision, std::string_view method) {
+        const bool in_float = precision == Precision::float_;
+        Curve curve =
+            curve_over_time(escape(precision), method, static_cast<int>(figure.curves.size()), separation, 200);
+        if (in_float) curve.name += ", float";
+        curve.dashed = in_float;
+        figure.curves.push_back(std::move(curve));
+    };
+    for (const std::string_view method : {"gauss-16", "velocity-verlet", "rk4", "implicit-midpoint", "tr-bdf2"})
+        add(Precision::double_, method);
+    for (const std::string_view method : {"srkn-11b", "rk4", "taylor"}) add(Precision::float_, method);
+    return figure;
+}
+
+// ---- deep repulsion
+
+constexpr double deep = 1000;
+
+/// Two hard cores (b = 5) that run into each other with a thousand times the well's depth.
+Trial deep_hit(double dt) {
+    return trial("morse", {{"edge", 1}, {"k", 50}, {"r0", 2}, {"v0", std::sqrt(4 * deep)}}, dt, 0.3);
+}
+
+Table deep_table() {
+    const Column columns[] = {energy_column("dt 0.0005: energy error / 1000 D", deep_hit(5e-4), deep),
+                              end_column("error at the end", deep_hit(5e-4), error_cell),
+                              energy_column("dt 0.01: energy error / 1000 D", deep_hit(0.01), deep),
+                              end_column("error at the end", deep_hit(0.01), error_cell)};
+    return over_methods(columns);
+}
+
+// ---- the cube that collides
+
+Trial cube() {
+    Trial trial = steplab::trial("morse", {{"v0", 1.5}}, 0.01, 2.5);
+    trial.tolerance = 1e-10;
+    return trial;
+}
+
+Table cube_table() {
+    const Column columns[] = {energy_column("energy error", cube()),
+                              end_column("evaluations", cube(), evaluations_cell),
+                              end_column("collisions found", cube(), collisions_cell)};
+    return over_methods(columns);
+}
+
+// ---- at one place
+
+/// Two particles that part from one place; or all eight of a cube so near that only the last digits tell them apart.
+Trial parting() {
+    Trial trial = steplab::trial("morse", {{"edge", 1}}, 0.01, 2);
+    trial.prepare = [](Simulation& simulation) { simulation.pull(0, simulation.frame().positions[1]); };
+    return trial;
+}
+Trial nearly_coincident(double spacing) {
+    return steplab::trial("morse", {{"edge", 2}, {"spacing", spacing}}, 0.01, 2);
+}
+
+Table coincident_table() {
+    const Column columns[] = {energy_column("two that part from one place: energy error", parting()),
+                              energy_column("eight 1e-3 apart", nearly_coincident(1e-3)),
+                              energy_column("eight 1e-9 apart", nearly_coincident(1e-9))};
+    return over_methods(columns);
+}
+
+}  // namespace
+
+HardCase passing_neighbours() {
+    return {"passing", "A chain of three, kicked hard: energy error; the neighbours pass each other at t = 4.9 and 6.0",
+            passing_table, [] { return energy_figure(passing(0.01)); }};
+}
+
+HardCase folding_mesh() {
+    return {"folding", "A mesh that folds: energy error", folding_table, [] { return energy_figure(folding()); }};
+}
+
+HardCase grazing_hits() {
+    return {"grazing", "Two particles that pass each other at t = 9: energy error against how closely", grazing_table,
+            grazing_figure};
+}
+
+HardCase escape_threshold() {
+    return {"escape", "Distance of two particles with exactly the energy of escape (dashed: float)", escape_table,
+            escape_figure};
+}
+
+HardCase deep_repulsion() {
+    return {"deep", "Error of a collision with a thousand times the well's depth, dt 0.0005", deep_table,
+            [] { return error_figure(deep_hit(5e-4)); }};
+}
+
+HardCase colliding_cube() {
+    return {"cube", "The Morse cube of spacing 0.5, whose particles collide from t = 0.94 on: energy error", cube_table,
+            [] { return energy_figure(cube()); }};
+}
+
+HardCase coincident_particles() {
+    return {"coincident", "Eight Morse particles that start 1e-9 apart: energy error", coincident_table,
+            [] { return energy_figure(nearly_coincident(1e-9)); }};
+}
+
+}  // namespace steplab

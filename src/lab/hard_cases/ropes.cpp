@@ -1,0 +1,156 @@
+#include "lab/hard_cases/ropes.hpp"
+
+#include "lab/study/lyapunov.hpp"
+#include "lab/study/reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+// ---- stiff ropes
+
+constexpr double stiff = 2e7;
+
+/// Without drag, for long enough that the end whips round once.
+Trial whip() { return trial("rope", {{"k", stiff}, {"c", 0}}, 0.01, 1.5); }
+/// A heavy rope with drag, until e^-27 of its slowest motion is left.
+Trial settling() { return trial("rope", {{"k", stiff}, {"m", 30}, {"c", 90}}, 0.01, 18); }
+/// A light rope in strong drag: its springs settle in a tenth of a millisecond, it sinks in a minute.
+Trial sinking() { return trial("rope", {{"k", stiff}, {"m", 0.003}, {"c", 3}}, 0.01, 0.5); }
+
+constexpr double whip_energy = 60;  // what gravity gives the rope when it falls by its length
+
+/// The whip at 0.9 of the method's own limit.
+std::string own_step_cell(const Method& method) {
+    if (!has_limit(method)) return "–";
+    Trial trial = whip();
+    trial.run.dt = 0.9 * stability_limit(with_method(trial.run, method.info.id))->limit;
+    return energy_cell(trial, method, whip_energy, 1e-12);
+}
+
+double distance_from_rest(const Simulation& simulation) {
+    return error_against(*resting_reference(simulation.description()), simulation.state().displacement);
+}
+
+/// The far end of the sinking rope, as a run of high order in short steps has it.
+Vec3 end_of(const Simulation& simulation) {
+    const State<double>& state = simulation.state();
+    return state.displacement.at(state.displacement.count() - 1);
+}
+
+Column sinking_column() {
+    Trial fine = sinking();
+    fine.tolerance = 1e-13;
+    Simulation right = fine.with("rkn-12-10");
+    right.advance(fine.steps());
+    return end_column(
+        "overdamped, t = 0.5: error of its end", sinking(),
+        [end = end_of(right)](Simulation& simulation) { return number_cell(length(end_of(simulation) - end), 1e-11); });
+}
+
+Table stiff_table() {
+    const Column columns[] = {
+        energy_column("whip without drag, dt 0.01: energy error", whip(), whip_energy, 1e-12),
+        {"at 0.9 of its own limit", own_step_cell},
+        end_column("with drag, t = 18: distance from rest", settling(),
+                   [](Simulation& simulation) { return number_cell(distance_from_rest(simulation), 1e-10); }),
+        sinking_column()};
+    return over_methods(columns);
+}
+
+Figure stiff_figure() {
+    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "distance from rest [m]"}, .curves = {}};
+    for (const char* method : {"dop853", "tr-bdf2", "implicit-midpoint"})
+        figure.curves.push_back(
+            curve_over_time(settling(), method, static_cast<int>(figure.curves.size()), distance_from_rest));
+    return figure;
+}
+
+// ---- chaos
+
+const std::vector<double> chaos_times{2, 5, 10, 18};
+
+Trial chaotic() {
+    Trial trial = steplab::trial("rope", {{"c", 0}}, 0.005, chaos_times.back());
+    trial.tolerance = 1e-11;
+    return trial;
+}
+
+Reference chaos_reference(const std::vector<double>& times) {
+    return reference(chaotic().run, times, {.most_particle_evaluations = 1e7});
+}
+
+/// A row of errors at the times asked for.
+std::vector<double> errors_at(const Method& method, const Reference& reference) {
+    const Trial trial = chaotic();
+    Simulation simulation = trial.with(method.info.id);
+    std::vector<double> errors;
+    for (const ReferenceMoment& moment : reference.moments) {
+        simulation.advance(steps_until(moment.time, trial.run.dt) - simulation.step());
+        if (simulation.divergence()) break;
+        errors.push_back(error_against(moment, simulation.state().displacement));
+    }
+    return errors;
+}
+
+Table chaos_table() {
+    const Reference right = chaos_reference(chaos_times);
+    std::map<std::string_view, std::vector<double>> errors;
+    for (const Method& method : methods()) errors[method.info.id] = errors_at(method, right);
+    std::vector<Column> columns;
+    for (std::size_t i = 0; i < chaos_times.size(); ++i) {
+        columns.push_back({fmt::format("error at t = {:g}", chaos_times[i]), [i, &errors](const Method& method) {
+                               const std::vector<double>& all = errors.at(method.info.id);
+                               return i < all.size() ? number_cell(all[i], 1e-12) : "blew up";
+                           }});
+    }
+    return over_methods(columns);
+}
+
+Figure chaos_figure() {
+    std::vector<double> times;
+    for (int i = 1; i <= 30; ++i) times.push_back(0.6 * i);
+    const Reference right = chaos_reference(times);
+    Figure figure{
+        .x = linear_axis("time [s]"), .y = {.label = "error of a position [m]", .range = {{1e-16, 100}}}, .curves = {}};
+    const auto add = [&](std::string name, const std::vector<double>& values) {
+        Curve curve{
+            .name = std::move(name), .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
+        for (std::size_t i = 0; i < values.size(); ++i) curve.points.emplace_back(times[i], values[i]);
+        figure.curves.push_back(std::move(curve));
+    };
+    for (const char* id : {"velocity-verlet", "pefrl", "srkn-11b", "rk4", "dop853", "gauss-16"})
+        add(id, errors_at(method(id), right));
+    const Scene scene = model("rope").scene(chaotic().run.scene);
+    const double exponent = lyapunov_exponent(scene, model("rope").shape(chaotic().run.scene), times.back()).exponent;
+    std::vector<double> growth, certain;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        growth.push_back(1e-16 * std::exp(exponent * times[i]));
+        certain.push_back(right.moments[i].error);
+    }
+    add(fmt::format("e^({:.1f} t)", exponent), growth);
+    figure.curves.back().dashed = true;
+    add("the reference", certain);
+    figure.curves.back().dashed = true;
+    return figure;
+}
+
+}  // namespace
+
+HardCase stiff_rope() {
+    return {"stiff-rope", "A rope of k = 2e7 1/s² comes to rest: distance from the exact place", stiff_table,
+            stiff_figure};
+}
+
+HardCase chaos() {
+    return {"chaos", "A rope that whips without drag: errors grow as e^(λt)", chaos_table, chaos_figure};
+}
+
+}  // namespace steplab

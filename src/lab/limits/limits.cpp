@@ -1,0 +1,162 @@
+#include "lab/limits/limits.hpp"
+
+#include "core/error.hpp"
+#include "lab/limits/limit_search.hpp"
+#include "lab/limits/mode_run.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/run/linear_limit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+/// Frequencies of a damped scene that are asked; a scene with more of them is sampled.
+constexpr std::size_t most_frequencies = 64;
+/// Steps of a run: enough to see the growth just above theory's limit, if a scene of so many particles allows.
+constexpr double fewest_steps = 1024, most_particle_steps = 4e8;
+/// Where theory and measurement agree no better, the note says why.
+constexpr double agreement = 1e-3;
+
+/// What theory says of a method in one mode, just above its limit: the dt at which to look, and how fast the mode grows
+/// there. A resonance may be narrow, so the best of several is taken, all as near as runs and theory are to agree.
+struct Above {
+    double dt = 0;
+    double log_growth = 0;  ///< logarithm of a step's factor
+};
+
+Above just_above(const Method& method, const ParameterValues& parameters, double omega, double gamma, double limit) {
+    Above best;
+    if (!(limit > 0 && limit < infinity)) return best;
+    for (const double factor : {1.0001, 1.0002, 1.0005, 1.001}) {
+        const double growth = std::log(step_growth(method, parameters, omega, gamma, factor * limit));
+        if (!(growth < best.log_growth)) best = {factor * limit, growth};
+    }
+    return best;
+}
+
+/// Enough to see growth a quarter as fast.
+std::uint64_t steps_of_a_run(const Above& above, double evaluations, std::size_t particles) {
+    const double most = most_particle_steps / (static_cast<double>(particles) * std::max(1.0, evaluations));
+    const double wanted = above.log_growth > 0 ? 0.8 / above.log_growth : fewest_steps;
+    return static_cast<std::uint64_t>(std::max(fewest_steps, std::min(wanted, most)));
+}
+
+double measured(const ModeRun& run, const LimitSearch& search) {
+    return search.limit(run.most_at_once(), [&](std::span<GrowthQuestion> questions) { run.answer(questions); });
+}
+
+bool agree(double theory, double measured) {
+    if (theory == 0 || std::isinf(theory)) return theory == measured;
+    return std::abs(measured / theory - 1) <= agreement;
+}
+
+std::string percent(double ratio) { return fmt::format("{:+.2g} %", 100 * (ratio - 1)); }
+
+/// Why the two differ, as far as the run can tell.
+std::string disagreement(const ModeRun& run, Precision precision, double theory, double measured) {
+    if (const double nonlinear = run.nonlinearity(); nonlinear > 0.01) {
+        return fmt::format(
+            "the force is not smooth at the start (off its derivative by {:.2g} %): theory does not hold",
+            100 * nonlinear);
+    }
+    const std::string far = theory > 0 && measured > 0 && std::isfinite(measured) && std::isfinite(theory)
+                                ? percent(measured / theory) + " from theory"
+                                : "not what theory says";
+    if (precision == Precision::float_) return far + ": float's rounding is no small part of the vibration";
+    return far + ": the method's steps are not those of its linear theory";
+}
+
+}  // namespace
+
+std::optional<double> Limit::ratio() const {
+    if (!theory || !measured || !(*theory > 0) || std::isinf(*theory) || std::isinf(*measured)) return std::nullopt;
+    return *measured / *theory;
+}
+
+StabilityLab::StabilityLab(const RunDescription& description)
+    : scene_(balanced(model(description.model).scene(as_held(description).scene))),
+      spacing_(model(description.model).shape(as_held(description).scene).spacing),
+      linearised_(scene_, model(description.model).shape(as_held(description).scene)),
+      modes_(modes(linearised_)) {}
+
+double StabilityLab::omega_max() const { return highest_frequency(modes_); }
+
+std::vector<StabilityLab::Oscillation> StabilityLab::oscillations() const {
+    const Eigen::Index count = modes_.values.size();
+    std::vector<Oscillation> all;
+    if (count == 0) return all;
+    const double zero = 1e-10 * std::abs(modes_.values[count - 1]);  // rounding of an eigenvalue 0
+    const auto samples = std::min(static_cast<Eigen::Index>(most_frequencies), count);
+    for (Eigen::Index sample = 0; sample < samples; ++sample) {
+        const Eigen::Index mode = samples == 1 ? count - 1 : sample * (count - 1) / (samples - 1);
+        const double omega2 = modes_.values[mode];
+        if (omega2 < -zero) continue;  // departs by itself, whatever the method
+        all.push_back({omega2 < zero ? 0 : std::sqrt(omega2), mode, infinity});
+    }
+    return all;
+}
+
+/// The oscillation that grows at the smallest dt. Without drag that is the fastest.
+StabilityLab::Oscillation StabilityLab::first_to_grow(const Method& method, const ParameterValues& parameters) const {
+    const std::vector<Oscillation> all = oscillations();
+    Oscillation first{};
+    for (auto other = all.rbegin(); other != all.rend(); ++other) {
+        const double limit = linear_limit(method, parameters, other->omega, scene_.drag);
+        if (other == all.rbegin() || limit < first.limit) first = {other->omega, other->mode, limit};
+        if (scene_.drag == 0) break;
+    }
+    return first;
+}
+
+double StabilityLab::departure() const {
+    return modes_.values.size() > 0 ? std::sqrt(std::max(0.0, -modes_.values[0])) : 0;
+}
+
+Limit StabilityLab::limit(const RunDescription& description) const {
+    const RunDescription held = as_held(description);
+    const Method& method = steplab::method(held.method);
+    Limit limit{.description = held, .omega_max = omega_max(), .theory = infinity, .measured = infinity, .note = {}};
+    if (method.info.adaptive) {
+        limit.note = "chooses its steps";
+    } else if (omega_max() == 0 && scene_.drag == 0) {
+        limit.note = "nothing oscillates";
+    } else {
+        find(limit, method);
+    }
+    return limit;
+}
+
+void StabilityLab::find(Limit& limit, const Method& method) const {
+    const RunDescription& held = limit.description;
+    const Oscillation first = first_to_grow(method, held.method_parameters);
+    limit.theory = first.limit;
+    limit.measured.reset();
+    if (method.info.curiosity) {
+        limit.note = "kept to show a mistake: not measured";
+        return;
+    }
+    if (std::isinf(first.limit) &&
+        (held.precision == Precision::float_ || held.method_parameters.contains("tolerance"))) {
+        limit.note = held.precision == Precision::float_ ? "stable at any dt: in float not measured"
+                                                         : "cuts its steps where it must: not measured";
+        return;
+    }
+    // float keeps 7 digits of a pair's distance: its vibrations are larger
+    const double size = (held.precision == Precision::float_ ? 1e-3 : 1e-6) * spacing_;
+    const ModeRun run(method, held.method_parameters, held.precision, scene_,
+                      linearised_.field(modes_.vectors.col(first.mode)), first.omega, size, departure());
+    const Above above = just_above(method, held.method_parameters, first.omega, scene_.drag, first.limit);
+    const std::uint64_t steps =
+        steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count);
+    limit.measured =
+        measured(run, {.expected = first.limit, .above = above.dt, .time_scale = run.time_scale(), .steps = steps});
+    if (!agree(first.limit, *limit.measured))
+        limit.note = disagreement(run, held.precision, first.limit, *limit.measured);
+}
+
+}  // namespace steplab

@@ -1,0 +1,135 @@
+#include "lab/report/figures.hpp"
+
+#include "lab/study/answers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+constexpr const char* baseline = "rk4";
+
+enum class Against { time, evaluations };
+
+std::vector<Measurement> of_precision(const Study& study, Precision precision) {
+    std::vector<Measurement> runs;
+    std::copy_if(study.runs.begin(), study.runs.end(), std::back_inserter(runs),
+                 [&](const Measurement& run) { return run.run.precision == precision; });
+    return runs;
+}
+
+Curve error_curve(const Study& study, const std::string& method, Precision precision, Against against,
+                  bool by_tolerance) {
+    Curve curve{.name = method, .points = {}};
+    for (const Measurement& run : study.runs) {
+        if (run.run.method != method || run.run.precision != precision || run.diverged || !run.wall_seconds ||
+            chooses_its_steps(run.run) != by_tolerance)
+            continue;
+        const double cost = against == Against::time ? *run.wall_seconds : static_cast<double>(run.evaluations);
+        curve.points.emplace_back(cost, run.error);
+    }
+    return curve;
+}
+
+std::optional<int> colour_of(const std::string& method, const std::vector<std::string>& coloured,
+                             const MethodColours& colours) {
+    const bool shown = std::find(coloured.begin(), coloured.end(), method) != coloured.end();
+    return shown ? std::optional(colours.at(method)) : std::nullopt;
+}
+
+Figure work_precision(const Study& study, Precision precision, Against against, const MethodColours& colours) {
+    Figure figure{.x = against == Against::time
+                           ? Axis{.label = "time the run takes", .quantity = Quantity::seconds}
+                           : Axis{.label = "evaluations of the force", .quantity = Quantity::count},
+                  .y = {.label = "error at the end"},
+                  .curves = {}};
+    const std::vector<std::string> coloured = coloured_methods(study);
+    for (const std::string& method : study.plan.methods) {
+        for (const bool by_tolerance : {false, true}) {
+            Curve curve = error_curve(study, method, precision, against, by_tolerance);
+            curve.colour = colour_of(method, coloured, colours);
+            curve.dashed = by_tolerance && takes_dt(method);
+            if (curve.dashed) curve.name += " by tolerance";
+            figure.curves.push_back(std::move(curve));
+        }
+    }
+    return figure;
+}
+
+/// The figures of all precisions against one kind of cost start and end at the same cost.
+void give_common_cost(std::vector<Figure>& figures, std::size_t first, std::size_t second) {
+    std::vector<Curve> all;
+    for (const std::size_t i : {first, second})
+        all.insert(all.end(), figures[i].curves.begin(), figures[i].curves.end());
+    for (const std::size_t i : {first, second}) figures[i].x.range = range_of(all, true, true);
+}
+
+double middling_cost(const Study& study) {
+    std::vector<std::uint64_t> costs;
+    for (const Measurement& run : study.runs) {
+        if (!run.diverged) costs.push_back(run.evaluations);
+    }
+    if (costs.empty()) return 1;
+    std::nth_element(costs.begin(), costs.begin() + static_cast<std::ptrdiff_t>(costs.size() / 2), costs.end());
+    return static_cast<double>(costs[costs.size() / 2]);
+}
+
+Figure energy_figure(const Study& study, const MethodColours& colours) {
+    Figure figure{.x = {.label = "time in the scene", .logarithmic = false},
+                  .y = {.label = "energy error"},
+                  .curves = energy_curves(study, middling_cost(study))};
+    const std::vector<std::string> coloured = coloured_methods(study);
+    for (Curve& curve : figure.curves) curve.colour = colour_of(curve.name, coloured, colours);
+    if (!figure.curves.empty()) figure.x.range = std::pair(0.0, study.plan.time);
+    return figure;
+}
+
+}  // namespace
+
+std::vector<std::string> coloured_methods(const Study& study) {
+    std::vector<std::string> coloured;
+    for (const Precision precision : study.plan.precisions) {
+        const std::vector<Measurement> runs = of_precision(study, precision);
+        for (int digits = 1; digits <= 15; ++digits) {
+            if (const Measurement* best = fastest(runs, std::pow(10, -digits))) coloured.push_back(best->run.method);
+        }
+    }
+    const auto& methods = study.plan.methods;
+    if (std::find(methods.begin(), methods.end(), baseline) != methods.end()) coloured.emplace_back(baseline);
+    std::sort(coloured.begin(), coloured.end());
+    coloured.erase(std::unique(coloured.begin(), coloured.end()), coloured.end());
+    return coloured;
+}
+
+MethodColours method_colours(const std::vector<Study>& studies) {
+    MethodColours colours;
+    for (const Study& study : studies) {
+        for (const std::string& method : coloured_methods(study)) colours.emplace(method, 0);
+    }
+    int next = 0;
+    for (auto& [method, colour] : colours) colour = method == baseline ? 0 : ++next;
+    return colours;
+}
+
+StudyFigures study_figures(const Study& study, const MethodColours& colours) {
+    StudyFigures all;
+    for (const Precision precision : study.plan.precisions) {
+        for (const Against against : {Against::time, Against::evaluations}) {
+            all.figures.push_back(work_precision(study, precision, against, colours));
+            all.captions.push_back(
+                fmt::format("Error against {}, {}", against == Against::time ? "time" : "evaluations", id(precision)));
+        }
+    }
+    const std::size_t precisions = study.plan.precisions.size();
+    for (const std::size_t kind : {0u, 1u}) give_common_cost(all.figures, kind, 2 * (precisions - 1) + kind);
+    all.figures.push_back(energy_figure(study, colours));
+    all.captions.emplace_back("Energy error over time, double");
+    return all;
+}
+
+}  // namespace steplab

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "lab/study/measurement.hpp"
+
+#include <algorithm>
+
+namespace steplab {
+
+/// Whether a series of dearer and dearer runs still gains: it does not once two that cost more have been no better than
+/// a cheaper one. Then rounding has taken over, or the reference's own error. A run that costs no more than the one
+/// before says nothing: methods that cut a dt which is too large for them give the same run for a while.
+class GainWatch {
+public:
+    bool gains_no_more(const Measurement& last) {
+        if (last.diverged) return false;
+        if (last.error <= 0.7 * best_) {
+            useless_ = 0;
+        } else if (static_cast<double>(last.evaluations) > 1.1 * evaluations_) {
+            ++useless_;
+        }
+        best_ = std::min(best_, last.error);
+        evaluations_ = static_cast<double>(last.evaluations);
+        return useless_ >= 2;
+    }
+
+private:
+    double best_ = infinity, evaluations_ = infinity;
+    int useless_ = 0;
+};
+
+}  // namespace steplab

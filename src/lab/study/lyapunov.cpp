@@ -1,0 +1,132 @@
+#include "lab/study/lyapunov.hpp"
+
+#include "io/interruption.hpp"
+#include "lab/limits/linearised.hpp"
+#include "methods/engines/extrapolation.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/steppers/stepper_of.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+using Number = Dual<double>;
+
+/// omega_max times a step: the reference's coarsest is twice as long.
+constexpr double phase_of_a_step = 1;
+constexpr std::uint64_t stretches = 8, skipped = 2;
+/// The reference's error, in units of the scene's spacing, from which on it tells nothing worth a number.
+constexpr double meaningless = 1e-3;
+
+/// A motion and a tangent to it.
+class TangentRun {
+public:
+    /// The tangent begins in a direction without any symmetry. Distances of positions count `rate` times, so that they
+    /// and those of velocities have one unit.
+    TangentRun(const Scene& scene, const LinearisedScene& linear, double rate)
+        : rate_(rate), state_(scene.start.state<Number>()) {
+        Eigen::VectorXd direction(linear.size());
+        for (Eigen::Index k = 0; k < direction.size(); ++k) direction[k] = std::sin(static_cast<double>(k + 1));
+        const Field<double> moved = linear.field(direction);
+        for (std::size_t k = 0; k < moved.flat().size(); ++k) state_.velocity.flat()[k].derivative = moved.flat()[k];
+        normalise();
+    }
+
+    State<Number>& state() { return state_; }
+
+    /// Makes the tangent one of length 1 again; the logarithm of what it was.
+    double normalise() {
+        double square = 0;
+        for (std::size_t k = 0; k < state_.velocity.flat().size(); ++k) {
+            const double x = rate_ * state_.displacement.flat()[k].derivative;
+            const double v = state_.velocity.flat()[k].derivative;
+            square += x * x + v * v;
+        }
+        const double length = std::sqrt(square);
+        for (Number& number : state_.displacement.flat()) number.derivative /= length;
+        for (Number& number : state_.velocity.flat()) number.derivative /= length;
+        return std::log(length);
+    }
+
+private:
+    double rate_;
+    State<Number> state_;
+};
+
+/// x'' = a(x) - gamma v in dual numbers. (System would have the force in lanes of them ready too.)
+template <class Force>
+struct TangentEquations {
+    Force force;
+    double gamma;
+
+    void accelerations(const Field<Number>& x, Field<Number>& a) { force.accelerations(x, a); }
+    Number drag() const { return gamma; }
+};
+
+/// Logarithms of what the tangent grows by in each of the stretches of the time.
+std::vector<double> growths(const Scene& scene, TangentRun run, double time, double step) {
+    std::vector<double> all(stretches, 0.0);
+    std::visit(
+        [&](const auto& forces) {
+            const double stretch = time / static_cast<double>(stretches);
+            const double steps = std::max(1.0, std::ceil(stretch / step));
+            TangentEquations<decltype(engine<Number>(forces))> system{engine<Number>(forces), scene.drag};
+            Extrapolation<Number> method(run.state().displacement.count());
+            Lost<Number> lost;
+            for (double& growth : all) {
+                for (double i = 0; i < steps; ++i) {
+                    check_interruption();
+                    method.step(system, run.state(), lost, stretch / steps);
+                    growth += run.normalise();
+                }
+            }
+        },
+        scene.forces);
+    return all;
+}
+
+}  // namespace
+
+bool LyapunovExponent::chaotic() const { return exponent > 4 * spread && growth > 10; }
+
+LyapunovExponent lyapunov_exponent(const Scene& scene, const Shape& shape, double time) {
+    const LinearisedScene linear(scene, shape);
+    const double rate = std::max({highest_frequency(modes(linear)), scene.drag, 1 / time});
+    const std::vector<double> all = growths(scene, TangentRun(scene, linear, rate), time, phase_of_a_step / rate);
+    const double stretch = time / static_cast<double>(stretches), count = stretches - skipped;
+    LyapunovExponent result;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        result.growth += all[i];
+        if (i >= skipped) result.exponent += all[i] / (stretch * count);
+    }
+    double square = 0;
+    for (std::size_t i = skipped; i < all.size(); ++i)
+        square += (all[i] / stretch - result.exponent) * (all[i] / stretch - result.exponent);
+    result.spread = std::sqrt(square / (count * (count - 1)));
+    return result;
+}
+
+std::string chaos_note(const RunDescription& description, double time, double error) {
+    const RunDescription held = as_held(description);
+    const Model& entry = model(held.model);
+    const Shape shape = entry.shape(held.scene);
+    if (error < meaningless * shape.spacing) return {};
+    const LyapunovExponent lyapunov = lyapunov_exponent(entry.scene(held.scene), shape, time);
+    if (!lyapunov.chaotic()) return {};
+    const double digits = lyapunov.growth / std::log(10.0);
+    return fmt::format(
+        "The motion is chaotic: its Lyapunov exponent is {:.2g} +- {:.1g}, motions that begin next to each other part "
+        "tenfold every {:.2g}, and by a factor of 1e{:.0f} until t = {:.4g}. Of double's 16 digits none is left to "
+        "compare at about t = {:.2g}; energy and means still tell methods apart.",
+        lyapunov.exponent, lyapunov.spread, std::log(10.0) / lyapunov.exponent, digits, time, 16 / digits * time);
+}
+
+}  // namespace steplab

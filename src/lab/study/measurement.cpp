@@ -1,0 +1,78 @@
+#include "lab/study/measurement.hpp"
+
+#include "core/flush_subnormals.hpp"
+#include "sim/run/segment.hpp"
+#include "sim/run/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::uint64_t looks = 64;
+
+void compare(Measurement& measurement, const State<double>& end, const Reference& reference) {
+    measurement.error = error_against(reference.moments.back(), end.displacement);
+    measurement.rms_error = rms_error_against(reference.moments.back(), end.displacement);
+}
+
+/// Of the stepping, and of the start if the method makes most of its evaluations there.
+class SteppingClock {
+public:
+    void started(std::uint64_t evaluations) {
+        start_ = since(begin_);
+        at_start_ = evaluations;
+    }
+    template <class Steps>
+    void time(const Steps& steps) {
+        const auto begin = Clock::now();
+        steps();
+        stepping_ += since(begin);
+    }
+    double seconds(std::uint64_t evaluations) const { return stepping_ + (2 * at_start_ > evaluations ? start_ : 0); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+    Clock::time_point begin_ = Clock::now();
+    std::uint64_t at_start_ = 0;
+    double start_ = 0, stepping_ = 0;
+};
+
+}  // namespace
+
+Measurement measure(const RunDescription& run, std::uint64_t steps, const Reference& reference,
+                    const std::function<void()>& at_look, const Execution& execution) {
+    Measurement measurement{.run = run, .steps = steps, .wall_seconds = {}, .hash = {}};
+    SteppingClock clock;
+    Simulation simulation(run, execution);
+    clock.started(simulation.evaluations());
+    for (std::uint64_t look = 1; look <= looks && !simulation.divergence(); ++look) {
+        at_look();
+        const std::uint64_t next = steps * look / looks - simulation.step();
+        clock.time([&] { simulation.advance(next); });
+        measurement.energy_error = std::max(measurement.energy_error, std::abs(simulation.energy_error()));
+    }
+    simulation.conclude();
+    measurement.evaluations = simulation.evaluations();
+    measurement.rough_seconds = clock.seconds(measurement.evaluations);
+    measurement.diverged = simulation.divergence().has_value();
+    measurement.hash = simulation.hash();
+    if (!measurement.diverged) compare(measurement, simulation.state(), reference);
+    return measurement;
+}
+
+double stepping_seconds(const RunDescription& run, std::uint64_t steps) {
+    SteppingClock clock;
+    const Segment segment(run);
+    clock.started(segment.stepper->evaluations());
+    const FlushSubnormals flush;
+    clock.time([&] { segment.stepper->advance(steps); });
+    return clock.seconds(segment.stepper->evaluations());
+}
+
+}  // namespace steplab

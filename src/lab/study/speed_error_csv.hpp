@@ -1,0 +1,23 @@
+#pragma once
+
+#include "lab/study/measurement.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace steplab {
+
+/// "model,method,precision,dt,steps,evaluations,wall_s,error,energy_error,status,hash,rms_error,tolerance,settings"
+extern const char* const speed_error_header;
+
+/// One line for each measurement, under the header: numbers in the shortest form that reads back. What a diverged run
+/// has no value for stays empty; tolerance is empty for methods of fixed steps; settings are the parameters that are
+/// not at their defaults, "L=3 v0=1".
+std::string speed_error_csv(std::span<const Measurement> measurements);
+
+/// Reads them back. Throws FileError naming the line that is not of this form.
+std::vector<Measurement> parse_speed_error_csv(std::string_view text);
+
+}  // namespace steplab

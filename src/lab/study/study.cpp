@@ -1,0 +1,116 @@
+#include "lab/study/study.hpp"
+
+#include "io/interruption.hpp"
+#include "lab/report/commit.hpp"
+#include "lab/study/parallel.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/run/simulation.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+struct DefaultScene {
+    const char* model;
+    double time;
+    double work;  ///< processor seconds of a report in full, as measured once
+};
+
+constexpr DefaultScene default_scenes[] = {{"free", 10, 8},  {"oscillator", 62, 14}, {"chain", 68.1, 20},
+                                           {"mesh", 20, 70}, {"rope", 5, 42},        {"morse", 2, 60}};
+
+/// The run of this method in double whose cost comes nearest; null if there is none.
+const Measurement* at_cost(const Study& study, const std::string& method, double evaluations) {
+    const auto away = [&](const Measurement& run) {
+        return std::abs(std::log(static_cast<double>(run.evaluations) / evaluations));
+    };
+    const Measurement* nearest = nullptr;
+    for (const Measurement& run : study.runs) {
+        if (run.run.method != method || run.run.precision != Precision::double_ || run.diverged) continue;
+        if (!nearest || away(run) < away(*nearest)) nearest = &run;
+    }
+    return nearest;
+}
+
+/// Moments at which the energy is looked at, and spans of which the largest error is drawn.
+constexpr std::uint64_t moments = 600, spans = 60;
+
+Curve energy_curve(const Measurement& run, const Execution& execution) {
+    Curve curve{.name = run.run.method, .points = {}, .marks = false};
+    Simulation simulation(run.run, execution);
+    const std::uint64_t looks = std::min(moments, run.steps), looks_a_span = std::max<std::uint64_t>(1, looks / spans);
+    double largest = 0;
+    for (std::uint64_t i = 1; i <= looks; ++i) {
+        check_interruption();
+        simulation.advance(run.steps * i / looks - simulation.step());
+        largest = std::max(largest, std::abs(simulation.energy_error()));
+        if (i % looks_a_span != 0) continue;
+        curve.points.emplace_back(simulation.time(), largest);
+        largest = 0;
+    }
+    return curve;
+}
+
+std::string processor_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "unknown processor";
+}
+
+}  // namespace
+
+std::vector<StudyPlan> default_plans(bool quick) {
+    std::vector<StudyPlan> plans;
+    for (const auto& [id, time, work] : default_scenes) {
+        StudyPlan plan{
+            .scene = describe(id, "rk4"), .time = time, .methods = {}, .method_settings = {}, .precisions = {}};
+        if (plan.scene.model == "morse") plan.scene.scene.set("spacing", 0.3);
+        for (const Method& method : methods()) {
+            if (!method.info.curiosity) plan.methods.emplace_back(method.info.id);
+        }
+        plan.precisions = {Precision::double_, Precision::float_};
+        plan.most_seconds_a_run = quick ? 0.01 : 0.5;
+        plan.ratio = quick ? 2 : 1.4142135623730951;
+        plan.rounds = quick ? 3 : 7;
+        plans.push_back(std::move(plan));
+    }
+    return plans;
+}
+
+double share_of_work(const StudyPlan& plan) {
+    for (const DefaultScene& scene : default_scenes) {
+        if (plan.scene.model == scene.model) return scene.work;
+    }
+    return 1;
+}
+
+std::vector<Curve> energy_curves(const Study& study, double evaluations) {
+    std::vector<const Measurement*> runs;
+    for (const std::string& id : study.plan.methods) {
+        const Measurement* const run = method(id).info.adaptive ? nullptr : at_cost(study, id, evaluations);
+        if (run) runs.push_back(run);
+    }
+    std::vector<Curve> curves(runs.size());
+    side_by_side(runs.size(), dearest_bytes(study.plan),
+                 [&](std::size_t i, const Execution& execution) { curves[i] = energy_curve(*runs[i], execution); });
+    return curves;
+}
+
+Circumstances circumstances() {
+    return {STEPLAB_VERSION, STEPLAB_COMMIT, STEPLAB_COMPILER, processor_name(),
+            fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))};
+}
+
+}  // namespace steplab

@@ -1,0 +1,140 @@
+#pragma once
+
+#include "core/field.hpp"
+#include "core/stages.hpp"
+#include "methods/engines/sweeps.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace steplab {
+
+/// The engine of a force in another number type; an engine that has none (Plain) stays out of it.
+template <class N, class Force>
+auto force_in(const Force& force) {
+    if constexpr (requires { force.template in<N>(); }) {
+        return force.template in<N>();
+    } else {
+        return force;
+    }
+}
+
+namespace detail {
+
+template <class T, class Force>
+struct AtStages {
+    using Type = decltype(force_in<Stages<T>>(std::declval<const Force&>()));
+};
+/// Runs side by side have no stages side by side.
+template <SideBySide T, class Force>
+struct AtStages<T, Force> {
+    struct Type {};
+};
+
+}  // namespace detail
+
+/// What a method integrates: x'' = a(x) - gamma v, in steps of dt. Force is the layout's engine; it is known at compile
+/// time, so nothing is called through a pointer inside a step.
+template <class T, class Force>
+class System {
+public:
+    System(Force force, T drag, T dt) : force_(std::move(force)), drag_(drag), dt_(dt) {}
+
+    /// a(x) of all particles, drag not included: one evaluation.
+    void accelerations(const Field<T>& x, Field<T>& a) {
+        ++evaluations_;
+        if constexpr (SweepingAlongX<Force>) {
+            if (axes_ == 1) return force_.accelerations_along_x(x, a);
+        }
+        force_.accelerations(x, a);
+    }
+
+    /// The same for somebody who looks: not counted.
+    void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { look_at_accelerations(force_, x, a); }
+
+    /// Takes `steps` steps that consist of `parts` sweeps each over the particles, whose quantities are `fields`
+    /// (sweeps.hpp); an evaluation each.
+    template <std::size_t Quantities, class Stage>
+    void sweep(const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps, std::size_t parts, Stage stage) {
+        sweeps_.run(force_, fields, steps, parts, stage, axes_);
+        evaluations_ += steps * parts;
+    }
+
+    /// Calls sink(r, a) with the accelerations of every register r of particles, for somebody who looks: not counted.
+    template <class Sink>
+    void look(const Field<T>& x, Sink sink) const {
+        look_at(force_, x, sink);
+    }
+
+    /// Calls f(i, j) for the pairs of particles whose distance vector turns by a right angle or more on the way between
+    /// two positions, if they act on each other with a force that jumps where they coincide.
+    template <class F>
+    void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
+        force_.passing_pairs(from, to, f);
+    }
+    /// The vector from particle i to particle j at displacements x.
+    auto separation(const Field<T>& x, std::size_t i, std::size_t j) const { return force_.separation(x, i, j); }
+
+    /// The same, and calls f(i, j, block) for every pair of particles that interact: block is how the acceleration of i
+    /// changes with the position of j (and of j with that of i), exactly. One evaluation.
+    template <class F>
+    void accelerations_and_blocks(const Field<T>& x, Field<T>& a, F f) {
+        accelerations(x, a);
+        each_block(force_, x, f);  // of the force's own header
+    }
+
+    /// What the force is made of: the layouts tell (coupling, each_interaction, external, moves).
+    Force& force() { return force_; }
+    const Force& force() const { return force_; }
+    /// For methods that compute accelerations in ways of their own.
+    void count_evaluations(std::uint64_t computed) { evaluations_ += computed; }
+
+    /// a(x) at the eight stages of a step at once: eight evaluations. With `axes` 1 all moves along x alone; the rest
+    /// of `a` may be left as it is.
+    void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a, std::size_t axes = 3) {
+        if (!force_at_stages_) force_at_stages_.emplace(force_in<Stages<T>>(force_));
+        evaluations_ += stage_count;
+        if constexpr (SweepingAlongX<Force>) {
+            if (axes == 1) return force_at_stages_->accelerations_along_x(x, a);
+        }
+        force_at_stages_->accelerations(x, a);
+    }
+
+    /// The axes along which something moves: with 1, all fields that the method hands out are zero along y and z, and
+    /// stay so (moving_axes.hpp).
+    std::size_t axes() const { return axes_; }
+    void axes(std::size_t count) { axes_ = count; }
+
+    T drag() const { return drag_; }
+    T dt() const { return dt_; }
+    std::uint64_t evaluations() const { return evaluations_; }
+    void evaluations(std::uint64_t count) { evaluations_ = count; }
+
+private:
+    /// Its memory is scratch, but for a history() on which accelerations hang beside positions.
+    mutable Force force_;
+    std::optional<typename detail::AtStages<T, Force>::Type> force_at_stages_;  ///< once asked for
+    Sweeps<T, Force> sweeps_;
+    T drag_;
+    T dt_;
+    std::size_t axes_ = 3;
+    std::uint64_t evaluations_ = 0;
+};
+
+// An integrator (the class template Integrator<T> of a method) has
+//   explicit Integrator(const ParameterValues&)
+//   void start(System&, State<T>)             begins a segment at a synchronised state
+//   void step(System&)                        one step of dt; an adaptive one takes steps of its own until dt is behind
+//   void advance(System&, std::uint64_t)       the same, so many times, where that is faster
+//   void synchronised(const System&, State<T>& out) const   x and v of one time, without changing anything
+//   void look(const System&, sink) const   the same where it needs no memory: sink(r, x, v) for every register r
+//   std::size_t reach() const   springs that a step reaches; where a step needs the whole scene it is left out
+//   static void each_part(self, f)   calls f(field) for every field of self's internal state
+//   Progress progress() const, void progress(const Progress&)   plain data of its internal state that is no field
+//   const CollisionRecord& collisions() const   where it finds collisions (collisions.hpp); part of Progress
+// Everything else it holds is scratch: the internal state alone decides how the run goes on.
+
+}  // namespace steplab

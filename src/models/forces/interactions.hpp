@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/block.hpp"
+#include "core/dual.hpp"
+#include "core/field.hpp"
+#include "models/forces/morse_pair.hpp"
+#include "models/forces/spring.hpp"
+
+namespace steplab {
+
+// Every layout of forces tells what its forces are made of, for methods that need more than their sum:
+//   coupling()                  which particles act on which
+//   formulas()                  an array of the kinds of interaction: each makes of the difference e = u_j - u_i, in
+//                               any number type, the acceleration of i; that of j is its opposite
+//   difference(u, i, j)         that e, where it is not just u_j - u_i: in a space that repeats itself
+//   each_interaction(u, f)      calls f(i, j, kind) once for every pair of particles i, j that interact at the
+//                               displacements u, kind after kind, always in the same order
+//   external(i)                 the acceleration that no other particle causes
+//   moves(i)                    false for fixed particles
+
+/// A spring: its pull over the mass of a particle. With rest length 0 it is linear, which the general formula, there 0
+/// / 0 at distance 0, does not show to a derivative.
+template <class T>
+struct SpringFormula {
+    Vector<T> rest;  ///< of e = 0
+    T length;
+    T stiffness;  ///< k / m
+
+    template <class N>
+    Vector<N> operator()(const N& ex, const N& ey, const N& ez) const {
+        if (length == T(0)) return {N(stiffness) * ex, N(stiffness) * ey, N(stiffness) * ez};
+        return spring_pull(Vector<N>{N(rest.x), N(rest.y), N(rest.z)}, N(length), N(stiffness), Vector<N>{ex, ey, ez});
+    }
+};
+
+/// A Morse pair. The distance vector of the formula points the other way than e; the pull is odd in it.
+template <class T, template <class> class Constants = MorseConstants>
+struct MorseFormula {
+    Constants<T> morse;
+    Vector<T> rest{T(0), T(0), T(0)};
+
+    template <class N>
+    Vector<N> operator()(const N& ex, const N& ey, const N& ez) const {
+        const auto constants = constants_as<N>(morse);
+        const Vector<N> push = morse_pull(constants, Vector<N>{ex, ey, ez});
+        return {N(T(0)) - push.x, N(T(0)) - push.y, N(T(0)) - push.z};
+    }
+};
+
+/// The exact derivative of a formula with respect to e, by dual numbers.
+template <class T, class Formula>
+Block<T> derivative(const Formula& formula, const Vector<T>& e) {
+    using D = Dual<T>;
+    Block<T> block;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto along = [axis](std::size_t a) { return a == axis ? T(1) : T(0); };
+        const Vector<D> slope = formula(D(e.x, along(0)), D(e.y, along(1)), D(e.z, along(2)));
+        block.at[0][axis] = slope.x.derivative;
+        block.at[1][axis] = slope.y.derivative;
+        block.at[2][axis] = slope.z.derivative;
+    }
+    return block;
+}
+
+/// The difference e of two particles' displacements that the formulas are given.
+template <class Force, class T>
+Vector<T> difference(const Force& force, const Field<T>& u, std::size_t i, std::size_t j) {
+    if constexpr (requires { force.difference(u, i, j); }) {
+        return force.difference(u, i, j);
+    } else {
+        return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+    }
+}
+
+/// Calls f(i, j, block) for every pair that interacts: how the acceleration of i changes with u_j; that of j changes
+/// with u_i by the same block, both with their own by its opposite.
+template <class Force, class T, class F>
+void each_block(Force& force, const Field<T>& u, F f) {
+    const auto formulas = force.formulas();
+    force.each_interaction(u, [&](std::size_t i, std::size_t j, std::size_t kind) {
+        f(i, j, derivative(formulas[kind], difference(force, u, i, j)));
+    });
+}
+
+}  // namespace steplab

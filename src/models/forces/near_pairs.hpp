@@ -1,0 +1,196 @@
+#pragma once
+
+#include "core/field.hpp"
+#include "core/field_lanes.hpp"
+#include "core/stages.hpp"
+#include "models/forces/forces.hpp"
+#include "models/forces/interactions.hpp"
+#include "models/forces/morse_energies.hpp"
+#include "models/forces/morse_pair.hpp"
+#include "models/forces/neighbours.hpp"
+#include "models/forces/pair_list.hpp"
+#include "models/forces/pairs.hpp"
+#include "models/periods.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+namespace steplab {
+
+/// NearPairForces at work. Float and double are summed by clusters (pair_list.hpp), whose last bits hang on where
+/// their list was made: on the way of a run, of which history() tells. All else goes through the neighbours of each
+/// particle in the order of their indices and depends on positions alone: so do the sums of other number types. Lists
+/// reach a little further than the forces and are renewed when somebody may have come in.
+template <class T>
+class NearPairs {
+    static constexpr bool by_clusters = std::is_same_v<T, float> || std::is_same_v<T, double>;
+
+public:
+    explicit NearPairs(const NearPairForces& forces)
+        : NearPairs(forces, by_clusters ? std::make_shared<Team>(forces.threads) : nullptr) {}
+
+    NearPairs(const NearPairForces& forces, std::shared_ptr<Team> team)
+        : forces_(forces),
+          team_(std::move(team)),
+          count_(forces.count),
+          morse_(morse_constants<T>(forces)),
+          periods_(forces.period),
+          balance_(forces),
+          sums_(forces, morse_, team_),
+          neighbours_(forces.cutoff, forces.period) {}
+
+    /// The same forces in another number type.
+    template <class N>
+    NearPairs<N> in() const {
+        return NearPairs<N>(forces_);
+    }
+
+    void accelerations(const Field<T>& u, Field<T>& a) {
+        if constexpr (by_clusters) {
+            each_acceleration(u, [to = FieldLanes<T>(a)](std::size_t r, const auto& of) { to.set(r, of); });
+        } else {
+            sum_neighbours(u, a);
+            balance_.take_off(a);
+        }
+    }
+
+    /// The same, handed out: calls sink(r, a) for every register r of particles, by several threads side by side, when
+    /// nobody looks at u any more.
+    template <class Sink>
+    void each_acceleration(const Field<T>& u, Sink sink) requires(by_clusters) {
+        if (!sums_.holds_at(u)) sums_.make_at(u);
+        sums_.accelerations(
+            u, [&](std::size_t r, const auto& a) __attribute__((always_inline)) { sink(r, balance_.taken_off(r, a)); });
+    }
+
+    /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does,
+    /// and it is made again, as there is room for one only.
+    void look_at_accelerations(const Field<T>& u, Field<T>& a) {
+        if constexpr (by_clusters) {
+            if (!sums_.holds_at(u)) {
+                const Field<T> made_at = sums_.made_at();
+                accelerations(u, a);
+                return sums_.make_at(made_at);
+            }
+        }
+        accelerations(u, a);
+    }
+
+    /// Where the list of clusters was made, empty before the first evaluation: with the positions, all that
+    /// accelerations hang on.
+    const Field<T>& history() const requires(by_clusters) { return sums_.made_at(); }
+    void history(const Field<T>& made_at) requires(by_clusters) { sums_.make_at(made_at); }
+
+    PotentialEnergy potential(const Field<T>& u) const {
+        MorseEnergies<T, CutMorseConstants<T>> energies(morse_);
+        if constexpr (by_clusters) {
+            const auto position = [&](std::size_t i) { return within_period(periods_, u, i); };
+            each_near_distance2(count_, position, forces_.cutoff, forces_.period, *team_,
+                                [&](std::span<const double> near) {
+                                    for (const double distance2 : near) energies.add(static_cast<T>(distance2));
+                                });
+        } else {
+            NearPairs(forces_, team_).each_near_pair(u, [&](std::size_t, std::size_t, const T& distance2) {
+                energies.add(distance2);
+            });
+        }
+        return energies.sum();
+    }
+
+    /// Calls f(i, j), i < j, for pairs within reach that turn round between two positions.
+    template <class F>
+    void passing_pairs(const Field<T>& from, const Field<T>& to, F f) {
+        neighbours_.follow(from);
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (const std::uint32_t j : neighbours_.of(i)) {
+                if (j > i && turned_round(separation(from, i, j), separation(to, i, j)))
+                    f(static_cast<std::uint32_t>(i), j);
+            }
+        }
+    }
+    /// The vector from particle i to the nearest image of particle j.
+    Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
+        const Vector<T> d{u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
+        return {periods_.within(d.x), periods_.within(d.y), periods_.within(d.z)};
+    }
+    /// What the formulas are given.
+    Vector<T> difference(const Field<T>& u, std::size_t i, std::size_t j) const { return separation(u, i, j); }
+
+    Coupling coupling() const { return {Coupling::Kind::near, count_}; }
+    bool moves(std::size_t) const { return true; }
+    Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
+
+    std::array<MorseFormula<T, CutMorseConstants>, 1> formulas() const { return {{{morse_}}}; }
+
+    /// The pairs nearer than the cut-off.
+    template <class F>
+    void each_interaction(const Field<T>& u, F f) {
+        each_near_pair(u, [&](std::size_t i, std::size_t j, const T&) { f(i, j, std::size_t(0)); });
+    }
+
+private:
+    struct NoClusters {
+        NoClusters(const NearPairForces&, const CutMorseConstants<T>&, const std::shared_ptr<Team>&) {}
+    };
+    template <bool, class Number>
+    struct SumsOf {
+        using Type = NoClusters;
+    };
+    template <class Number>
+    struct SumsOf<true, Number> {
+        using Type = PairList<Number>;
+    };
+
+    /// Calls f(i, j, square of the distance), i < j, for pairs nearer than the cut-off.
+    template <class F>
+    void each_near_pair(const Field<T>& u, F f) {
+        neighbours_.follow(u);
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (const std::uint32_t j : neighbours_.of(i)) {
+                if (j < i) continue;
+                const Vector<T> d = separation(u, i, j);
+                const T distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
+                if (distance2 < morse_.cutoff * morse_.cutoff) f(i, std::size_t(j), distance2);
+            }
+        }
+    }
+
+    void sum_neighbours(const Field<T>& u, Field<T>& a) {
+        neighbours_.follow(u);
+        for (std::size_t i = 0; i < count_; ++i) {
+            Vector<T> sum{T(0), T(0), T(0)};
+            for (const std::uint32_t j : neighbours_.of(i)) add_pull(separation(u, j, i), sum);
+            a.x()[i] = sum.x;
+            a.y()[i] = sum.y;
+            a.z()[i] = sum.z;
+        }
+    }
+
+    void add_pull(const Vector<T>& d, Vector<T>& sum) const {
+        const auto near = d.x * d.x + d.y * d.y + d.z * d.z < morse_.cutoff * morse_.cutoff;
+        if (nowhere(near)) return;
+        const Vector<T> pull = morse_pull(morse_, d);
+        const T zero(T(0));
+        sum = sum + Vector<T>{where(near, pull.x, zero), where(near, pull.y, zero), where(near, pull.z, zero)};
+    }
+    static bool nowhere(bool near) { return !near; }
+    template <class Mask>
+    static bool nowhere(const Mask& near) {
+        return !any(near, T::count);
+    }
+
+    NearPairForces forces_;
+    std::shared_ptr<Team> team_;
+    std::size_t count_;
+    CutMorseConstants<T> morse_;
+    Periods<T> periods_;
+    Balance<T> balance_;
+    typename SumsOf<by_clusters, T>::Type sums_;
+    Neighbours neighbours_;
+};
+
+}  // namespace steplab

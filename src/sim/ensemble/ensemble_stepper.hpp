@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/field.hpp"
+#include "sim/steppers/stepper.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace steplab {
+
+/// No group holds more runs.
+inline constexpr std::size_t most_side_by_side = 16;
+
+/// What of a state is along a shape: sums over all numbers, of shape * (displacement - origin) and of shape * velocity.
+struct Along {
+    double displacement = 0, velocity = 0;
+};
+
+/// Several runs of one method, each in a lane of vector registers: with the bits that it has alone.
+class StepperGroup {
+public:
+    virtual ~StepperGroup() = default;
+    /// So many of the runs that were given, from the first one on, are here.
+    virtual std::size_t runs() const = 0;
+    virtual void advance(std::uint64_t steps) = 0;
+    /// Begins anew at these states, one for each run, as a new group of them would.
+    virtual void restart(std::span<const State<double>> starts) = 0;
+    /// Accelerations computed for each run since the group was made.
+    virtual std::uint64_t evaluations() const = 0;
+    /// True if every number of the internal state of a run is finite.
+    virtual bool finite(std::size_t run) const = 0;
+    /// The kinetic and elastic energy of a run, in units of a particle's mass, is no larger, but for rounding: cheap,
+    /// and far from sharp. Infinite where nothing of the kind is known.
+    virtual double energy_bound(std::size_t run) const = 0;
+    /// The state of a run at the present time, each number one that the precision holds. Changes nothing.
+    virtual void synchronised(std::size_t run, State<double>& out) const = 0;
+    /// The same of every run along a shape, in double and in the order of the numbers of a field: flat().
+    virtual void along(const Field<double>& shape, const Field<double>& origin, std::span<Along> out) const = 0;
+};
+
+/// A method at work on runs that are alike (alike.hpp), one at least: on as many of the first ones as have room. Null
+/// if there are too few of them to be worth it, or each is faster alone.
+using MakeStepperGroup = std::unique_ptr<StepperGroup> (*)(std::span<const StepperSetup> runs);
+
+}  // namespace steplab

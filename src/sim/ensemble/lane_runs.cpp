@@ -1,0 +1,179 @@
+#include "sim/ensemble/lane_runs.hpp"
+
+#include "core/flush_subnormals.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/ensemble/lane_compatible.hpp"
+#include "sim/run/divergence.hpp"
+#include "sim/run/measures.hpp"
+#include "sim/run/simulation_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// One run of a group.
+struct Member {
+    RunDescription held;
+    Scene scene;
+    EnergyMeter meter;
+    std::uint64_t steps;
+    Energy baseline;
+    EnsembleResult result;
+    bool open = true;       ///< under way
+    bool diverged = false;  ///< or may have done so
+
+    Member(const EnsembleRun& run, const Execution& execution)
+        : held(as_held(run.description)),
+          scene(model(held.model).scene(held.scene)),
+          meter(scene, instructions_of(execution)),
+          steps(run.steps) {}
+
+    StepperSetup setup(const Execution& execution) const {
+        return {scene, scene.start, held.method_parameters, held.precision, held.dt, instructions_of(execution)};
+    }
+};
+
+/// Runs side by side, from their start to their ends.
+class GroupRun {
+public:
+    GroupRun(std::vector<std::unique_ptr<Member>>& members, StepperGroup& group, std::uint64_t every)
+        : members_(members), group_(group), every_(every) {
+        for (std::size_t run = 0; run < group_.runs(); ++run) {
+            members_[run]->baseline = energy(run);
+            members_[run]->result.energy_start = members_[run]->baseline.total();
+        }
+        look();
+    }
+
+    void run(const StepsDone& done) {
+        while (const std::size_t open = still_open()) {
+            const std::uint64_t next = next_look();
+            group_.advance(next - step_);
+            done((next - step_) * open);
+            step_ = next;
+            look();
+        }
+    }
+
+private:
+    std::size_t still_open() const {
+        return static_cast<std::size_t>(std::count_if(members_.begin(), members_.begin() + runs(),
+                                                      [](const auto& member) { return member->open; }));
+    }
+
+    /// The next step at which a run ends, a row is due or the energy is to be judged.
+    std::uint64_t next_look() const {
+        std::uint64_t next = step_ - step_ % steps_between_checks + steps_between_checks;
+        next = std::min(next, step_ - step_ % every_ + every_);
+        for (std::size_t run = 0; run < group_.runs(); ++run) {
+            if (members_[run]->open) next = std::min(next, members_[run]->steps);
+        }
+        return next;
+    }
+
+    void look() {
+        for (std::size_t run = 0; run < group_.runs(); ++run) {
+            if (members_[run]->open) look(run);
+        }
+    }
+
+    void look(std::size_t run) {
+        Member& member = *members_[run];
+        const bool ends = step_ == member.steps, judged = ends || step_ % steps_between_checks == 0;
+        if (!group_.finite(run) || (judged && !energy_is_good(run))) {
+            member.open = false, member.diverged = true;
+            return;
+        }
+        if (!ends && step_ % every_ != 0) return;
+        const double now = energy(run).total();
+        member.result.energy_error = std::max(member.result.energy_error, std::abs(now - member.baseline.total()));
+        if (ends) finish(run, now);
+    }
+
+    /// What a group knows without looking at each run is enough for most.
+    bool energy_is_good(std::size_t run) {
+        Member& member = *members_[run];
+        const Energy& start = member.baseline;
+        const double bound = 2 * member.scene.mass * group_.energy_bound(run);  // twice, for its rounding
+        if (energy_is_surely_possible(bound, start, member.meter.floor())) return true;
+        return energy_is_possible(energy(run), start, member.meter.floor());
+    }
+
+    void finish(std::size_t run, double energy_end) {
+        Member& member = *members_[run];
+        EnsembleResult& result = member.result;
+        result.dt = member.held.dt;
+        result.steps = step_;
+        result.time = static_cast<double>(step_) * member.held.dt;
+        result.particles = member.scene.reference.count;
+        result.evaluations = group_.evaluations();
+        result.energy_end = energy_end;
+        result.hash = hash_of(step_, member.held.precision, [&](const PortionSink& sink) { show(run, sink); });
+        result.side_by_side = true;
+        member.open = false;
+    }
+
+    Energy energy(std::size_t run) {
+        return members_[run]->meter.energy([&](const PortionSink& sink) { show(run, sink); });
+    }
+    void show(std::size_t run, const PortionSink& sink) {
+        group_.synchronised(run, seen_);
+        sink({0, seen_.velocity.count(), seen_});
+    }
+
+    std::ptrdiff_t runs() const { return static_cast<std::ptrdiff_t>(group_.runs()); }
+
+    std::vector<std::unique_ptr<Member>>& members_;
+    StepperGroup& group_;
+    std::uint64_t every_;
+    std::uint64_t step_ = 0;
+    State<double> seen_;  ///< of one run
+};
+
+bool same_engine(const RunDescription& a, const RunDescription& b) {
+    return a.model == b.model && a.method == b.method && a.precision == b.precision;
+}
+
+/// The first of these runs that take one way through the code, and what their method needs of them.
+struct Together {
+    std::vector<std::unique_ptr<Member>> members;
+    std::vector<StepperSetup> setups;
+
+    Together(std::span<const EnsembleRun> runs, const Execution& execution) {
+        for (const EnsembleRun& run : runs.first(std::min(runs.size(), most_side_by_side))) {
+            if (!same_engine(run.description, runs.front().description)) return;
+            auto member = std::make_unique<Member>(run, execution);
+            const StepperSetup setup = member->setup(execution);
+            if (setups.empty() ? !goes_side_by_side(setup) : !alike(setups.front(), setup)) return;
+            members.push_back(std::move(member));
+            setups.push_back(setup);
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<std::optional<EnsembleResult>> run_side_by_side(std::span<const EnsembleRun> runs, std::uint64_t every,
+                                                            const Execution& execution, const StepsDone& done) {
+    const FlushSubnormals flush;
+    const Method& how = method(runs.front().description.method);
+    if (!how.goes_in_groups(instructions_of(execution))) return {};
+    Together together(runs, execution);
+    if (together.setups.empty()) return {};
+    const auto group = how.make_group(together.setups);
+    if (!group) return {};
+    std::vector<std::unique_ptr<Member>>& members = together.members;
+    GroupRun(members, *group, every).run(done);
+    std::vector<std::optional<EnsembleResult>> results(group->runs());
+    for (std::size_t run = 0; run < results.size(); ++run) {
+        if (!members[run]->diverged) results[run] = std::move(members[run]->result);
+    }
+    return results;
+}
+
+}  // namespace steplab

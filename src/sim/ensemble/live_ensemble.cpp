@@ -1,0 +1,247 @@
+#include "sim/ensemble/live_ensemble.hpp"
+
+#include "core/error.hpp"
+#include "core/flush_subnormals.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/ensemble/lane_compatible.hpp"
+#include "sim/run/memory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// Steps of a particle between two looks at whether it is enough: some milliseconds at most.
+constexpr std::uint64_t steps_of_particles = std::uint64_t{1} << 15;
+
+/// The first of these that can be computed side by side.
+std::span<const StepperSetup> alike_ones(std::span<const StepperSetup> setups) {
+    const std::size_t most = std::min(setups.size(), most_side_by_side);
+    std::size_t count = goes_side_by_side(setups.front()) ? 1 : 0;
+    while (count > 0 && count < most && alike(setups.front(), setups[count])) ++count;
+    return setups.first(count);
+}
+
+/// As a frame of this precision holds it.
+Vec3 in_precision(Vec3 position, Precision precision) {
+    return {rounded_to(precision, position.x), rounded_to(precision, position.y), rounded_to(precision, position.z)};
+}
+
+/// Distances of particles from where they are in the run.
+class Distances {
+public:
+    void add(double distance) {
+        largest_ = std::max(largest_, distance);
+        squares_ += distance * distance;
+        ++count_;
+    }
+    double largest() const { return largest_; }
+    double root_mean_square() const { return count_ > 0 ? std::sqrt(squares_ / static_cast<double>(count_)) : 0; }
+
+private:
+    double largest_ = 0, squares_ = 0;
+    std::size_t count_ = 0;
+};
+
+}  // namespace
+
+void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled) {
+    const SegmentBegin& last = segments.back();
+    if (last.pull && last.pull->particle == pulled.pull->particle && last.step == pulled.step) segments.pop_back();
+    segments.push_back(std::move(pulled));
+}
+
+Companions::Companions(std::size_t runs, Variation variation, const Execution& execution)
+    : runs_(runs), variation_(std::move(variation)), execution_(execution) {}
+
+bool Companions::go_to(std::uint64_t step, std::span<const SegmentBegin> segments,
+                       const std::function<bool()>& enough) {
+    const FlushSubnormals flush;
+    if (segment_ >= segments.size() || step < segment_step_) companions_.clear();
+    if (companions_.size() < runs_ && !begin(segments, enough)) return false;
+    const bool pulled_on = segments[segment_].pull != pull_;
+    const bool next_is_behind = segment_ + 1 < segments.size() && segments[segment_ + 1].step < step_;
+    if (step_ > segment_step_ && (step < step_ || next_is_behind || pulled_on)) {
+        make_groups();
+        step_ = segment_step_;
+    }
+    if (pulled_on) go_on(segments[segment_]);
+    while (true) {
+        const bool last = segment_ + 1 == segments.size() || segments[segment_ + 1].step > step;
+        const std::uint64_t end = last ? step : segments[segment_ + 1].step;
+        while (step_ < end) {
+            if (enough()) return false;
+            take(std::min(end - step_, steps_of_a_piece()));
+        }
+        if (last) return true;
+        if (enough()) return false;
+        go_on(segments[++segment_]);
+    }
+}
+
+bool Companions::are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const {
+    return companions_.size() == runs_ && segment_ + 1 == segments.size() && step_ == step &&
+           segments.back().pull == pull_;
+}
+
+/// From the start of the run, or where `enough` had stopped this.
+bool Companions::begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough) {
+    const RunDescription& description = segments.front().description;
+    const double particles = model(description.model).particles(description.scene);
+    if (particles * static_cast<double>(runs_) > static_cast<double>(most_particles))
+        throw UsageError(fmt::format("a cloud of {} runs of {:.0f} particles is too large: at most {} in all", runs_,
+                                     particles, most_particles));
+    check_memory(description);
+    groups_.clear();
+    segment_ = 0;
+    segment_step_ = step_ = 0;
+    pull_.reset();
+    for (std::size_t i = companions_.size(); i < runs_; ++i) {
+        if (enough()) return false;
+        RunDescription held = as_held(variation_(description, i));
+        Scene scene = model(held.model).scene(held.scene);
+        if (static_cast<double>(scene.reference.count) != particles)
+            throw UsageError(fmt::format("run {} of the cloud has {} particles, the run itself {:.0f}", i,
+                                         scene.reference.count, particles));
+        companions_.push_back({std::move(held), std::move(scene)});
+    }
+    make_groups();
+    return true;
+}
+
+void Companions::check_memory(const RunDescription& description) const {
+    const Scene scene = model(description.model).scene(description.scene);
+    const double one = static_cast<double>(scene.reference.count) * bytes_per_particle(description) +
+                       bytes_of_interactions(description, scene);
+    const double needed = static_cast<double>(runs_) * one, there = available_memory();
+    if (needed <= there) return;
+    throw UsageError(
+        fmt::format("a cloud of {} runs needs {:.3g} bytes of memory, {:.3g} are available: choose {:.0f} "
+                    "runs at most",
+                    runs_, needed, there, std::floor(there / one)));
+}
+
+/// Begins a segment as Simulation does: at the synchronised state.
+void Companions::go_on(const SegmentBegin& segment) {
+    for (const Group& group : groups_) {
+        for (std::size_t i = group.first; i < group.first + group.count; ++i) continue_in(segment, i, group);
+    }
+    make_groups();
+    segment_step_ = step_ = segment.step;
+    pull_ = segment.pull;
+}
+
+void Companions::continue_in(const SegmentBegin& segment, std::size_t i, const Group& group) {
+    Companion& companion = companions_[i];
+    companion.lost = !group.finite(i);
+    if (companion.lost) return;
+    State<double> state;
+    group.synchronised(i, state);
+    if (segment.pull) {
+        const auto& [particle, position] = *segment.pull;
+        state.displacement.set(particle, position - companion.scene.reference.at(particle));
+        state.velocity.set(particle, {});
+    }
+    companion.held = as_held(variation_(segment.description, i));
+    companion.scene = model(companion.held.model).scene(companion.held.scene);
+    companion.scene.start = Start(std::move(state));
+}
+
+/// Steppers of all of them, at the start of the segment.
+void Companions::make_groups() {
+    groups_.clear();
+    std::vector<StepperSetup> setups;
+    for (const Companion& it : companions_)
+        setups.push_back({it.scene, it.scene.start, it.held.method_parameters, it.held.precision, it.held.dt,
+                          instructions_of(execution_)});
+    for (std::size_t first = 0; first < setups.size(); first += groups_.back().count)
+        groups_.push_back(make_group(std::span<const StepperSetup>(setups).subspan(first), first));
+}
+
+/// Of as many of the first ones as have room.
+Companions::Group Companions::make_group(std::span<const StepperSetup> setups, std::size_t first) const {
+    Group group;
+    group.first = first;
+    std::size_t there = 0;
+    while (there < setups.size() && !companions_[first + there].lost) ++there;
+    if (there == 0) return group;
+    const Method& how = method(companions_[first].held.method);
+    const auto together = alike_ones(setups.first(there));
+    if (!together.empty() && how.goes_in_groups(instructions_of(execution_))) group.lanes = how.make_group(together);
+    if (group.lanes) {
+        group.count = group.lanes->runs();
+    } else {
+        group.alone = how.make(setups.front());
+    }
+    return group;
+}
+
+bool Companions::Group::finite(std::size_t companion) const {
+    if (lanes) return lanes->finite(companion - first);
+    return alone && alone->finite();
+}
+
+void Companions::Group::synchronised(std::size_t companion, State<double>& out) const {
+    if (lanes) {
+        lanes->synchronised(companion - first, out);
+    } else {
+        alone->synchronised(out);
+    }
+}
+
+void Companions::take(std::uint64_t steps) {
+    for (Group& group : groups_) {
+        if (group.lanes) {
+            group.lanes->advance(steps);
+        } else if (group.alone) {
+            group.alone->advance(steps);
+            if (!group.alone->finite()) group.alone.reset();
+        }
+    }
+    step_ += steps;
+}
+
+std::uint64_t Companions::steps_of_a_piece() const {
+    const std::size_t particles = companions_.empty() ? 0 : companions_.front().scene.reference.count;
+    return std::max<std::uint64_t>(1, steps_of_particles / std::max<std::size_t>(1, runs_ * particles));
+}
+
+std::size_t Companions::side_by_side() const {
+    return std::accumulate(groups_.begin(), groups_.end(), std::size_t{0},
+                           [](std::size_t sum, const Group& group) { return sum + (group.lanes ? group.count : 0); });
+}
+
+CloudReading Companions::look(Frame& run) {
+    const FlushSubnormals flush;
+    const std::size_t particles = run.positions.size();
+    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    run.cloud.assign(runs_ * particles, {nowhere, nowhere, nowhere});
+    CloudReading reading{.step = step_};
+    Distances distances;
+    for (const Group& group : groups_) {
+        for (std::size_t i = group.first; i < group.first + group.count; ++i) {
+            if (!group.finite(i)) {
+                ++reading.lost;
+                continue;
+            }
+            group.synchronised(i, seen_);
+            companions_[i].scene.reference.each(0, particles, [&](std::size_t k, Vec3 reference) {
+                const Vec3 place = in_precision(reference + seen_.displacement.at(k), run.precision);
+                run.cloud[i * particles + k] = place;
+                distances.add(length(place - run.positions[k]));
+            });
+        }
+    }
+    reading.largest = distances.largest();
+    reading.root_mean_square = distances.root_mean_square();
+    return reading;
+}
+
+}  // namespace steplab

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "core/frame.hpp"
+#include "models/model.hpp"
+#include "sim/ensemble/ensemble_stepper.hpp"
+#include "sim/ensemble/live_ensemble_options.hpp"
+#include "sim/run/execution.hpp"
+#include "sim/run/run_description.hpp"
+#include "sim/steppers/stepper.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace steplab {
+
+/// Where a segment of a run began, and how. The segments of a run so far tell all that was done to it.
+struct SegmentBegin {
+    struct Pull {
+        std::size_t particle;
+        Vec3 position;
+        friend bool operator==(const Pull&, const Pull&) = default;
+    };
+    std::uint64_t step = 0;
+    RunDescription description;
+    std::optional<Pull> pull = {};  ///< of a particle, just before
+};
+
+/// Adds one that begins with a pull. It takes the place of a pull of the same particle at the same step, of which
+/// nothing is left: a particle that is dragged while the run stands leaves one segment.
+void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled);
+
+/// Runs that go beside a run, step for step, and to which all that is done to it happens too. Each has the bits that it
+/// has alone. Those that differ in numbers alone are computed side by side in the lanes of vector registers where their
+/// method and scene allow it.
+class Companions {
+public:
+    /// What a companion (counted from 0) computes while the run computes `description`.
+    using Variation = std::function<RunDescription(const RunDescription& description, std::size_t companion)>;
+
+    /// No more particles than this in all of them.
+    static constexpr std::size_t most_particles = std::size_t{1} << 20;
+
+    Companions(std::size_t runs, Variation variation, const Execution& execution = {});
+
+    /// Goes to this step of the run that consists of these segments, the first of which begins at step 0; back as well,
+    /// by stepping again. The pull that the last segment begins with may have become another. Stops on the way if
+    /// `enough` says so; false if it is not there yet. Throws UsageError if the runs cannot be computed.
+    bool go_to(
+        std::uint64_t step, std::span<const SegmentBegin> segments,
+        const std::function<bool()>& enough = [] { return false; });
+    /// True if they are there.
+    bool are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const;
+    std::uint64_t step() const { return step_; }
+    /// So many of them are computed in lanes.
+    std::size_t side_by_side() const;
+
+    /// Puts the particles of all of them beside those of the run, which stands at the same step.
+    CloudReading look(Frame& run);
+
+private:
+    struct Companion {
+        RunDescription held;
+        Scene scene;        ///< its start is that of the segment
+        bool lost = false;  ///< some of its numbers are not finite there
+    };
+    /// Companions that are stepped together, in lanes; or one alone; or a lost one, by nothing.
+    struct Group {
+        std::size_t first = 0, count = 1;
+        std::unique_ptr<StepperGroup> lanes;
+        std::unique_ptr<Stepper> alone;
+
+        bool finite(std::size_t companion) const;
+        void synchronised(std::size_t companion, State<double>& out) const;
+    };
+
+    bool begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough);
+    void check_memory(const RunDescription& description) const;
+    void go_on(const SegmentBegin& segment);
+    void make_groups();
+    Group make_group(std::span<const StepperSetup> setups, std::size_t first) const;
+    void continue_in(const SegmentBegin& segment, std::size_t companion, const Group& group);
+    void take(std::uint64_t steps);
+    std::uint64_t steps_of_a_piece() const;
+
+    std::size_t runs_;
+    Variation variation_;
+    Execution execution_;
+    std::vector<Companion> companions_;
+    std::vector<Group> groups_;
+    std::size_t segment_ = 0;  ///< the one they are in
+    std::uint64_t segment_step_ = 0, step_ = 0;
+    std::optional<SegmentBegin::Pull> pull_;  ///< that the segment began with
+    State<double> seen_;                      ///< of one of them; kept for its memory
+};
+
+}  // namespace steplab

@@ -1,0 +1,35 @@
+#include "sim/ensemble/live_ensemble_options.hpp"
+
+#include <algorithm>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::string_view start_speed = "v0", time_step = "dt";
+
+bool can_differ(const RunDescription& description, const ParameterInfo& info) {
+    return info.kind == ParameterInfo::Kind::real && description.scene[info.name] != 0;
+}
+
+}  // namespace
+
+std::vector<std::string_view> spreadable(const RunDescription& description) {
+    std::vector<std::string_view> names;
+    for (const ParameterInfo& info : description.scene.infos()) {
+        if (!can_differ(description, info)) continue;
+        names.insert(info.name == start_speed ? names.begin() : names.end(), info.name);
+    }
+    names.push_back(time_step);
+    return names;
+}
+
+Spread spread_of(const Cloud& cloud, const RunDescription& description) {
+    const std::vector<std::string_view> names = spreadable(description);
+    const bool known = std::find(names.begin(), names.end(), cloud.spread) != names.end();
+    const std::string_view name = known ? std::string_view(cloud.spread) : names.front();
+    const double value = name == time_step ? description.dt : description.scene[name];
+    return {std::string(name), value * (1 - cloud.width), value * (1 + cloud.width)};
+}
+
+}  // namespace steplab

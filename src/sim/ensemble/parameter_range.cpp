@@ -1,0 +1,74 @@
+#include "sim/ensemble/parameter_range.hpp"
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::string_view time_step = "dt";
+constexpr ParameterInfo dt_info{.name = time_step, .minimum_included = false, .what = "time step"};
+
+const ParameterInfo& info_of(const RunDescription& description, std::string_view name) {
+    if (name == time_step) return dt_info;
+    std::vector<std::string_view> known{time_step};
+    for (const auto infos : {description.scene.infos(), description.method_parameters.infos()}) {
+        for (const ParameterInfo& info : infos) {
+            if (info.name == name) return info;
+            if (info.kind != ParameterInfo::Kind::choice) known.push_back(info.name);
+        }
+    }
+    throw UsageError(
+        unknown_word("parameter", name, known, fmt::format("{} and {}", description.model, description.method)));
+}
+
+void set(RunDescription& description, std::string_view name, double value) {
+    if (name == time_step) {
+        description.dt = value;
+    } else if (description.scene.contains(name)) {
+        description.scene.set(name, value);
+    } else {
+        description.method_parameters.set(name, value);
+    }
+}
+
+}  // namespace
+
+double Spread::value(std::size_t run, std::size_t runs) const {
+    if (run == 0) return from;
+    if (run + 1 == runs) return to;
+    return from + (to - from) * static_cast<double>(run) / static_cast<double>(runs - 1);
+}
+
+Spread parse_spread(const RunDescription& description, const std::string& text) {
+    const std::size_t equals = text.find('='), colon = text.find(':', equals);
+    if (equals == std::string::npos || equals == 0 || colon == std::string::npos)
+        throw UsageError(fmt::format("--spread '{}' is not of the form name=a:b, such as --spread dt=0.01:0.1", text));
+    const ParameterInfo& info = info_of(description, text.substr(0, equals));
+    if (info.kind == ParameterInfo::Kind::choice)
+        throw UsageError(fmt::format("--spread {}: only numbers can be spread, and {} is one of {}", text, info.name,
+                                     range_text(info)));
+    return {std::string(info.name), parse_value(info, text.substr(equals + 1, colon - equals - 1)),
+            parse_value(info, text.substr(colon + 1))};
+}
+
+RunDescription spread_run(RunDescription description, std::span<const Spread> spreads, std::size_t run,
+                          std::size_t runs) {
+    for (const Spread& spread : spreads) {
+        try {
+            set(description, spread.name, spread.value(run, runs));
+        } catch (const UsageError& error) {
+            throw UsageError(fmt::format("run {} of the ensemble: {}", run, error.what()));
+        }
+    }
+    check(description);
+    return description;
+}
+
+}  // namespace steplab

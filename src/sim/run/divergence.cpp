@@ -1,0 +1,74 @@
+#include "sim/run/divergence.hpp"
+
+#include "sim/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+constexpr double possible_gain = 1000;
+
+double squared_speed(const State<double>& state, std::size_t i) {
+    const double measure =
+        dot(state.velocity.at(i), state.velocity.at(i)) + 0 * dot(state.displacement.at(i), state.displacement.at(i));
+    return std::isfinite(measure) ? measure : infinity;
+}
+
+/// The number cut to one significant digit, 1, 2 or 5: dt a person would choose.
+double round_down_nicely(double value) {
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    const double digit = value / power;
+    return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
+}
+
+std::string reason(const Divergence& divergence, const RunDescription& held) {
+    const std::string dt = fmt::format("dt = {:.4g}", held.dt);
+    if (method(held.method).info.curiosity)
+        return fmt::format("{} repeats a mistake that makes it fail at any dt", held.method);
+    if (!divergence.limit) return fmt::format("{} is too large for {} on this scene", dt, held.method);
+    if (*divergence.limit == 0)
+        return fmt::format("{} gains energy at any dt, the faster the larger dt is ({})", held.method, dt);
+    if (held.dt >= *divergence.limit) {
+        return fmt::format("{} is beyond the stability limit {:.4g} of {} on this scene", dt, *divergence.limit,
+                           held.method);
+    }
+    return fmt::format("{} is below the stability limit {:.4g} of {} at rest, but the motion is too violent for it", dt,
+                       *divergence.limit, held.method);
+}
+
+}  // namespace
+
+bool energy_is_possible(const Energy& now, const Energy& start, double floor) {
+    const double work = std::abs(now.potential.external - start.potential.external);
+    const double scale = start.kinetic + start.potential.magnitude + work + floor;
+    return now.total() - start.total() <= possible_gain * scale;
+}
+
+/// What outer forces have added is their work, which is on the other side too.
+bool energy_is_surely_possible(double bound, const Energy& start, double floor) {
+    return bound <= possible_gain * (start.kinetic + start.potential.magnitude + floor);
+}
+
+std::size_t wildest_particle(const State<double>& state) {
+    std::size_t wildest = 0;
+    for (std::size_t i = 1; i < state.velocity.count(); ++i) {
+        if (squared_speed(state, i) > squared_speed(state, wildest)) wildest = i;
+    }
+    return wildest;
+}
+
+void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit) {
+    divergence.dt = held.dt;
+    if (limit && std::isfinite(limit->limit)) divergence.limit = limit->limit;
+    divergence.message = fmt::format(
+        "The run diverged: step {} (t = {:.6g}) was the last good one, then particle {} was thrown off; {}.",
+        divergence.step, divergence.time, divergence.particle, reason(divergence, held));
+    const bool beyond = divergence.limit && *divergence.limit > 0 && held.dt >= *divergence.limit;
+    divergence.remedy_dt = round_down_nicely(beyond ? *divergence.limit / 2 : held.dt / 4);
+}
+
+}  // namespace steplab

@@ -1,0 +1,90 @@
+#include "sim/run/energy.hpp"
+
+#include "core/sum.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <variant>
+
+namespace steplab {
+
+namespace {
+
+/// Springs at rest hold rounding errors of this part of the energy it takes to press one of them to nothing.
+constexpr double spring_rounding = 1e-12;
+
+double spring_floor(double k, double length, std::size_t springs) {
+    const double least = std::numeric_limits<double>::min();
+    return spring_rounding * 0.5 * k * length * length * static_cast<double>(springs) + least;
+}
+
+double floor_of(const ConstantForces& forces) { return spring_floor(forces.mass * forces.step, 1, forces.count); }
+double floor_of(const LineForces& forces) { return spring_floor(forces.k, forces.rest_length, forces.count); }
+double floor_of(const GridForces& forces) {
+    return spring_floor(forces.k, forces.rest_length, 4 * forces.rows * forces.columns);
+}
+double floor_of(const PairForces& forces) { return forces.depth * static_cast<double>(forces.count); }
+
+/// Particles of a piece, about: some of them are in the first-level cache.
+constexpr std::size_t piece_length = 4096;
+
+/// Particles that neighbouring pieces share; none where a scene is not taken in pieces.
+std::size_t shared(const LineForces&) { return 1; }
+std::size_t shared(const GridForces& forces) { return forces.columns; }
+template <class Whole>
+std::size_t shared(const Whole&) {
+    return 0;
+}
+
+std::size_t shared(const Forces& forces) {
+    return std::visit([](const auto& layout) { return shared(layout); }, forces);
+}
+
+Pieces pieces_of(const Scene& scene) {
+    const std::size_t unit = shared(scene.forces), units = piece_length / std::max<std::size_t>(1, unit);
+    return {scene.reference.count, std::max<std::size_t>(1, units) * std::max<std::size_t>(1, unit), unit};
+}
+
+}  // namespace
+
+EnergyMeter::EnergyMeter(const Scene& scene, Instructions instructions)
+    : energy_sums_(&energy_sums(instructions)),
+      mass_(scene.mass),
+      forces_(scene.forces),
+      floor_(std::visit([](const auto& forces) { return floor_of(forces); }, forces_)),
+      count_(scene.reference.count),
+      unit_(shared(forces_)),
+      pieces_(pieces_of(scene)),
+      sums_(pieces_.count()) {}
+
+Energy EnergyMeter::energy(std::size_t parts, const Look& look, const PieceSink& also) {
+    if (unit_ == 0 && whole_.count() != count_) whole_ = Field<double>(count_);
+    pieces_.each(parts, look, [&](const Piece& piece) {
+        sums_[piece.number] = sums_of(piece);
+        if (also) also(piece);
+    });
+    return total();
+}
+
+EnergyMeter::Sums EnergyMeter::sums_of(const Piece& piece) {
+    const Field<double>& u = piece.state.displacement;
+    const double squares = energy_sums_->squares(piece.state.velocity, piece.own);
+    if (unit_ > 0) return {squares, energy_sums_->potential(forces_, u, piece.held, piece.own)};
+    copy(u, 0, piece.own, whole_, piece.first);
+    return {squares, {}};
+}
+
+Energy EnergyMeter::total() const {
+    CompensatedSum squares, value, magnitude, external;
+    for (const Sums& piece : sums_) {
+        squares.add(piece.squares);
+        value.add(piece.potential.value);
+        magnitude.add(piece.potential.magnitude);
+        external.add(piece.potential.external);
+    }
+    const double kinetic = mass_ / 2 * squares.value();
+    if (unit_ == 0) return {kinetic, energy_sums_->potential(forces_, whole_, count_, count_)};
+    return {kinetic, {value.value(), magnitude.value(), external.value()}};
+}
+
+}  // namespace steplab

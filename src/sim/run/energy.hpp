@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/diagnostics.hpp"
+#include "core/field.hpp"
+#include "core/instructions.hpp"
+#include "models/model.hpp"
+#include "sim/steppers/energy_sums.hpp"
+#include "sim/steppers/pieces.hpp"
+#include "sim/steppers/stepper.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace steplab {
+
+/// Kinetic and potential energy of one state, in the parts the check of divergence needs.
+struct Energy {
+    double kinetic = 0;
+    PotentialEnergy potential;
+
+    double total() const { return kinetic + potential.value; }
+};
+
+/// Computes sums over a scene's particles in double. They are taken in pieces (Pieces), so that neither memory for all
+/// particles of a chain or grid is needed nor does it matter how they are shown.
+class EnergyMeter {
+public:
+    using Look = std::function<void(const PortionSink&)>;
+
+    EnergyMeter(const Scene& scene, Instructions instructions);
+
+    /// Of all particles, which `look` shows to what it is given, as Stepper::look() does.
+    Energy energy(const Look& look) { return energy(1, look, nullptr); }
+    /// The same of parts that may be shown side by side. Each piece is shown on to `also`, unless that is empty.
+    Energy energy(std::size_t parts, const Look& look, const PieceSink& also);
+    std::size_t pieces() const { return sums_.size(); }
+    /// An energy no run of this scene may be judged by the changes of: rounding, and the depth of potential wells.
+    double floor() const { return floor_; }
+
+private:
+    struct Sums {
+        double squares;  ///< of velocities
+        PotentialEnergy potential;
+    };
+
+    Sums sums_of(const Piece& piece);
+    Energy total() const;
+
+    const EnergySums* energy_sums_;
+    double mass_;
+    Forces forces_;
+    double floor_;
+    std::size_t count_;  ///< particles of the scene
+    std::size_t unit_;   ///< particles that pieces have in common: one of a chain, a row of a grid
+    Pieces pieces_;
+    std::vector<Sums> sums_;  ///< of each piece
+    Field<double> whole_;     ///< all displacements, where forces are not only those of neighbours
+};
+
+}  // namespace steplab

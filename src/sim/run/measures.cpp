@@ -1,0 +1,87 @@
+#include "sim/run/measures.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace steplab {
+
+void ParticleSums::add(const Piece& piece) {
+    const Field<double>&u = piece.state.displacement, &velocity = piece.state.velocity;
+    Sums sums;
+    scene_.reference.each(piece.first, piece.own, [&](std::size_t i, Vec3 reference) {
+        const Vec3 position = reference + u.at(i - piece.first), v = velocity.at(i - piece.first);
+        const Vec3 displacement = position - shape_.rest[i];
+        sums.velocity = sums.velocity + v;
+        sums.turning = sums.turning + cross(position, v);
+        sums.displacement_squared = std::max(sums.displacement_squared, dot(displacement, displacement));
+        sums.speed_squared = std::max(sums.speed_squared, dot(v, v));
+    });
+    pieces_[piece.number] = sums;
+}
+
+Diagnostics ParticleSums::result() const {
+    Sums all;
+    for (const Sums& piece : pieces_) {
+        all.velocity = all.velocity + piece.velocity;
+        all.turning = all.turning + piece.turning;
+        all.displacement_squared = std::max(all.displacement_squared, piece.displacement_squared);
+        all.speed_squared = std::max(all.speed_squared, piece.speed_squared);
+    }
+    Diagnostics diagnostics;
+    diagnostics.momentum = scene_.mass * all.velocity;
+    diagnostics.angular_momentum = scene_.mass * all.turning;
+    diagnostics.max_displacement = std::sqrt(all.displacement_squared);
+    diagnostics.max_speed = std::sqrt(all.speed_squared);
+    return diagnostics;
+}
+
+double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time) {
+    std::vector<Vec3> right(displacement.count());
+    exact.displacements(time, right);
+    double largest = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) largest = std::max(largest, length(displacement.at(i) - right[i]));
+    return largest;
+}
+
+namespace {
+
+const double* component(const State<double>& state, std::size_t c) {
+    const Field<double>& field = c < 3 ? state.displacement : state.velocity;
+    return c % 3 == 0 ? field.x() : c % 3 == 1 ? field.y() : field.z();
+}
+
+/// Component after component of all particles, each hash the seed of the next: a look for each of them, which takes
+/// less than memory for all.
+template <class T>
+std::uint64_t hash_in(std::uint64_t step, const std::function<void(const PortionSink&)>& look) {
+    XXH64_hash_t hash = XXH64(&step, sizeof step, 0);
+    const std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> stream(XXH64_createState(), &XXH64_freeState);
+    std::vector<T> held;
+    for (std::size_t c = 0; c < 6; ++c) {
+        XXH64_reset(stream.get(), hash);
+        look([&](const Portion& portion) {
+            const double* const numbers = component(portion.state, c) + portion.place;
+            held.resize(portion.count);
+            std::transform(numbers, numbers + portion.count, held.begin(),
+                           [](double number) { return static_cast<T>(number); });
+            XXH64_update(stream.get(), held.data(), held.size() * sizeof(T));
+        });
+        hash = XXH64_digest(stream.get());
+    }
+    return hash;
+}
+
+}  // namespace
+
+std::string hash_of(std::uint64_t step, Precision precision, const std::function<void(const PortionSink&)>& look) {
+    const std::uint64_t hash =
+        precision == Precision::float_ ? hash_in<float>(step, look) : hash_in<double>(step, look);
+    return fmt::format("{:016x}", hash);
+}
+
+}  // namespace steplab

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "models/model.hpp"
+#include "sim/run/run_description.hpp"
+
+namespace steplab {
+
+/// Bytes of memory that new data may take: what the system says is available, less a reserve for everything else.
+double available_memory();
+
+/// Bytes a running simulation needs for each particle: integrator, kept state, frame and what is looked at.
+double bytes_per_particle(const RunDescription& description);
+
+/// Bytes that such a run takes in all, about.
+double bytes_of_run(const RunDescription& description);
+
+/// Bytes its method needs besides for the interactions of the scene, as many as there are at the start.
+double bytes_of_interactions(const RunDescription& description, const Scene& scene);
+
+}  // namespace steplab

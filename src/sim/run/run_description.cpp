@@ -1,0 +1,156 @@
+#include "sim/run/run_description.hpp"
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/run/linear_limit.hpp"
+#include "sim/run/memory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+void check_dt(const RunDescription& description) {
+    const double dt = description.dt, held = rounded_to(description.precision, dt);
+    if (!(std::isfinite(dt) && dt > 0))
+        throw UsageError(fmt::format("dt = {} is not possible: dt must be a number > 0", number_text(dt)));
+    if (!std::isfinite(held) || !(held > 0)) {
+        throw UsageError(
+            fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", number_text(dt)));
+    }
+}
+
+void check_fits(Precision precision, const ParameterInfo& info, double value) {
+    const double held = rounded_to(precision, value);
+    const bool vanished = held == 0 && !info.minimum_included && info.minimum == 0;
+    if (std::isfinite(held) && !vanished) return;
+    throw UsageError(fmt::format("{} = {} is lost in float, which holds 1e-37 to 3e38: choose another value or double",
+                                 info.name, number_text(value)));
+}
+
+void check_memory(const RunDescription& description, double needed_for_interactions) {
+    const double particles = model(description.model).particles(description.scene);
+    const double needed = particles * bytes_per_particle(description) + needed_for_interactions;
+    if (needed < 1e6) return;  // always there, and to ask the system takes longer than a short run
+    const double there = available_memory();
+    if (needed <= there && particles <= 4294967295.0) return;
+    throw UsageError(fmt::format("{} particles need {:.3g} bytes of memory, {:.3g} are available: choose a smaller {}",
+                                 number_text(particles), needed, there,
+                                 description.scene.contains("dim")    ? "dim"
+                                 : description.scene.contains("edge") ? "edge"
+                                                                      : "n"));
+}
+
+/// Methods that cannot run every scene look at its forces; what is held for each interaction has to fit, too.
+void check_method(const RunDescription& description) {
+    const Method& entry = method(description.method);
+    const bool lists = description.scene.contains("cutoff") && description.scene["cutoff"] > 0;
+    if (!entry.refusal && !lists) return;
+    const Scene scene = model(description.model).scene(description.scene);
+    const auto refused = std::visit(
+        [&](const auto& forces) {
+            return entry.refusal ? entry.refusal(coupling(forces)) : std::optional<std::string>();
+        },
+        scene.forces);
+    if (refused) throw UsageError(fmt::format("{} cannot run this scene: {}", description.method, *refused));
+    check_memory(description, bytes_of_interactions(description, scene));
+}
+
+/// "--set name=value" for every parameter that is not at its default.
+std::string changed_parameters(const ParameterValues& values) {
+    std::string text;
+    for (const auto& info : values.infos()) {
+        if (values[info.name] != info.default_value)
+            text += fmt::format(" --set {}={}", info.name, format_value(info, values[info.name]));
+    }
+    return text;
+}
+
+}  // namespace
+
+RunDescription describe(std::string_view model_id, std::string_view method_id) {
+    return with_method(with_model({}, model_id), method_id);
+}
+
+RunDescription with_model(RunDescription description, std::string_view id) {
+    const ModelInfo& info = model(id).info;
+    description.model = info.id;
+    description.scene = ParameterValues(info.parameters);
+    return description;
+}
+
+RunDescription with_method(RunDescription description, std::string_view id) {
+    const MethodInfo& info = method(id).info;
+    description.method = info.id;
+    description.method_parameters = ParameterValues(info.parameters);
+    return description;
+}
+
+void set_parameter(RunDescription& description, std::string_view name, std::string_view text) {
+    if (description.scene.contains(name)) return description.scene.set_text(name, text);
+    if (description.method_parameters.contains(name)) return description.method_parameters.set_text(name, text);
+    std::vector<std::string_view> known;
+    for (const auto& info : description.scene.infos()) known.push_back(info.name);
+    for (const auto& info : description.method_parameters.infos()) known.push_back(info.name);
+    throw UsageError(
+        unknown_word("parameter", name, known, fmt::format("{} and {}", description.model, description.method)));
+}
+
+void check(const RunDescription& description) {
+    check_dt(description);
+    for (const ParameterValues& values : {description.scene, description.method_parameters}) {
+        for (const auto& info : values.infos()) {
+            check_value(info, values[info.name]);
+            if (info.kind == ParameterInfo::Kind::real) check_fits(description.precision, info, values[info.name]);
+        }
+    }
+    if (const auto& refusal = model(description.model).refusal) {
+        if (const auto refused = refusal(description.scene)) throw UsageError(*refused);
+    }
+    check_memory(description, 0);
+    check_method(description);
+}
+
+RunDescription as_held(RunDescription description) {
+    check(description);
+    description.dt = rounded_to(description.precision, description.dt);
+    for (const auto& info : description.scene.infos()) {
+        description.scene.set(info.name, rounded_to(description.precision, description.scene[info.name]));
+    }
+    return description;
+}
+
+std::string command_line(const RunDescription& description) {
+    return fmt::format("--model {}{} --method {}{} --precision {} --dt {}", description.model,
+                       changed_parameters(description.scene), description.method,
+                       changed_parameters(description.method_parameters), id(description.precision),
+                       number_text(description.dt));
+}
+
+std::optional<StabilityLimit> stability_limit(const RunDescription& description) {
+    const Model& scene = model(description.model);
+    const auto omega = scene.omega_max(description.scene);
+    if (!omega) return std::nullopt;
+    const double gamma = has_drag(description) ? description.scene["c"] / description.scene["m"] : 0;
+    const auto limit = [&](double frequency) {
+        return linear_limit(method(description.method), description.method_parameters, frequency, gamma);
+    };
+    return StabilityLimit{std::min(limit(*omega), limit(0)), *omega};
+}
+
+bool has_drag(const RunDescription& description) {
+    return description.scene.contains("c") && description.scene["c"] > 0;
+}
+
+std::uint64_t steps_until(double duration, double dt) {
+    return static_cast<std::uint64_t>(std::ceil(duration / dt * (1 - 1e-12)));
+}
+
+}  // namespace steplab

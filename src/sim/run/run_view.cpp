@@ -1,0 +1,45 @@
+#include "sim/run/run_view.hpp"
+
+#include <algorithm>
+
+namespace steplab {
+
+namespace {
+
+Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_t particle) {
+    const Vec3 rest = frame.shape->rest[particle];
+    Tracked tracked{particle, frame.positions[particle] - rest, std::nullopt};
+    if (const auto exact = simulation.exact_position(particle, frame.time)) tracked.exact_displacement = *exact - rest;
+    return tracked;
+}
+
+}  // namespace
+
+void look(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
+    view.description = simulation.description();
+    view.diagnostics = simulation.look(view.frame);
+    view.tracked.reset();
+    if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
+    view.divergence = simulation.divergence();
+    view.limit = simulation.limit();
+    view.has_exact = simulation.has_exact();
+    view.segment_start = simulation.segment_start();
+    view.baseline_step = simulation.baseline_step();
+    view.dt = simulation.dt();
+}
+
+std::size_t first_followed(const Shape& shape) {
+    for (const Role role : {Role::kicked, Role::bullet}) {
+        const auto found = std::find(shape.roles.begin(), shape.roles.end(), role);
+        if (found != shape.roles.end()) return static_cast<std::size_t>(found - shape.roles.begin());
+    }
+    return shape.roles.size() - 1;
+}
+
+RunView view_of(const Simulation& simulation, std::optional<std::size_t> particle) {
+    RunView view;
+    look(simulation, particle, view);
+    return view;
+}
+
+}  // namespace steplab

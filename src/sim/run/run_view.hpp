@@ -1,0 +1,62 @@
+#pragma once
+
+#include "core/diagnostics.hpp"
+#include "core/frame.hpp"
+#include "sim/ensemble/live_ensemble_options.hpp"
+#include "sim/run/simulation.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace steplab {
+
+/// How fast a playing run goes: simulated seconds a second, or as fast as the machine can.
+struct Rate {
+    bool as_fast_as_possible = false;
+    double seconds_per_second = 1;
+    friend bool operator==(const Rate&, const Rate&) = default;
+};
+
+/// One particle at one time against the exact solution, for plots and read-outs.
+struct Tracked {
+    std::size_t particle = 0;
+    Vec3 displacement;  ///< from its rest position
+    std::optional<Vec3> exact_displacement;
+};
+
+/// What the interface sees of a run: one consistent moment of it and how it is doing. Plain data, made by the worker
+/// or, for a still picture, by view_of().
+struct RunView {
+    RunDescription description;  ///< as it is being computed
+    Frame frame;
+    Diagnostics diagnostics;
+    std::optional<Tracked> tracked;
+    std::optional<Divergence> divergence;
+    std::optional<StabilityLimit> limit;
+    bool has_exact = false;
+    bool playing = false;
+    bool can_step_back = false;
+    Rate rate;
+    double segment_start = 0;         ///< time the current method, dt and parameters began to hold
+    std::uint64_t baseline_step = 0;  ///< step from which the energy error counts
+    std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots begin anew
+    double dt = 0.1;                  ///< as the precision holds it
+    Cloud cloud;                      ///< beside the run; it is in the frame unless it is still being computed
+    CloudReading cloud_reading;
+    /// Measured; none in still pictures.
+    std::optional<double> steps_per_second;
+    std::optional<double> evaluations_per_second;
+    std::string error;  ///< message of a command that was refused; empty if none
+};
+
+/// Fills in everything of `view` that the simulation knows, reusing its memory; `particle` is the one to track.
+void look(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view);
+
+/// The particle to track until another one is picked: the kicked one, else the bullet, else the last.
+std::size_t first_followed(const Shape& shape);
+
+/// The view of a run that stands still.
+RunView view_of(const Simulation& simulation, std::optional<std::size_t> tracked = std::nullopt);
+
+}  // namespace steplab

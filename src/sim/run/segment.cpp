@@ -1,0 +1,43 @@
+#include "sim/run/segment.hpp"
+
+#include "core/flush_subnormals.hpp"
+#include "sim/steppers/bands.hpp"
+
+namespace steplab {
+
+Segment::Segment(const RunDescription& given, const Execution& how)
+    : description(given),
+      held(as_held(given)),
+      execution(how),
+      scene(model(held.model).scene(held.scene)),
+      meter(scene, instructions_of(how)) {
+    restart();
+}
+
+Segment::Segment(const RunDescription& given, const Execution& how, const Start& start)
+    : description(given),
+      held(as_held(given)),
+      execution(how),
+      scene(model(held.model).scene(held.scene)),
+      meter(scene, instructions_of(how)) {
+    scene.start = start;
+    restart();
+}
+
+void Segment::restart() {
+    const FlushSubnormals flush;
+    stepper.reset();
+    const Method& how = method(held.method);
+    stepper = make_stepper(
+        how,
+        {scene, scene.start, held.method_parameters, held.precision, held.dt, instructions_for(how, scene, execution)},
+        execution);
+}
+
+const std::optional<StabilityLimit>& Segment::limit() const {
+    if (!limit_known_) limit_ = stability_limit(held);
+    limit_known_ = true;
+    return limit_;
+}
+
+}  // namespace steplab

@@ -1,0 +1,204 @@
+#include "sim/run/simulation.hpp"
+
+#include "core/flush_subnormals.hpp"
+#include "sim/run/measures.hpp"
+#include "sim/run/simulation_body.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// True if only what may change under way differs between the two.
+bool continues(const RunDescription& from, const RunDescription& to) {
+    if (from.model != to.model) return false;
+    return std::all_of(from.scene.infos().begin(), from.scene.infos().end(), [&](const ParameterInfo& info) {
+        return info.on_change == OnChange::applies_live || from.scene[info.name] == to.scene[info.name];
+    });
+}
+
+}  // namespace
+
+Simulation::Simulation(const RunDescription& description, const Execution& execution)
+    : body_(std::make_unique<Body>(description, execution)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+Simulation::Body& Simulation::settled() const {
+    body_->settle();
+    return *body_;
+}
+
+const RunDescription& Simulation::description() const { return body_->segment.description; }
+std::uint64_t Simulation::step() const { return settled().step; }
+double Simulation::time() const { return settled().time_at(settled().step); }
+double Simulation::dt() const { return body_->segment.held.dt; }
+std::size_t Simulation::particles() const { return body_->segment.scene.reference.count; }
+std::uint64_t Simulation::segment() const { return body_->segment_number; }
+double Simulation::segment_start() const { return body_->segment_time; }
+std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
+bool Simulation::has_exact() const { return body_->exact() != nullptr; }
+const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
+const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
+
+std::uint64_t Simulation::evaluations() const {
+    settled();
+    return advanced().evaluations;
+}
+
+Simulation::Advanced Simulation::advanced() const {
+    return {body_->step, body_->evaluations_before + body_->segment.stepper->evaluations(),
+            body_->divergence.has_value()};
+}
+
+CollisionRecord Simulation::collisions() const { return settled().segment.stepper->collisions(); }
+
+void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
+void Simulation::conclude() { body_->conclude(); }
+std::uint64_t Simulation::check_interval() const { return steps_between_checks; }
+
+Frame Simulation::frame() const {
+    Frame out;
+    frame(out);
+    return out;
+}
+
+void Simulation::frame(Frame& out) const {
+    Body& body = settled();
+    prepare(out);
+    body.look([&](const Portion& portion) { fill(out, portion); });
+}
+
+/// All of a frame but for its particles.
+void Simulation::prepare(Frame& out) const {
+    out.step = step();
+    out.time = time();
+    out.precision = body_->segment.held.precision;
+    out.shape = shape();
+    out.positions.resize(particles());
+    out.velocities.resize(particles());
+    out.cloud.clear();
+}
+
+void Simulation::fill(Frame& out, const Portion& portion) const {
+    const State<double>& state = portion.state;
+    const auto copy = [&](const auto& rounded) {
+        body_->segment.scene.reference.each(portion.first, portion.count, [&](std::size_t i, Vec3 reference) {
+            const std::size_t k = portion.place + (i - portion.first);
+            const Vec3 position = reference + state.displacement.at(k);
+            out.positions[i] = {rounded(position.x), rounded(position.y), rounded(position.z)};
+            out.velocities[i] = state.velocity.at(k);
+        });
+    };
+    if (out.precision == Precision::float_) {
+        copy([](double x) { return rounded_to(Precision::float_, x); });
+    } else {
+        copy([](double x) { return x; });
+    }
+}
+
+std::shared_ptr<const Shape> Simulation::shape() const {
+    if (!body_->shape) {
+        const RunDescription& held = body_->segment.held;
+        body_->shape = std::make_shared<const Shape>(model(held.model).shape(held.scene));
+    }
+    return body_->shape;
+}
+
+std::string Simulation::hash() const {
+    Body& body = settled();
+    return hash_of(body.step, body.segment.held.precision, [&](const PortionSink& sink) { body.look(sink); });
+}
+
+const State<double>& Simulation::state() const { return settled().state(); }
+
+Diagnostics Simulation::diagnostics() const {
+    return measured([](const Portion&) {});
+}
+
+Diagnostics Simulation::look(Frame& out) const {
+    settled();
+    prepare(out);
+    return measured([&](const Portion& portion) { fill(out, portion); });
+}
+
+/// Shows all particles to `also`.
+Diagnostics Simulation::measured(const PortionSink& also) const {
+    Body& body = settled();
+    ParticleSums particles(body.segment.scene, *shape(), body.segment.meter.pieces());
+    body.measure(also, [&](const Piece& piece) { particles.add(piece); });
+    Diagnostics sums = particles.result();
+    sums.kinetic = body.energy().kinetic;
+    sums.potential = body.energy().potential.value;
+    sums.energy = body.energy().total();
+    sums.energy_error = sums.energy - body.baseline.total();
+    if (has_exact() && time() <= body.exact()->valid_until())
+        sums.error = largest_error(body.state().displacement, *body.exact(), time());
+    return sums;
+}
+
+double Simulation::energy() const { return settled().energy().total(); }
+double Simulation::energy_error() const { return energy() - body_->baseline.total(); }
+
+std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time) const {
+    const ExactSolution* const exact = body_->exact();
+    if (!exact || time > exact->valid_until()) return std::nullopt;
+    return body_->segment.scene.reference.at(particle) + exact->displacement(particle, time);
+}
+
+Change Simulation::change(const RunDescription& description) {
+    const RunDescription& now = body_->segment.description;
+    if (description == now) return Change::none;
+    if (!continues(now, description) || step() == 0) {
+        const Change change = continues(now, description) ? Change::continued : Change::restarted;
+        const std::uint64_t number = body_->segment_number;
+        body_ = std::make_unique<Body>(description, body_->segment.execution);
+        body_->segment_number = number + 1;
+        return change;
+    }
+    body_->go_on(description, !(description.scene == now.scene));
+    return Change::continued;
+}
+
+void Simulation::pull(std::size_t particle, Vec3 position) {
+    if (particle >= particles() || shape()->roles[particle] == Role::fixed) return;
+    settled().pull(particle, position - body_->segment.scene.reference.at(particle));
+}
+
+void Simulation::restart() {
+    const std::uint64_t number = body_->segment_number;
+    body_ = std::make_unique<Body>(RunDescription(description()), Execution(body_->segment.execution));
+    body_->segment_number = number + 1;
+}
+
+std::uint64_t Simulation::Snapshot::step() const { return content_->course.step; }
+std::uint64_t Simulation::Snapshot::segment() const { return content_->course.segment_number; }
+std::size_t Simulation::Snapshot::bytes() const { return content_->bytes; }
+
+Simulation::Snapshot Simulation::save() const {
+    const Stepper& stepper = *settled().segment.stepper;
+    const Course& course = *body_;
+    std::any internal;
+    stepper.save(internal);
+    Snapshot snapshot;
+    snapshot.content_ = std::make_shared<const Snapshot::Content>(
+        Snapshot::Content{description(), body_->segment.scene.start, course, std::move(internal), stepper.bytes()});
+    return snapshot;
+}
+
+void Simulation::restore(const Snapshot& snapshot) {
+    const FlushSubnormals flush;
+    const Snapshot::Content& content = *snapshot.content_;
+    if (content.course.segment_number != segment())
+        body_->segment = Segment(content.description, Execution(body_->segment.execution), content.start);
+    static_cast<Course&>(*body_) = content.course;
+    body_->segment.stepper->restore(content.internal);
+    body_->divergence.reset();
+    body_->moved();
+    body_->keep();
+}
+
+}  // namespace steplab

@@ -1,0 +1,133 @@
+#pragma once
+
+#include "core/diagnostics.hpp"
+#include "core/frame.hpp"
+#include "sim/run/execution.hpp"
+#include "sim/run/run_description.hpp"
+#include "sim/steppers/stepper.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace steplab {
+
+/// How a run ended that could not go on.
+struct Divergence {
+    std::uint64_t step = 0;    ///< the last good step; the run stands there
+    double time = 0;           ///< its time
+    std::size_t particle = 0;  ///< the particle that left first (largest speed, or not finite) in the step after
+    double dt = 0;
+    std::optional<double> limit;  ///< the method's stability limit for this scene, where known; 0 = unstable at any dt
+    std::string message;          ///< one sentence: what happened, why
+    std::optional<double> remedy_dt;  ///< a dt that should work, where known
+};
+
+/// What a change of description did to the run.
+enum class Change { none, continued, restarted };
+
+/// One run under way: owns the scene, the method's internal state and the clock in steps.
+class Simulation {
+public:
+    /// Throws UsageError if the description cannot be run (see check()).
+    explicit Simulation(const RunDescription& description, const Execution& execution = {});
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    const RunDescription& description() const;
+    std::uint64_t step() const;
+    /// t0 + (step - step0) dt of the segment, in double, with dt as the precision holds it.
+    double time() const;
+    double dt() const;
+    std::size_t particles() const;
+    /// Of the whole run, over all segments.
+    std::uint64_t evaluations() const;
+    /// Collisions of the present segment where a force jumps, as adaptive methods find them; times since its start.
+    CollisionRecord collisions() const;
+
+    /// Takes up to `steps` steps. If the run diverges, it goes back to the last good step, which may lie before where
+    /// this call began, and no further. Numbers that are not finite are found before anybody sees them, an impossible
+    /// energy on a fixed grid of steps (check_interval), so that it makes no difference in how many calls the steps are
+    /// taken.
+    void advance(std::uint64_t steps);
+    /// Judges the energy of the present step too, as at the end of a run.
+    void conclude();
+    /// Steps from one check of the energy to the next, counted from the start of the segment.
+    std::uint64_t check_interval() const;
+    const std::optional<Divergence>& divergence() const;
+    /// What advance() has come to: it may turn out to lead beyond a divergence once somebody looks at all particles, as
+    /// the other functions do.
+    struct Advanced {
+        std::uint64_t step, evaluations;
+        bool diverged;
+    };
+    Advanced advanced() const;
+    /// stability_limit() of the present description, computed once.
+    const std::optional<StabilityLimit>& limit() const;
+
+    /// The moment as seen from outside; looking never changes the run. The second form reuses the vectors of `out`.
+    Frame frame() const;
+    void frame(Frame& out) const;
+    Diagnostics diagnostics() const;
+    /// Both, in one pass over the run's memory.
+    Diagnostics look(Frame& out) const;
+    /// Those two of them that cost least.
+    double energy() const;
+    double energy_error() const;
+    /// Displacements from the reference positions and velocities of the moment, with all the digits the run has.
+    const State<double>& state() const;
+    /// The unchanging part of the scene; built when first asked for.
+    std::shared_ptr<const Shape> shape() const;
+    /// Hash of step and synchronised state bits, 16 hexadecimal digits.
+    std::string hash() const;
+
+    /// Position of a particle at time t in closed form. None if no exact solution is known (for so long), or since the
+    /// run left its conditions (a parameter of the scene was changed under way).
+    std::optional<Vec3> exact_position(std::size_t particle, double time) const;
+    bool has_exact() const;
+
+    /// Goes on from the synchronised state with another method, dt, precision or live parameter, beginning a new
+    /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
+    Change change(const RunDescription& description);
+    /// Takes a particle to a place, without velocity, and goes on in a new segment with a new baseline of energy.
+    /// Fixed particles stay where they are.
+    void pull(std::size_t particle, Vec3 position);
+    void restart();
+    /// True since the start if nothing has changed the energy from outside; false once a live change began a new
+    /// baseline.
+    bool baseline_is_start() const;
+    std::uint64_t baseline_step() const;
+
+    /// Counts the stretches of the run in which nothing was changed.
+    std::uint64_t segment() const;
+    double segment_start() const;  ///< time at which the present one began
+
+    /// Everything needed to come back to this very moment and go on with the same bits, also from another segment.
+    class Snapshot {
+    public:
+        std::uint64_t step() const;
+        std::uint64_t segment() const;
+        std::size_t bytes() const;
+
+    private:
+        friend class Simulation;
+        struct Content;
+        std::shared_ptr<const Content> content_;
+    };
+    Snapshot save() const;
+    void restore(const Snapshot& snapshot);
+
+private:
+    struct Body;
+    void fill(Frame& out, const Portion& portion) const;
+    void prepare(Frame& out) const;
+    Diagnostics measured(const PortionSink& also) const;
+    /// The run as somebody who looks finds it: numbers that are not finite have been noticed.
+    Body& settled() const;
+    std::unique_ptr<Body> body_;
+};
+
+}  // namespace steplab

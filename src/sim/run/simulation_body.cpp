@@ -1,0 +1,172 @@
+#include "sim/run/simulation_body.hpp"
+
+#include "core/flush_subnormals.hpp"
+#include "sim/run/divergence.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// Bytes of an internal state up to which a copy is kept to come back to. A larger one would cost memory that scenes of
+/// millions of particles need for themselves: they step again from where their segment began.
+constexpr std::size_t most_kept = std::size_t{4} << 20;
+
+}  // namespace
+
+Simulation::Body::Body(const RunDescription& description, const Execution& execution)
+    : segment(description, execution) {
+    exact_scene = segment.held.scene;
+    baseline = energy();
+    keep();
+}
+
+const State<double>& Simulation::Body::state() {
+    const FlushSubnormals flush;
+    if (!state_known) segment.stepper->synchronised(looked_at);
+    state_known = true;
+    return looked_at;
+}
+
+void Simulation::Body::look(const PortionSink& sink) {
+    const FlushSubnormals flush;
+    if (state_known) return sink({0, looked_at.velocity.count(), looked_at});
+    segment.stepper->look(sink);
+}
+
+const Energy& Simulation::Body::energy() {
+    if (!energy_known) measure(nullptr, nullptr);
+    return measured;
+}
+
+void Simulation::Body::measure(const PortionSink& portions, const PieceSink& pieces) {
+    const FlushSubnormals flush;
+    const Stepper& stepper = *segment.stepper;
+    const auto look = [&](const PortionSink& sink) {
+        const PortionSink both = [&](const Portion& portion) {
+            if (portions) portions(portion);
+            sink(portion);
+        };
+        if (state_known) return both({0, stepper.particles(), looked_at});
+        stepper.look_side_by_side(both);
+    };
+    measured = segment.meter.energy(state_known ? 1 : stepper.parts(), look, pieces);
+    energy_known = true;
+}
+
+const ExactSolution* Simulation::Body::exact() {
+    if (!exact_scene) return nullptr;
+    if (!exact_known) solution = model(segment.held.model).exact(*exact_scene);
+    exact_known = true;
+    return solution.get();
+}
+
+/// The velocities a curiosity shows may be wrong while its positions are right: they are left out.
+bool Simulation::Body::energy_is_good() {
+    const double kinetic = method(segment.held.method).info.curiosity ? 0 : energy().kinetic;
+    return energy_is_possible({kinetic, energy().potential}, baseline, segment.meter.floor());
+}
+
+void Simulation::Body::keep() {
+    if (segment.stepper->bytes() <= most_kept) {
+        segment.stepper->save(kept);
+    } else {
+        kept.reset();
+    }
+    kept_step = step;
+}
+
+void Simulation::Body::take(std::uint64_t steps) {
+    segment.stepper->advance(steps);
+    step += steps;
+    moved();
+}
+
+void Simulation::Body::advance(std::uint64_t steps) {
+    const FlushSubnormals flush;
+    while (!divergence && steps > 0) {
+        const std::uint64_t taken = std::min(steps, steps_to_check());
+        take(taken);
+        steps -= taken;
+        if (steps_to_check() != steps_between_checks) continue;
+        if (!is_good()) return go_back_to_last_good();
+        settled = true;
+        keep();
+    }
+}
+
+/// Before anybody looks: what he sees is finite.
+void Simulation::Body::settle() {
+    if (settled || divergence) return;
+    const FlushSubnormals flush;
+    if (!segment.stepper->finite()) return go_back_to_last_good();
+    settled = true;
+}
+
+void Simulation::Body::conclude() {
+    const FlushSubnormals flush;
+    settle();
+    if (!divergence && !energy_is_good()) go_back_to_last_good();
+}
+
+/// Steps again from the kept state to find the first bad step, and once more to stand at the step before it.
+void Simulation::Body::go_back_to_last_good() {
+    go_back_to_kept();
+    do take(1);
+    while (is_good());
+    divergence.emplace();
+    divergence->particle = wildest_particle(state());
+    const std::uint64_t good = step - 1;
+    go_back_to_kept();
+    take(good - kept_step);
+    diverged();
+}
+
+void Simulation::Body::go_back_to_kept() {
+    if (kept.has_value()) {
+        segment.stepper->restore(kept);
+        step = kept_step;
+    } else {
+        segment.restart();
+        step = segment_step;
+        take(kept_step - segment_step);
+    }
+}
+
+void Simulation::Body::diverged() {
+    divergence->step = step;
+    divergence->time = time_at(step);
+    explain(*divergence, segment.held, segment.limit());
+    keep();
+}
+
+/// Begins a new segment at the synchronised state.
+void Simulation::Body::go_on(const RunDescription& description, bool energy_changed) {
+    const FlushSubnormals flush;
+    Segment next(description, segment.execution, Start(State<double>(state())));
+    evaluations_before += segment.stepper->evaluations();
+    segment_time = time_at(step);
+    segment_step = step;
+    segment = std::move(next);
+    ++segment_number;
+    divergence.reset();
+    moved();
+    if (energy_changed) {
+        baseline = energy();
+        baseline_step = step;
+        exact_scene.reset();
+    }
+    keep();
+}
+
+/// The particle stops at this displacement; a new segment begins.
+void Simulation::Body::pull(std::size_t particle, Vec3 displacement) {
+    state();
+    looked_at.displacement.set(particle, displacement);
+    looked_at.velocity.set(particle, {});
+    go_on(RunDescription(segment.description), true);
+}
+
+}  // namespace steplab

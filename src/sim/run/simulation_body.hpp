@@ -1,0 +1,88 @@
+#pragma once
+
+#include "sim/run/segment.hpp"
+#include "sim/run/simulation.hpp"
+
+#include <any>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace steplab {
+
+/// Steps between two checks of the energy, which is as costly as some evaluations.
+inline constexpr std::uint64_t steps_between_checks = 256;
+
+/// Where a run is and what it is measured against; with the description and the internal state it is all of a run.
+struct Course {
+    std::uint64_t step = 0;
+    std::uint64_t segment_number = 0;
+    std::uint64_t segment_step = 0;  // step at which the segment began
+    double segment_time = 0;
+    std::uint64_t evaluations_before = 0;  // of the segments before
+    Energy baseline;
+    std::uint64_t baseline_step = 0;
+    /// What the motion is to be by its exact solution, if it has one: none once the scene was changed under way.
+    std::optional<ParameterValues> exact_scene;
+};
+
+struct Simulation::Snapshot::Content {
+    RunDescription description;
+    Start start;  ///< of the segment
+    Course course;
+    std::any internal;
+    std::size_t bytes;
+};
+
+/// A run under way: its present segment, where it stands, and what somebody who looks has found there.
+struct Simulation::Body : Course {
+    Segment segment;
+    mutable std::shared_ptr<const Shape> shape;
+
+    std::any kept;  // internal state at a step known to be good; none of large scenes
+    std::uint64_t kept_step = 0;
+    std::optional<Divergence> divergence;
+
+    Body(const RunDescription& description, const Execution& execution);
+
+    double time_at(std::uint64_t at) const {
+        return segment_time + static_cast<double>(at - segment_step) * segment.held.dt;
+    }
+
+    // What is read of the present step, when somebody asks for it.
+    const State<double>& state();
+    void look(const PortionSink& sink);
+    const Energy& energy();
+    /// Measures the energy, and shows portions and pieces of particles on the way: those of several parts of the scene
+    /// at the same time.
+    void measure(const PortionSink& portions, const PieceSink& pieces);
+    const ExactSolution* exact();
+
+    bool energy_is_good();
+    bool is_good() { return segment.stepper->finite() && energy_is_good(); }
+
+    void keep();
+    void go_back_to_kept();
+
+    std::uint64_t steps_to_check() const { return steps_between_checks - (step - segment_step) % steps_between_checks; }
+    void moved() { state_known = energy_known = settled = false; }
+
+    void advance(std::uint64_t steps);
+    void settle();
+    void conclude();
+    void take(std::uint64_t steps);
+    void pull(std::size_t particle, Vec3 displacement);
+    void go_back_to_last_good();
+    void diverged();
+    void go_on(const RunDescription& description, bool energy_changed);
+
+private:
+    State<double> looked_at;
+    Energy measured;
+    bool state_known = false, energy_known = false;  // of the present step
+    bool settled = false;                            // its numbers are finite
+    bool exact_known = false;
+    std::shared_ptr<const ExactSolution> solution;
+};
+
+}  // namespace steplab

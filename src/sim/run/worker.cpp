@@ -1,0 +1,87 @@
+#include "sim/run/worker.hpp"
+
+#include "sim/run/worker_body.hpp"
+
+#include <utility>
+
+namespace steplab {
+
+Worker::Worker(const RunDescription& description) : body_(std::make_unique<Body>(description)) {}
+
+Worker::~Worker() {
+    {
+        const std::lock_guard lock(body_->mutex);
+        body_->stopping = true;
+    }
+    body_->changed.notify_one();
+    body_->thread.join();
+}
+
+void Worker::play(bool on) {
+    body_->post([on](Body& body) { body.play(on); });
+}
+
+void Worker::step_forward() {
+    body_->post([](Body& body) {
+        body.playing = false;
+        body.simulation.advance(1);
+        body.history.offer(body.simulation);
+    });
+}
+
+void Worker::step_back() {
+    body_->post([](Body& body) { body.step_back(); });
+}
+
+void Worker::restart() {
+    body_->post([](Body& body) {
+        body.simulation.restart();
+        body.begin_anew();
+        body.pace.begin(Body::Clock::now());
+    });
+}
+
+void Worker::change(const RunDescription& description) {
+    {
+        const std::lock_guard lock(body_->mutex);
+        body_->wanted = description;
+    }
+    body_->changed.notify_one();
+}
+
+void Worker::pull(std::size_t particle, Vec3 position) {
+    body_->post([=](Body& body) { body.pull(particle, position); });
+}
+
+void Worker::show_cloud(const Cloud& cloud) {
+    body_->post([cloud](Body& body) {
+        body.show_cloud(cloud);
+        body.pace.forget_speed();
+    });
+}
+
+void Worker::set_rate(Rate rate) {
+    body_->post([rate](Body& body) {
+        body.rate = rate;
+        body.pace.begin(Body::Clock::now());
+    });
+}
+
+void Worker::track(std::optional<std::size_t> particle) {
+    body_->post([particle](Body& body) { body.tracked = particle; });
+}
+
+bool Worker::take(RunView& view) {
+    const std::lock_guard lock(body_->mutex);
+    if (!body_->fresh) return false;
+    std::swap(view, body_->ready);
+    body_->fresh = false;
+    return true;
+}
+
+void Worker::on_view(void (*wake)()) {
+    const std::lock_guard lock(body_->mutex);
+    body_->wake = wake;
+}
+
+}  // namespace steplab

@@ -1,0 +1,213 @@
+#include "sim/run/worker_body.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// Computing between two looks at the commands: short enough that a change is felt at once.
+constexpr Pace::Duration slice{0.008};
+/// A view that nobody has taken yet is replaced by a newer one after this time.
+constexpr Pace::Duration stale{0.05};
+
+}  // namespace
+
+void Worker::Body::loop() {
+    while (true) {
+        wait_for_work();
+        {
+            const std::lock_guard lock(mutex);
+            if (stopping) return;
+        }
+        bool told = carry_out_commands();
+        const std::uint64_t before = simulation.advanced().step;
+        const bool behind = companions_are_behind();
+        if (behind) bring_companions(slice);
+        if (playing && !went_well([this] { take_steps(); })) {
+            give_up();
+            told = true;
+        }
+        const auto [step, evaluations, diverged] = simulation.advanced();
+        if (told || ((behind || step != before || diverged) && affordable())) publish();
+    }
+}
+
+void Worker::Body::wait_for_work() {
+    std::unique_lock lock(mutex);
+    if (companions_are_behind()) return;
+    const auto called = [this] { return stopping || !commands.empty() || wanted; };
+    if (!playing) return changed.wait(lock, called);
+    const auto now = Clock::now(), due = pace.next_due(now, rate, simulation.dt());
+    if (due > now) changed.wait_until(lock, due, called);  // what is over at once would still ask the system
+}
+
+bool Worker::Body::carry_out_commands() {
+    std::deque<std::function<void(Body&)>> taken;
+    std::optional<RunDescription> description;
+    {
+        const std::lock_guard lock(mutex);
+        taken.swap(commands);
+        description = std::exchange(wanted, std::nullopt);
+    }
+    if (taken.empty() && !description) return false;
+    error.clear();
+    went_well([&] {
+        if (playing && simulation.divergence()) playing = false;  // before a command begins something new
+        if (description) apply(*description);
+        for (const auto& command : taken) command(*this);
+    });
+    return true;
+}
+
+/// The companions go where the run stands, which may take longer where they begin: then the run waits for them.
+void Worker::Body::bring_companions(Pace::Duration most) {
+    const auto begin = Clock::now();
+    const auto enough = [&] { return Clock::now() - begin > most; };
+    if (!went_well([&] { companions->go_to(simulation.step(), segments, enough); })) show_cloud({});
+    pace.begin(Clock::now());
+}
+
+/// Of the run and its companions alike, so that they stay together. Whether all numbers are finite is left to who
+/// looks: to ask after every few steps would take a large scene as long as some of them.
+void Worker::Body::take_steps() {
+    if (companions_are_behind()) return;
+    const auto begin = Clock::now();
+    const std::uint64_t due = pace.steps_due(begin, rate, simulation.dt(), slice);
+    if (due == 0) return;
+    const auto before = simulation.advanced();
+    simulation.advance(due);
+    if (companions && simulation.step() > before.step) companions->go_to(simulation.step(), segments);
+    const auto after = simulation.advanced();
+    const std::uint64_t taken = std::max(after.step, before.step) - before.step;
+    pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
+              static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), rate);
+    keep_moment();
+    if (simulation.advanced().diverged) playing = false;
+}
+
+/// Something to come back to; in a large scene that is a copy as costly as some steps.
+void Worker::Body::keep_moment() {
+    const auto begin = Clock::now();
+    if (!moments.due(begin)) return;
+    history.offer(simulation);
+    moments.took(begin, Clock::now());
+}
+
+/// True if a view would cost the run no more than its part, or the run has time to spare.
+bool Worker::Body::affordable() const {
+    const auto now = Clock::now();
+    return !playing || views.due(now) || pace.next_due(now, rate, simulation.dt()) > now;
+}
+
+/// Makes `view` one of the present moment.
+void Worker::Body::see() {
+    look(simulation, tracked, view);
+    if (view.divergence) playing = false;
+    view.playing = playing;
+    view.cloud = cloud;
+    view.cloud_reading = {.step = companions ? companions->step() : 0};
+    if (companions && !companions_are_behind()) view.cloud_reading = companions->look(view.frame);
+    view.can_step_back = history.reaches_before(simulation.step());
+    view.rate = rate;
+    view.run = run;
+    view.error = error;
+    view.steps_per_second = pace.steps_per_second();
+    view.evaluations_per_second = pace.evaluations_per_second();
+}
+
+/// Hands over a view of the present moment, unless the last one is still waiting and has not grown stale.
+void Worker::Body::publish() {
+    const auto begin = Clock::now();
+    {
+        const std::lock_guard lock(mutex);
+        if (playing && fresh && begin - published < stale) return;
+    }
+    const bool seen = went_well([this] { see(); });
+    if (!seen) give_up();
+    void (*call)() = nullptr;
+    {
+        const std::lock_guard lock(mutex);
+        if (seen) {
+            std::swap(view, ready);
+        } else {
+            tell_in(ready);
+        }
+        fresh = ready.frame.shape != nullptr;
+        call = wake;
+    }
+    published = Clock::now();
+    views.took(begin, published);
+    if (call) call();
+}
+
+/// After something went wrong that is no fault of a command, as a rule because there is no memory left.
+void Worker::Body::give_up() {
+    playing = false;
+    show_cloud({});
+}
+
+/// In an older view: what went wrong since.
+void Worker::Body::tell_in(RunView& older) const {
+    older.error = error;
+    older.playing = playing;
+    older.cloud = cloud;
+    older.frame.cloud.clear();
+}
+
+/// The companions begin where the run began.
+void Worker::Body::show_cloud(Cloud asked) {
+    cloud = std::move(asked);
+    companions.reset();
+    if (cloud.runs == 0) return;
+    companions.emplace(cloud.runs, [of = cloud](const RunDescription& description, std::size_t companion) {
+        return spread_run(description, std::vector{spread_of(of, description)}, companion, of.runs);
+    });
+}
+
+void Worker::Body::apply(const RunDescription& description) {
+    const bool at_start = simulation.step() == 0;
+    const Change change = simulation.change(description);
+    if (change == Change::none) return;
+    pace.forget_speed();
+    if (change == Change::restarted || at_start) {
+        begin_anew();
+    } else {
+        segments.push_back({simulation.step(), description});
+        history.offer(simulation);
+    }
+    pace.begin(Clock::now());
+}
+
+void Worker::Body::begin_anew() {
+    ++run;
+    history.clear();
+    history.offer(simulation);
+    segments = {{0, simulation.description()}};
+    show_cloud(cloud);
+}
+
+void Worker::Body::step_back() {
+    playing = false;
+    if (simulation.step() == 0) return;
+    history.go_back(simulation, simulation.step() - 1);
+    if (segments.back().step <= simulation.step()) return;
+    while (segments.back().step > simulation.step()) segments.pop_back();
+    show_cloud(cloud);
+}
+
+void Worker::Body::pull(std::size_t particle, Vec3 position) {
+    const std::uint64_t segment = simulation.segment();
+    simulation.pull(particle, position);
+    if (simulation.segment() == segment) return;
+    append_pull(segments, {simulation.step(), simulation.description(), SegmentBegin::Pull{particle, position}});
+    history.offer(simulation);
+}
+
+void Worker::Body::play(bool on) {
+    playing = on && !simulation.divergence();
+    pace.begin(Clock::now());
+}
+
+}  // namespace steplab

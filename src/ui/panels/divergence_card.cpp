@@ -1,0 +1,63 @@
+#include "sim/catalogue.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/panels/remedy.hpp"
+#include "ui/widgets/cards.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <fmt/format.h>
+
+namespace steplab::ui {
+namespace {
+
+/// Runs the scene from its start with what should work: the last good state carries the blow-up's energy in it.
+void apply(const Context& context, const RunDescription& remedy) {
+    context.ask(remedy);
+    context.commands.restart();
+    context.session.wanted.play(true, context.commands);
+}
+
+void draw_buttons(const Context& context, const Divergence& divergence) {
+    const RunDescription& now = context.description();
+    auto next = [&, first = true]() mutable {
+        if (!first) ImGui::SameLine();
+        first = false;
+    };
+    if (divergence.remedy_dt) {
+        next();
+        const std::string text = fmt::format("use dt = {}", number(*divergence.remedy_dt));
+        if (text_button(context, "remedy.dt", text, true)) apply(context, with_dt(now, *divergence.remedy_dt));
+    }
+    if (const auto method = stable_method(now)) {
+        next();
+        const std::string text = fmt::format("use {}", steplab::method(method->method).info.name);
+        if (text_button(context, "remedy.method", text, !divergence.remedy_dt)) apply(context, *method);
+    }
+    next();
+    if (text_button(context, "remedy.restart", "restart")) context.commands.restart();
+}
+
+}  // namespace
+
+void draw_divergence_card(const Context& context) {
+    const auto& divergence = context.view.divergence;
+    auto& dismissed = context.session.dismissed_divergence;
+    if (!divergence) {
+        dismissed.reset();
+        return;
+    }
+    if (dismissed == divergence->step) return;
+    const Area& scene = context.layout.scene;
+    const ImVec2 anchor{scene.x + 0.5f * scene.width, scene.y + 0.42f * scene.height};
+    const Card card(context, "divergence", anchor, {0.5f, 0.5f}, card_width(context, 430), colour::bad);
+    if (close_cross(context, "divergence.close")) dismissed = divergence->step;
+    {
+        const WithFont font(context.theme.fonts().strong);
+        ImGui::TextUnformatted("The run blew up");
+    }
+    explanation(context, divergence->message, colour::text);
+    ImGui::Dummy({0, context.px(4)});
+    draw_buttons(context, *divergence);
+}
+
+}  // namespace steplab::ui

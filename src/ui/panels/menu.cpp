@@ -1,0 +1,64 @@
+#include "render/framing.hpp"
+#include "ui/actions.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/icons.hpp"
+
+#include <utility>
+
+namespace steplab::ui {
+namespace {
+
+void copy(const Context& context, std::string text, std::string_view what) {
+    context.request({.kind = Request::Kind::copy_text, .text = std::move(text)});
+    context.session.notice = Notice{std::string(what) + " copied", ImGui::GetTime() + 2.5};
+}
+
+bool menu_item(const Context& context, std::string_view widget, const char* label, std::string_view key = {}) {
+    const bool chosen = ImGui::MenuItem(label, key.empty() ? nullptr : std::string(key).c_str());
+    context.mark(widget);
+    return chosen;
+}
+
+void action_item(const Context& context, std::string_view widget, const char* label, Action action) {
+    if (menu_item(context, widget, label, binding_of(action).label)) perform(context, action);
+}
+
+void draw_menu_items(const Context& context) {
+    if (menu_item(context, "menu/copy command", "Copy command")) {
+        copy(context, "steplab " + command_line(context.description()), "command");
+    }
+    if (menu_item(context, "menu/copy view", "Copy view")) {
+        copy(context, render::view_text(context.stage.camera), "view");
+    }
+    ImGui::Separator();
+    action_item(context, "menu/picture", "Save a picture", Action::picture);
+    action_item(context, "menu/reset view", "Reset the view", Action::reset_view);
+    action_item(context, "menu/frame all", "Show all particles", Action::frame_all);
+    ImGui::Separator();
+    action_item(context, "menu/faster", "Faster", Action::faster);
+    action_item(context, "menu/slower", "Slower", Action::slower);
+    action_item(context, "menu/scene before", "Scene before", Action::scene_before);
+    action_item(context, "menu/scene after", "Scene after", Action::scene_after);
+    ImGui::Separator();
+    action_item(context, "menu/panel", "Panel", Action::panel);
+    action_item(context, "menu/full screen", "Full screen", Action::full_screen);
+    action_item(context, "menu/help", "Help", Action::help);
+    action_item(context, "menu/quit", "Quit", Action::quit);
+}
+
+}  // namespace
+
+void draw_menu(const Context& context) {
+    if (icon_button(context, "menu", Icon::menu, "menu")) ImGui::OpenPopup("menu");
+    const Area& bar = context.layout.bar;
+    ImGui::SetNextWindowPos({bar.right() - context.px(8), bar.bottom() + context.px(4)}, ImGuiCond_Always, {1, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(24), context.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(12)});
+    if (ImGui::BeginPopup("menu", ImGuiWindowFlags_NoMove)) {
+        draw_menu_items(context);
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace steplab::ui

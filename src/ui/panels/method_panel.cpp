@@ -1,0 +1,55 @@
+#include "sim/catalogue.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/parameter_rows.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <fmt/format.h>
+
+namespace steplab::ui {
+namespace {
+
+std::vector<ComboItem> method_items(std::string_view shown, std::size_t& chosen) {
+    std::vector<ComboItem> items;
+    for (const Method& entry : methods()) {
+        if (entry.info.id == shown) chosen = items.size();
+        items.push_back({.id = entry.info.id,
+                         .name = entry.info.name,
+                         .remark = fmt::format("order {}", entry.info.order),
+                         .tooltip = std::string(entry.info.what)});
+    }
+    return items;
+}
+
+/// "order 4 · 4 evaluations a step · symplectic · keeps momentum".
+std::string description_line(const MethodInfo& info, const RunDescription& description) {
+    const int order = has_drag(description) ? info.order_with_drag : info.order;
+    const double evaluations = evaluations_per_step(info, description.method_parameters);
+    std::string line = fmt::format("order {} · {} a step", order, counted(evaluations, "evaluation", "evaluations"));
+    if (info.symplectic) line.append(" · symplectic");
+    if (info.reversible) line.append(" · time-reversible");
+    if (!info.conserves.empty()) line.append(" · keeps ").append(info.conserves);
+    return line;
+}
+
+}  // namespace
+
+void draw_method_panel(const Context& context) {
+    const RunDescription description = context.description();
+    heading(context, "METHOD");
+    std::size_t chosen = 0;
+    const auto items = method_items(description.method, chosen);
+    if (combo(context, "method", items, chosen, ImGui::GetContentRegionAvail().x)) {
+        context.ask(with_method(description, items[chosen].id));
+    }
+    const MethodInfo& info = method(description.method).info;
+    explanation(context, description_line(info, description));
+    tooltip(context, fmt::format("{}\n{}", info.what, info.source));
+    parameter_rows(context, "method", description.method_parameters, [&](const ParameterValues& values) {
+        RunDescription changed = description;
+        changed.method_parameters = values;
+        context.ask(changed);
+    });
+}
+
+}  // namespace steplab::ui

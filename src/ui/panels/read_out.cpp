@@ -1,0 +1,76 @@
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace steplab::ui {
+namespace {
+
+struct Line {
+    std::string text;
+    ImU32 ink = colour::text_dim;
+    bool strong = false;
+};
+
+/// "5.3 digits right", green where the run is good for something.
+Line digits_line(double error, double scale) {
+    if (error == 0) return {"all digits right", colour::good};
+    const auto digits = digits_right(error, scale);
+    if (!digits) return {};
+    return {fmt::format("{:.1f} digits right", *digits), *digits < 1 ? colour::bad : colour::good};
+}
+
+std::vector<Line> lines_of(const Context& context) {
+    const RunView& view = context.view;
+    std::vector<Line> lines;
+    lines.push_back(
+        {fmt::format("t = {} s   step {}", time_text(view.frame.time, view.dt), view.frame.step), colour::text, true});
+    const std::string energy = has_drag(view.description) ? "energy change " : "energy error ";  // drag takes it
+    lines.push_back({energy + with_unit(scientific(view.diagnostics.energy_error), "J")});
+    if (view.baseline_step > 0) lines.push_back({fmt::format("counted from step {}", view.baseline_step)});
+    if (const auto error = view.diagnostics.error) {
+        const double scale =
+            std::max(context.session.history.largest_displacement(), view.diagnostics.max_displacement);
+        lines.push_back({"position error " + with_unit(scientific(*error), "m") + " (exact solution)"});
+        lines.push_back(digits_line(*error, scale));
+    }
+    if (!view.frame.cloud.empty())
+        lines.push_back({"cloud apart by " + with_unit(scientific(view.cloud_reading.largest), "m")});
+    std::erase_if(lines, [](const Line& line) { return line.text.empty(); });
+    return lines;
+}
+
+}  // namespace
+
+void draw_read_out(const Context& context) {
+    const Area& scene = context.layout.scene;
+    auto lines = lines_of(context);
+    const auto font_of = [&](const Line& line) {
+        return line.strong ? context.theme.fonts().strong : context.theme.fonts().small;
+    };
+    const bool small = scene.width < context.px(300) || scene.height < context.px(200);
+    if (small) lines.resize(1);
+    const float padding = context.px(11);
+    const float gap = context.px(3);
+    float width = 0;
+    float height = 2 * padding - gap;
+    for (const Line& line : lines) {
+        const ImFont* font = font_of(line);
+        width = std::max(width, font->CalcTextSizeA(font->FontSize, 1e9f, 0, line.text.c_str()).x);
+        height += font->FontSize + gap;
+    }
+    const ImVec2 corner{scene.x + context.px(small ? 6 : 16), scene.y + context.px(small ? 6 : 14)};
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(corner, {corner.x + width + 2 * padding, corner.y + height}, colour::card, context.px(6));
+    float y = corner.y + padding;
+    for (const Line& line : lines) {
+        ImFont* font = font_of(line);
+        list.AddText(font, font->FontSize, {corner.x + padding, y}, line.ink, line.text.c_str());
+        y += font->FontSize + gap;
+    }
+}
+
+}  // namespace steplab::ui

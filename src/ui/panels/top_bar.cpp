@@ -1,0 +1,122 @@
+#include "ui/actions.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/rate.hpp"
+#include "ui/widgets/icons.hpp"
+#include "ui/widgets/slider.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace steplab::ui {
+namespace {
+
+constexpr std::array<std::string_view, 2> precisions = {id(Precision::float_), id(Precision::double_)};
+constexpr float precision_width = 116;
+
+void draw_action(const Context& context, std::string_view widget, Icon icon, Action action,
+                 ButtonLook look = ButtonLook::plain, bool enabled = true) {
+    if (icon_button(context, widget, icon, help_of(action), look, enabled)) perform(context, action);
+    ImGui::SameLine(0, context.px(5));
+}
+
+void draw_transport(const Context& context) {
+    const bool over = context.view.divergence.has_value();
+    draw_action(context, "restart", Icon::restart, Action::restart);
+    draw_action(context, "step back", Icon::step_back, Action::step_back, ButtonLook::plain,
+                context.view.can_step_back);
+    draw_action(context, "play", context.session.wanted.playing() ? Icon::pause : Icon::play, Action::pause,
+                ButtonLook::accent, !over);
+    draw_action(context, "step", Icon::step_forward, Action::step_forward, ButtonLook::plain, !over);
+}
+
+void draw_speed(const Context& context) {
+    Wanted& wanted = context.session.wanted;
+    const Rate rate = wanted.rate();
+    ImGui::SameLine(0, context.px(14));
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::text_dim);
+    ImGui::TextUnformatted("speed");
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, context.px(8));
+    const SliderRange range{slowest, fastest, true, false};
+    const double shown = rate.as_fast_as_possible ? fastest : rate.seconds_per_second;
+    const SliderLook look{.fill = rate.as_fast_as_possible ? colour::track : colour::accent};
+    const auto moved = slider(context, "speed", shown, range, look, context.px(104), ImGui::GetFrameHeight());
+    tooltip(context, "simulated seconds a second; faster (=), slower (-)");
+    if (ImGui::IsItemHovered() && ImGui::GetIO().MouseDoubleClicked[0]) {
+        wanted.set_rate({}, context.commands);
+    } else if (moved) {
+        wanted.set_rate({false, *moved}, context.commands);
+    }
+    ImGui::SameLine(0, context.px(8));
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({context.px(62), ImGui::GetFrameHeight()});
+    text_left(place.x, place.y + 0.5f * ImGui::GetFrameHeight(),
+              rate.as_fast_as_possible ? "no limit" : rate_text(rate), colour::text);
+    ImGui::SameLine(0, context.px(6));
+    if (text_button(context, "fastest", "max", rate.as_fast_as_possible)) {
+        wanted.set_rate({!rate.as_fast_as_possible, rate.seconds_per_second}, context.commands);
+    }
+    tooltip(context, "as fast as possible");
+}
+
+void draw_precision(const Context& context) {
+    RunDescription description = context.description();
+    auto chosen = static_cast<std::size_t>(description.precision);
+    if (segmented(context, "precision", precisions, chosen, context.px(precision_width), ImGui::GetFrameHeight())) {
+        description.precision = static_cast<Precision>(chosen);
+        context.ask(description);
+    }
+}
+
+/// The group at the right end: it is placed from the right, so its width is needed beforehand.
+void draw_right_group(const Context& context) {
+    const float gap = context.px(8);
+    const float menu = ImGui::GetFrameHeight() + context.px(4);
+    const float picture = ImGui::CalcTextSize("Picture").x + 2 * context.px(12);
+    float x = context.layout.bar.right() - context.px(12) - menu;
+    const float menu_x = x;
+    if (context.layout.bar_has_picture) x -= picture + gap;
+    const float picture_x = x;
+    if (context.layout.bar_has_precision) {
+        ImGui::SameLine(x - context.px(precision_width) - 2 * gap);
+        draw_precision(context);
+    }
+    if (context.layout.bar_has_picture) {
+        ImGui::SameLine(picture_x);
+        if (text_button(context, "picture", "Picture")) perform(context, Action::picture);
+        tooltip(context, help_of(Action::picture));
+    }
+    ImGui::SameLine(menu_x);
+    draw_menu(context);
+}
+
+void draw_title(const Context& context) {
+    const Area& bar = context.layout.bar;
+    const WithFont font(context.theme.fonts().strong);
+    text_left(context.px(14), 0.5f * bar.height, "steplab", colour::text);
+}
+
+}  // namespace
+
+void draw_top_bar(const Context& context) {
+    const Area& bar = context.layout.bar;
+    ImGui::SetNextWindowPos({bar.x, bar.y});
+    ImGui::SetNextWindowSize({bar.width, bar.height});
+    ImGui::Begin("bar", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    if (context.layout.bar_has_title) draw_title(context);
+    const float left = context.layout.bar_has_title ? context.px(312) : context.px(12);
+    ImGui::SetCursorPos({left, std::round(0.5f * (bar.height - ImGui::GetFrameHeight()))});
+    draw_transport(context);
+    if (context.layout.bar_has_speed) draw_speed(context);
+    draw_right_group(context);
+    ImGui::PushClipRect({bar.x, bar.y}, {bar.right(), bar.bottom()}, false);
+    ImGui::GetWindowDrawList()->AddLine({0, bar.height - 1}, {bar.width, bar.height - 1}, colour::line);
+    ImGui::PopClipRect();
+    ImGui::End();
+}
+
+}  // namespace steplab::ui

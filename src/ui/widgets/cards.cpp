@@ -1,0 +1,54 @@
+#include "ui/widgets/cards.hpp"
+
+#include <algorithm>
+
+namespace steplab::ui {
+
+Card::Card(const Context& context, const char* name, ImVec2 anchor, ImVec2 pivot, float width, ImU32 edge) {
+    ImGui::SetNextWindowPos(anchor, ImGuiCond_Always, pivot);
+    ImGui::SetNextWindowSizeConstraints({width, 0}, {width, static_cast<float>(context.display.height)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, context.px(1)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(16), context.px(14)});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::rgb(0x171b21, 245));
+    ImGui::PushStyleColor(ImGuiCol_Border, edge);
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+    context.mark(name,
+                 {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y, ImGui::GetWindowPos().x + ImGui::GetWindowSize().x,
+                  ImGui::GetWindowPos().y + ImGui::GetWindowSize().y});
+}
+
+Card::~Card() {
+    ImGui::End();
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(3);
+}
+
+bool close_cross(const Context& context, std::string_view widget) {
+    const float side = context.px(18);
+    const ImVec2 cursor = ImGui::GetCursorPos();
+    ImGui::SetCursorPos(
+        {ImGui::GetWindowContentRegionMax().x - side + context.px(6), ImGui::GetScrollY() + context.px(8)});
+    const WithId id(widget);
+    const bool clicked = ImGui::InvisibleButton("close", {side, side});
+    context.mark(widget);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const ImVec2 centre{from.x + 0.5f * side, from.y + 0.5f * side};
+    const float reach = 0.25f * side;
+    const ImU32 ink = ImGui::IsItemHovered() ? colour::text : colour::text_faint;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float thickness = context.theme.scale() * 1.6f;
+    list.AddLine({centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}, ink, thickness);
+    list.AddLine({centre.x - reach, centre.y + reach}, {centre.x + reach, centre.y - reach}, ink, thickness);
+    ImGui::SetCursorPos(cursor);
+    return clicked;
+}
+
+float card_width(const Context& context, float units) {
+    return std::min(context.px(units), context.layout.scene.width - context.px(16));
+}
+
+}  // namespace steplab::ui

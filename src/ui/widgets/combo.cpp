@@ -1,0 +1,79 @@
+#include "ui/widgets/widgets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab::ui {
+namespace {
+
+/// One line of the open list; true if it was chosen.
+bool draw_item(const Context& context, std::string_view widget, const ComboItem& item, bool selected) {
+    const WithId id(item.id);
+    const float height = ImGui::GetTextLineHeight() + context.px(8);
+    const bool clicked = ImGui::Selectable("##item", selected, 0, {0, height});
+    context.mark(std::string(widget) + "/" + std::string(item.id));
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const ImVec2 to = ImGui::GetItemRectMax();
+    tooltip(context, item.tooltip);
+    const float y = 0.5f * (from.y + to.y);
+    text_left(from.x + context.px(10), y, item.name, selected ? colour::accent_hover : colour::text);
+    const WithFont font(context.theme.fonts().small);
+    text_right(to.x - context.px(10), y, item.remark, colour::text_faint);
+    return clicked;
+}
+
+struct Box {
+    ImVec2 from;
+    ImVec2 to;
+};
+
+/// The chosen item's name and the arrow, over the box that ImGui has drawn.
+void draw_box(const Context& context, ImDrawList& list, const Box& box, std::string_view name) {
+    const float y = 0.5f * (box.from.y + box.to.y);
+    const float x = box.to.x - context.px(16);
+    const float half = context.px(4);
+    list.AddTriangleFilled({x - half, y - 0.5f * half}, {x + half, y - 0.5f * half}, {x, y + 0.8f * half},
+                           colour::text_dim);
+    ImFont* font = context.theme.fonts().strong;
+    list.AddText(font, font->FontSize, {box.from.x + context.px(11), std::round(y - 0.5f * font->FontSize)},
+                 colour::text, name.data(), name.data() + name.size());
+}
+
+/// Width the widest item needs, with the gap between name and remark.
+float list_width(const Context& context, std::span<const ComboItem> items) {
+    float width = 0;
+    for (const ComboItem& item : items) {
+        const float name = ImGui::CalcTextSize(item.name.data(), item.name.data() + item.name.size()).x;
+        width = std::max(width, name + ImGui::CalcTextSize(item.remark.c_str()).x);
+    }
+    return width + context.px(60);
+}
+
+}  // namespace
+
+bool combo(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t& chosen,
+           float width) {
+    const WithId id(widget);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const Box box{corner, {corner.x + width, corner.y + ImGui::GetFrameHeight()}};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGui::SetNextItemWidth(width);
+    ImGui::SetNextWindowSizeConstraints({std::max(width, list_width(context, items)), 0},
+                                        {context.px(420), 0.8f * static_cast<float>(context.display.height)});
+    const bool open = ImGui::BeginCombo("##combo", "", ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
+    context.mark(widget, {box.from.x, box.from.y, box.to.x, box.to.y});
+    draw_box(context, list, box, items[chosen].name);
+    if (!open) return false;
+    bool changed = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, context.px(1)});
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (!draw_item(context, widget, items[i], i == chosen) || i == chosen) continue;
+        chosen = i;
+        changed = true;
+    }
+    ImGui::PopStyleVar();
+    ImGui::EndCombo();
+    return changed;
+}
+
+}  // namespace steplab::ui

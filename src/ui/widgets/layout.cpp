@@ -1,0 +1,54 @@
+#include "ui/widgets/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab::ui {
+namespace {
+
+// Lengths in units of the layout.
+constexpr float bar_height = 40;
+constexpr float panel_width = 300;
+constexpr float narrowest_with_panel = 620;
+constexpr float lowest_with_plots = 460;
+constexpr float narrowest_plot = 240;
+
+float plots_height(float height) { return std::clamp(0.285f * height, 150.0f, 380.0f); }
+
+}  // namespace
+
+Layout arrange(const Display& display, std::optional<bool> panel) {
+    const float scale = display.scale;
+    const float width = static_cast<float>(display.width);
+    const float height = static_cast<float>(display.height);
+    const auto px = [&](float units) { return std::round(units * scale); };
+
+    Layout layout;
+    layout.bar = {0, 0, width, std::min(px(bar_height), height)};
+    const bool wide = width >= px(narrowest_with_panel);
+    const float below = height - layout.bar.height;
+    if (panel.value_or(wide)) layout.panel = {0, layout.bar.height, std::min(px(panel_width), 0.75f * width), below};
+
+    layout.scene = {layout.panel.width, layout.bar.height, width - layout.panel.width, below};
+    const int room = static_cast<int>(layout.scene.width / px(narrowest_plot));
+    if (panel.value_or(true) && height >= px(lowest_with_plots) && room >= 1) {
+        const float plots = px(plots_height(height / scale));
+        layout.plots = {layout.scene.x, height - plots, layout.scene.width, plots};
+        layout.plot_count = std::min(room, 2);
+        layout.scene.height -= plots;
+    }
+    layout.bar_has_title = width >= px(1000);
+    layout.bar_has_speed = width >= px(730);
+    layout.bar_has_precision = width >= px(380);
+    layout.bar_has_picture = width >= px(470);
+    return layout;
+}
+
+PixelRect pixels(const Area& area) {
+    const int left = static_cast<int>(std::lround(area.x));
+    const int top = static_cast<int>(std::lround(area.y));
+    return {left, top, std::max(1, static_cast<int>(std::lround(area.right())) - left),
+            std::max(1, static_cast<int>(std::lround(area.bottom())) - top)};
+}
+
+}  // namespace steplab::ui

@@ -1,0 +1,155 @@
+#include "ui/widgets/widgets.hpp"
+
+#include <algorithm>
+
+namespace steplab::ui {
+namespace {
+
+ImVec2 text_size(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()); }
+
+void draw_text(ImVec2 place, std::string_view text, ImU32 ink) {
+    ImGui::GetWindowDrawList()->AddText(place, ink, text.data(), text.data() + text.size());
+}
+
+ImU32 control_colour() {
+    if (ImGui::IsItemActive()) return colour::control_active;
+    return ImGui::IsItemHovered() ? colour::control_hover : colour::control;
+}
+
+void draw_tick(ImVec2 from, float size, float thickness) {
+    const ImVec2 points[] = {{from.x + 0.24f * size, from.y + 0.52f * size},
+                             {from.x + 0.43f * size, from.y + 0.70f * size},
+                             {from.x + 0.77f * size, from.y + 0.31f * size}};
+    ImGui::GetWindowDrawList()->AddPolyline(points, 3, colour::on_accent, 0, thickness);
+}
+
+}  // namespace
+
+RowPlaces row_places(const Context& context) {
+    const float left = ImGui::GetStyle().WindowPadding.x;
+    const float right = left + ImGui::GetContentRegionAvail().x;
+    return {left + context.px(76), right - context.px(72), right};
+}
+
+float row_height(const Context& context) { return context.px(20); }
+
+void tooltip(const Context& context, std::string_view text) {
+    if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(10), context.px(8)});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(context.px(300));
+    {
+        const WithFont font(context.theme.fonts().small);
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+void text_right(float right, float y, std::string_view text, ImU32 ink) {
+    const ImVec2 size = text_size(text);
+    draw_text({right - size.x, std::round(y - 0.5f * size.y)}, text, ink);
+}
+
+void text_left(float left, float y, std::string_view text, ImU32 ink) {
+    draw_text({left, std::round(y - 0.5f * text_size(text).y)}, text, ink);
+}
+
+void heading(const Context& context, std::string_view text) {
+    ImGui::Dummy({0, context.px(4)});
+    const WithFont font(context.theme.fonts().heading);
+    ImGui::PushStyleColor(ImGuiCol_Text, colour::text_dim);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+}
+
+void explanation(const Context& context, std::string_view text, ImU32 ink) {
+    const WithFont font(context.theme.fonts().small);
+    ImGui::PushStyleColor(ImGuiCol_Text, ink);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void row_label(const Context& context, std::string_view label, std::string_view what, float height) {
+    const float width = row_places(context).control - ImGui::GetStyle().WindowPadding.x - context.px(6);
+    ImGui::Dummy({width, height > 0 ? height : row_height(context)});
+    tooltip(context, what);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    text_left(from.x, 0.5f * (from.y + ImGui::GetItemRectMax().y), label, colour::text);
+}
+
+void reading_row(const Context& context, std::string_view label, std::string_view value, std::string_view what) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+    tooltip(context, what);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const float y = 0.5f * (from.y + ImGui::GetItemRectMax().y);
+    text_left(from.x, y, label, colour::text_dim);
+    text_right(from.x + width, y, value, colour::text);
+}
+
+bool check_row(const Context& context, std::string_view widget, std::string_view label, bool& on) {
+    const WithId id(widget);
+    const float box = context.px(14);
+    const float gap = context.px(8);
+    const float height = std::max(box, ImGui::GetTextLineHeight()) + context.px(2);
+    const bool clicked = ImGui::InvisibleButton("box", {box + gap + text_size(label).x, height});
+    context.mark(widget);
+    if (clicked) on = !on;
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const float y = 0.5f * (from.y + ImGui::GetItemRectMax().y);
+    const ImVec2 corner{from.x, std::round(y - 0.5f * box)};
+    const ImU32 fill = on ? (ImGui::IsItemHovered() ? colour::accent_hover : colour::accent) : control_colour();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(corner, {corner.x + box, corner.y + box}, fill, context.px(3));
+    if (!on) list.AddRect(corner, {corner.x + box, corner.y + box}, colour::track, context.px(3));
+    if (on) draw_tick(corner, box, context.theme.scale() * 1.8f);
+    text_left(from.x + box + gap, y, label, colour::text);
+    return clicked;
+}
+
+bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
+               std::size_t& chosen, float width, float height) {
+    const WithId id(widget);
+    const float part = width / static_cast<float>(choices.size());
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(corner, {corner.x + width, corner.y + height}, colour::control, ImGui::GetStyle().FrameRounding);
+    bool changed = false;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        const WithId item(choices[i]);
+        if (i > 0) ImGui::SameLine(0, 0);
+        if (ImGui::InvisibleButton("choice", {part, height}) && chosen != i) {
+            chosen = i;
+            changed = true;
+        }
+        context.mark(std::string(widget) + "/" + std::string(choices[i]));
+        const ImVec2 from = ImGui::GetItemRectMin();
+        const ImVec2 to = ImGui::GetItemRectMax();
+        if (i == chosen) list.AddRectFilled(from, to, colour::accent, ImGui::GetStyle().FrameRounding);
+        const WithFont font(i == chosen ? context.theme.fonts().strong : context.theme.fonts().body);
+        const ImU32 ink = i == chosen ? colour::on_accent : ImGui::IsItemHovered() ? colour::text : colour::text_dim;
+        text_left(0.5f * (from.x + to.x - text_size(choices[i]).x), 0.5f * (from.y + to.y), choices[i], ink);
+    }
+    return changed;
+}
+
+bool text_button(const Context& context, std::string_view widget, std::string_view text, bool accent, float width) {
+    const WithId id(widget);
+    const ImVec2 inside = text_size(text);
+    const ImVec2 size{width > 0 ? width : inside.x + 2 * context.px(12), ImGui::GetFrameHeight()};
+    const bool clicked = ImGui::InvisibleButton("button", size);
+    context.mark(widget);
+    const ImU32 fill = accent ? (ImGui::IsItemHovered() ? colour::accent_hover : colour::accent) : control_colour();
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const ImVec2 to = ImGui::GetItemRectMax();
+    ImGui::GetWindowDrawList()->AddRectFilled(from, to, fill, ImGui::GetStyle().FrameRounding);
+    text_left(0.5f * (from.x + to.x - inside.x), 0.5f * (from.y + to.y), text,
+              accent ? colour::on_accent : colour::text);
+    return clicked;
+}
+
+}  // namespace steplab::ui

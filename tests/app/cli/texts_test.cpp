@@ -1,0 +1,35 @@
+#include "app/cli/particle_list.hpp"
+#include "app/cli/progress.hpp"
+#include "core/error.hpp"
+
+#include <gmock/gmock.h>
+
+namespace steplab {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(ParticleList, is_ascending_with_each_particle_once) {
+    EXPECT_THAT(parse_particles("9,0-3", 10), ElementsAre(0, 1, 2, 3, 9));
+    EXPECT_THAT(parse_particles("2,2,1-2", 10), ElementsAre(1, 2));
+    EXPECT_THAT(parse_particles("0", 1), ElementsAre(0));
+}
+
+TEST(ParticleList, refuses_everything_else) {
+    for (const char* text : {"", ",", "1,", ",1", "-", "1-", "-1", "1-2-3", "a", "1.0", "+1", " 1", "10", "0-10", "3-2",
+                             "18446744073709551616", "0-18446744073709551615"}) {
+        EXPECT_THROW(parse_particles(text, 10), UsageError) << text;
+    }
+}
+
+TEST(Progress, tells_how_far_and_how_long) {
+    EXPECT_EQ(progress_text(0.5, 10), "[###############---------------]  50 %  10 s left");
+    EXPECT_EQ(progress_text(0.999, 900), "[#############################-]  99 %  1 s left");
+    EXPECT_EQ(progress_text(0.1, 60), "[###---------------------------]  10 %  9 min 00 s left");
+    EXPECT_EQ(progress_text(0.01, 100), "[------------------------------]   1 %  2 h 45 min left");
+    EXPECT_EQ(progress_text(0, 1), "[------------------------------]   0 %  days left");
+    EXPECT_EQ(progress_text(1, 5), "[##############################] 100 %  0 s left");
+}
+
+}  // namespace
+}  // namespace steplab

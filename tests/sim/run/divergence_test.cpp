@@ -1,0 +1,152 @@
+#include "sim/run/divergence.hpp"
+
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace steplab::test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Divergence, ends_the_run_at_the_last_good_step) {
+    for (const Precision precision : precisions) {
+        Simulation simulation(run_of("chain", "rk4", precision, 1.6));
+        simulation.advance(100000);
+        ASSERT_TRUE(simulation.divergence());
+        const std::uint64_t last_good = simulation.step();
+        EXPECT_EQ(simulation.divergence()->step, last_good);
+        EXPECT_EQ(simulation.divergence()->time, simulation.time());
+        EXPECT_TRUE(std::isfinite(simulation.diagnostics().energy));
+        simulation.advance(10);
+        EXPECT_EQ(simulation.step(), last_good) << "it goes no further";
+    }
+}
+
+TEST(Divergence, does_not_depend_on_who_looks) {
+    for (const MethodCase& c : all_methods()) {
+        const RunDescription description = run_of("chain", c.id(), c.precision, 3);
+        Simulation at_once(description), watched(description), seldom(description);
+        at_once.advance(3000);
+        for (int i = 0; i < 3000; ++i) {
+            watched.advance(1);
+            watched.diagnostics();
+        }
+        for (int i = 0; i < 3000; i += 30) seldom.advance(30);
+        for (Simulation* simulation : {&at_once, &watched, &seldom}) simulation->conclude();
+        for (const Simulation* other : {&watched, &seldom}) {
+            EXPECT_EQ(at_once.hash(), other->hash()) << c;
+            EXPECT_EQ(at_once.step(), other->step()) << c;
+            EXPECT_EQ(at_once.evaluations(), other->evaluations()) << c;
+            EXPECT_EQ(at_once.divergence().has_value(), other->divergence().has_value()) << c;
+        }
+    }
+}
+
+TEST(Divergence, at_the_very_end_is_found_when_the_run_is_concluded) {
+    Simulation simulation(run_of("chain", "rk4", Precision::double_, 3));
+    simulation.advance(40);  // far from the next check of the energy
+    EXPECT_FALSE(simulation.divergence());
+    simulation.conclude();
+    ASSERT_TRUE(simulation.divergence());
+    EXPECT_LT(simulation.step(), 40u);
+    const std::uint64_t last_good = simulation.step();
+    simulation.conclude();
+    EXPECT_EQ(simulation.step(), last_good);
+}
+
+TEST(Divergence, says_where_and_why_and_what_to_do) {
+    Simulation simulation(run_of("chain", "rk4", Precision::double_, 1.6));
+    simulation.advance(100000);
+    const Divergence& divergence = *simulation.divergence();
+    EXPECT_NEAR(*divergence.limit, 1.43377, 5e-6);
+    EXPECT_EQ(divergence.dt, 1.6);
+    EXPECT_THAT(divergence.message, HasSubstr("dt = 1.6 is beyond the stability limit 1.434 of rk4"));
+    EXPECT_THAT(divergence.message, HasSubstr("particle " + std::to_string(divergence.particle)));
+    EXPECT_THAT(divergence.message, HasSubstr("step " + std::to_string(divergence.step)));
+    RunDescription remedied = simulation.description();
+    remedied.dt = divergence.remedy_dt.value();
+    Simulation again(remedied);
+    again.advance(2000);
+    EXPECT_EQ(again.step(), 2000u);
+}
+
+TEST(Divergence, of_a_method_without_limit_says_so) {
+    Simulation simulation(run_of("oscillator", "midpoint", Precision::double_, 0.9));
+    simulation.advance(100000);
+    EXPECT_EQ(simulation.divergence()->limit, 0);
+    EXPECT_THAT(simulation.divergence()->message, HasSubstr("gains energy at any dt"));
+}
+
+TEST(Divergence, of_a_scene_without_known_limit_names_dt) {
+    Simulation simulation(run_of("morse", "euler", Precision::double_, 30, {{"k", 8}, {"spacing", 0.2}}));
+    simulation.advance(100000);
+    ASSERT_TRUE(simulation.divergence());
+    EXPECT_FALSE(simulation.divergence()->limit.has_value());
+    EXPECT_THAT(simulation.divergence()->message, HasSubstr("dt = 30 is too large for euler"));
+}
+
+TEST(Divergence, names_the_particle_that_is_thrown_off) {
+    Simulation simulation(run_of("oscillator", "euler", Precision::double_, 2.5));
+    simulation.advance(100000);
+    EXPECT_EQ(simulation.divergence()->particle, 1u);
+}
+
+TEST(Divergence, at_once_leaves_the_start) {
+    for (const Precision precision : precisions) {
+        Simulation simulation(
+            run_of("chain", "rk4", precision, 0.1, {{"v0", precision == Precision::float_ ? 3e38 : 1e308}}));
+        simulation.advance(100);
+        ASSERT_TRUE(simulation.divergence());
+        EXPECT_EQ(simulation.divergence()->step, 0u);
+    }
+}
+
+// What only looks like a blow-up: falling ever faster, a method that gains energy slowly, a rope that starts with no
+// energy at all, a scene in which nothing moves.
+TEST(Divergence, is_not_claimed_of_usable_runs) {
+    for (const MethodCase& c : working_methods()) {
+        if (c.info->order == 1 && c.info->linear_limit == 0) continue;  // forward Euler: its runs are not usable
+        for (const auto& description :
+             {run_of("free", c.id(), c.precision, 0.1), run_of("chain", c.id(), c.precision, 0.02),
+              run_of("rope", c.id(), c.precision, 0.01), run_of("mesh", c.id(), c.precision, 0.1),
+              run_of("chain", c.id(), c.precision, 0.1, {{"v0", 0}, {"L", 0.1}}),
+              run_of("mesh", c.id(), c.precision, 0.1, {{"v0", 0}, {"L", 0.1}}),
+              run_of("rope", c.id(), c.precision, 0.01, {{"g", 0}}),
+              run_of("morse", c.id(), c.precision, 0.02, {{"edge", 1}, {"v0", 0}})}) {
+            Simulation simulation(description);
+            const std::uint64_t steps = c.info->implicit ? 300 : 5000;  // which cost as much
+            simulation.advance(steps);
+            EXPECT_EQ(simulation.step(), steps) << c << " " << description.model << " " << description.dt;
+        }
+    }
+}
+
+TEST(Divergence, is_left_behind_by_a_change) {
+    Simulation simulation(run_of("chain", "rk4", Precision::double_, 1.6));
+    simulation.advance(100000);
+    RunDescription smaller = simulation.description();
+    smaller.dt = 0.1;
+    EXPECT_EQ(simulation.change(smaller), Change::continued);
+    EXPECT_FALSE(simulation.divergence());
+    const std::uint64_t step = simulation.step();
+    simulation.advance(10);
+    EXPECT_EQ(simulation.step(), step + 10);
+}
+
+TEST(Divergence, bound_is_relative_to_energies_and_work) {
+    const Energy start{1, {0, 0, 0}};
+    EXPECT_TRUE(energy_is_possible({1000, {0, 0, 0}}, start, 0));
+    EXPECT_FALSE(energy_is_possible({1002, {0, 0, 0}}, start, 0));
+    EXPECT_TRUE(energy_is_possible({1002, {0, 0, 0}}, start, 1));
+    EXPECT_TRUE(energy_is_possible({1e9, {-1e9, 1e9, -1e9}}, start, 0));  // a fall: no gain
+    EXPECT_TRUE(energy_is_possible({0, {-1e6, 1e6, 0}}, start, 0));       // a loss
+    EXPECT_FALSE(energy_is_possible({std::nan(""), {0, 0, 0}}, start, 0));
+    EXPECT_FALSE(energy_is_possible({infinity, {0, 0, 0}}, start, 0));
+}
+
+}  // namespace
+}  // namespace steplab::test

@@ -1,0 +1,43 @@
+#include "sim/allocations.hpp"
+#include "sim/run/simulation.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace steplab::test {
+namespace {
+
+class Steps : public testing::TestWithParam<MethodCase> {};
+
+template <class Work>
+std::size_t allocations_of(const Work& work) {
+    const std::size_t before = allocations();
+    work();
+    return allocations() - before;
+}
+
+// What a step needs is there before the first one: ten times as many steps ask for memory as often, if at all. All
+// are taken before the first check of the energy.
+TEST_P(Steps, of_fixed_methods_ask_nobody_for_memory) {
+    if (GetParam().info->implicit || GetParam().info->adaptive) return;  // linear systems, steps tried in vain
+    for (const Model* const model : models_for(GetParam().id(), GetParam().precision)) {
+        if (model->info.id == "crystal") continue;  // two functions a step go to the team that sums its lists
+        Simulation simulation(small_run_of(model->info.id, GetParam().id(), GetParam().precision, 0.001));
+        simulation.advance(2);
+        const std::size_t few = allocations_of([&] { simulation.advance(20); });
+        const std::size_t many = allocations_of([&] { simulation.advance(200); });
+        EXPECT_EQ(many, few) << model->info.id;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Steps, testing::ValuesIn(all_methods()), case_name);
+
+TEST(Allocations, are_counted) {
+    EXPECT_EQ(allocations_of([] {}), 0U);
+    EXPECT_GT(allocations_of([] { const Simulation simulation(describe("chain")); }), 0U);
+}
+
+}  // namespace
+}  // namespace steplab::test

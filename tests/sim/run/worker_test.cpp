@@ -1,0 +1,315 @@
+#include "sim/run/worker.hpp"
+
+#include "sim/allocations.hpp"
+#include "sim/ensemble/live_ensemble.hpp"
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+/// Told by the worker when there is a new view: tests wait for what they expect to see, not for time to pass.
+std::mutex mutex;
+std::condition_variable news;
+bool something_new = false;
+
+void wake() {
+    {
+        const std::lock_guard lock(mutex);
+        something_new = true;
+    }
+    news.notify_one();
+}
+
+class WorkerTest : public testing::Test {
+protected:
+    explicit WorkerTest(const RunDescription& description = run_of("chain", "rk4", Precision::double_, 0.1))
+        : worker(description) {
+        worker.on_view(wake);
+        worker.take(view);
+    }
+
+    /// Takes views until one fulfils the condition; the bound is for a broken worker only.
+    template <class Condition>
+    bool see(Condition condition) {
+        while (true) {
+            while (worker.take(view)) {
+                if (condition(view)) return true;
+            }
+            std::unique_lock lock(mutex);
+            if (!news.wait_for(lock, std::chrono::seconds(60), [] { return std::exchange(something_new, false); }))
+                return false;
+        }
+    }
+
+    Worker worker;
+    RunView view;
+};
+
+TEST_F(WorkerTest, shows_the_start_at_once) {
+    EXPECT_EQ(view.frame.step, 0u);
+    EXPECT_EQ(view.frame.positions.size(), 10u);
+    EXPECT_FALSE(view.playing);
+    EXPECT_FALSE(view.can_step_back);
+    EXPECT_TRUE(view.has_exact);
+    ASSERT_TRUE(view.limit);
+    EXPECT_NEAR(view.limit->limit, 1.43377, 5e-6);
+    EXPECT_FALSE(worker.take(view)) << "each view is taken once";
+}
+
+TEST_F(WorkerTest, steps_on_and_back) {
+    worker.step_forward();
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2; }));
+    EXPECT_TRUE(view.can_step_back);
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 2).positions);
+    worker.step_back();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 1).positions);
+    worker.step_back();
+    worker.step_back();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0; }));
+    EXPECT_FALSE(view.can_step_back);
+}
+
+TEST_F(WorkerTest, plays_until_it_is_paused) {
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.playing && v.frame.step > 1000; }));
+    worker.play(false);
+    ASSERT_TRUE(see([](const RunView& v) { return !v.playing; }));
+    EXPECT_GT(*view.steps_per_second, 0);
+    EXPECT_GT(*view.evaluations_per_second, *view.steps_per_second);
+    const Frame paused = view.frame;
+    EXPECT_EQ(paused.positions, frame_after(view.description, paused.step).positions)
+        << "the same bits as without a window";
+}
+
+TEST_F(WorkerTest, goes_on_with_another_method_and_restarts_with_another_model) {
+    worker.step_forward();
+    worker.change(with_method(view.description, "verlet"));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "verlet" && v.frame.step == 1; }));
+    const std::uint64_t run = view.run;
+    worker.change(with_model(view.description, "rope"));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.model == "rope"; }));
+    EXPECT_EQ(view.frame.step, 0u);
+    EXPECT_GT(view.run, run);
+}
+
+TEST_F(WorkerTest, refuses_with_a_message_and_goes_on) {
+    RunDescription wrong = view.description;
+    wrong.dt = -1;
+    worker.change(wrong);
+    ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
+    EXPECT_THAT(view.error, testing::HasSubstr("dt must be"));
+    EXPECT_EQ(view.description.dt, 0.1);
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+    EXPECT_EQ(view.error, "");
+}
+
+TEST_F(WorkerTest, stops_where_the_run_diverges) {
+    RunDescription large = view.description;
+    large.dt = 2;
+    worker.change(large);
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.divergence.has_value(); }));
+    EXPECT_FALSE(view.playing);
+    EXPECT_EQ(view.divergence->step, view.frame.step);
+    for (const Vec3& p : view.frame.positions) EXPECT_TRUE(std::isfinite(p.x));
+    worker.restart();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0; }));
+    EXPECT_FALSE(view.divergence);
+}
+
+TEST_F(WorkerTest, tracks_a_particle_with_its_exact_solution) {
+    worker.track(9);
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1 && v.tracked; }));
+    EXPECT_EQ(view.tracked->particle, 9u);
+    ASSERT_TRUE(view.tracked->exact_displacement);
+    EXPECT_NEAR(view.tracked->displacement.x, view.tracked->exact_displacement->x, 1e-6);  // rk4's error of one step
+    worker.track(1000);
+    ASSERT_TRUE(see([](const RunView& v) { return !v.tracked; })) << "no such particle";
+}
+
+TEST_F(WorkerTest, pulls_a_particle) {
+    worker.pull(5, {10, 1, 0});
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.positions[5] == Vec3{10, 1, 0}; }));
+    EXPECT_FALSE(view.has_exact);
+}
+
+TEST_F(WorkerTest, hands_over_whole_moments_that_grow_newer) {
+    worker.set_rate({true, 1});
+    worker.play(true);
+    Simulation simulation(view.description);
+    for (std::uint64_t last = 0; last < 5000; last = view.frame.step) {
+        ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step > last; }));
+        simulation.advance(view.frame.step - last);
+        // Were a frame written to while it is looked at, or made of two moments, some number would differ.
+        ASSERT_EQ(view.frame.positions, simulation.frame().positions) << view.frame.step;
+        ASSERT_EQ(view.frame.velocities, simulation.frame().velocities) << view.frame.step;
+        ASSERT_EQ(view.diagnostics.energy, simulation.diagnostics().energy) << view.frame.step;
+        ASSERT_EQ(view.frame.time, simulation.time());
+    }
+}
+
+TEST_F(WorkerTest, of_several_views_the_newest_is_taken) {
+    for (int i = 0; i < 3; ++i) worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 3; }));
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 3).positions);
+    EXPECT_NE(view.frame.positions, frame_after(view.description, 2).positions);
+    EXPECT_FALSE(worker.take(view)) << "an older one was kept";
+}
+
+/// Sees the cloud of the moment that the view shows.
+bool has_cloud(const RunView& view) { return !view.frame.cloud.empty(); }
+
+/// Where the companions of a run of this description are that nothing was done to.
+CloudReading reading_after(const RunDescription& description, const Cloud& cloud, std::uint64_t steps) {
+    Simulation simulation(description);
+    simulation.advance(steps);
+    const std::vector<SegmentBegin> segments{{0, description}};
+    Companions companions(cloud.runs, [&](const RunDescription& run, std::size_t companion) {
+        return spread_run(run, std::vector{spread_of(cloud, run)}, companion, cloud.runs);
+    });
+    companions.go_to(steps, segments);
+    Frame frame = simulation.frame();
+    return companions.look(frame);
+}
+
+TEST_F(WorkerTest, has_a_cloud_only_when_asked_for_one) {
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+    EXPECT_FALSE(has_cloud(view));
+    const Cloud cloud{.runs = 5, .spread = "k", .width = 0.01};
+    worker.show_cloud(cloud);
+    ASSERT_TRUE(see(has_cloud));
+    EXPECT_EQ(view.cloud, cloud);
+    EXPECT_EQ(view.frame.cloud.size(), 5 * view.frame.positions.size());
+    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, 1)) << "from the start of the run on";
+    EXPECT_GT(view.cloud_reading.largest, 0);
+    worker.show_cloud({});
+    ASSERT_TRUE(see([](const RunView& v) { return v.cloud.runs == 0; }));
+    EXPECT_FALSE(has_cloud(view));
+}
+
+TEST_F(WorkerTest, takes_the_cloud_along_on_the_way_forth_and_back) {
+    const Cloud cloud{.runs = 5, .spread = "k", .width = 0.01};
+    worker.show_cloud(cloud);
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return has_cloud(v) && v.frame.step > 1000; }));
+    worker.play(false);
+    ASSERT_TRUE(see([](const RunView& v) { return !v.playing && has_cloud(v); }));
+    const std::uint64_t end = view.frame.step;
+    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, end));
+    worker.step_back();
+    ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step == end - 1 && has_cloud(v); }));
+    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, end - 1));
+    EXPECT_NE(view.cloud_reading, reading_after(view.description, cloud, end));
+    worker.restart();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0 && has_cloud(v); }));
+    EXPECT_EQ(view.cloud_reading.largest, 0) << "k differs, the start does not";
+}
+
+TEST_F(WorkerTest, does_to_the_cloud_what_is_done_to_the_run) {
+    worker.show_cloud({.runs = 3, .spread = "v0", .width = 0});
+    for (int i = 0; i < 3; ++i) worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 3 && has_cloud(v); }));
+    worker.change(with_method(view.description, "euler"));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "euler" && has_cloud(v); }));
+    worker.step_forward();
+    worker.pull(5, {10, 1, 0});
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 5 && has_cloud(v); }));
+    EXPECT_EQ(view.cloud_reading.largest, 0) << "runs that do not differ stay together";
+    for (int i = 0; i < 3; ++i) worker.step_back();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2 && has_cloud(v); }));
+    EXPECT_EQ(view.cloud_reading.largest, 0);
+    worker.change(with_model(view.description, "morse"));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.model == "morse" && has_cloud(v); }));
+    EXPECT_EQ(view.frame.cloud.size(), 3 * view.frame.positions.size());
+}
+
+TEST_F(WorkerTest, goes_on_without_a_cloud_that_is_too_large) {
+    worker.show_cloud({.runs = Companions::most_particles});
+    ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
+    EXPECT_THAT(view.error, testing::HasSubstr("too large"));
+    EXPECT_EQ(view.cloud.runs, 0u);
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+}
+
+TEST_F(WorkerTest, waits_for_companions_that_begin_later) {
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step > 100000; }));
+    // So many steps of 256 companions take far longer than it computes between two looks at the commands.
+    worker.show_cloud({.runs = 256});
+    ASSERT_TRUE(see([](const RunView& v) { return v.cloud.runs == 256; }));
+    EXPECT_FALSE(has_cloud(view)) << "answers while they are on their way";
+    EXPECT_LT(view.cloud_reading.step, view.frame.step);
+    EXPECT_TRUE(view.playing);
+    const std::uint64_t step = view.frame.step;
+    worker.track(3);
+    ASSERT_TRUE(see([](const RunView& v) { return v.tracked && v.tracked->particle == 3; }));
+    EXPECT_EQ(view.frame.step, step);
+    worker.show_cloud({});
+    ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step > step; })) << "and goes on playing";
+}
+
+TEST_F(WorkerTest, lives_on_where_memory_for_a_view_is_missing) {
+    worker.show_cloud({.runs = 256});
+    ASSERT_TRUE(see(has_cloud));
+    {
+        const NoLargerThan limit(16384);  // the places of 256 times 10 particles take more, whatever else there is less
+        worker.step_forward();
+        ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
+    }
+    EXPECT_EQ(view.error, std::bad_alloc().what());
+    EXPECT_EQ(view.cloud.runs, 0u);
+    EXPECT_FALSE(has_cloud(view));
+    EXPECT_EQ(view.frame.positions.size(), 10u);
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2; }));
+    EXPECT_EQ(view.error, "");
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 2).positions);
+}
+
+TEST_F(WorkerTest, lives_on_where_memory_for_moments_to_come_back_to_is_missing) {
+    worker.change(run_of("chain", "rk4", Precision::double_, 0.1, {{"n", 1000}}));
+    worker.set_rate({true, 1});
+    worker.play(true);
+    // By now each of the views that are passed around has its memory.
+    for (int i = 0; i < 10; ++i) ASSERT_TRUE(see([](const RunView& v) { return v.frame.positions.size() == 1000; }));
+    {
+        const NoLargerThan limit(16384);  // 3 numbers for each of 1000 particles take more
+        ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
+    }
+    EXPECT_FALSE(view.playing);
+    worker.restart();
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
+    EXPECT_EQ(view.error, "");
+}
+
+TEST_F(WorkerTest, stops_while_playing) {
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.playing; }));
+}
+
+}  // namespace
+}  // namespace steplab::test

@@ -1,0 +1,235 @@
+#include "sim/catalogue.hpp"
+#include "ui/desk.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace steplab::ui {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(panel, model_is_chosen_from_its_menu) {
+    for (const Model& model : models()) {
+        Desk desk(describe(model.info.id == "mesh" ? "chain" : "mesh"));
+        desk.click("model");
+        desk.click("model/" + std::string(model.info.id));
+        ASSERT_EQ(desk.recorder.changes.size(), 1u) << model.info.id;
+        EXPECT_EQ(desk.wanted(), with_model(desk.view.description, model.info.id));
+    }
+}
+
+TEST(panel, choosing_the_model_that_runs_changes_nothing) {
+    Desk desk(describe("mesh"));
+    desk.click("model");
+    desk.click("model/mesh");
+    EXPECT_THAT(desk.recorder.changes, IsEmpty());
+}
+
+TEST(panel, method_is_chosen_from_its_menu) {
+    for (const Method& method : methods()) {
+        Desk desk(describe("chain", method.info.id == "rk4" ? "euler" : "rk4"));
+        desk.click("method");
+        desk.click("method/" + std::string(method.info.id));
+        ASSERT_EQ(desk.recorder.changes.size(), 1u) << method.info.id;
+        EXPECT_EQ(desk.wanted(), with_method(desk.view.description, method.info.id));
+    }
+}
+
+TEST(panel, precision_is_switched) {
+    Desk desk;
+    desk.click("precision/float");
+    EXPECT_EQ(desk.wanted().precision, Precision::float_);
+    desk.click("precision/double");
+    EXPECT_EQ(desk.wanted().precision, Precision::double_);
+}
+
+TEST(panel, the_precision_that_runs_is_not_asked_for_again) {
+    Desk desk;
+    desk.click("precision/double");
+    EXPECT_THAT(desk.calls(), IsEmpty());
+}
+
+TEST(panel, transport_buttons_send_their_commands) {
+    Desk desk;
+    desk.view.can_step_back = true;
+    desk.click("play");
+    EXPECT_THAT(desk.calls(), ElementsAre("play"));
+    desk.view.playing = true;
+    desk.frame();
+    desk.click("play");
+    EXPECT_THAT(desk.calls(), ElementsAre("pause"));
+    desk.click("step");
+    EXPECT_THAT(desk.calls(), ElementsAre("step forward"));
+    desk.click("step back");
+    EXPECT_THAT(desk.calls(), ElementsAre("step back"));
+    desk.click("restart");
+    EXPECT_THAT(desk.calls(), ElementsAre("restart"));
+}
+
+TEST(panel, step_back_does_nothing_at_the_start) {
+    Desk desk;
+    ASSERT_FALSE(desk.view.can_step_back);
+    desk.click("step back");
+    EXPECT_THAT(desk.calls(), IsEmpty());
+}
+
+TEST(panel, play_button_answers_before_the_run_does) {
+    Desk desk;
+    desk.click("play");
+    desk.click("play");
+    EXPECT_THAT(desk.calls(), ElementsAre("play", "pause"));
+}
+
+TEST(panel, a_run_that_does_not_start_to_play_is_shown_as_it_is) {
+    Desk desk;
+    desk.click("play");
+    for (int i = 0; i < 10; ++i) {
+        desk.interface.record(desk.view);
+        desk.frame();
+    }
+    desk.click("play");
+    EXPECT_THAT(desk.calls(), ElementsAre("play", "play"));
+}
+
+TEST(panel, dt_is_dragged_logarithmically) {
+    Desk desk;
+    desk.drag("dt", 0.5f, 0.75f);
+    ASSERT_FALSE(desk.recorder.changes.empty());
+    // Three quarters of 1e-4 .. 10 is 10^-0.25. The knob keeps its radius, 6 % of the slider, from both ends, which
+    // moves its middle by 3 % of five decades there.
+    EXPECT_NEAR(std::log10(desk.wanted().dt), -0.25, 0.2);
+    for (const RunDescription& change : desk.recorder.changes) {
+        EXPECT_EQ(with_method(change, "rk4").model, desk.view.description.model);
+    }
+}
+
+TEST(panel, every_change_of_a_dragged_slider_differs_from_the_one_before) {
+    Desk desk;
+    desk.drag("dt", 0.2f, 0.8f);
+    for (std::size_t i = 1; i < desk.recorder.changes.size(); ++i) {
+        EXPECT_NE(desk.recorder.changes[i - 1], desk.recorder.changes[i]);
+    }
+    const std::size_t sent = desk.recorder.changes.size();
+    for (int i = 0; i < 20; ++i) desk.frame();
+    EXPECT_EQ(desk.recorder.changes.size(), sent);
+}
+
+TEST(panel, changes_build_on_those_the_run_has_not_made_yet) {
+    Desk desk;
+    desk.click("precision/float");
+    desk.drag("dt", 0.5f, 0.3f);
+    EXPECT_EQ(desk.wanted().precision, Precision::float_);
+    EXPECT_LT(desk.wanted().dt, 0.1);
+}
+
+TEST(panel, dt_is_typed_exactly) {
+    for (const bool on_value : {true, false}) {
+        Desk desk;
+        on_value ? desk.click("dt.value") : desk.click_with_control("dt");
+        ASSERT_TRUE(desk.has("dt.entry"));
+        desk.type("0.0123456789");
+        desk.key(Key::enter);
+        ASSERT_EQ(desk.recorder.changes.size(), 1u);
+        EXPECT_EQ(desk.wanted().dt, 0.0123456789);
+        EXPECT_FALSE(desk.has("dt.entry"));
+    }
+}
+
+TEST(panel, typed_nonsense_is_refused_with_a_message) {
+    Desk desk;
+    for (const std::string_view text : {"-1", "0", "nan", "quick", "1e999"}) {
+        desk.click("dt.value");
+        desk.type(text);
+        desk.key(Key::enter);
+        desk.frame();
+        EXPECT_TRUE(desk.has("refusal")) << text;
+        desk.click("refusal.close");
+        EXPECT_FALSE(desk.has("refusal")) << text;
+    }
+    EXPECT_THAT(desk.recorder.changes, IsEmpty());
+}
+
+TEST(panel, escape_leaves_an_entry_without_a_change) {
+    Desk desk;
+    desk.click("dt.value");
+    desk.type("7");
+    desk.key(Key::escape);
+    desk.frame();
+    EXPECT_FALSE(desk.has("dt.entry"));
+    EXPECT_THAT(desk.recorder.changes, IsEmpty());
+}
+
+TEST(panel, double_click_sets_dt_to_its_default) {
+    RunDescription description = describe();
+    description.dt = 0.02;
+    Desk desk(description);
+    desk.double_click("dt");
+    EXPECT_EQ(desk.wanted().dt, 0.1);
+}
+
+TEST(panel, what_the_run_refused_is_shown_and_taken_back) {
+    Desk desk;
+    desk.drag("dt", 0.5f, 0.6f);
+    desk.view.error = "no memory for this";
+    desk.interface.record(desk.view);
+    desk.frame();
+    desk.frame();
+    EXPECT_TRUE(desk.has("refusal"));
+    desk.click("precision/float");
+    EXPECT_EQ(desk.wanted().dt, 0.1);
+}
+
+TEST(panel, speed_has_a_slider_and_a_button_for_no_limit) {
+    Desk desk;
+    desk.drag("speed", 0.5f, 0.9f);
+    ASSERT_FALSE(desk.recorder.rates.empty());
+    EXPECT_GT(desk.recorder.rates.back().seconds_per_second, 10);
+    desk.click("fastest");
+    EXPECT_TRUE(desk.recorder.rates.back().as_fast_as_possible);
+}
+
+TEST(panel, show_switches_change_the_style) {
+    Desk desk;
+    ASSERT_TRUE(desk.style.springs);
+    desk.click("springs");
+    EXPECT_FALSE(desk.style.springs);
+    desk.click("grid");
+    EXPECT_FALSE(desk.style.grid);
+    desk.click("background/light");
+    EXPECT_EQ(desk.style.background, render::Background::light);
+    desk.click("colouring");
+    desk.click("colouring/speed");
+    EXPECT_EQ(desk.style.colouring, render::Colouring::speed);
+    EXPECT_THAT(desk.calls(), IsEmpty());
+}
+
+TEST(panel, menu_copies_command_and_view) {
+    Desk desk(describe("rope", "verlet"));
+    desk.click("menu");
+    desk.click("menu/copy command");
+    auto requests = desk.interface.take_requests();
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(requests[0].kind, Request::Kind::copy_text);
+    EXPECT_EQ(requests[0].text, "steplab " + command_line(desk.view.description));
+    desk.click("menu");
+    desk.click("menu/copy view");
+    requests = desk.interface.take_requests();
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(requests[0].text.find("steplab"), std::string::npos);
+}
+
+TEST(panel, picture_button_asks_for_a_picture) {
+    Desk desk;
+    desk.click("picture");
+    const auto requests = desk.interface.take_requests();
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(requests[0].kind, Request::Kind::save_picture);
+}
+
+}  // namespace
+}  // namespace steplab::ui
