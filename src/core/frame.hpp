@@ -19,7 +19,7 @@ struct Frame {
     std::vector<Vec3> positions;   ///< absolute; each number is one the run's precision holds
     std::vector<Vec3> velocities;  ///< of the same moment
     /// Where the particles are in runs that go beside this one, at the same step: run after run. None: there are none.
-    std::vector<Vec3> cloud;
+    std::vector<Vec3> ensemble;
     std::shared_ptr<const Shape> shape;
 
     /// Where a particle is seen.

@@ -22,7 +22,7 @@ T phi_1(T z) {
 }
 
 /// In every lane that of a number by itself.
-template <SideBySide N>
+template <HasLanes N>
 N phi_1(N z) {
     return N::each([&](std::size_t lane) { return phi_1(z[lane]); });
 }

@@ -17,13 +17,13 @@ using Stages = std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, 
 
 /// A number type that is several numbers side by side.
 template <class N>
-concept SideBySide = requires(const N& n) {
+concept HasLanes = requires(const N& n) {
     N::count;
     n[0];
 };
 
 /// e^x in every lane, each as exponential() of a number by itself.
-template <SideBySide N>
+template <HasLanes N>
 N exponential(const N& x) {
     using T = std::remove_cvref_t<decltype(x[0])>;
     alignas(64) T numbers[N::count];

@@ -93,11 +93,10 @@ std::size_t EnsembleSummary::diverged() const {
 std::string summary_json(const EnsembleSummary& summary) {
     const RunSummary& first = summary.runs.front().summary;
     nlohmann::ordered_json spread = nlohmann::ordered_json::array(), runs = nlohmann::ordered_json::array();
-    for (const auto& [name, from, to] : summary.spreads) spread.push_back({{"name", name}, {"from", from}, {"to", to}});
+    for (const auto& [name, from, to] : summary.ranges) spread.push_back({{"name", name}, {"from", from}, {"to", to}});
     for (std::size_t i = 0; i < summary.runs.size(); ++i) {
         nlohmann::ordered_json set = nlohmann::ordered_json::object(), run{{"run", i}};
-        for (std::size_t k = 0; k < summary.spreads.size(); ++k)
-            set[summary.spreads[k].name] = summary.runs[i].values[k];
+        for (std::size_t k = 0; k < summary.ranges.size(); ++k) set[summary.ranges[k].name] = summary.runs[i].values[k];
         run["set"] = set;
         add_course(run, summary.runs[i].summary, false);
         runs.push_back(std::move(run));
@@ -120,7 +119,7 @@ std::string summary_text(const EnsembleSummary& s) {
     const auto line = [&text](std::string_view what, const std::string& value) {
         text += fmt::format("  {:<14}{}\n", what, value);
     };
-    for (const auto& [name, from, to] : s.spreads)
+    for (const auto& [name, from, to] : s.ranges)
         line(name, fmt::format("{} to {}", number_text(from), number_text(to)));
     std::uint64_t steps = 0;
     double error = 0;

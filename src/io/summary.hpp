@@ -39,7 +39,7 @@ std::string summary_text(const RunSummary& summary);
 
 /// What came of several runs of a scene that differ in some numbers.
 struct EnsembleSummary {
-    struct Spread {
+    struct ParameterRange {
         std::string name;
         double from = 0, to = 0;
     };
@@ -47,7 +47,7 @@ struct EnsembleSummary {
         std::vector<double> values;  ///< of the spread numbers, in their order
         RunSummary summary;
     };
-    std::vector<Spread> spreads;
+    std::vector<ParameterRange> ranges;
     std::vector<Run> runs;  ///< one at least
     double wall_seconds = 0;
 

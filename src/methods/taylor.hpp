@@ -273,7 +273,7 @@ private:
     void behind_collision(const System& system, T since, State<T>& out) const {
         Field<T> a(v_.count());
         Motion<T> behind(v_.count());
-        Looking<System> looking(system);
+        Uncounted<System> looking(system);
         const MotionOf<T> before = now(a);
         go_across(looking, before, progress_.across, behind);
         within_crossing(before, behind, progress_.across, since, out);

@@ -22,7 +22,7 @@ public:
 
     /// The multiple of the length that is nearest to a number below 10^6 lengths: a constant, where it has derivatives.
     [[gnu::always_inline]] N nearest(const N& x) const {
-        if constexpr (SideBySide<N>) {
+        if constexpr (HasLanes<N>) {
             return N(length_) * ((x * N(inverse_) + N(rounding)) - N(rounding));
         } else {
             return N(length_ * ((value_of(x) * inverse_ + rounding) - rounding));
@@ -37,7 +37,7 @@ private:
     struct NumberOf {
         using Type = std::remove_cvref_t<decltype(value_of(std::declval<Any>()))>;
     };
-    template <SideBySide Any>
+    template <HasLanes Any>
     struct NumberOf<Any> {
         using Type = std::remove_cvref_t<decltype(std::declval<Any>()[0])>;
     };

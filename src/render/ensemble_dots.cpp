@@ -17,25 +17,25 @@ std::uint8_t opacity(std::size_t runs) {
 
 }  // namespace
 
-CloudDots::CloudDots() : program_("cloud") {}
+EnsembleDots::EnsembleDots() : program_("ensemble") {}
 
-void CloudDots::prepare(const Shot& shot) {
+void EnsembleDots::prepare(const Shot& shot) {
     listed_.clear();
     bounds_.reset();
     const std::size_t particles = shot.frame.positions.size();
     radius_ = vertex_length(shot.projection, part_of_ball * shot.known.sizes.radius(Role::moving));
-    for (std::size_t i = 0; i < shot.frame.cloud.size(); ++i) {
-        const Vec3 place = shot.frame.shape->seen(shot.frame.cloud[i]);
+    for (std::size_t i = 0; i < shot.frame.ensemble.size(); ++i) {
+        const Vec3 place = shot.frame.shape->seen(shot.frame.ensemble[i]);
         if (!drawable(place)) continue;
         const Rgb colour = particle_colour(shot.frame, shot.style, shot.scale, i % particles);
         listed_.push_back(
-            {vertex(shot.projection, place), vertex_colour(colour, opacity(shot.frame.cloud.size() / particles))});
+            {vertex(shot.projection, place), vertex_colour(colour, opacity(shot.frame.ensemble.size() / particles))});
         bounds_ = joined(bounds_.value_or(Bounds{place, place}), {place, place});
     }
     dots_.upload(std::span<const Dot>(listed_));
 }
 
-void CloudDots::draw(const ViewUniforms& view, double pixel_scale) const {
+void EnsembleDots::draw(const ViewUniforms& view, double pixel_scale) const {
     if (listed_.empty()) return;
     view.apply(program_);
     program_.set("u_radius", radius_);

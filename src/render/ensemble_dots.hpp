@@ -10,11 +10,11 @@
 
 namespace steplab::render {
 
-/// Draws the runs beside a run as a cloud of faint dots, in the colours of its particles: what is inside these is not
-/// seen, so that there is a cloud only where the runs have parted.
-class CloudDots {
+/// Draws the runs beside a run as an ensemble of faint dots, in the colours of its particles: what is inside these is
+/// not seen, so that there is an ensemble only where the runs have parted.
+class EnsembleDots {
 public:
-    CloudDots();
+    EnsembleDots();
 
     void prepare(const Shot& shot);
     /// The box of all that can be drawn of it; none if there is nothing.

@@ -3,14 +3,14 @@
 namespace steplab::render {
 namespace {
 
-void glide_cloud(const Frame& from, const Frame& to, double fraction, Frame& out) {
+void glide_ensemble(const Frame& from, const Frame& to, double fraction, Frame& out) {
     const std::size_t count = to.positions.size();
-    const bool there_before = from.cloud.size() == to.cloud.size();
-    out.cloud.resize(to.cloud.size());
-    for (std::size_t i = 0; i < to.cloud.size(); ++i) {
-        const Vec3 later = to.cloud[i] - to.positions[i % count];
-        const Vec3 earlier = there_before ? from.cloud[i] - from.positions[i % count] : later;
-        out.cloud[i] = out.positions[i % count] + ((1 - fraction) * earlier + fraction * later);
+    const bool there_before = from.ensemble.size() == to.ensemble.size();
+    out.ensemble.resize(to.ensemble.size());
+    for (std::size_t i = 0; i < to.ensemble.size(); ++i) {
+        const Vec3 later = to.ensemble[i] - to.positions[i % count];
+        const Vec3 earlier = there_before ? from.ensemble[i] - from.positions[i % count] : later;
+        out.ensemble[i] = out.positions[i % count] + ((1 - fraction) * earlier + fraction * later);
     }
 }
 
@@ -30,7 +30,7 @@ void between(const Frame& from, const Frame& to, double fraction, Frame& out) {
         out.positions[i] = from_position * from.positions[i] + to_position * to.positions[i] +
                            (from_velocity * from.velocities[i] + to_velocity * to.velocities[i]);
     }
-    glide_cloud(from, to, fraction, out);
+    glide_ensemble(from, to, fraction, out);
 }
 
 }  // namespace steplab::render

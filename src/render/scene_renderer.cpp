@@ -18,9 +18,9 @@ bool has_room(PictureSize size, double pixel_scale) {
 }
 
 /// Everything that is drawn, for the near and far planes.
-Bounds drawn_bounds(Bounds positions, const std::optional<Bounds>& cloud, const DrawnSizes& sizes, const AxesBox& box,
-                    bool grid) {
-    if (cloud) positions = joined(positions, *cloud);
+Bounds drawn_bounds(Bounds positions, const std::optional<Bounds>& ensemble, const DrawnSizes& sizes,
+                    const AxesBox& box, bool grid) {
+    if (ensemble) positions = joined(positions, *ensemble);
     const Bounds bodies = joined(widened(positions, sizes.radius(Role::bullet)), box.bounds);
     if (!grid) return bodies;
     const double reach = Ground::reach(box);
@@ -36,7 +36,7 @@ struct SceneRenderer::Body {
     Ground ground;
     Springs springs;
     Particles particles;
-    CloudDots cloud;
+    EnsembleDots ensemble;
     Sketch sketch;
     ParticleBlocks blocks;
     std::optional<KnownShape> known;  ///< of the last frame
@@ -72,7 +72,7 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     if (style.grid && !from_above) draw_grid(style, box, view);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
-    cloud.draw(view, style.pixel_scale);
+    ensemble.draw(view, style.pixel_scale);
     particles.draw_rings(view, style.pixel_scale);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
@@ -110,7 +110,7 @@ void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& c
     const Tile tile = part.value_or(Tile{target.size()});
     const Projection projection(camera, tile.whole);
     const auto scale = colour_scale(frame, style);
-    auto& [ground, springs, particles, cloud, sketch, blocks, known] = *body_;
+    auto& [ground, springs, particles, ensemble, sketch, blocks, known] = *body_;
     if (!known || known->shape != frame.shape) known.emplace(frame.shape);
     blocks.place(frame, projection);
     const AxesBox box = axes_box(known->expected, frame.shape->spacing, blocks.bounds());
@@ -120,8 +120,8 @@ void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& c
     const Shot shot{frame, *known, style, scale, projection, tile, target.size()};
     if (style.springs) springs.prepare(shot, blocks);
     particles.prepare(shot, blocks, taken);
-    cloud.prepare(shot);
-    const ViewUniforms view(projection, drawn_bounds(blocks.bounds(), cloud.bounds(), known->sizes, box, style.grid),
+    ensemble.prepare(shot);
+    const ViewUniforms view(projection, drawn_bounds(blocks.bounds(), ensemble.bounds(), known->sizes, box, style.grid),
                             tile, target.size(), palette(style.background));
     body_->draw_space(style, box, axes, view, tile, target);
     body_->draw_flat(style, projection, scale, axes, taken, tile, target.size());

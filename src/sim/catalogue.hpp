@@ -21,7 +21,7 @@ struct Method {
     /// Its integrator for each of the instruction sets that were compiled, null for the others.
     std::array<std::unique_ptr<Stepper> (*)(const StepperSetup&), 3> makers;
     /// The same for runs side by side; null for methods that do not go so.
-    std::array<MakeStepperGroup, 3> group_makers;
+    std::array<MakeEnsembleStepper, 3> ensemble_makers;
     /// Why the method cannot run scenes of this coupling, none if it can; null for methods that run any.
     std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
     /// Bytes it holds for a scene's interactions (so many pairs act on each other), no less than it needs; null: none.
@@ -31,11 +31,11 @@ struct Method {
         return makers[static_cast<std::size_t>(setup.instructions)](setup);
     }
     /// Whether the method can compute runs side by side.
-    bool goes_in_groups(Instructions instructions) const {
-        return group_makers[static_cast<std::size_t>(instructions)] != nullptr;
+    bool runs_in_lanes(Instructions instructions) const {
+        return ensemble_makers[static_cast<std::size_t>(instructions)] != nullptr;
     }
-    std::unique_ptr<StepperGroup> make_group(std::span<const StepperSetup> runs) const {
-        return group_makers[static_cast<std::size_t>(runs.front().instructions)](runs);
+    std::unique_ptr<EnsembleStepper> make_ensemble_stepper(std::span<const StepperSetup> runs) const {
+        return ensemble_makers[static_cast<std::size_t>(runs.front().instructions)](runs);
     }
 };
 

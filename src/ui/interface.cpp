@@ -27,7 +27,7 @@ public:
     void set_rate(Rate) override {}
     void track(std::optional<std::size_t>) override {}
     void pull(std::size_t, Vec3) override {}
-    void show_cloud(const Cloud&) override {}
+    void show_ensemble(const LiveEnsembleOptions&) override {}
 };
 
 /// A context whose state lives in this process alone.

@@ -7,8 +7,8 @@ namespace steplab::ui {
 void Wanted::follow(const RunView& view, bool is_new) {
     playing_.follow(view.playing, is_new);
     rate_.follow(view.rate, is_new);
-    cloud_.follow(view.cloud, is_new);
-    if (is_new && !view.error.empty()) cloud_.refused();
+    ensemble_.follow(view.ensemble, is_new);
+    if (is_new && !view.error.empty()) ensemble_.refused();
     running_ = view.description;
     if (asked_ == running_) asked_.reset();
     if (view.error == seen_error_) return;
@@ -41,10 +41,10 @@ void Wanted::set_rate(Rate rate, Commands& commands) {
     commands.set_rate(rate);
 }
 
-void Wanted::show_cloud(const Cloud& cloud, Commands& commands) {
-    if (cloud == cloud_.shown()) return;
-    cloud_.ask(cloud);
-    commands.show_cloud(cloud);
+void Wanted::show_ensemble(const LiveEnsembleOptions& ensemble, Commands& commands) {
+    if (ensemble == ensemble_.shown()) return;
+    ensemble_.ask(ensemble);
+    commands.show_ensemble(ensemble);
 }
 
 }  // namespace steplab::ui

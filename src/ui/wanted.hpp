@@ -17,13 +17,13 @@ public:
     const RunDescription& description() const { return asked_ ? *asked_ : running_; }
     /// Sends a change at once if it differs from what was asked for and can be run; else message() says why not.
     void ask(const RunDescription& description, Commands& commands);
-    /// Whether the run plays, how fast, and with what cloud; the same way.
+    /// Whether the run plays, how fast, and with what ensemble; the same way.
     bool playing() const { return playing_.shown(); }
     Rate rate() const { return rate_.shown(); }
-    const Cloud& cloud() const { return cloud_.shown(); }
+    const LiveEnsembleOptions& ensemble() const { return ensemble_.shown(); }
     void play(bool on, Commands& commands);
     void set_rate(Rate rate, Commands& commands);
-    void show_cloud(const Cloud& cloud, Commands& commands);
+    void show_ensemble(const LiveEnsembleOptions& ensemble, Commands& commands);
     /// Tells why something that was typed cannot be meant.
     void refuse(std::string message) { message_ = std::move(message); }
 
@@ -58,7 +58,7 @@ private:
 
     Setting<bool> playing_;
     Setting<Rate> rate_;
-    Setting<Cloud> cloud_;
+    Setting<LiveEnsembleOptions> ensemble_;
     RunDescription running_;
     std::optional<RunDescription> asked_;
     std::string message_;

@@ -23,18 +23,18 @@ constexpr int something = 20;
 PixelPoint place_of(Vec3 point) { return *Projection(straight, size).pixel(point); }
 
 /// A ball in the middle, and runs beside it that have it elsewhere.
-class Clouds : public test::Studio {
+class LiveEnsembles : public test::Studio {
 protected:
-    static Image picture(std::vector<Vec3> cloud, const Style& style = bare()) {
+    static Image picture(std::vector<Vec3> ensemble, const Style& style = bare()) {
         Frame frame = test::particles_at({{0, 0, 0}});
-        frame.cloud = std::move(cloud);
+        frame.ensemble = std::move(ensemble);
         return draw(frame, straight, style);
     }
-    /// Pixels that a cloud changes.
-    static int changed(const std::vector<Vec3>& cloud) { return differing_pixels(picture(cloud), picture({})); }
+    /// Pixels that an ensemble changes.
+    static int changed(const std::vector<Vec3>& ensemble) { return differing_pixels(picture(ensemble), picture({})); }
 };
 
-TEST_F(Clouds, are_seen_where_they_are_and_nowhere_else) {
+TEST_F(LiveEnsembles, are_seen_where_they_are_and_nowhere_else) {
     for (const Background background : {Background::dark, Background::light}) {
         Style style = bare();
         style.background = background;
@@ -50,7 +50,7 @@ TEST_F(Clouds, are_seen_where_they_are_and_nowhere_else) {
     }
 }
 
-TEST_F(Clouds, are_hidden_within_the_particles_and_behind_them) {
+TEST_F(LiveEnsembles, are_hidden_within_the_particles_and_behind_them) {
     const double radius = DrawnSizes(*test::particles_at({{0, 0, 0}}).shape).radius(Role::moving);
     EXPECT_EQ(changed({{0, 0, 0}}), 0);
     EXPECT_EQ(changed({{0.3 * radius, 0.3 * radius, 0.3 * radius}}), 0);
@@ -59,7 +59,7 @@ TEST_F(Clouds, are_hidden_within_the_particles_and_behind_them) {
     EXPECT_GT(changed({{1.5 * radius, 0, 0}}), 0);
 }
 
-TEST_F(Clouds, outside_the_picture_change_nothing_of_it) {
+TEST_F(LiveEnsembles, outside_the_picture_change_nothing_of_it) {
     const double no_number = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(changed({{100, 0, 0}}), 0);
     EXPECT_EQ(changed({{0, 0, 10}}), 0) << "behind the eye";
@@ -67,17 +67,17 @@ TEST_F(Clouds, outside_the_picture_change_nothing_of_it) {
     EXPECT_GT(changed({{0, 0, -50}, {15, 8, -50}}), 0) << "far behind the particles";
 }
 
-TEST_F(Clouds, of_a_periodic_scene_are_seen_in_its_box) {
+TEST_F(LiveEnsembles, of_a_periodic_scene_are_seen_in_its_box) {
     const auto seen = [](Vec3 place) {
         Frame frame = test::periodic({{0, 0, 0}}, 2, {-1, -1, -1});
-        frame.cloud = {place};
+        frame.ensemble = {place};
         return draw(frame, straight, bare());
     };
     EXPECT_EQ(seen({0.5 + 6, 0.25 - 4, 2}).rgba, seen({0.5, 0.25, 0}).rgba);
     EXPECT_NE(seen({0.5 - 1, 0.25, 0}).rgba, seen({0.5, 0.25, 0}).rgba) << "by half a period";
 }
 
-TEST_F(Clouds, are_cut_where_the_picture_ends) {
+TEST_F(LiveEnsembles, are_cut_where_the_picture_ends) {
     // The middle of the dot is half a pixel beyond the edge: the part of it that reaches into the picture is there.
     const Projection projection(straight, size);
     const double edge = (0.5 * size.width + 0.5) / projection.pixels_per_unit(4);
@@ -85,16 +85,16 @@ TEST_F(Clouds, are_cut_where_the_picture_ends) {
     EXPECT_EQ(changed({{1.2 * edge, 0, 0}}), 0);
 }
 
-TEST_F(Clouds, have_the_colours_of_the_particles) {
+TEST_F(LiveEnsembles, have_the_colours_of_the_particles) {
     Frame frame = test::particles_at({{-1, 0, 0}, {1, 0, 0}}, {Role::moving, Role::bullet});
-    frame.cloud = {{-1, 0.6, 0}, {1, 0.6, 0}};
+    frame.ensemble = {{-1, 0.6, 0}, {1, 0.6, 0}};
     const Image image = draw(frame, straight, bare());
-    const Rgb blue = image.at(place_of(frame.cloud[0])), red = image.at(place_of(frame.cloud[1]));
+    const Rgb blue = image.at(place_of(frame.ensemble[0])), red = image.at(place_of(frame.ensemble[1]));
     EXPECT_GT(blue.blue, blue.red + something);
     EXPECT_GT(red.red, red.blue + something);
 }
 
-TEST_F(Clouds, are_denser_where_there_are_more_of_them) {
+TEST_F(LiveEnsembles, are_denser_where_there_are_more_of_them) {
     const std::vector<Vec3> one(16, {9, 9, 9});
     std::vector<Vec3> two = one, many(16, {0.5, 0.3, 0});
     two[0] = {0.5, 0.3, 0};

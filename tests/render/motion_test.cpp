@@ -41,19 +41,19 @@ TEST(Motion, follows_a_cubic_exactly) {
 
 TEST(Motion, takes_companions_along) {
     Frame a = on_a_cubic(1), b = on_a_cubic(3), shown;
-    a.cloud = {a.positions[0], a.positions[0] + Vec3{1, 0, 0}};
-    b.cloud = {b.positions[0], b.positions[0] + Vec3{3, 0, 0}};
+    a.ensemble = {a.positions[0], a.positions[0] + Vec3{1, 0, 0}};
+    b.ensemble = {b.positions[0], b.positions[0] + Vec3{3, 0, 0}};
     for (const double fraction : {0.0, 0.25, 0.7, 1.0}) {
         between(a, b, fraction, shown);
-        ASSERT_EQ(shown.cloud.size(), 2u);
-        EXPECT_EQ(shown.cloud[0], shown.positions[0]) << "what is hidden in a particle stays in it";
-        EXPECT_NEAR(length(shown.cloud[1] - shown.positions[0]), 1 + 2 * fraction, 1e-14);  // some roundings
+        ASSERT_EQ(shown.ensemble.size(), 2u);
+        EXPECT_EQ(shown.ensemble[0], shown.positions[0]) << "what is hidden in a particle stays in it";
+        EXPECT_NEAR(length(shown.ensemble[1] - shown.positions[0]), 1 + 2 * fraction, 1e-14);  // some roundings
     }
-    a.cloud.clear();
+    a.ensemble.clear();
     between(a, b, 0.5, shown);
-    EXPECT_NEAR(length(shown.cloud[1] - shown.positions[0]), 3, 1e-14) << "a cloud that was not there before";
+    EXPECT_NEAR(length(shown.ensemble[1] - shown.positions[0]), 3, 1e-14) << "an ensemble that was not there before";
     between(b, a, 0.5, shown);
-    EXPECT_TRUE(shown.cloud.empty());
+    EXPECT_TRUE(shown.ensemble.empty());
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST_F(Snapshot, another_moment_view_or_colouring_gives_another_picture) {
     }
 }
 
-TEST_F(Snapshot, shows_an_ensemble_as_a_cloud) {
+TEST_F(Snapshot, shows_an_ensemble_as_a_ensemble) {
     const auto draw = [this](const std::string& name, const std::vector<std::string>& ensemble) {
         std::vector<std::string> arguments{"--model", "morse",   "--method", "velocity-verlet",  "--dt",
                                            "0.01",    "--until", "30",       "--size",           "640x400",
@@ -85,14 +85,14 @@ TEST_F(Snapshot, shows_an_ensemble_as_a_cloud) {
     };
     const std::string alone = draw("alone.png", {});
     EXPECT_EQ(draw("same.png", {"--ensemble", "9"}), alone) << "runs that do not differ hide in the run";
-    const std::string cloud = draw("cloud.png", {"--ensemble", "9", "--spread", "v0=0.99:1.01"});
-    EXPECT_NE(cloud, alone);
-    EXPECT_EQ(draw("again.png", {"--ensemble", "9", "--spread", "v0=0.99:1.01"}), cloud);
+    const std::string ensemble = draw("ensemble.png", {"--ensemble", "9", "--spread", "v0=0.99:1.01"});
+    EXPECT_NE(ensemble, alone);
+    EXPECT_EQ(draw("again.png", {"--ensemble", "9", "--spread", "v0=0.99:1.01"}), ensemble);
     EXPECT_NE(draw("panel.png", {"--ensemble", "9", "--spread", "v0=0.99:1.01", "--ui", "on"}),
               draw("bare.png", {"--ui", "on"}));
 }
 
-TEST_F(Snapshot, clouds_that_cannot_be_are_wrong_usage) {
+TEST_F(Snapshot, ensembles_that_cannot_be_are_wrong_usage) {
     const std::vector<std::vector<std::string>> wrong{{"--spread", "v0=1:2"},
                                                       {"--ensemble", "0"},
                                                       {"--ensemble", "1000000"},

@@ -57,7 +57,7 @@ double answer_time(const Desktop& screen, Point to, Point watched) {
         if (screen.pixel(watched) != before) {
             return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
         }
-        // Looking without a pause would take the processor from the window it looks at.
+        // Uncounted without a pause would take the processor from the window it looks at.
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return -1;

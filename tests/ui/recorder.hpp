@@ -31,9 +31,9 @@ public:
         calls.push_back("pull");
         pulled = {particle, position};
     }
-    void show_cloud(const Cloud& cloud) override {
-        calls.push_back("cloud");
-        clouds.push_back(cloud);
+    void show_ensemble(const LiveEnsembleOptions& ensemble) override {
+        calls.push_back("ensemble");
+        ensembles.push_back(ensemble);
     }
 
     struct Pull {
@@ -45,7 +45,7 @@ public:
     std::vector<Rate> rates;
     std::optional<std::size_t> tracked;
     std::optional<Pull> pulled;
-    std::vector<Cloud> clouds;
+    std::vector<LiveEnsembleOptions> ensembles;
 };
 
 }  // namespace steplab::ui

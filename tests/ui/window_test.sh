@@ -75,17 +75,17 @@ panel_changes_the_run() {
     close_window
 }
 
-cloud_goes_with_the_run() {
+ensemble_goes_with_the_run() {
     start_display 1280x800
     open_window --model chain --method euler
-    click cloud/16; expect 'cloud 0' 'widget cloud width [0-9].*'
-    click step; expect 'step 1' 'cloud [0-9.]+e-[0-9]+'
+    click ensemble/16; expect 'ensemble 0' 'widget ensemble width [0-9].*'
+    click step; expect 'step 1' 'ensemble [0-9.]+e-[0-9]+'
     click play; expect 'playing true' 'step [0-9]{2}'
     click play; expect 'playing false'
-    choose 'cloud spread' k; expect 'cloud [0-9.]+e-[0-9]+'
-    enter 'cloud width' 0.25; expect 'cloud 0\.[0-9]+'
-    click restart; expect 'step 0' 'cloud 0'
-    click cloud/off; expect 'cloud none' 'widget cloud width gone'
+    choose 'ensemble spread' k; expect 'ensemble [0-9.]+e-[0-9]+'
+    enter 'ensemble width' 0.25; expect 'ensemble 0\.[0-9]+'
+    click restart; expect 'step 0' 'ensemble 0'
+    click ensemble/off; expect 'ensemble none' 'widget ensemble width gone'
     close_window
 }
 

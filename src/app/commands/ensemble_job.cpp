@@ -77,10 +77,10 @@ std::vector<RunSummary> recorded(const EnsembleJob& job, EnsembleRows& rows) {
 EnsembleSummary summary_of(const EnsembleJob& job, const std::vector<RunSummary>& runs, double seconds) {
     EnsembleSummary summary;
     summary.wall_seconds = seconds;
-    for (const Spread& spread : job.spreads) summary.spreads.push_back({spread.name, spread.from, spread.to});
+    for (const ParameterRange& spread : job.ranges) summary.ranges.push_back({spread.name, spread.from, spread.to});
     for (std::size_t i = 0; i < runs.size(); ++i) {
         std::vector<double> values;
-        for (const Spread& spread : job.spreads) values.push_back(spread.value(i, runs.size()));
+        for (const ParameterRange& spread : job.ranges) values.push_back(spread.value(i, runs.size()));
         summary.runs.push_back({values, runs[i]});
     }
     return summary;

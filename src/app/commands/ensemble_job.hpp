@@ -12,7 +12,7 @@ namespace steplab {
 
 /// What `run --ensemble` is to do.
 struct EnsembleJob {
-    std::vector<Spread> spreads;
+    std::vector<ParameterRange> ranges;
     std::vector<EnsembleRun> runs;  ///< one at least
     std::uint64_t every = 1;
     OutputOptions output;

@@ -23,36 +23,37 @@ void EnsembleOptions::declare(CLI::App& app) {
     const std::string group = "Ensemble";
     text_option(app, "--ensemble", count_, "N", "So many runs of the scene, counted from 0; see --spread")
         ->group(group);
-    repeated_option(app, "--spread", spreads_, "name=a:b",
+    repeated_option(app, "--spread", ranges_, "name=a:b",
                     "Run i has a + (b - a) i/(N - 1) of this parameter or dt; repeatable")
         ->group(group);
 }
 
 bool EnsembleOptions::asked() const {
-    if (count_.empty() && !spreads_.empty())
+    if (count_.empty() && !ranges_.empty())
         throw UsageError("--spread says how the runs of an --ensemble differ, but there is no --ensemble N");
     return !count_.empty();
 }
 
 std::size_t EnsembleOptions::count() const { return static_cast<std::size_t>(parse_value(count_info, count_)); }
 
-std::vector<Spread> EnsembleOptions::spreads(const RunDescription& description) const {
-    std::vector<Spread> spreads;
-    for (const std::string& text : spreads_) {
-        spreads.push_back(parse_spread(description, text));
-        for (std::size_t i = 0; i + 1 < spreads.size(); ++i) {
-            if (spreads[i].name == spreads.back().name)
-                throw UsageError(fmt::format("--spread names '{}' more than once", spreads[i].name));
+std::vector<ParameterRange> EnsembleOptions::ranges(const RunDescription& description) const {
+    std::vector<ParameterRange> ranges;
+    for (const std::string& text : ranges_) {
+        ranges.push_back(parse_parameter_range(description, text));
+        for (std::size_t i = 0; i + 1 < ranges.size(); ++i) {
+            if (ranges[i].name == ranges.back().name)
+                throw UsageError(fmt::format("--spread names '{}' more than once", ranges[i].name));
         }
     }
-    return spreads;
+    return ranges;
 }
 
-std::vector<EnsembleRun> EnsembleOptions::runs(const RunDescription& description, const std::vector<Spread>& spreads,
+std::vector<EnsembleRun> EnsembleOptions::runs(const RunDescription& description,
+                                               const std::vector<ParameterRange>& ranges,
                                                const TimeOptions& time) const {
     std::vector<EnsembleRun> runs;
     for (std::size_t i = 0; i < count(); ++i) {
-        RunDescription run = spread_run(description, spreads, i, count());
+        RunDescription run = run_in_range(description, ranges, i, count());
         const std::uint64_t steps = time.steps(run);
         runs.push_back({std::move(run), steps});
     }

@@ -19,14 +19,14 @@ public:
     /// How many there are. Throws UsageError.
     std::size_t count() const;
     /// What differs, as a person gave it. Throws UsageError.
-    std::vector<Spread> spreads(const RunDescription& description) const;
+    std::vector<ParameterRange> ranges(const RunDescription& description) const;
     /// The runs, checked. Throws UsageError.
-    std::vector<EnsembleRun> runs(const RunDescription& description, const std::vector<Spread>& spreads,
+    std::vector<EnsembleRun> runs(const RunDescription& description, const std::vector<ParameterRange>& ranges,
                                   const TimeOptions& time) const;
 
 private:
     std::string count_;
-    std::vector<std::string> spreads_;
+    std::vector<std::string> ranges_;
 };
 
 }  // namespace steplab

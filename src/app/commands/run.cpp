@@ -71,9 +71,9 @@ public:
 
 private:
     int run_ensemble(const RunDescription& description) const {
-        const std::vector<Spread> spreads = ensemble_.spreads(description);
-        EnsembleJob job{.spreads = spreads,
-                        .runs = ensemble_.runs(description, spreads, time_),
+        const std::vector<ParameterRange> ranges = ensemble_.ranges(description);
+        EnsembleJob job{.ranges = ranges,
+                        .runs = ensemble_.runs(description, ranges, time_),
                         .output = output_,
                         .execution = execution()};
         std::uint64_t most = 0;

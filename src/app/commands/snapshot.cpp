@@ -41,12 +41,12 @@ public:
         const std::uint64_t steps = time_.steps(description);
         PictureRequest request = picture_.request(description);
         catch_interruptions();
-        std::optional<SnapshotCloud> cloud = cloud_of(description);
+        std::optional<SnapshotEnsemble> ensemble = ensemble_of(description);
         OutputFile file(picture_.out());
         Offscreen offscreen(picture_.gl());
         Simulation simulation(description);
         compute(simulation, steps, request);
-        if (cloud) cloud->put_into(request.view);
+        if (ensemble) ensemble->put_into(request.view);
         const Picture picture = offscreen.draw(request);
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
@@ -73,9 +73,9 @@ private:
         request.view = view_of(simulation, particle);
     }
 
-    std::optional<SnapshotCloud> cloud_of(const RunDescription& description) const {
+    std::optional<SnapshotEnsemble> ensemble_of(const RunDescription& description) const {
         if (!ensemble_.asked()) return std::nullopt;
-        return SnapshotCloud(description, ensemble_.count(), ensemble_.spreads(description));
+        return SnapshotEnsemble(description, ensemble_.count(), ensemble_.ranges(description));
     }
 
     static std::optional<std::size_t> followed_particle(const Simulation& simulation, const PictureRequest& request) {

@@ -9,39 +9,42 @@
 
 namespace steplab {
 
-Cloud nearest_cloud(const RunDescription& description, std::size_t runs, const std::vector<Spread>& spreads) {
-    Cloud cloud{.runs = runs, .width = 0};
-    if (spreads.empty()) return cloud;
-    const auto& [name, from, to] = spreads.front();
-    const std::vector<std::string_view> known = spreadable(description);
-    cloud.otherwise = spreads.size() > 1 || std::find(known.begin(), known.end(), name) == known.end();
-    if (cloud.otherwise) return cloud;
+LiveEnsembleOptions nearest_live_ensemble(const RunDescription& description, std::size_t runs,
+                                          const std::vector<ParameterRange>& ranges) {
+    LiveEnsembleOptions ensemble{.runs = runs, .width = 0};
+    if (ranges.empty()) return ensemble;
+    const auto& [name, from, to] = ranges.front();
+    const std::vector<std::string_view> known = perturbable(description);
+    ensemble.otherwise = ranges.size() > 1 || std::find(known.begin(), known.end(), name) == known.end();
+    if (ensemble.otherwise) return ensemble;
     const double value = description.scene.contains(name) ? description.scene[name] : description.dt;
-    cloud.spread = name;
-    cloud.width = std::abs(to - from) / 2 / std::abs(value);
+    ensemble.spread = name;
+    ensemble.width = std::abs(to - from) / 2 / std::abs(value);
     // The ends as somebody writes them down are rounded, each by half of epsilon.
     const double middle = std::abs((from + to) / 2 - value) / std::abs(value);
-    cloud.otherwise = middle > std::numeric_limits<double>::epsilon() || cloud.width > Cloud::most_width;
-    return cloud;
+    ensemble.otherwise =
+        middle > std::numeric_limits<double>::epsilon() || ensemble.width > LiveEnsembleOptions::most_width;
+    return ensemble;
 }
 
-SnapshotCloud::SnapshotCloud(const RunDescription& description, std::size_t runs, const std::vector<Spread>& spreads)
+SnapshotEnsemble::SnapshotEnsemble(const RunDescription& description, std::size_t runs,
+                                   const std::vector<ParameterRange>& ranges)
     : segments_{{0, description}},
-      cloud_(nearest_cloud(description, runs, spreads)),
-      companions_(runs, [spreads, runs](const RunDescription& run, std::size_t companion) {
-          return spread_run(run, spreads, companion, runs);
+      ensemble_(nearest_live_ensemble(description, runs, ranges)),
+      live_ensemble_(runs, [ranges, runs](const RunDescription& run, std::size_t member) {
+          return run_in_range(run, ranges, member, runs);
       }) {
     go_to(0);
 }
 
-void SnapshotCloud::put_into(RunView& view) {
+void SnapshotEnsemble::put_into(RunView& view) {
     go_to(view.frame.step);
-    view.cloud = cloud_;
-    view.cloud_reading = companions_.look(view.frame);
+    view.ensemble = ensemble_;
+    view.ensemble_spread = live_ensemble_.look(view.frame);
 }
 
-void SnapshotCloud::go_to(std::uint64_t step) {
-    companions_.go_to(step, segments_, [] {
+void SnapshotEnsemble::go_to(std::uint64_t step) {
+    live_ensemble_.go_to(step, segments_, [] {
         check_interruption();
         return false;
     });

@@ -46,9 +46,9 @@ void Trace::tell(const RunView& view) {
     tell("rate", view.rate.as_fast_as_possible ? "fastest" : number_text(view.rate.seconds_per_second));
     tell("tracked", view.tracked ? std::to_string(view.tracked->particle) : "none");
     tell("diverged", view.divergence ? std::to_string(view.divergence->step) : "no");
-    tell("cloud", view.cloud.runs == 0       ? "none"
-                  : view.frame.cloud.empty() ? "being computed"
-                                             : number_text(view.cloud_reading.largest));
+    tell("ensemble", view.ensemble.runs == 0       ? "none"
+                     : view.frame.ensemble.empty() ? "being computed"
+                                                   : number_text(view.ensemble_spread.largest));
     tell("error", view.error.empty() ? "none" : view.error);
 }
 

@@ -26,13 +26,13 @@ Trial trial(std::string_view model, Settings settings, double dt, double time) {
     return trial;
 }
 
-bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Look& look) {
-    const std::uint64_t looks = std::min(moments, steps);
-    for (std::uint64_t i = 1; i <= looks; ++i) {
-        simulation.advance(steps * i / looks - simulation.step());
-        if (i == looks) simulation.conclude();
+bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Observer& observe) {
+    const std::uint64_t samples = std::min(moments, steps);
+    for (std::uint64_t i = 1; i <= samples; ++i) {
+        simulation.advance(steps * i / samples - simulation.step());
+        if (i == samples) simulation.conclude();
         if (simulation.divergence()) return false;
-        look(simulation);
+        observe(simulation);
     }
     return true;
 }

@@ -47,10 +47,10 @@ struct Trial {
 using Settings = std::initializer_list<std::pair<std::string_view, double>>;
 Trial trial(std::string_view model, Settings settings, double dt, double time);
 
-using Look = std::function<void(Simulation&)>;
+using Observer = std::function<void(Simulation&)>;
 
 /// Takes a trial's steps and looks at `moments` evenly spaced moments, its end being the last. False if it diverged.
-bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Look& look);
+bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Observer& observe);
 
 /// Largest stable omega dt of a method at its defaults, without drag: 0 = none, infinity = any.
 double limit_of(const Method& method);

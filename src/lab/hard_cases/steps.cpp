@@ -35,11 +35,11 @@ Trial marginal(const Method& method, double factor) {
 }
 
 /// Looks at steps that are evenly spaced on a logarithmic axis. False if the run diverged.
-bool swing_for_long(Simulation& simulation, std::uint64_t most, const Look& look) {
+bool swing_for_long(Simulation& simulation, std::uint64_t most, const Observer& observe) {
     for (double steps = 1; steps <= static_cast<double>(most); steps = std::ceil(steps * 1.05)) {
         simulation.advance(static_cast<std::uint64_t>(steps) - simulation.step());
         if (simulation.divergence()) return false;
-        look(simulation);
+        observe(simulation);
     }
     return true;
 }
@@ -107,7 +107,7 @@ enum class Changes { none, once, always };
 
 /// An oscillator over a hundred periods in steps of 1/8 of a quarter period, or half as long where changed; look()
 /// after every quarter.
-void swing(std::string_view method, Changes changes, const Look& look) {
+void swing(std::string_view method, Changes changes, const Observer& observe) {
     const double dt = quarter / quarter_steps;
     Simulation simulation = trial("oscillator", {}, dt, 0).with(method);
     for (int i = 0; i < quarters && !simulation.divergence(); ++i) {
@@ -116,7 +116,7 @@ void swing(std::string_view method, Changes changes, const Look& look) {
         description.dt = halved ? dt / 2 : dt;
         simulation.change(description);
         simulation.advance(halved ? 2 * quarter_steps : quarter_steps);
-        look(simulation);
+        observe(simulation);
     }
 }
 
@@ -151,10 +151,10 @@ Figure change_figure() {
                         .dashed = !changed,
                         .marks = false};
             double worst = 0;
-            int looks = 0;
+            int samples = 0;
             swing(id, changes, [&](Simulation& simulation) {
                 worst = std::max(worst, 2 * std::abs(simulation.energy_error()));
-                if (looks++ % 4 == 0) curve.points.emplace_back(simulation.time() / (4 * quarter), worst);
+                if (samples++ % 4 == 0) curve.points.emplace_back(simulation.time() / (4 * quarter), worst);
             });
             figure.curves.push_back(std::move(curve));
         }

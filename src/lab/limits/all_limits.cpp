@@ -23,7 +23,7 @@ Limit limit_or_refusal(const StabilityLab& lab, const RunDescription& run) {
 /// Of as many runs as go side by side; of a run that is refused none.
 double bytes_of_search(const RunDescription& run) {
     try {
-        return static_cast<double>(most_side_by_side) * bytes_of_run(run);
+        return static_cast<double>(most_lanes) * bytes_of_run(run);
     } catch (const UsageError&) {
         return 0;
     }
@@ -38,7 +38,7 @@ std::vector<Limit> all_limits(const StabilityLab& lab, std::span<const RunDescri
     std::size_t found = 0;
     double bytes = 0;
     for (const RunDescription& run : methods) bytes = std::max(bytes, bytes_of_search(run));
-    side_by_side(methods.size(), bytes, [&](std::size_t i, const Execution&) {
+    parallel_for_each(methods.size(), bytes, [&](std::size_t i, const Execution&) {
         limits[i] = limit_or_refusal(lab, methods[i]);
         const std::lock_guard lock(mutex);
         done(++found);

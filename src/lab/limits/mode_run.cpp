@@ -80,7 +80,7 @@ public:
         return {motion_.x / before, motion_.v / before};
     }
     /// The motion after one more step, in units of that at the start of the block.
-    void look(const Motion& motion) {
+    void measure(const Motion& motion) {
         motion_ = motion;
         factor_ = std::log(motion.size(rate_));
         ++step_;
@@ -141,13 +141,13 @@ void ModeRun::take(Course& course) const {
         stepper->advance(1);
         stepper->synchronised(state);
         for (std::size_t k = 0; k < shape_.flat().size(); ++k) state.displacement.flat()[k] -= start_.flat()[k];
-        course.look({dot(shape_, state.displacement) / norm_, dot(shape_, state.velocity) / norm_});
+        course.measure({dot(shape_, state.displacement) / norm_, dot(shape_, state.velocity) / norm_});
     }
     course.end_block();
 }
 
 /// The same of those that are open, whose blocks are of the same length.
-void ModeRun::take(std::span<Course> courses, StepperGroup& group) const {
+void ModeRun::take(std::span<Course> courses, EnsembleStepper& group) const {
     std::vector<State<double>> starts;
     std::vector<std::size_t> open;
     for (std::size_t run = 0; run < courses.size(); ++run) {
@@ -155,12 +155,12 @@ void ModeRun::take(std::span<Course> courses, StepperGroup& group) const {
         if (courses[run].open()) open.push_back(run);
     }
     group.restart(starts);
-    std::array<Along, most_side_by_side> along;
+    std::array<Along, most_lanes> along;
     for (std::uint64_t steps = block(courses.front().dt()); steps > 0; --steps) {
         group.advance(1);
         group.along(shape_, start_, along);
         for (const std::size_t run : open)
-            courses[run].look({along[run].displacement / norm_, along[run].velocity / norm_});
+            courses[run].measure({along[run].displacement / norm_, along[run].velocity / norm_});
     }
     for (const std::size_t run : open) courses[run].end_block();
 }
@@ -175,18 +175,18 @@ bool ModeRun::grows(const GrowthQuestion& question) const {
     return course.grew();
 }
 
-std::unique_ptr<StepperGroup> ModeRun::group(std::span<const GrowthQuestion> questions) const {
+std::unique_ptr<EnsembleStepper> ModeRun::group(std::span<const GrowthQuestion> questions) const {
     std::vector<StepperSetup> setups;
     for (const GrowthQuestion& question : questions) setups.push_back(setup(state({1, rate_}), question.dt));
-    if (!method_.goes_in_groups(setups.front().instructions) || !goes_side_by_side(setups.front())) return nullptr;
+    if (!method_.runs_in_lanes(setups.front().instructions) || !fits_lanes(setups.front())) return nullptr;
     for (const StepperSetup& other : setups) {
-        if (!alike(setups.front(), other)) return nullptr;
+        if (!lane_compatible(setups.front(), other)) return nullptr;
     }
     return method_.make_group(setups);
 }
 
 std::size_t ModeRun::most_at_once() const {
-    const auto widest = group(std::vector<GrowthQuestion>(most_side_by_side, {.dt = time_scale()}));
+    const auto widest = group(std::vector<GrowthQuestion>(most_lanes, {.dt = time_scale()}));
     return widest ? widest->runs() : 1;
 }
 

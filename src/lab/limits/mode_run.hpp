@@ -45,9 +45,9 @@ private:
     State<double> state(const Motion& motion) const;
     StepperSetup setup(State<double> start, double dt) const;
     /// Null if runs of these dt do not go side by side; else with one run at least.
-    std::unique_ptr<StepperGroup> group(std::span<const GrowthQuestion> questions) const;
+    std::unique_ptr<EnsembleStepper> group(std::span<const GrowthQuestion> questions) const;
     void take(Course& course) const;
-    void take(std::span<Course> courses, StepperGroup& group) const;
+    void take(std::span<Course> courses, EnsembleStepper& group) const;
 
     const Method& method_;
     ParameterValues parameters_;

@@ -124,14 +124,14 @@ private:
 
     Measurement measured(const RunDescription& run, std::uint64_t steps) {
         const auto begin = std::chrono::steady_clock::now();
-        const auto look = [&] {
+        const auto observe = [&] {
             check_interruption();
             const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
             const double patience =
                 is_classic() ? infinity : found_.patience();  // others may find a cheap run meanwhile
             if (elapsed.count() > std::min(question_.most_seconds, patience)) throw Abandoned();
         };
-        Measurement result = measure(run, steps, question_.reference, look, execution_);
+        Measurement result = measure(run, steps, question_.reference, observe, execution_);
         found_.measured(result);
         return result;
     }
@@ -214,7 +214,7 @@ std::vector<Measurement> candidates(const Question& question, Found& found, cons
     std::vector<std::vector<Measurement>> runs(methods.size() * precisions.size());
     std::mutex mutex;
     std::size_t done = 0;
-    side_by_side(runs.size(), dearest_bytes(question.plan), [&](std::size_t i, const Execution& execution) {
+    parallel_for_each(runs.size(), dearest_bytes(question.plan), [&](std::size_t i, const Execution& execution) {
         const std::string& method = methods[i / precisions.size()];
         runs[i] = Search(question, method, precisions[i % precisions.size()], execution, found).cheapest();
         const std::lock_guard lock(mutex);

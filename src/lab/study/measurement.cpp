@@ -12,7 +12,7 @@ namespace steplab {
 
 namespace {
 
-constexpr std::uint64_t looks = 64;
+constexpr std::uint64_t samples = 64;
 
 void compare(Measurement& measurement, const State<double>& end, const Reference& reference) {
     measurement.error = error_against(reference.moments.back(), end.displacement);
@@ -51,9 +51,9 @@ Measurement measure(const RunDescription& run, std::uint64_t steps, const Refere
     SteppingClock clock;
     Simulation simulation(run, execution);
     clock.started(simulation.evaluations());
-    for (std::uint64_t look = 1; look <= looks && !simulation.divergence(); ++look) {
+    for (std::uint64_t observe = 1; observe <= samples && !simulation.divergence(); ++observe) {
         at_look();
-        const std::uint64_t next = steps * look / looks - simulation.step();
+        const std::uint64_t next = steps * observe / samples - simulation.step();
         clock.time([&] { simulation.advance(next); });
         measurement.energy_error = std::max(measurement.energy_error, std::abs(simulation.energy_error()));
     }

@@ -116,7 +116,7 @@ public:
         const double fastest_motion = frequency(plan_);
         std::size_t done = all() - left.size();
         progress(done);
-        side_by_side(left.size(), dearest_bytes(plan_), [&](std::size_t i, const Execution& execution) {
+        parallel_for_each(left.size(), dearest_bytes(plan_), [&](std::size_t i, const Execution& execution) {
             const std::size_t place = left[i];
             Series series(plan_, reference, fastest_motion, method_of(place), precision_of(place), execution);
             MeasuredSeries measured = series.measured();

@@ -47,13 +47,14 @@ constexpr std::uint64_t moments = 600, spans = 60;
 Curve energy_curve(const Measurement& run, const Execution& execution) {
     Curve curve{.name = run.run.method, .points = {}, .marks = false};
     Simulation simulation(run.run, execution);
-    const std::uint64_t looks = std::min(moments, run.steps), looks_a_span = std::max<std::uint64_t>(1, looks / spans);
+    const std::uint64_t samples = std::min(moments, run.steps),
+                        samples_a_span = std::max<std::uint64_t>(1, samples / spans);
     double largest = 0;
-    for (std::uint64_t i = 1; i <= looks; ++i) {
+    for (std::uint64_t i = 1; i <= samples; ++i) {
         check_interruption();
-        simulation.advance(run.steps * i / looks - simulation.step());
+        simulation.advance(run.steps * i / samples - simulation.step());
         largest = std::max(largest, std::abs(simulation.energy_error()));
-        if (i % looks_a_span != 0) continue;
+        if (i % samples_a_span != 0) continue;
         curve.points.emplace_back(simulation.time(), largest);
         largest = 0;
     }
@@ -103,8 +104,9 @@ std::vector<Curve> energy_curves(const Study& study, double evaluations) {
         if (run) runs.push_back(run);
     }
     std::vector<Curve> curves(runs.size());
-    side_by_side(runs.size(), dearest_bytes(study.plan),
-                 [&](std::size_t i, const Execution& execution) { curves[i] = energy_curve(*runs[i], execution); });
+    parallel_for_each(runs.size(), dearest_bytes(study.plan), [&](std::size_t i, const Execution& execution) {
+        curves[i] = energy_curve(*runs[i], execution);
+    });
     return curves;
 }
 

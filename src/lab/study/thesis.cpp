@@ -51,11 +51,11 @@ double tenth_particle(std::string_view method, Precision precision) {
 
 /// True if 1000 steps stay within twenty times the largest displacement that the exact motion can have. Neighbours keep
 /// apart at any amplitude met, so that the chain stays linear.
-bool looks_stable(RunDescription run) {
+bool seems_stable(RunDescription run) {
     if (run.scene.contains("L")) run.scene.set("L", 1e6);
     Simulation simulation(run);
     const double largest = by_eye * run.scene["v0"];  // the kick over the slowest spring: v0 / omega of one point
-    for (int look = 0; look < 1000 && !simulation.divergence(); ++look) {
+    for (int observe = 0; observe < 1000 && !simulation.divergence(); ++observe) {
         simulation.advance(1);
         if (!(simulation.diagnostics().max_displacement < largest)) return false;
     }
@@ -67,7 +67,7 @@ std::string largest_dt(std::string_view model_id, std::string_view method) {
     for (int tenths = 1; tenths <= 250; ++tenths) {
         RunDescription run = describe(model_id, method);
         run.dt = 0.1 * tenths;
-        if (!looks_stable(run)) break;
+        if (!seems_stable(run)) break;
         largest = run.dt;
     }
     return largest > 0 ? fmt::format("{:.1f}", largest) : "below 0.1";

@@ -25,9 +25,9 @@ void accelerate(System& system, const Field<T>& x, const Field<T>& v, Field<T>& 
 
 /// A system for evaluations that do not count because somebody only looks.
 template <class System>
-class Looking {
+class Uncounted {
 public:
-    explicit Looking(const System& system) : system_(system) {}
+    explicit Uncounted(const System& system) : system_(system) {}
     template <class Field>
     void accelerations(const Field& x, Field& a) {
         system_.uncounted_accelerations(x, a);

@@ -60,7 +60,7 @@ private:
 ///     the
 ///                                                                                   error relative to the tolerance
 ///     void finish(System&, T h, Moment& next)                                       fills next.a
-///     void between(Looking&, const Moment& from, const Moment& next, T h, T part, State<T>& out)   at from + part h
+///     void between(Uncounted&, const Moment& from, const Moment& next, T h, T part, State<T>& out)   at from + part h
 ///     void forget()                                                                 scratch is no longer of the last
 ///     step
 template <class T, class Rule>
@@ -102,7 +102,7 @@ public:
         } else if (progress_.across > T(0)) {
             within_crossing(from_, next_, progress_.across, progress_.length - before_end, out);
         } else {
-            Looking<System> looking(system);
+            Uncounted<System> looking(system);
             rule_.between(looking, from_, next_, progress_.length, (progress_.length - before_end) / progress_.length,
                           out);
         }

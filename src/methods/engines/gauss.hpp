@@ -207,7 +207,7 @@ private:
 
     template <class System>
     void synchronised_at_collision(const System& system, T ahead, State<T>& out) const {
-        Looking<System> looking(system);
+        Uncounted<System> looking(system);
         Field<T> a(end_.x.count()), end_a(end_.x.count());
         accelerate(looking, begin_.x, begin_.v, a);
         accelerate(looking, end_.x, end_.v, end_a);

@@ -16,7 +16,7 @@ template <class T>
 using StageColumns = std::array<Stages<T>, stage_count>;
 
 /// sum over j of columns[j] numbers[j], from left to right; the numbers lie in lanes or in memory.
-template <SideBySide N, class Numbers>
+template <HasLanes N, class Numbers>
 N product(const std::array<N, stage_count>& columns, const Numbers& numbers) {
     N sum = columns[0] * N(numbers[0]);
     for (std::size_t j = 1; j < stage_count; ++j) sum += columns[j] * N(numbers[j]);

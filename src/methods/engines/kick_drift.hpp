@@ -62,7 +62,7 @@ public:
     void synchronised(const System& system, State<T>& out) const {
         if (out.velocity.count() != x_.count()) out = {Field<T>(x_.count()), Field<T>(x_.count())};
         const FieldLanes<T> displacement(out.displacement), velocity(out.velocity);
-        look(system, [&](std::size_t r, const Vector<N>& at, const Vector<N>& moving) {
+        emit(system, [&](std::size_t r, const Vector<N>& at, const Vector<N>& moving) {
             displacement.set(r, at);
             velocity.set(r, moving);
         });
@@ -70,13 +70,13 @@ public:
 
     /// Calls sink(r, x, v) with displacements and velocities of one time for every register r of particles in turn.
     template <class System, class Sink>
-    void look(const System& system, Sink sink) const {
+    void emit(const System& system, Sink sink) const {
         const FieldLanes<const T> position(x_), velocity(v_);
         if (progress_.fresh || step_.rest.gain == T(0)) {
             const std::size_t registers = (x_.count() + N::count - 1) / N::count;
             for (std::size_t r = 0; r < registers; ++r) sink(r, drifted(r), velocity.get(r));
         } else {
-            system.look(x_, [&](std::size_t r, const Vector<N>& a) {
+            system.emit(x_, [&](std::size_t r, const Vector<N>& a) {
                 const Vector<N> before = velocity.get(r);
                 sink(r, position.get(r), before + (N(step_.rest.gain) * a - N(step_.rest.loss) * before));
             });

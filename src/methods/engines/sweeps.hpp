@@ -81,9 +81,9 @@ struct PositionsOf {
 
 /// Accelerations for somebody who looks: where they hang on the way of a run, that stays as it is.
 template <class T, class Force>
-void look_at_accelerations(Force& force, const Field<T>& x, Field<T>& a) {
-    if constexpr (requires { force.look_at_accelerations(x, a); }) {
-        force.look_at_accelerations(x, a);
+void uncounted_accelerations(Force& force, const Field<T>& x, Field<T>& a) {
+    if constexpr (requires { force.uncounted_accelerations(x, a); }) {
+        force.uncounted_accelerations(x, a);
     } else {
         force.accelerations(x, a);
     }
@@ -93,11 +93,11 @@ void look_at_accelerations(Force& force, const Field<T>& x, Field<T>& a) {
 template <class T, class Force, class Sink>
 void look_at(Force& force, const Field<T>& x, Sink sink) {
     const std::size_t registers = (x.count() + Lanes<T>::count - 1) / Lanes<T>::count;
-    if constexpr (!SideBySide<T> && Sweeping<Force>) {
+    if constexpr (!HasLanes<T> && Sweeping<Force>) {
         typename Force::Sweep().to(force, registers, FieldLanes<const T>(x), sink);
     } else {
         Field<T> accelerations(x.count());
-        look_at_accelerations(force, x, accelerations);
+        uncounted_accelerations(force, x, accelerations);
         for (std::size_t r = 0; r < registers; ++r) sink(r, FieldLanes<const T>(accelerations).get(r));
     }
 }
@@ -123,7 +123,7 @@ private:
     template <std::size_t Axes, std::size_t Quantities, class Stage>
     void run_along(Force& force, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps,
                    std::size_t parts, Stage stage) {
-        if constexpr (SideBySide<T> && SweepingInTurn<Force>) {
+        if constexpr (HasLanes<T> && SweepingInTurn<Force>) {
             InMemory<T, Quantities, Axes> particles(fields);
             for (std::uint64_t s = 0; s < steps; ++s) {
                 for (std::size_t part = 0; part < parts; ++part) sweep_in_turn(force, particles, part, stage);
@@ -132,7 +132,7 @@ private:
             for (std::uint64_t s = 0; s < steps * parts; ++s) sweep_whole(force, fields, s % parts, stage);
         } else {
             const std::size_t registers = (fields[0]->count() + width - 1) / width;
-            if constexpr (SweepingInRegisters<Force> && Stage::in_registers && !SideBySide<T>) {
+            if constexpr (SweepingInRegisters<Force> && Stage::in_registers && !HasLanes<T>) {
                 if (registers <= Force::most_registers)
                     return run_in_registers<Axes, Force::most_registers>(force, fields, registers, steps, parts, stage);
             }

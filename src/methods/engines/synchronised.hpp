@@ -25,7 +25,7 @@ public:
     }
     /// Calls sink(r, x, v) with displacements and velocities of every register r of particles in turn.
     template <class System, class Sink>
-    void look(const System&, Sink sink) const {
+    void emit(const System&, Sink sink) const {
         const FieldLanes<const T> position(x_), velocity(v_);
         const std::size_t registers = (x_.count() + Lanes<T>::count - 1) / Lanes<T>::count;
         for (std::size_t r = 0; r < registers; ++r) sink(r, position.get(r), velocity.get(r));

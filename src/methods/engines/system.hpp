@@ -29,7 +29,7 @@ struct AtStages {
     using Type = decltype(force_in<Stages<T>>(std::declval<const Force&>()));
 };
 /// Runs side by side have no stages side by side.
-template <SideBySide T, class Force>
+template <HasLanes T, class Force>
 struct AtStages<T, Force> {
     struct Type {};
 };
@@ -53,7 +53,7 @@ public:
     }
 
     /// The same for somebody who looks: not counted.
-    void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { look_at_accelerations(force_, x, a); }
+    void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { uncounted_accelerations(force_, x, a); }
 
     /// Takes `steps` steps that consist of `parts` sweeps each over the particles, whose quantities are `fields`
     /// (sweeps.hpp); an evaluation each.
@@ -65,7 +65,7 @@ public:
 
     /// Calls sink(r, a) with the accelerations of every register r of particles, for somebody who looks: not counted.
     template <class Sink>
-    void look(const Field<T>& x, Sink sink) const {
+    void emit(const Field<T>& x, Sink sink) const {
         look_at(force_, x, sink);
     }
 

@@ -110,7 +110,7 @@ private:
                                          const T* positions, T* sums) {
         const N cutoff2(morse_.cutoff * morse_.cutoff);
         End end{near_.data(), squares_.data()};
-        const auto look = [&](std::uint32_t first, const N& squares) __attribute__((always_inline)) {
+        const auto emit = [&](std::uint32_t first, const N& squares) __attribute__((always_inline)) {
             const LaneSet near = lanes_below(squares, cutoff2);
             *end.near = {first, near};
             end.near += near != 0 ? 1 : 0;
@@ -118,10 +118,10 @@ private:
         };
         std::uint32_t k = row.begin;
         for (; k < row.begin + size; k += group)
-            look(k, once(square(distances(own, list + k, positions)), k - row.begin));
+            emit(k, once(square(distances(own, list + k, positions)), k - row.begin));
         for (const std::uint32_t last = row.end; k < last; k += group) {
             fetch(list + k + ahead, positions, sums);
-            look(k, square(distances(own, list + k, positions)));
+            emit(k, square(distances(own, list + k, positions)));
         }
         return end;
     }

@@ -203,7 +203,7 @@ void each_near_distance2(std::size_t particles, const Clusters::Position& positi
     std::vector<Vec3> at(clusters.count() * Clusters::size, Vec3{none, none, none});
     for (std::size_t i = 0; i < particles; ++i) at[clusters.places()[i]] = position(i);
     std::vector<double> near;
-    const auto look = [&, cutoff2 = cutoff * cutoff](Vec3 own, std::size_t from, std::size_t to) {
+    const auto emit = [&, cutoff2 = cutoff * cutoff](Vec3 own, std::size_t from, std::size_t to) {
         std::size_t end = near.size();
         near.resize(end + Clusters::size);
         for (std::size_t b = from; b < to; ++b) {
@@ -216,12 +216,12 @@ void each_near_distance2(std::size_t particles, const Clusters::Position& positi
     const auto look_at_all = [&](std::uint32_t cluster, std::span<const Clusters::Other> others) {
         const std::size_t first = cluster * Clusters::size, end = first + Clusters::size;
         near.clear();
-        for (std::size_t a = first; a < end; ++a) look(at[a], a + 1, end);
+        for (std::size_t a = first; a < end; ++a) emit(at[a], a + 1, end);
         for (const Clusters::Other other : others) {
             const auto along = [&](std::size_t axis) { return period * Clusters::periods(other.image(), axis); };
             const Vec3 shift{along(0), along(1), along(2)};
             const std::size_t begin = other.cluster() * Clusters::size;
-            for (std::size_t a = first; a < end; ++a) look(at[a] - shift, begin, begin + Clusters::size);
+            for (std::size_t a = first; a < end; ++a) emit(at[a] - shift, begin, begin + Clusters::size);
         }
         f(near);
     };

@@ -70,7 +70,7 @@ public:
             const std::size_t registers = line.registers();
             constexpr std::size_t axes = Positions::axes;
             Moving<N, axes> here = moving<axes>(here_), before = moving<axes>(before_);
-            const auto look = [&](std::size_t r) __attribute__((always_inline)) {
+            const auto emit = [&](std::size_t r) __attribute__((always_inline)) {
                 const Moving<N, axes> next = r + 1 < registers ? moving<axes>(positions.get(r + 1)) : here;
                 keep<axes>(r, line, line.springs(here, next));
                 here = next;
@@ -78,10 +78,10 @@ public:
             if (at_ == 0) {
                 here = moving<axes>(positions.get(0));
                 before = moving<axes>(none());
-                for (std::size_t r = 0; r < std::min(ahead, registers); ++r) look(r);
+                for (std::size_t r = 0; r < std::min(ahead, registers); ++r) emit(r);
             }
             for (std::size_t r = at_; r < end; ++r) {
-                if (r + ahead < registers) look(r + ahead);
+                if (r + ahead < registers) emit(r + ahead);
                 sink(r, as_vector(line.sum(r, registers, kept<axes>(r), before)));
             }
             here_ = as_vector(here);
@@ -136,7 +136,7 @@ public:
     /// A whole sweep, particle after particle, where numbers have lanes. It computes two springs ahead: the processor
     /// begins a root and a division while it waits for those of the springs before.
     template <class Positions, class Sink>
-    [[gnu::always_inline]] void sweep_in_turn(const Positions& positions, Sink sink) const requires SideBySide<T> {
+    [[gnu::always_inline]] void sweep_in_turn(const Positions& positions, Sink sink) const requires HasLanes<T> {
         constexpr std::size_t axes = Positions::axes;
         using V = Moving<N, axes>;
         const std::size_t count = forces_.count;
@@ -177,7 +177,7 @@ public:
     }
 
     /// k / (2 m) times the sum of |e|^2: no spring stores more energy, since none is stretched by more than |e|.
-    T elastic_bound(const Field<T>& u) const requires SideBySide<T> {
+    T elastic_bound(const Field<T>& u) const requires HasLanes<T> {
         T sum(0);
         for (std::size_t i = 0; i + 1 < forces_.count; ++i) {
             const T x = u.x()[i + 1] - u.x()[i], y = u.y()[i + 1] - u.y()[i], z = u.z()[i + 1] - u.z()[i];
@@ -285,7 +285,7 @@ private:
 
     template <std::size_t Axes>
     void accelerate(const Field<T>& u, Field<T>& a) const {
-        if constexpr (SideBySide<T>) return accelerate_in_turn<Axes>(u, a);
+        if constexpr (HasLanes<T>) return accelerate_in_turn<Axes>(u, a);
         const FieldLanes<T> out(a);
         const FieldLanes<const T, Axes> positions(u);
         Sweep sweep;  // not Sweep(), which would be filled with zeros

@@ -69,7 +69,7 @@ public:
 
     /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does,
     /// and it is made again, as there is room for one only.
-    void look_at_accelerations(const Field<T>& u, Field<T>& a) {
+    void uncounted_accelerations(const Field<T>& u, Field<T>& a) {
         if constexpr (by_clusters) {
             if (!sums_.holds_at(u)) {
                 const Field<T> made_at = sums_.made_at();

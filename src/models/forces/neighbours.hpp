@@ -46,13 +46,13 @@ private:
 
     template <class T>
     static constexpr std::size_t lanes_of = [] {
-        if constexpr (SideBySide<T>) return T::count;
+        if constexpr (HasLanes<T>) return T::count;
         return std::size_t{1};
     }();
 
     template <class T>
     static Vec3 position(const Field<T>& positions, std::size_t i, std::size_t lane) {
-        if constexpr (SideBySide<T>) {
+        if constexpr (HasLanes<T>) {
             const auto number = [lane](const T& lanes) { return static_cast<double>(lanes[lane]); };
             return {number(positions.x()[i]), number(positions.y()[i]), number(positions.z()[i])};
         } else {

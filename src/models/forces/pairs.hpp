@@ -135,7 +135,7 @@ public:
 private:
     /// Particles of a block: of numbers side by side as of each of them by itself.
     static constexpr std::size_t width = [] {
-        if constexpr (SideBySide<T>) return block_size<std::remove_cvref_t<decltype(std::declval<T>()[0])>>;
+        if constexpr (HasLanes<T>) return block_size<std::remove_cvref_t<decltype(std::declval<T>()[0])>>;
         return std::max<std::size_t>(block_size<T>, 8);
     }();
 

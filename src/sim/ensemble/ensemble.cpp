@@ -99,7 +99,7 @@ private:
         const StepsDone done = [this](std::uint64_t steps) { tell(steps); };
         while (first < end) {
             const std::span<const EnsembleRun> left = runs_.subspan(first, end - first);
-            const auto together = run_side_by_side(left, every_, execution_, done);
+            const auto together = run_in_lanes(left, every_, execution_, done);
             for (std::size_t i = 0; i < std::max<std::size_t>(1, together.size()); ++i, ++first)
                 results_[first] = i < together.size() && together[i]
                                       ? *together[i]

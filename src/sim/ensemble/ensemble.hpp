@@ -34,7 +34,7 @@ struct EnsembleResult {
     std::string hash;
     std::optional<Divergence> divergence;
     CollisionRecord collisions;
-    bool side_by_side = false;  ///< computed with others in the lanes of vector registers; no bit depends on it
+    bool in_lanes = false;  ///< computed with others in the lanes of vector registers; no bit depends on it
 };
 
 /// Computes runs that need not have anything in common, each bit for bit as a Simulation by itself: neighbours that

@@ -11,7 +11,7 @@
 namespace steplab {
 
 /// No group holds more runs.
-inline constexpr std::size_t most_side_by_side = 16;
+inline constexpr std::size_t most_lanes = 16;
 
 /// What of a state is along a shape: sums over all numbers, of shape * (displacement - origin) and of shape * velocity.
 struct Along {
@@ -19,9 +19,9 @@ struct Along {
 };
 
 /// Several runs of one method, each in a lane of vector registers: with the bits that it has alone.
-class StepperGroup {
+class EnsembleStepper {
 public:
-    virtual ~StepperGroup() = default;
+    virtual ~EnsembleStepper() = default;
     /// So many of the runs that were given, from the first one on, are here.
     virtual std::size_t runs() const = 0;
     virtual void advance(std::uint64_t steps) = 0;
@@ -42,6 +42,6 @@ public:
 
 /// A method at work on runs that are alike (alike.hpp), one at least: on as many of the first ones as have room. Null
 /// if there are too few of them to be worth it, or each is faster alone.
-using MakeStepperGroup = std::unique_ptr<StepperGroup> (*)(std::span<const StepperSetup> runs);
+using MakeEnsembleStepper = std::unique_ptr<EnsembleStepper> (*)(std::span<const StepperSetup> runs);
 
 }  // namespace steplab

@@ -9,14 +9,14 @@ namespace steplab {
 
 namespace {
 
-bool alike(const LineForces& a, const LineForces& b) {
+bool lane_compatible(const LineForces& a, const LineForces& b) {
     return a.count == b.count && a.first_fixed == b.first_fixed && (a.gravity == 0) == (b.gravity == 0);
 }
-bool alike(const GridForces& a, const GridForces& b) { return a.rows == b.rows && a.columns == b.columns; }
-bool alike(const PairForces& a, const PairForces& b) { return a.count == b.count && a.balance == b.balance; }
+bool lane_compatible(const GridForces& a, const GridForces& b) { return a.rows == b.rows && a.columns == b.columns; }
+bool lane_compatible(const PairForces& a, const PairForces& b) { return a.count == b.count && a.balance == b.balance; }
 /// Layouts that are not computed in lanes.
 template <class Forces>
-bool alike(const Forces&, const Forces&) {
+bool lane_compatible(const Forces&, const Forces&) {
     return false;
 }
 
@@ -35,20 +35,20 @@ constexpr std::size_t most_in_pairs = 16;
 
 }  // namespace
 
-bool alike(const StepperSetup& a, const StepperSetup& b) {
+bool lane_compatible(const StepperSetup& a, const StepperSetup& b) {
     if (a.scene.forces.index() != b.scene.forces.index() || !(a.parameters == b.parameters)) return false;
     if ((a.scene.drag == 0) != (b.scene.drag == 0) || !comfortable(a) || !comfortable(b)) return false;
     return std::visit(
         [&b](const auto& forces) {
-            return alike(forces, std::get<std::remove_cvref_t<decltype(forces)>>(b.scene.forces));
+            return lane_compatible(forces, std::get<std::remove_cvref_t<decltype(forces)>>(b.scene.forces));
         },
         a.scene.forces);
 }
 
-bool goes_side_by_side(const StepperSetup& run) {
+bool fits_lanes(const StepperSetup& run) {
     const std::size_t count = run.scene.reference.count;
     const bool pairs = std::holds_alternative<PairForces>(run.scene.forces);
-    return alike(run, run) && count * bytes_of_particle <= most_bytes && (!pairs || count <= most_in_pairs);
+    return lane_compatible(run, run) && count * bytes_of_particle <= most_bytes && (!pairs || count <= most_in_pairs);
 }
 
 }  // namespace steplab

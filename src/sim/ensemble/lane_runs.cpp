@@ -39,15 +39,15 @@ struct Member {
 };
 
 /// Runs side by side, from their start to their ends.
-class GroupRun {
+class LaneRuns {
 public:
-    GroupRun(std::vector<std::unique_ptr<Member>>& members, StepperGroup& group, std::uint64_t every)
+    LaneRuns(std::vector<std::unique_ptr<Member>>& members, EnsembleStepper& group, std::uint64_t every)
         : members_(members), group_(group), every_(every) {
         for (std::size_t run = 0; run < group_.runs(); ++run) {
             members_[run]->baseline = energy(run);
             members_[run]->result.energy_start = members_[run]->baseline.total();
         }
-        look();
+        measure();
     }
 
     void run(const StepsDone& done) {
@@ -56,7 +56,7 @@ public:
             group_.advance(next - step_);
             done((next - step_) * open);
             step_ = next;
-            look();
+            measure();
         }
     }
 
@@ -76,13 +76,13 @@ private:
         return next;
     }
 
-    void look() {
+    void measure() {
         for (std::size_t run = 0; run < group_.runs(); ++run) {
-            if (members_[run]->open) look(run);
+            if (members_[run]->open) measure(run);
         }
     }
 
-    void look(std::size_t run) {
+    void measure(std::size_t run) {
         Member& member = *members_[run];
         const bool ends = step_ == member.steps, judged = ends || step_ % steps_between_checks == 0;
         if (!group_.finite(run) || (judged && !energy_is_good(run))) {
@@ -114,7 +114,7 @@ private:
         result.evaluations = group_.evaluations();
         result.energy_end = energy_end;
         result.hash = hash_of(step_, member.held.precision, [&](const PortionSink& sink) { show(run, sink); });
-        result.side_by_side = true;
+        result.in_lanes = true;
         member.open = false;
     }
 
@@ -129,7 +129,7 @@ private:
     std::ptrdiff_t runs() const { return static_cast<std::ptrdiff_t>(group_.runs()); }
 
     std::vector<std::unique_ptr<Member>>& members_;
-    StepperGroup& group_;
+    EnsembleStepper& group_;
     std::uint64_t every_;
     std::uint64_t step_ = 0;
     State<double> seen_;  ///< of one run
@@ -145,11 +145,11 @@ struct Together {
     std::vector<StepperSetup> setups;
 
     Together(std::span<const EnsembleRun> runs, const Execution& execution) {
-        for (const EnsembleRun& run : runs.first(std::min(runs.size(), most_side_by_side))) {
+        for (const EnsembleRun& run : runs.first(std::min(runs.size(), most_lanes))) {
             if (!same_engine(run.description, runs.front().description)) return;
             auto member = std::make_unique<Member>(run, execution);
             const StepperSetup setup = member->setup(execution);
-            if (setups.empty() ? !goes_side_by_side(setup) : !alike(setups.front(), setup)) return;
+            if (setups.empty() ? !fits_lanes(setup) : !lane_compatible(setups.front(), setup)) return;
             members.push_back(std::move(member));
             setups.push_back(setup);
         }
@@ -158,17 +158,17 @@ struct Together {
 
 }  // namespace
 
-std::vector<std::optional<EnsembleResult>> run_side_by_side(std::span<const EnsembleRun> runs, std::uint64_t every,
-                                                            const Execution& execution, const StepsDone& done) {
+std::vector<std::optional<EnsembleResult>> run_in_lanes(std::span<const EnsembleRun> runs, std::uint64_t every,
+                                                        const Execution& execution, const StepsDone& done) {
     const FlushSubnormals flush;
     const Method& how = method(runs.front().description.method);
-    if (!how.goes_in_groups(instructions_of(execution))) return {};
+    if (!how.runs_in_lanes(instructions_of(execution))) return {};
     Together together(runs, execution);
     if (together.setups.empty()) return {};
-    const auto group = how.make_group(together.setups);
+    const auto group = how.make_ensemble_stepper(together.setups);
     if (!group) return {};
     std::vector<std::unique_ptr<Member>>& members = together.members;
-    GroupRun(members, *group, every).run(done);
+    LaneRuns(members, *group, every).run(done);
     std::vector<std::optional<EnsembleResult>> results(group->runs());
     for (std::size_t run = 0; run < results.size(); ++run) {
         if (!members[run]->diverged) results[run] = std::move(members[run]->result);

@@ -23,7 +23,7 @@ namespace steplab {
 
 /// A method in one precision on one layout of forces, for a run in each lane.
 template <class Method, class T, template <class> class Force>
-class LaneStepper final : public StepperGroup {
+class LaneStepper final : public EnsembleStepper {
 public:
     using N = InLanes<T>;
 
@@ -138,8 +138,9 @@ private:
 };
 
 template <class Method, class T, template <class> class Force, class Forces>
-std::unique_ptr<StepperGroup> make_group_on(std::span<const StepperSetup> runs, const Forces&,
-                                            const typename Method::template Integrator<InLanes<T>>& integrator) {
+std::unique_ptr<EnsembleStepper> make_lane_stepper_on(
+    std::span<const StepperSetup> runs, const Forces&,
+    const typename Method::template Integrator<InLanes<T>>& integrator) {
     std::vector<Forces> forces;
     for (const StepperSetup& run : runs) forces.push_back(std::get<Forces>(run.scene.forces));
     return std::make_unique<LaneStepper<Method, T, Force>>(runs, forces, integrator);
@@ -147,21 +148,21 @@ std::unique_ptr<StepperGroup> make_group_on(std::span<const StepperSetup> runs, 
 
 /// Chooses the layout of forces.
 template <class Method, class T>
-std::unique_ptr<StepperGroup> make_group_with(std::span<const StepperSetup> runs,
-                                              const typename Method::template Integrator<InLanes<T>>& integrator) {
+std::unique_ptr<EnsembleStepper> make_lane_stepper_with(
+    std::span<const StepperSetup> runs, const typename Method::template Integrator<InLanes<T>>& integrator) {
     const Forces& forces = runs.front().scene.forces;
     if (const auto* line = std::get_if<LineForces>(&forces))
-        return make_group_on<Method, T, Line>(runs, *line, integrator);
+        return make_lane_stepper_on<Method, T, Line>(runs, *line, integrator);
     if (const auto* grid = std::get_if<GridForces>(&forces))
-        return make_group_on<Method, T, Grid>(runs, *grid, integrator);
+        return make_lane_stepper_on<Method, T, Grid>(runs, *grid, integrator);
     if (const auto* pairs = std::get_if<PairForces>(&forces))
-        return make_group_on<Method, T, Pairs>(runs, *pairs, integrator);
+        return make_lane_stepper_on<Method, T, Pairs>(runs, *pairs, integrator);
     return nullptr;
 }
 // kick_drift_steps.cpp
-extern template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, float>(
+extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<KickDriftMethod, float>(
     std::span<const StepperSetup>, const KickDriftSteps<InLanes<float>>&);
-extern template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, double>(
+extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<KickDriftMethod, double>(
     std::span<const StepperSetup>, const KickDriftSteps<InLanes<double>>&);
 
 /// What explicit Runge-Kutta methods are in lanes: one stepper serves them.
@@ -174,9 +175,9 @@ inline constexpr bool is_runge_kutta = requires {
     Method::template Integrator<N>::stages_of_steps();
 };
 // runge_kutta_steps.cpp
-extern template std::unique_ptr<StepperGroup> make_group_with<RungeKuttaMethod, float>(
+extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKuttaMethod, float>(
     std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<float>>&);
-extern template std::unique_ptr<StepperGroup> make_group_with<RungeKuttaMethod, double>(
+extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKuttaMethod, double>(
     std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<double>>&);
 
 /// Slopes of the stages of longer lines go through slower memory side by side, and run by run they fill registers.
@@ -189,30 +190,30 @@ bool is_too_long(const Scene& scene) {
 
 /// As many of the runs as have room; none if most lanes stayed empty, or if they are faster alone.
 template <class Method, class T>
-std::unique_ptr<StepperGroup> make_group_in(std::span<const StepperSetup> all) {
+std::unique_ptr<EnsembleStepper> make_lane_stepper_in(std::span<const StepperSetup> all) {
     using N = InLanes<T>;
     const auto runs = all.first(std::min(all.size(), N::count));
     if (2 * runs.size() < N::count || is_too_long<Method, N>(runs.front().scene)) return nullptr;
     using Integrator = typename Method::template Integrator<N>;
     const ParameterValues& parameters = runs.front().parameters;
     if constexpr (is_runge_kutta<Method, N>) {
-        return make_group_with<RungeKuttaMethod, T>(runs,
-                                                    RungeKuttaSteps<N>(Integrator::stages_of_steps(), parameters));
+        return make_lane_stepper_with<RungeKuttaMethod, T>(
+            runs, RungeKuttaSteps<N>(Integrator::stages_of_steps(), parameters));
     } else if constexpr (is_kick_drift<Method, N>) {
         const Integrator integrator(parameters);
-        return make_group_with<KickDriftMethod, T>(
+        return make_lane_stepper_with<KickDriftMethod, T>(
             runs, kick_drift_steps(integrator, dt_in_lanes<T>(runs), drag_in_lanes<T>(runs)));
     } else {
-        return make_group_with<Method, T>(runs, Integrator(parameters));
+        return make_lane_stepper_with<Method, T>(runs, Integrator(parameters));
     }
 }
 
 /// `runs` has one at least, all alike (alike.hpp).
 template <class Method>
-std::unique_ptr<StepperGroup> make_stepper_group(std::span<const StepperSetup> runs) {
+std::unique_ptr<EnsembleStepper> make_ensemble_stepper(std::span<const StepperSetup> runs) {
     if constexpr (goes_in_lanes<Method>) {
-        return runs.front().precision == Precision::float_ ? make_group_in<Method, float>(runs)
-                                                           : make_group_in<Method, double>(runs);
+        return runs.front().precision == Precision::float_ ? make_lane_stepper_in<Method, float>(runs)
+                                                           : make_lane_stepper_in<Method, double>(runs);
     } else {
         return nullptr;
     }

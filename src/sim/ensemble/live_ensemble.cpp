@@ -22,10 +22,10 @@ namespace {
 constexpr std::uint64_t steps_of_particles = std::uint64_t{1} << 15;
 
 /// The first of these that can be computed side by side.
-std::span<const StepperSetup> alike_ones(std::span<const StepperSetup> setups) {
-    const std::size_t most = std::min(setups.size(), most_side_by_side);
-    std::size_t count = goes_side_by_side(setups.front()) ? 1 : 0;
-    while (count > 0 && count < most && alike(setups.front(), setups[count])) ++count;
+std::span<const StepperSetup> lane_compatible_ones(std::span<const StepperSetup> setups) {
+    const std::size_t most = std::min(setups.size(), most_lanes);
+    std::size_t count = fits_lanes(setups.front()) ? 1 : 0;
+    while (count > 0 && count < most && lane_compatible(setups.front(), setups[count])) ++count;
     return setups.first(count);
 }
 
@@ -58,18 +58,18 @@ void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled) {
     segments.push_back(std::move(pulled));
 }
 
-Companions::Companions(std::size_t runs, Variation variation, const Execution& execution)
+LiveEnsemble::LiveEnsemble(std::size_t runs, Variation variation, const Execution& execution)
     : runs_(runs), variation_(std::move(variation)), execution_(execution) {}
 
-bool Companions::go_to(std::uint64_t step, std::span<const SegmentBegin> segments,
-                       const std::function<bool()>& enough) {
+bool LiveEnsemble::go_to(std::uint64_t step, std::span<const SegmentBegin> segments,
+                         const std::function<bool()>& enough) {
     const FlushSubnormals flush;
-    if (segment_ >= segments.size() || step < segment_step_) companions_.clear();
-    if (companions_.size() < runs_ && !begin(segments, enough)) return false;
+    if (segment_ >= segments.size() || step < segment_step_) members_.clear();
+    if (members_.size() < runs_ && !begin(segments, enough)) return false;
     const bool pulled_on = segments[segment_].pull != pull_;
     const bool next_is_behind = segment_ + 1 < segments.size() && segments[segment_ + 1].step < step_;
     if (step_ > segment_step_ && (step < step_ || next_is_behind || pulled_on)) {
-        make_groups();
+        make_batches();
         step_ = segment_step_;
     }
     if (pulled_on) go_on(segments[segment_]);
@@ -86,155 +86,156 @@ bool Companions::go_to(std::uint64_t step, std::span<const SegmentBegin> segment
     }
 }
 
-bool Companions::are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const {
-    return companions_.size() == runs_ && segment_ + 1 == segments.size() && step_ == step &&
+bool LiveEnsemble::are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const {
+    return members_.size() == runs_ && segment_ + 1 == segments.size() && step_ == step &&
            segments.back().pull == pull_;
 }
 
 /// From the start of the run, or where `enough` had stopped this.
-bool Companions::begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough) {
+bool LiveEnsemble::begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough) {
     const RunDescription& description = segments.front().description;
     const double particles = model(description.model).particles(description.scene);
     if (particles * static_cast<double>(runs_) > static_cast<double>(most_particles))
-        throw UsageError(fmt::format("a cloud of {} runs of {:.0f} particles is too large: at most {} in all", runs_,
-                                     particles, most_particles));
+        throw UsageError(fmt::format("an ensemble of {} runs of {:.0f} particles is too large: at most {} in all",
+                                     runs_, particles, most_particles));
     check_memory(description);
-    groups_.clear();
+    batches_.clear();
     segment_ = 0;
     segment_step_ = step_ = 0;
     pull_.reset();
-    for (std::size_t i = companions_.size(); i < runs_; ++i) {
+    for (std::size_t i = members_.size(); i < runs_; ++i) {
         if (enough()) return false;
         RunDescription held = as_held(variation_(description, i));
         Scene scene = model(held.model).scene(held.scene);
         if (static_cast<double>(scene.reference.count) != particles)
-            throw UsageError(fmt::format("run {} of the cloud has {} particles, the run itself {:.0f}", i,
+            throw UsageError(fmt::format("run {} of the ensemble has {} particles, the run itself {:.0f}", i,
                                          scene.reference.count, particles));
-        companions_.push_back({std::move(held), std::move(scene)});
+        members_.push_back({std::move(held), std::move(scene)});
     }
-    make_groups();
+    make_batches();
     return true;
 }
 
-void Companions::check_memory(const RunDescription& description) const {
+void LiveEnsemble::check_memory(const RunDescription& description) const {
     const Scene scene = model(description.model).scene(description.scene);
     const double one = static_cast<double>(scene.reference.count) * bytes_per_particle(description) +
                        bytes_of_interactions(description, scene);
     const double needed = static_cast<double>(runs_) * one, there = available_memory();
     if (needed <= there) return;
     throw UsageError(
-        fmt::format("a cloud of {} runs needs {:.3g} bytes of memory, {:.3g} are available: choose {:.0f} "
+        fmt::format("an ensemble of {} runs needs {:.3g} bytes of memory, {:.3g} are available: choose {:.0f} "
                     "runs at most",
                     runs_, needed, there, std::floor(there / one)));
 }
 
 /// Begins a segment as Simulation does: at the synchronised state.
-void Companions::go_on(const SegmentBegin& segment) {
-    for (const Group& group : groups_) {
-        for (std::size_t i = group.first; i < group.first + group.count; ++i) continue_in(segment, i, group);
+void LiveEnsemble::go_on(const SegmentBegin& segment) {
+    for (const Batch& batch : batches_) {
+        for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) continue_in(segment, i, batch);
     }
-    make_groups();
+    make_batches();
     segment_step_ = step_ = segment.step;
     pull_ = segment.pull;
 }
 
-void Companions::continue_in(const SegmentBegin& segment, std::size_t i, const Group& group) {
-    Companion& companion = companions_[i];
-    companion.lost = !group.finite(i);
-    if (companion.lost) return;
+void LiveEnsemble::continue_in(const SegmentBegin& segment, std::size_t i, const Batch& batch) {
+    Member& member = members_[i];
+    member.lost = !batch.finite(i);
+    if (member.lost) return;
     State<double> state;
-    group.synchronised(i, state);
+    batch.synchronised(i, state);
     if (segment.pull) {
         const auto& [particle, position] = *segment.pull;
-        state.displacement.set(particle, position - companion.scene.reference.at(particle));
+        state.displacement.set(particle, position - member.scene.reference.at(particle));
         state.velocity.set(particle, {});
     }
-    companion.held = as_held(variation_(segment.description, i));
-    companion.scene = model(companion.held.model).scene(companion.held.scene);
-    companion.scene.start = Start(std::move(state));
+    member.held = as_held(variation_(segment.description, i));
+    member.scene = model(member.held.model).scene(member.held.scene);
+    member.scene.start = Start(std::move(state));
 }
 
 /// Steppers of all of them, at the start of the segment.
-void Companions::make_groups() {
-    groups_.clear();
+void LiveEnsemble::make_batches() {
+    batches_.clear();
     std::vector<StepperSetup> setups;
-    for (const Companion& it : companions_)
+    for (const Member& it : members_)
         setups.push_back({it.scene, it.scene.start, it.held.method_parameters, it.held.precision, it.held.dt,
                           instructions_of(execution_)});
-    for (std::size_t first = 0; first < setups.size(); first += groups_.back().count)
-        groups_.push_back(make_group(std::span<const StepperSetup>(setups).subspan(first), first));
+    for (std::size_t first = 0; first < setups.size(); first += batches_.back().count)
+        batches_.push_back(make_batch(std::span<const StepperSetup>(setups).subspan(first), first));
 }
 
 /// Of as many of the first ones as have room.
-Companions::Group Companions::make_group(std::span<const StepperSetup> setups, std::size_t first) const {
-    Group group;
-    group.first = first;
+LiveEnsemble::Batch LiveEnsemble::make_batch(std::span<const StepperSetup> setups, std::size_t first) const {
+    Batch batch;
+    batch.first = first;
     std::size_t there = 0;
-    while (there < setups.size() && !companions_[first + there].lost) ++there;
-    if (there == 0) return group;
-    const Method& how = method(companions_[first].held.method);
-    const auto together = alike_ones(setups.first(there));
-    if (!together.empty() && how.goes_in_groups(instructions_of(execution_))) group.lanes = how.make_group(together);
-    if (group.lanes) {
-        group.count = group.lanes->runs();
+    while (there < setups.size() && !members_[first + there].lost) ++there;
+    if (there == 0) return batch;
+    const Method& how = method(members_[first].held.method);
+    const auto together = lane_compatible_ones(setups.first(there));
+    if (!together.empty() && how.runs_in_lanes(instructions_of(execution_)))
+        batch.lanes = how.make_ensemble_stepper(together);
+    if (batch.lanes) {
+        batch.count = batch.lanes->runs();
     } else {
-        group.alone = how.make(setups.front());
+        batch.alone = how.make(setups.front());
     }
-    return group;
+    return batch;
 }
 
-bool Companions::Group::finite(std::size_t companion) const {
-    if (lanes) return lanes->finite(companion - first);
+bool LiveEnsemble::Batch::finite(std::size_t member) const {
+    if (lanes) return lanes->finite(member - first);
     return alone && alone->finite();
 }
 
-void Companions::Group::synchronised(std::size_t companion, State<double>& out) const {
+void LiveEnsemble::Batch::synchronised(std::size_t member, State<double>& out) const {
     if (lanes) {
-        lanes->synchronised(companion - first, out);
+        lanes->synchronised(member - first, out);
     } else {
         alone->synchronised(out);
     }
 }
 
-void Companions::take(std::uint64_t steps) {
-    for (Group& group : groups_) {
-        if (group.lanes) {
-            group.lanes->advance(steps);
-        } else if (group.alone) {
-            group.alone->advance(steps);
-            if (!group.alone->finite()) group.alone.reset();
+void LiveEnsemble::take(std::uint64_t steps) {
+    for (Batch& batch : batches_) {
+        if (batch.lanes) {
+            batch.lanes->advance(steps);
+        } else if (batch.alone) {
+            batch.alone->advance(steps);
+            if (!batch.alone->finite()) batch.alone.reset();
         }
     }
     step_ += steps;
 }
 
-std::uint64_t Companions::steps_of_a_piece() const {
-    const std::size_t particles = companions_.empty() ? 0 : companions_.front().scene.reference.count;
+std::uint64_t LiveEnsemble::steps_of_a_piece() const {
+    const std::size_t particles = members_.empty() ? 0 : members_.front().scene.reference.count;
     return std::max<std::uint64_t>(1, steps_of_particles / std::max<std::size_t>(1, runs_ * particles));
 }
 
-std::size_t Companions::side_by_side() const {
-    return std::accumulate(groups_.begin(), groups_.end(), std::size_t{0},
-                           [](std::size_t sum, const Group& group) { return sum + (group.lanes ? group.count : 0); });
+std::size_t LiveEnsemble::in_lanes() const {
+    return std::accumulate(batches_.begin(), batches_.end(), std::size_t{0},
+                           [](std::size_t sum, const Batch& batch) { return sum + (batch.lanes ? batch.count : 0); });
 }
 
-CloudReading Companions::look(Frame& run) {
+EnsembleSpread LiveEnsemble::look(Frame& run) {
     const FlushSubnormals flush;
     const std::size_t particles = run.positions.size();
     constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-    run.cloud.assign(runs_ * particles, {nowhere, nowhere, nowhere});
-    CloudReading reading{.step = step_};
+    run.ensemble.assign(runs_ * particles, {nowhere, nowhere, nowhere});
+    EnsembleSpread reading{.step = step_};
     Distances distances;
-    for (const Group& group : groups_) {
-        for (std::size_t i = group.first; i < group.first + group.count; ++i) {
-            if (!group.finite(i)) {
+    for (const Batch& batch : batches_) {
+        for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) {
+            if (!batch.finite(i)) {
                 ++reading.lost;
                 continue;
             }
-            group.synchronised(i, seen_);
-            companions_[i].scene.reference.each(0, particles, [&](std::size_t k, Vec3 reference) {
+            batch.synchronised(i, seen_);
+            members_[i].scene.reference.each(0, particles, [&](std::size_t k, Vec3 reference) {
                 const Vec3 place = in_precision(reference + seen_.displacement.at(k), run.precision);
-                run.cloud[i * particles + k] = place;
+                run.ensemble[i * particles + k] = place;
                 distances.add(length(place - run.positions[k]));
             });
         }

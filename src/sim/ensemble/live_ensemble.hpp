@@ -37,15 +37,15 @@ void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled);
 /// Runs that go beside a run, step for step, and to which all that is done to it happens too. Each has the bits that it
 /// has alone. Those that differ in numbers alone are computed side by side in the lanes of vector registers where their
 /// method and scene allow it.
-class Companions {
+class LiveEnsemble {
 public:
     /// What a companion (counted from 0) computes while the run computes `description`.
-    using Variation = std::function<RunDescription(const RunDescription& description, std::size_t companion)>;
+    using Variation = std::function<RunDescription(const RunDescription& description, std::size_t member)>;
 
     /// No more particles than this in all of them.
     static constexpr std::size_t most_particles = std::size_t{1} << 20;
 
-    Companions(std::size_t runs, Variation variation, const Execution& execution = {});
+    LiveEnsemble(std::size_t runs, Variation variation, const Execution& execution = {});
 
     /// Goes to this step of the run that consists of these segments, the first of which begins at step 0; back as well,
     /// by stepping again. The pull that the last segment begins with may have become another. Stops on the way if
@@ -57,41 +57,41 @@ public:
     bool are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const;
     std::uint64_t step() const { return step_; }
     /// So many of them are computed in lanes.
-    std::size_t side_by_side() const;
+    std::size_t in_lanes() const;
 
     /// Puts the particles of all of them beside those of the run, which stands at the same step.
-    CloudReading look(Frame& run);
+    EnsembleSpread look(Frame& run);
 
 private:
-    struct Companion {
+    struct Member {
         RunDescription held;
         Scene scene;        ///< its start is that of the segment
         bool lost = false;  ///< some of its numbers are not finite there
     };
-    /// Companions that are stepped together, in lanes; or one alone; or a lost one, by nothing.
-    struct Group {
+    /// LiveEnsemble that are stepped together, in lanes; or one alone; or a lost one, by nothing.
+    struct Batch {
         std::size_t first = 0, count = 1;
-        std::unique_ptr<StepperGroup> lanes;
+        std::unique_ptr<EnsembleStepper> lanes;
         std::unique_ptr<Stepper> alone;
 
-        bool finite(std::size_t companion) const;
-        void synchronised(std::size_t companion, State<double>& out) const;
+        bool finite(std::size_t member) const;
+        void synchronised(std::size_t member, State<double>& out) const;
     };
 
     bool begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough);
     void check_memory(const RunDescription& description) const;
     void go_on(const SegmentBegin& segment);
-    void make_groups();
-    Group make_group(std::span<const StepperSetup> setups, std::size_t first) const;
-    void continue_in(const SegmentBegin& segment, std::size_t companion, const Group& group);
+    void make_batches();
+    Batch make_batch(std::span<const StepperSetup> setups, std::size_t first) const;
+    void continue_in(const SegmentBegin& segment, std::size_t member, const Batch& batch);
     void take(std::uint64_t steps);
     std::uint64_t steps_of_a_piece() const;
 
     std::size_t runs_;
     Variation variation_;
     Execution execution_;
-    std::vector<Companion> companions_;
-    std::vector<Group> groups_;
+    std::vector<Member> members_;
+    std::vector<Batch> batches_;
     std::size_t segment_ = 0;  ///< the one they are in
     std::uint64_t segment_step_ = 0, step_ = 0;
     std::optional<SegmentBegin::Pull> pull_;  ///< that the segment began with

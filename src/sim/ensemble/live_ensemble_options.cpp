@@ -14,7 +14,7 @@ bool can_differ(const RunDescription& description, const ParameterInfo& info) {
 
 }  // namespace
 
-std::vector<std::string_view> spreadable(const RunDescription& description) {
+std::vector<std::string_view> perturbable(const RunDescription& description) {
     std::vector<std::string_view> names;
     for (const ParameterInfo& info : description.scene.infos()) {
         if (!can_differ(description, info)) continue;
@@ -24,12 +24,12 @@ std::vector<std::string_view> spreadable(const RunDescription& description) {
     return names;
 }
 
-Spread spread_of(const Cloud& cloud, const RunDescription& description) {
-    const std::vector<std::string_view> names = spreadable(description);
-    const bool known = std::find(names.begin(), names.end(), cloud.spread) != names.end();
-    const std::string_view name = known ? std::string_view(cloud.spread) : names.front();
+ParameterRange range_of(const LiveEnsembleOptions& ensemble, const RunDescription& description) {
+    const std::vector<std::string_view> names = perturbable(description);
+    const bool known = std::find(names.begin(), names.end(), ensemble.spread) != names.end();
+    const std::string_view name = known ? std::string_view(ensemble.spread) : names.front();
     const double value = name == time_step ? description.dt : description.scene[name];
-    return {std::string(name), value * (1 - cloud.width), value * (1 + cloud.width)};
+    return {std::string(name), value * (1 - ensemble.width), value * (1 + ensemble.width)};
 }
 
 }  // namespace steplab

@@ -11,31 +11,31 @@
 namespace steplab {
 
 /// Runs that go beside a run and differ from it in one number, as a person asks for them.
-struct Cloud {
+struct LiveEnsembleOptions {
     static constexpr double usual_width = 1e-6, most_width = 0.5;
 
-    std::size_t runs = 0;        ///< 0: no cloud
-    std::string spread = {};     ///< what differs: one of spreadable(); any other: the first of them
+    std::size_t runs = 0;        ///< 0: no ensemble
+    std::string spread = {};     ///< what differs: one of perturbable(); any other: the first of them
     double width = usual_width;  ///< by how much at most, over the run's own value
     /// They differ in something else, which nobody can choose here: only beside a picture of an ensemble.
     bool otherwise = false;
-    friend bool operator==(const Cloud&, const Cloud&) = default;
+    friend bool operator==(const LiveEnsembleOptions&, const LiveEnsembleOptions&) = default;
 };
 
-/// What the runs of a cloud can differ in: the real parameters of the scene that are not 0, the speed at the start
+/// What the runs of an ensemble can differ in: the real parameters of the scene that are not 0, the speed at the start
 /// first, and dt.
-std::vector<std::string_view> spreadable(const RunDescription& description);
+std::vector<std::string_view> perturbable(const RunDescription& description);
 
 /// From value (1 - width) to value (1 + width).
-Spread spread_of(const Cloud& cloud, const RunDescription& description);
+ParameterRange range_of(const LiveEnsembleOptions& ensemble, const RunDescription& description);
 
-/// How far the runs of a cloud are from the run they go beside.
-struct CloudReading {
+/// How far the runs of an ensemble are from the run they go beside.
+struct EnsembleSpread {
     std::uint64_t step = 0;       ///< where they stand; the rest holds once that is where the run stands
     std::size_t lost = 0;         ///< runs with numbers that are not finite, which are left out
     double largest = 0;           ///< distance of a particle from where it is in the run
     double root_mean_square = 0;  ///< the same over all particles of all runs
-    friend bool operator==(const CloudReading&, const CloudReading&) = default;
+    friend bool operator==(const EnsembleSpread&, const EnsembleSpread&) = default;
 };
 
 }  // namespace steplab

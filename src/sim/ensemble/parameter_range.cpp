@@ -40,13 +40,13 @@ void set(RunDescription& description, std::string_view name, double value) {
 
 }  // namespace
 
-double Spread::value(std::size_t run, std::size_t runs) const {
+double ParameterRange::value(std::size_t run, std::size_t runs) const {
     if (run == 0) return from;
     if (run + 1 == runs) return to;
     return from + (to - from) * static_cast<double>(run) / static_cast<double>(runs - 1);
 }
 
-Spread parse_spread(const RunDescription& description, const std::string& text) {
+ParameterRange parse_parameter_range(const RunDescription& description, const std::string& text) {
     const std::size_t equals = text.find('='), colon = text.find(':', equals);
     if (equals == std::string::npos || equals == 0 || colon == std::string::npos)
         throw UsageError(fmt::format("--spread '{}' is not of the form name=a:b, such as --spread dt=0.01:0.1", text));
@@ -58,9 +58,9 @@ Spread parse_spread(const RunDescription& description, const std::string& text) 
             parse_value(info, text.substr(colon + 1))};
 }
 
-RunDescription spread_run(RunDescription description, std::span<const Spread> spreads, std::size_t run,
-                          std::size_t runs) {
-    for (const Spread& spread : spreads) {
+RunDescription run_in_range(RunDescription description, std::span<const ParameterRange> ranges, std::size_t run,
+                            std::size_t runs) {
+    for (const ParameterRange& spread : ranges) {
         try {
             set(description, spread.name, spread.value(run, runs));
         } catch (const UsageError& error) {

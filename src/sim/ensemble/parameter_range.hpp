@@ -10,7 +10,7 @@
 namespace steplab {
 
 /// A number that differs from run to run of an ensemble: dt, or a parameter of the model or the method.
-struct Spread {
+struct ParameterRange {
     std::string name;
     double from = 0, to = 0;
 
@@ -21,11 +21,11 @@ struct Spread {
 
 /// "k=1:2". Throws UsageError for what is not of that form, names neither dt nor a parameter whose values are numbers,
 /// or goes beyond its range.
-Spread parse_spread(const RunDescription& description, const std::string& text);
+ParameterRange parse_parameter_range(const RunDescription& description, const std::string& text);
 
 /// The description with each spread's value of run i. Throws UsageError if that is not possible, such as half a
 /// particle.
-RunDescription spread_run(RunDescription description, std::span<const Spread> spreads, std::size_t run,
-                          std::size_t runs);
+RunDescription run_in_range(RunDescription description, std::span<const ParameterRange> ranges, std::size_t run,
+                            std::size_t runs);
 
 }  // namespace steplab

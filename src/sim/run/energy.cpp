@@ -57,9 +57,9 @@ EnergyMeter::EnergyMeter(const Scene& scene, Instructions instructions)
       pieces_(pieces_of(scene)),
       sums_(pieces_.count()) {}
 
-Energy EnergyMeter::energy(std::size_t parts, const Look& look, const PieceSink& also) {
+Energy EnergyMeter::energy(std::size_t parts, const Emit& emit, const PieceSink& also) {
     if (unit_ == 0 && whole_.count() != count_) whole_ = Field<double>(count_);
-    pieces_.each(parts, look, [&](const Piece& piece) {
+    pieces_.each(parts, emit, [&](const Piece& piece) {
         sums_[piece.number] = sums_of(piece);
         if (also) also(piece);
     });

@@ -26,14 +26,14 @@ struct Energy {
 /// particles of a chain or grid is needed nor does it matter how they are shown.
 class EnergyMeter {
 public:
-    using Look = std::function<void(const PortionSink&)>;
+    using Emit = std::function<void(const PortionSink&)>;
 
     EnergyMeter(const Scene& scene, Instructions instructions);
 
     /// Of all particles, which `look` shows to what it is given, as Stepper::look() does.
-    Energy energy(const Look& look) { return energy(1, look, nullptr); }
+    Energy energy(const Emit& emit) { return energy(1, emit, nullptr); }
     /// The same of parts that may be shown side by side. Each piece is shown on to `also`, unless that is empty.
-    Energy energy(std::size_t parts, const Look& look, const PieceSink& also);
+    Energy energy(std::size_t parts, const Emit& emit, const PieceSink& also);
     std::size_t pieces() const { return sums_.size(); }
     /// An energy no run of this scene may be judged by the changes of: rounding, and the depth of potential wells.
     double floor() const { return floor_; }

@@ -40,7 +40,7 @@ Instructions instructions_of(const Execution& execution) {
 Instructions instructions_for(const Method& method, const Scene& scene, const Execution& execution) {
     const Instructions fastest = instructions_of(execution);
     if (execution.instructions || fastest != Instructions::avx512) return fastest;
-    if (!wide_divisions_take_longer() || !has_few_springs(scene) || !method.goes_in_groups(fastest)) return fastest;
+    if (!wide_divisions_take_longer() || !has_few_springs(scene) || !method.runs_in_lanes(fastest)) return fastest;
     return instructions_here()[instructions_here().size() - 2];
 }
 

@@ -58,13 +58,13 @@ const double* component(const State<double>& state, std::size_t c) {
 /// Component after component of all particles, each hash the seed of the next: a look for each of them, which takes
 /// less than memory for all.
 template <class T>
-std::uint64_t hash_in(std::uint64_t step, const std::function<void(const PortionSink&)>& look) {
+std::uint64_t hash_in(std::uint64_t step, const std::function<void(const PortionSink&)>& emit) {
     XXH64_hash_t hash = XXH64(&step, sizeof step, 0);
     const std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> stream(XXH64_createState(), &XXH64_freeState);
     std::vector<T> held;
     for (std::size_t c = 0; c < 6; ++c) {
         XXH64_reset(stream.get(), hash);
-        look([&](const Portion& portion) {
+        emit([&](const Portion& portion) {
             const double* const numbers = component(portion.state, c) + portion.place;
             held.resize(portion.count);
             std::transform(numbers, numbers + portion.count, held.begin(),
@@ -78,9 +78,9 @@ std::uint64_t hash_in(std::uint64_t step, const std::function<void(const Portion
 
 }  // namespace
 
-std::string hash_of(std::uint64_t step, Precision precision, const std::function<void(const PortionSink&)>& look) {
+std::string hash_of(std::uint64_t step, Precision precision, const std::function<void(const PortionSink&)>& emit) {
     const std::uint64_t hash =
-        precision == Precision::float_ ? hash_in<float>(step, look) : hash_in<double>(step, look);
+        precision == Precision::float_ ? hash_in<float>(step, emit) : hash_in<double>(step, emit);
     return fmt::format("{:016x}", hash);
 }
 

@@ -43,6 +43,6 @@ double largest_error(const Field<double>& displacement, const ExactSolution& exa
 
 /// Of the step's number and the bits of the state as the precision holds it: 16 hexadecimal digits. `look` shows all
 /// particles to what it is given, as Stepper::look() does.
-std::string hash_of(std::uint64_t step, Precision precision, const std::function<void(const PortionSink&)>& look);
+std::string hash_of(std::uint64_t step, Precision precision, const std::function<void(const PortionSink&)>& emit);
 
 }  // namespace steplab

@@ -42,8 +42,8 @@ struct RunView {
     std::uint64_t baseline_step = 0;  ///< step from which the energy error counts
     std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots begin anew
     double dt = 0.1;                  ///< as the precision holds it
-    Cloud cloud;                      ///< beside the run; it is in the frame unless it is still being computed
-    CloudReading cloud_reading;
+    LiveEnsembleOptions ensemble;     ///< beside the run; it is in the frame unless it is still being computed
+    EnsembleSpread ensemble_spread;
     /// Measured; none in still pictures.
     std::optional<double> steps_per_second;
     std::optional<double> evaluations_per_second;
@@ -51,7 +51,7 @@ struct RunView {
 };
 
 /// Fills in everything of `view` that the simulation knows, reusing its memory; `particle` is the one to track.
-void look(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view);
+void emit(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view);
 
 /// The particle to track until another one is picked: the kicked one, else the bullet, else the last.
 std::size_t first_followed(const Shape& shape);

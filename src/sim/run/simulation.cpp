@@ -69,7 +69,7 @@ Frame Simulation::frame() const {
 void Simulation::frame(Frame& out) const {
     Body& body = settled();
     prepare(out);
-    body.look([&](const Portion& portion) { fill(out, portion); });
+    body.emit([&](const Portion& portion) { fill(out, portion); });
 }
 
 /// All of a frame but for its particles.
@@ -80,7 +80,7 @@ void Simulation::prepare(Frame& out) const {
     out.shape = shape();
     out.positions.resize(particles());
     out.velocities.resize(particles());
-    out.cloud.clear();
+    out.ensemble.clear();
 }
 
 void Simulation::fill(Frame& out, const Portion& portion) const {
@@ -110,7 +110,7 @@ std::shared_ptr<const Shape> Simulation::shape() const {
 
 std::string Simulation::hash() const {
     Body& body = settled();
-    return hash_of(body.step, body.segment.held.precision, [&](const PortionSink& sink) { body.look(sink); });
+    return hash_of(body.step, body.segment.held.precision, [&](const PortionSink& sink) { body.emit(sink); });
 }
 
 const State<double>& Simulation::state() const { return settled().state(); }
@@ -119,7 +119,7 @@ Diagnostics Simulation::diagnostics() const {
     return measured([](const Portion&) {});
 }
 
-Diagnostics Simulation::look(Frame& out) const {
+Diagnostics Simulation::emit(Frame& out) const {
     settled();
     prepare(out);
     return measured([&](const Portion& portion) { fill(out, portion); });

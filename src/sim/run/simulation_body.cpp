@@ -25,15 +25,15 @@ Simulation::Body::Body(const RunDescription& description, const Execution& execu
 
 const State<double>& Simulation::Body::state() {
     const FlushSubnormals flush;
-    if (!state_known) segment.stepper->synchronised(looked_at);
+    if (!state_known) segment.stepper->synchronised(observed_state);
     state_known = true;
-    return looked_at;
+    return observed_state;
 }
 
-void Simulation::Body::look(const PortionSink& sink) {
+void Simulation::Body::emit(const PortionSink& sink) {
     const FlushSubnormals flush;
-    if (state_known) return sink({0, looked_at.velocity.count(), looked_at});
-    segment.stepper->look(sink);
+    if (state_known) return sink({0, observed_state.velocity.count(), observed_state});
+    segment.stepper->emit(sink);
 }
 
 const Energy& Simulation::Body::energy() {
@@ -44,15 +44,15 @@ const Energy& Simulation::Body::energy() {
 void Simulation::Body::measure(const PortionSink& portions, const PieceSink& pieces) {
     const FlushSubnormals flush;
     const Stepper& stepper = *segment.stepper;
-    const auto look = [&](const PortionSink& sink) {
+    const auto emit = [&](const PortionSink& sink) {
         const PortionSink both = [&](const Portion& portion) {
             if (portions) portions(portion);
             sink(portion);
         };
-        if (state_known) return both({0, stepper.particles(), looked_at});
-        stepper.look_side_by_side(both);
+        if (state_known) return both({0, stepper.particles(), observed_state});
+        stepper.emit_parallel(both);
     };
-    measured = segment.meter.energy(state_known ? 1 : stepper.parts(), look, pieces);
+    measured = segment.meter.energy(state_known ? 1 : stepper.parts(), emit, pieces);
     energy_known = true;
 }
 
@@ -164,8 +164,8 @@ void Simulation::Body::go_on(const RunDescription& description, bool energy_chan
 /// The particle stops at this displacement; a new segment begins.
 void Simulation::Body::pull(std::size_t particle, Vec3 displacement) {
     state();
-    looked_at.displacement.set(particle, displacement);
-    looked_at.velocity.set(particle, {});
+    observed_state.displacement.set(particle, displacement);
+    observed_state.velocity.set(particle, {});
     go_on(RunDescription(segment.description), true);
 }
 

@@ -51,7 +51,7 @@ struct Simulation::Body : Course {
 
     // What is read of the present step, when somebody asks for it.
     const State<double>& state();
-    void look(const PortionSink& sink);
+    void emit(const PortionSink& sink);
     const Energy& energy();
     /// Measures the energy, and shows portions and pieces of particles on the way: those of several parts of the scene
     /// at the same time.
@@ -77,7 +77,7 @@ struct Simulation::Body : Course {
     void go_on(const RunDescription& description, bool energy_changed);
 
 private:
-    State<double> looked_at;
+    State<double> observed_state;
     Energy measured;
     bool state_known = false, energy_known = false;  // of the present step
     bool settled = false;                            // its numbers are finite

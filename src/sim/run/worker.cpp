@@ -53,9 +53,9 @@ void Worker::pull(std::size_t particle, Vec3 position) {
     body_->post([=](Body& body) { body.pull(particle, position); });
 }
 
-void Worker::show_cloud(const Cloud& cloud) {
-    body_->post([cloud](Body& body) {
-        body.show_cloud(cloud);
+void Worker::show_ensemble(const LiveEnsembleOptions& ensemble) {
+    body_->post([ensemble](Body& body) {
+        body.show_ensemble(ensemble);
         body.pace.forget_speed();
     });
 }

@@ -21,7 +21,7 @@ public:
     /// Takes a particle to a place and holds it there for this moment: without velocity, beginning a new segment.
     virtual void pull(std::size_t particle, Vec3 position) = 0;
     /// Which runs go beside the run, from its start on.
-    virtual void show_cloud(const Cloud& cloud) = 0;
+    virtual void show_ensemble(const LiveEnsembleOptions& ensemble) = 0;
 };
 
 /// Owns a simulation on a thread of its own. Commands return at once; results are taken when there are new ones.
@@ -38,7 +38,7 @@ public:
     void set_rate(Rate rate) override;
     void track(std::optional<std::size_t> particle) override;
     void pull(std::size_t particle, Vec3 position) override;
-    void show_cloud(const Cloud& cloud) override;
+    void show_ensemble(const LiveEnsembleOptions& ensemble) override;
 
     /// Swaps the newest view into `view` if there is one that was not taken yet; false if nothing is new. Never waits.
     bool take(RunView& view);

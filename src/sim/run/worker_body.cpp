@@ -23,8 +23,8 @@ void Worker::Body::loop() {
         }
         bool told = carry_out_commands();
         const std::uint64_t before = simulation.advanced().step;
-        const bool behind = companions_are_behind();
-        if (behind) bring_companions(slice);
+        const bool behind = ensemble_is_behind();
+        if (behind) bring_ensemble(slice);
         if (playing && !went_well([this] { take_steps(); })) {
             give_up();
             told = true;
@@ -36,7 +36,7 @@ void Worker::Body::loop() {
 
 void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
-    if (companions_are_behind()) return;
+    if (ensemble_is_behind()) return;
     const auto called = [this] { return stopping || !commands.empty() || wanted; };
     if (!playing) return changed.wait(lock, called);
     const auto now = Clock::now(), due = pace.next_due(now, rate, simulation.dt());
@@ -62,23 +62,23 @@ bool Worker::Body::carry_out_commands() {
 }
 
 /// The companions go where the run stands, which may take longer where they begin: then the run waits for them.
-void Worker::Body::bring_companions(Pace::Duration most) {
+void Worker::Body::bring_ensemble(Pace::Duration most) {
     const auto begin = Clock::now();
     const auto enough = [&] { return Clock::now() - begin > most; };
-    if (!went_well([&] { companions->go_to(simulation.step(), segments, enough); })) show_cloud({});
+    if (!went_well([&] { live_ensemble->go_to(simulation.step(), segments, enough); })) show_ensemble({});
     pace.begin(Clock::now());
 }
 
 /// Of the run and its companions alike, so that they stay together. Whether all numbers are finite is left to who
 /// looks: to ask after every few steps would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
-    if (companions_are_behind()) return;
+    if (ensemble_is_behind()) return;
     const auto begin = Clock::now();
     const std::uint64_t due = pace.steps_due(begin, rate, simulation.dt(), slice);
     if (due == 0) return;
     const auto before = simulation.advanced();
     simulation.advance(due);
-    if (companions && simulation.step() > before.step) companions->go_to(simulation.step(), segments);
+    if (live_ensemble && simulation.step() > before.step) live_ensemble->go_to(simulation.step(), segments);
     const auto after = simulation.advanced();
     const std::uint64_t taken = std::max(after.step, before.step) - before.step;
     pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
@@ -103,12 +103,12 @@ bool Worker::Body::affordable() const {
 
 /// Makes `view` one of the present moment.
 void Worker::Body::see() {
-    look(simulation, tracked, view);
+    emit(simulation, tracked, view);
     if (view.divergence) playing = false;
     view.playing = playing;
-    view.cloud = cloud;
-    view.cloud_reading = {.step = companions ? companions->step() : 0};
-    if (companions && !companions_are_behind()) view.cloud_reading = companions->look(view.frame);
+    view.ensemble = ensemble;
+    view.ensemble_spread = {.step = live_ensemble ? live_ensemble->step() : 0};
+    if (live_ensemble && !ensemble_is_behind()) view.ensemble_spread = live_ensemble->emit(view.frame);
     view.can_step_back = history.reaches_before(simulation.step());
     view.rate = rate;
     view.run = run;
@@ -145,24 +145,24 @@ void Worker::Body::publish() {
 /// After something went wrong that is no fault of a command, as a rule because there is no memory left.
 void Worker::Body::give_up() {
     playing = false;
-    show_cloud({});
+    show_ensemble({});
 }
 
 /// In an older view: what went wrong since.
 void Worker::Body::tell_in(RunView& older) const {
     older.error = error;
     older.playing = playing;
-    older.cloud = cloud;
-    older.frame.cloud.clear();
+    older.ensemble = ensemble;
+    older.frame.ensemble.clear();
 }
 
 /// The companions begin where the run began.
-void Worker::Body::show_cloud(Cloud asked) {
-    cloud = std::move(asked);
-    companions.reset();
-    if (cloud.runs == 0) return;
-    companions.emplace(cloud.runs, [of = cloud](const RunDescription& description, std::size_t companion) {
-        return spread_run(description, std::vector{spread_of(of, description)}, companion, of.runs);
+void Worker::Body::show_ensemble(LiveEnsembleOptions asked) {
+    ensemble = std::move(asked);
+    live_ensemble.reset();
+    if (ensemble.runs == 0) return;
+    live_ensemble.emplace(ensemble.runs, [of = ensemble](const RunDescription& description, std::size_t member) {
+        return run_in_range(description, std::vector{range_of(of, description)}, member, of.runs);
     });
 }
 
@@ -185,7 +185,7 @@ void Worker::Body::begin_anew() {
     history.clear();
     history.offer(simulation);
     segments = {{0, simulation.description()}};
-    show_cloud(cloud);
+    show_ensemble(ensemble);
 }
 
 void Worker::Body::step_back() {
@@ -194,7 +194,7 @@ void Worker::Body::step_back() {
     history.go_back(simulation, simulation.step() - 1);
     if (segments.back().step <= simulation.step()) return;
     while (segments.back().step > simulation.step()) segments.pop_back();
-    show_cloud(cloud);
+    show_ensemble(ensemble);
 }
 
 void Worker::Body::pull(std::size_t particle, Vec3 position) {

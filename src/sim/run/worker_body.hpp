@@ -47,8 +47,8 @@ struct Worker::Body {
     bool playing = false;
     std::optional<std::size_t> tracked;
     std::vector<SegmentBegin> segments;  // of the run so far
-    Cloud cloud;
-    std::optional<Companions> companions;
+    LiveEnsembleOptions ensemble;
+    std::optional<LiveEnsemble> live_ensemble;
     std::uint64_t run = 0;
     std::string error;
     RunView view;
@@ -88,15 +88,15 @@ struct Worker::Body {
     void wait_for_work();
     bool carry_out_commands();
     void take_steps();
-    bool companions_are_behind() const { return companions && !companions->are_at(simulation.step(), segments); }
-    void bring_companions(Pace::Duration most);
+    bool ensemble_is_behind() const { return live_ensemble && !live_ensemble->are_at(simulation.step(), segments); }
+    void bring_ensemble(Pace::Duration most);
     void keep_moment();
     bool affordable() const;
     void see();
     void publish();
     void give_up();
     void tell_in(RunView& older) const;
-    void show_cloud(Cloud asked);
+    void show_ensemble(LiveEnsembleOptions asked);
     void step_back();
     void pull(std::size_t particle, Vec3 position);
     void apply(const RunDescription& description);

@@ -93,10 +93,10 @@ public:
 
     std::size_t particles() const override { return particles_; }
 
-    void look(const PortionSink& sink) const override {
+    void emit(const PortionSink& sink) const override {
         for (std::size_t i = 0; i < bands_.size(); ++i) look_at(i, 0, sink);
     }
-    void look_side_by_side(const PortionSink& sink) const override {
+    void emit_parallel(const PortionSink& sink) const override {
         team_.share(bands_.size(), [&](std::size_t i) { look_at(i, i, sink); });
     }
     std::size_t parts() const override { return bands_.size(); }
@@ -141,7 +141,7 @@ private:
     void look_at(std::size_t i, std::size_t part, const PortionSink& sink) const {
         const Band& band = bands_[i];
         const std::size_t begin = band.begin * unit_, end = band.end * unit_, first = band.first() * unit_;
-        band.stepper->look([&](const Portion& portion) {
+        band.stepper->emit([&](const Portion& portion) {
             const std::size_t from = first + portion.first, to = from + portion.count;
             const std::size_t own = std::max(from, begin);
             if (own < std::min(to, end))

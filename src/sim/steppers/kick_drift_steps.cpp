@@ -10,9 +10,9 @@ namespace steplab {
 template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, float>(const StepperSetup&, KickDriftSteps<float>);
 template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, double>(const StepperSetup&,
                                                                              KickDriftSteps<double>);
-template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, float>(std::span<const StepperSetup>,
-                                                                               const KickDriftSteps<InLanes<float>>&);
-template std::unique_ptr<StepperGroup> make_group_with<KickDriftMethod, double>(std::span<const StepperSetup>,
-                                                                                const KickDriftSteps<InLanes<double>>&);
+template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<KickDriftMethod, float>(
+    std::span<const StepperSetup>, const KickDriftSteps<InLanes<float>>&);
+template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<KickDriftMethod, double>(
+    std::span<const StepperSetup>, const KickDriftSteps<InLanes<double>>&);
 
 }  // namespace steplab

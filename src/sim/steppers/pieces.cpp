@@ -20,10 +20,10 @@ Pieces::Pieces(std::size_t particles, std::size_t length, std::size_t shared)
       capacity_(std::min(particles, length + shared)),
       count_(particles <= length + shared ? 1 : (particles - shared + length - 1) / length) {}
 
-void Pieces::each(std::size_t parts, const std::function<void(const PortionSink&)>& look, const PieceSink& sink) {
+void Pieces::each(std::size_t parts, const std::function<void(const PortionSink&)>& emit, const PieceSink& sink) {
     parts_.resize(parts);
     for (Part& part : parts_) part.begun = false;
-    look([&](const Portion& portion) { add(portion, sink); });
+    emit([&](const Portion& portion) { add(portion, sink); });
     join(sink);
 }
 

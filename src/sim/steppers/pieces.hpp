@@ -29,8 +29,8 @@ public:
 
     /// How many there are.
     std::size_t count() const { return count_; }
-    /// All pieces of what `look` shows as Stepper::look_side_by_side() does, in `parts`.
-    void each(std::size_t parts, const std::function<void(const PortionSink&)>& look, const PieceSink& sink);
+    /// All pieces of what `look` shows as Stepper::emit_parallel() does, in `parts`.
+    void each(std::size_t parts, const std::function<void(const PortionSink&)>& emit, const PieceSink& sink);
 
 private:
     /// Particles next to each other, held until they are a piece.

@@ -6,9 +6,9 @@
 
 namespace steplab {
 
-template std::unique_ptr<StepperGroup> make_group_with<RungeKuttaMethod, float>(std::span<const StepperSetup>,
-                                                                                const RungeKuttaSteps<InLanes<float>>&);
-template std::unique_ptr<StepperGroup> make_group_with<RungeKuttaMethod, double>(
+template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKuttaMethod, float>(
+    std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<float>>&);
+template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKuttaMethod, double>(
     std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<double>>&);
 
 }  // namespace steplab

@@ -4,7 +4,7 @@ namespace steplab {
 
 void Stepper::synchronised(State<double>& out) const {
     if (out.displacement.count() != particles()) out = {Field<double>(particles()), Field<double>(particles())};
-    look([&](const Portion& portion) {
+    emit([&](const Portion& portion) {
         copy(portion.state.displacement, portion.place, portion.count, out.displacement, portion.first);
         copy(portion.state.velocity, portion.place, portion.count, out.velocity, portion.first);
     });

@@ -22,7 +22,7 @@ struct Portion {
     std::size_t first, count;
     const State<double>& state;  ///< displacement and velocity of one time, each number one that the precision holds
     std::size_t place = 0;
-    std::size_t part = 0;  ///< of the scene; only look_side_by_side() has several
+    std::size_t part = 0;  ///< of the scene; only emit_parallel() has several
 };
 using PortionSink = std::function<void(const Portion&)>;
 
@@ -35,10 +35,10 @@ public:
     virtual bool finite() const = 0;
     virtual std::size_t particles() const = 0;
     /// Shows all particles at the present time, portion after portion in their order. Changes nothing.
-    virtual void look(const PortionSink& sink) const = 0;
+    virtual void emit(const PortionSink& sink) const = 0;
     /// The same of parts of the scene, of which there are parts(), by threads of their own: portions of one part come
     /// in their order, those of different parts at the same time. Throws what the sink throws.
-    virtual void look_side_by_side(const PortionSink& sink) const { look(sink); }
+    virtual void emit_parallel(const PortionSink& sink) const { emit(sink); }
     virtual std::size_t parts() const { return 1; }
     /// The same as look() in one piece; the memory of `out` is used again.
     void synchronised(State<double>& out) const;

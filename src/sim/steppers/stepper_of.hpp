@@ -82,7 +82,7 @@ public:
 
     std::size_t particles() const override { return particles_; }
 
-    void look(const PortionSink& sink) const override {
+    void emit(const PortionSink& sink) const override {
         if constexpr (shows_registers) {
             show_in_portions(sink);
         } else {
@@ -163,7 +163,7 @@ private:
 
     static constexpr bool shows_registers =
         !is_plain<Method> && requires(const Integrator& integrator, const System<T, Force>& system) {
-        integrator.look(system, [](std::size_t, const Vec&, const Vec&) {});
+        integrator.emit(system, [](std::size_t, const Vec&, const Vec&) {});
     };
 
     /// Particles of a portion: a multiple of every register's.
@@ -174,7 +174,7 @@ private:
         if (seen_.velocity.count() != size) seen_ = {Field<T>(size), Field<T>(size)};
         const FieldLanes<T> displacement(seen_.displacement), velocity(seen_.velocity);
         constexpr std::size_t width = Lanes<T>::count, registers = portion / width;
-        integrator_.look(system_, [&](std::size_t r, const Vec& x, const Vec& v) {
+        integrator_.emit(system_, [&](std::size_t r, const Vec& x, const Vec& v) {
             displacement.set(r % registers, x);
             velocity.set(r % registers, v);
             const std::size_t shown = r / registers * portion, behind = (r + 1) * width;

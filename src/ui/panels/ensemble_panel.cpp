@@ -14,70 +14,70 @@ namespace {
 constexpr std::array<std::size_t, 4> numbers_of_runs{0, 16, 64, 256};
 constexpr std::array<std::string_view, 4> names_of_numbers{"off", "16", "64", "256"};
 
-void draw_number(const Context& context, const Cloud& cloud) {
+void draw_number(const Context& context, const LiveEnsembleOptions& ensemble) {
     const RowPlaces places = row_places(context);
-    row_label(context, "cloud",
+    row_label(context, "ensemble",
               "runs of the same scene beside this one, each a little different:\nwhere they part from it, small "
               "errors grow, as in chaos");
     ImGui::SameLine(places.control);
-    const auto found = std::find(numbers_of_runs.begin(), numbers_of_runs.end(), cloud.runs);
+    const auto found = std::find(numbers_of_runs.begin(), numbers_of_runs.end(), ensemble.runs);
     auto chosen = static_cast<std::size_t>(found - numbers_of_runs.begin());
-    if (!segmented(context, "cloud", names_of_numbers, chosen, places.right - places.control, row_height(context)))
+    if (!segmented(context, "ensemble", names_of_numbers, chosen, places.right - places.control, row_height(context)))
         return;
-    Cloud changed = cloud;
+    LiveEnsembleOptions changed = ensemble;
     changed.runs = numbers_of_runs[chosen];
-    context.session.wanted.show_cloud(changed, context.commands);
+    context.session.wanted.show_ensemble(changed, context.commands);
 }
 
-void draw_spread(const Context& context, const Cloud& cloud) {
+void draw_perturbed_parameter(const Context& context, const LiveEnsembleOptions& ensemble) {
     const RowPlaces places = row_places(context);
-    row_label(context, "differ in", "the number that differs from run to run of the cloud, evenly over its range",
+    row_label(context, "differ in", "the number that differs from run to run of the ensemble, evenly over its range",
               ImGui::GetFrameHeight());
     ImGui::SameLine(places.control);
-    const std::vector<std::string_view> names = spreadable(context.description());
+    const std::vector<std::string_view> names = perturbable(context.description());
     std::vector<ComboItem> items;
     items.reserve(names.size());
     for (const std::string_view name : names) items.push_back({.id = name, .name = name});
-    const std::string shown = spread_of(cloud, context.description()).name;
+    const std::string shown = range_of(ensemble, context.description()).name;
     auto chosen = static_cast<std::size_t>(std::find(names.begin(), names.end(), shown) - names.begin());
-    if (!combo(context, "cloud spread", items, chosen, places.right - places.control)) return;
-    Cloud changed = cloud;
+    if (!combo(context, "ensemble spread", items, chosen, places.right - places.control)) return;
+    LiveEnsembleOptions changed = ensemble;
     changed.spread = names[chosen];
-    context.session.wanted.show_cloud(changed, context.commands);
+    context.session.wanted.show_ensemble(changed, context.commands);
 }
 
 constexpr ParameterInfo width_info{.name = "width",
                                    .unit = "",
-                                   .maximum = Cloud::most_width,
-                                   .default_value = Cloud::usual_width,
-                                   .what = "width of the cloud"};
+                                   .maximum = LiveEnsembleOptions::most_width,
+                                   .default_value = LiveEnsembleOptions::usual_width,
+                                   .what = "width of the ensemble"};
 
-void draw_width(const Context& context, const Cloud& cloud) {
+void draw_width(const Context& context, const LiveEnsembleOptions& ensemble) {
     const auto set = [&](double width) {
-        Cloud changed = cloud;
+        LiveEnsembleOptions changed = ensemble;
         changed.width = width;
-        context.session.wanted.show_cloud(changed, context.commands);
+        context.session.wanted.show_ensemble(changed, context.commands);
     };
     const std::string help = fmt::format(
-        "by how much at most, in parts of the run's own value\n{} · default {}\na change begins the cloud anew",
+        "by how much at most, in parts of the run's own value\n{} · default {}\na change begins the ensemble anew",
         range_text(width_info), scientific(width_info.default_value));
-    slider_row(context, {.widget = "cloud width",
+    slider_row(context, {.widget = "ensemble width",
                          .label = "by ±",
                          .tooltip = help,
-                         .value_text = scientific(cloud.width),
-                         .entry_text = format_value(width_info, cloud.width),
-                         .value = cloud.width,
+                         .value_text = scientific(ensemble.width),
+                         .entry_text = format_value(width_info, ensemble.width),
+                         .value = ensemble.width,
                          .default_value = width_info.default_value,
                          .range = {1e-15, 0.1, true, false},
-                         .look = {},
+                         .style = {},
                          .set = set,
                          .set_text = [&](std::string_view typed) { set(parse_value(width_info, typed)); }});
 }
 
 /// "apart by 0.031 m at most, 2.1e-3 m rms"
 std::string reading_text(const RunView& view) {
-    const CloudReading& reading = view.cloud_reading;
-    if (view.frame.cloud.empty()) return fmt::format("being computed: step {} of {}", reading.step, view.frame.step);
+    const EnsembleSpread& reading = view.ensemble_spread;
+    if (view.frame.ensemble.empty()) return fmt::format("being computed: step {} of {}", reading.step, view.frame.step);
     std::string text = fmt::format("apart by {} at most, {} rms", with_unit(scientific(reading.largest), "m"),
                                    with_unit(scientific(reading.root_mean_square), "m"));
     if (reading.lost > 0) text += fmt::format(", {} lost", counted(static_cast<double>(reading.lost), "run", "runs"));
@@ -86,13 +86,13 @@ std::string reading_text(const RunView& view) {
 
 }  // namespace
 
-void draw_cloud_rows(const Context& context) {
-    const Cloud cloud = context.session.wanted.cloud();
-    draw_number(context, cloud);
-    if (cloud.runs == 0) return;
-    if (!cloud.otherwise) {
-        draw_spread(context, cloud);
-        draw_width(context, cloud);
+void draw_ensemble_rows(const Context& context) {
+    const LiveEnsembleOptions ensemble = context.session.wanted.ensemble();
+    draw_number(context, ensemble);
+    if (ensemble.runs == 0) return;
+    if (!ensemble.otherwise) {
+        draw_perturbed_parameter(context, ensemble);
+        draw_width(context, ensemble);
     }
     explanation(context, reading_text(context.view));
 }

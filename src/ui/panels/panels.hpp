@@ -17,7 +17,7 @@ void draw_method_panel(const Context& context);
 void draw_step_panel(const Context& context);
 void draw_show_panel(const Context& context);
 /// Rows of the section above.
-void draw_cloud_rows(const Context& context);
+void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
 /// Measured rates, along the foot of the side panel.
 void draw_footer(const Context& context);

@@ -37,8 +37,8 @@ std::vector<Line> lines_of(const Context& context) {
         lines.push_back({"position error " + with_unit(scientific(*error), "m") + " (exact solution)"});
         lines.push_back(digits_line(*error, scale));
     }
-    if (!view.frame.cloud.empty())
-        lines.push_back({"cloud apart by " + with_unit(scientific(view.cloud_reading.largest), "m")});
+    if (!view.frame.ensemble.empty())
+        lines.push_back({"ensemble apart by " + with_unit(scientific(view.ensemble_spread.largest), "m")});
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });
     return lines;
 }

@@ -53,7 +53,7 @@ void draw_show_panel(const Context& context) {
     check_row(context, "springs", "springs", style.springs);
     ImGui::SameLine(row_places(context).control);
     check_row(context, "grid", "grid and axes", style.grid);
-    draw_cloud_rows(context);
+    draw_ensemble_rows(context);
 }
 
 }  // namespace steplab::ui

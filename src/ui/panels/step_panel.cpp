@@ -90,10 +90,10 @@ void draw_step_panel(const Context& context) {
                             .value = description.dt,
                             .default_value = default_dt,
                             .range = {dt_info().slider_low, dt_info().slider_high, true, false},
-                            .look = {.fill = result.passed ? colour::bad
-                                             : limit       ? colour::good
-                                                           : colour::accent,
-                                     .mark = marked ? std::optional(limit->limit) : std::nullopt},
+                            .style = {.fill = result.passed ? colour::bad
+                                              : limit       ? colour::good
+                                                            : colour::accent,
+                                      .mark = marked ? std::optional(limit->limit) : std::nullopt},
                             .set = ask,
                             .set_text = [&](std::string_view typed) { ask(parse_value(dt_info(), typed)); },
                         });

@@ -15,19 +15,19 @@ constexpr std::array<std::string_view, 2> precisions = {id(Precision::float_), i
 constexpr float precision_width = 116;
 
 void draw_action(const Context& context, std::string_view widget, Icon icon, Action action,
-                 ButtonLook look = ButtonLook::plain, bool enabled = true) {
-    if (icon_button(context, widget, icon, help_of(action), look, enabled)) perform(context, action);
+                 ButtonStyle style = ButtonStyle::plain, bool enabled = true) {
+    if (icon_button(context, widget, icon, help_of(action), style, enabled)) perform(context, action);
     ImGui::SameLine(0, context.px(5));
 }
 
 void draw_transport(const Context& context) {
     const bool over = context.view.divergence.has_value();
     draw_action(context, "restart", Icon::restart, Action::restart);
-    draw_action(context, "step back", Icon::step_back, Action::step_back, ButtonLook::plain,
+    draw_action(context, "step back", Icon::step_back, Action::step_back, ButtonStyle::plain,
                 context.view.can_step_back);
     draw_action(context, "play", context.session.wanted.playing() ? Icon::pause : Icon::play, Action::pause,
-                ButtonLook::accent, !over);
-    draw_action(context, "step", Icon::step_forward, Action::step_forward, ButtonLook::plain, !over);
+                ButtonStyle::accent, !over);
+    draw_action(context, "step", Icon::step_forward, Action::step_forward, ButtonStyle::plain, !over);
 }
 
 void draw_speed(const Context& context) {
@@ -41,8 +41,8 @@ void draw_speed(const Context& context) {
     ImGui::SameLine(0, context.px(8));
     const SliderRange range{slowest, fastest, true, false};
     const double shown = rate.as_fast_as_possible ? fastest : rate.seconds_per_second;
-    const SliderLook look{.fill = rate.as_fast_as_possible ? colour::track : colour::accent};
-    const auto moved = slider(context, "speed", shown, range, look, context.px(104), ImGui::GetFrameHeight());
+    const SliderStyle style{.fill = rate.as_fast_as_possible ? colour::track : colour::accent};
+    const auto moved = slider(context, "speed", shown, range, style, context.px(104), ImGui::GetFrameHeight());
     tooltip(context, "simulated seconds a second; faster (=), slower (-)");
     if (ImGui::IsItemHovered() && ImGui::GetIO().MouseDoubleClicked[0]) {
         wanted.set_rate({}, context.commands);

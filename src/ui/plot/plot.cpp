@@ -163,7 +163,7 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area) {
     draw_title(context, plot, area);
 
     ImGui::SetCursorScreenPos({area.right() - context.px(36), area.y + context.px(3)});
-    const bool save = icon_button(context, plot.widget + ".save", Icon::save, "save as CSV or PNG", ButtonLook::quiet);
+    const bool save = icon_button(context, plot.widget + ".save", Icon::save, "save as CSV or PNG", ButtonStyle::quiet);
     draw_legend(context, plot, area.right() - context.px(46), area.y + context.px(17));
     ImGui::SetCursorScreenPos({frame.x, frame.y});
     ImGui::InvisibleButton("frame", {std::max(1.0f, frame.width), std::max(1.0f, frame.height)});

@@ -32,18 +32,18 @@ struct Pen {
     }
 };
 
-ImU32 fill_colour(ButtonLook look, bool enabled) {
+ImU32 fill_colour(ButtonStyle style, bool enabled) {
     const bool hovered = ImGui::IsItemHovered() && enabled;
-    if (look == ButtonLook::accent) return hovered ? colour::accent_hover : colour::accent;
+    if (style == ButtonStyle::accent) return hovered ? colour::accent_hover : colour::accent;
     if (ImGui::IsItemActive() && enabled) return colour::control_active;
     if (hovered) return colour::control_hover;
-    return look == ButtonLook::quiet ? 0 : colour::control;
+    return style == ButtonStyle::quiet ? 0 : colour::control;
 }
 
-ImU32 ink_colour(ButtonLook look, bool enabled) {
+ImU32 ink_colour(ButtonStyle style, bool enabled) {
     if (!enabled) return colour::text_faint;
-    if (look == ButtonLook::accent) return colour::on_accent;
-    return look == ButtonLook::quiet && !ImGui::IsItemHovered() ? colour::text_faint : colour::text;
+    if (style == ButtonStyle::accent) return colour::on_accent;
+    return style == ButtonStyle::quiet && !ImGui::IsItemHovered() ? colour::text_faint : colour::text;
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 ink
     }
 }
 
-bool icon_button(const Context& context, std::string_view widget, Icon icon, std::string_view help, ButtonLook look,
+bool icon_button(const Context& context, std::string_view widget, Icon icon, std::string_view help, ButtonStyle style,
                  bool enabled) {
     const WithId id(widget);
     const float side = ImGui::GetFrameHeight();
@@ -82,9 +82,9 @@ bool icon_button(const Context& context, std::string_view widget, Icon icon, std
     const ImVec2 from = ImGui::GetItemRectMin();
     const ImVec2 to = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(from, to, fill_colour(enabled ? look : ButtonLook::plain, enabled),
+    list.AddRectFilled(from, to, fill_colour(enabled ? style : ButtonStyle::plain, enabled),
                        ImGui::GetStyle().FrameRounding);
-    const ImU32 ink = ink_colour(look, enabled);
+    const ImU32 ink = ink_colour(style, enabled);
     draw_icon(list, icon, {0.5f * (from.x + to.x), 0.5f * (from.y + to.y)}, context.px(13), ink);
     return clicked;
 }

@@ -11,10 +11,10 @@ enum class Icon { restart, step_back, play, pause, step_forward, menu, save };
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 ink);
 
 /// How a button draws the eye: the one that is most used, the others, and those that only show when pointed at.
-enum class ButtonLook { accent, plain, quiet };
+enum class ButtonStyle { accent, plain, quiet };
 
 /// A square button with a sign.
 bool icon_button(const Context& context, std::string_view widget, Icon icon, std::string_view tooltip,
-                 ButtonLook look = ButtonLook::plain, bool enabled = true);
+                 ButtonStyle style = ButtonStyle::plain, bool enabled = true);
 
 }  // namespace steplab::ui

@@ -38,7 +38,7 @@ void slider_parameter(const Context& context, const std::string& widget, const P
                    .value = value,
                    .default_value = info.default_value,
                    .range = {info.slider_low, info.slider_high, info.slider_logarithmic, whole},
-                   .look = {},
+                   .style = {},
                    .set = [&](double dragged) { set_value(values, info, dragged, set); },
                    .set_text = [&](std::string_view typed) { set_value(values, info, parse_value(info, typed), set); },
                });

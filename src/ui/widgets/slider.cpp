@@ -11,7 +11,7 @@ namespace steplab::ui {
 namespace {
 
 /// Track, filled part, mark and knob of a slider in the rectangle of the last item.
-void draw_slider(const Context& context, double part, const SliderLook& look, std::optional<double> mark) {
+void draw_slider(const Context& context, double part, const SliderStyle& style, std::optional<double> mark) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 from = ImGui::GetItemRectMin();
     const ImVec2 to = ImGui::GetItemRectMax();
@@ -21,7 +21,7 @@ void draw_slider(const Context& context, double part, const SliderLook& look, st
     const auto place = [&](double p) { return from.x + radius + static_cast<float>(p) * (to.x - from.x - 2 * radius); };
     const float x = place(part);
     list.AddRectFilled({from.x, y - half}, {to.x, y + half}, colour::track, half);
-    list.AddRectFilled({from.x, y - half}, {x, y + half}, look.fill, half);
+    list.AddRectFilled({from.x, y - half}, {x, y + half}, style.fill, half);
     if (mark) {
         const float reach = context.px(8);
         list.AddLine({place(*mark), y - reach}, {place(*mark), y + reach}, colour::bad, context.px(2));
@@ -93,11 +93,11 @@ double SliderRange::value(double part) const {
 }
 
 std::optional<double> slider(const Context& context, std::string_view widget, double value, const SliderRange& range,
-                             const SliderLook& look, float width, float height) {
+                             const SliderStyle& style, float width, float height) {
     ImGui::InvisibleButton("slider", {width, height});
     context.mark(widget);
-    const bool mark_shown = look.mark && *look.mark >= range.low && *look.mark <= range.high;
-    draw_slider(context, range.part(value), look, mark_shown ? std::optional(range.part(*look.mark)) : std::nullopt);
+    const bool mark_shown = style.mark && *style.mark >= range.low && *style.mark <= range.high;
+    draw_slider(context, range.part(value), style, mark_shown ? std::optional(range.part(*style.mark)) : std::nullopt);
     // The press of a double or Ctrl click is not a drag: the value changes only once the pointer moves, or on a plain
     // press.
     if (!ImGui::IsItemActive() || ImGui::GetIO().KeyCtrl || ImGui::GetIO().MouseDoubleClicked[0]) return std::nullopt;
@@ -116,8 +116,8 @@ void slider_row(const Context& context, const SliderRow& row) {
         draw_entry(context, row, places.right - places.control);
         return;
     }
-    const auto dragged =
-        slider(context, row.widget, row.value, row.range, row.look, places.value - places.control, row_height(context));
+    const auto dragged = slider(context, row.widget, row.value, row.range, row.style, places.value - places.control,
+                                row_height(context));
     tooltip(context, row.tooltip);
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && ImGui::GetIO().MouseDoubleClicked[0]) {

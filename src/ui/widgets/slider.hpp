@@ -21,7 +21,7 @@ struct SliderRange {
 };
 
 /// How a slider looks.
-struct SliderLook {
+struct SliderStyle {
     ImU32 fill = colour::accent;
     std::optional<double> mark = {};  ///< a value that is marked by a red line, if it lies in the range
 };
@@ -37,7 +37,7 @@ struct SliderRow {
     double value = 0;
     double default_value = 0;
     SliderRange range;
-    SliderLook look;
+    SliderStyle style;
     /// Sets a value that was dragged; sets one that was typed, which may throw UsageError.
     std::function<void(double)> set;
     std::function<void(std::string_view)> set_text;
@@ -46,6 +46,6 @@ void slider_row(const Context& context, const SliderRow& row);
 
 /// A slider alone, of this size in pixels; the new value if the person moves it.
 std::optional<double> slider(const Context& context, std::string_view widget, double value, const SliderRange& range,
-                             const SliderLook& look, float width, float height);
+                             const SliderStyle& style, float width, float height);
 
 }  // namespace steplab::ui

@@ -48,7 +48,7 @@ TEST(EnsembleCommand, tells_of_every_run_what_it_tells_of_the_run_alone) {
         ASSERT_EQ(json["runs"].size(), 19u);
         for (const std::size_t i : {0U, 7U, 18U}) {
             const Json& run = json["runs"][i];
-            const double k = Spread{"k", 1, 2}.value(i, 19), dt = Spread{"dt", 0.02, 0.05}.value(i, 19);
+            const double k = ParameterRange{"k", 1, 2}.value(i, 19), dt = ParameterRange{"dt", 0.02, 0.05}.value(i, 19);
             EXPECT_EQ(run["run"], i);
             EXPECT_EQ(run["set"]["k"], k);
             EXPECT_EQ(run["set"]["dt"], dt);

@@ -28,7 +28,7 @@ Called called(std::size_t count, double bytes) {
     return all;
 }
 
-TEST(SideBySide, does_each_once_and_shares_the_processors) {
+TEST(HasLanes, does_each_once_and_shares_the_processors) {
     EXPECT_TRUE(called(0, 0).times.empty());
     for (const std::size_t count : {std::size_t(1), std::size_t(2), std::size_t(3), 2 * processors() + 1}) {
         const Called all = called(count, 0);
@@ -39,7 +39,7 @@ TEST(SideBySide, does_each_once_and_shares_the_processors) {
 }
 
 // One after the other, each by all processors.
-TEST(SideBySide, takes_no_more_at_once_than_memory_holds) {
+TEST(HasLanes, takes_no_more_at_once_than_memory_holds) {
     for (const double share : {0.6, 1.0, 10.0}) {
         const Called all = called(5, share * available_memory());
         EXPECT_EQ(all.times, std::vector<int>(5, 1));
@@ -48,7 +48,7 @@ TEST(SideBySide, takes_no_more_at_once_than_memory_holds) {
 }
 
 // Each fails, so that whoever begins one begins no other, however the processors are shared out.
-TEST(SideBySide, ends_with_the_first_exception) {
+TEST(HasLanes, ends_with_the_first_exception) {
     std::atomic<std::size_t> begun = 0;
     const auto fail = [&](std::size_t, const Execution&) {
         ++begun;

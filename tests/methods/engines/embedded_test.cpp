@@ -151,7 +151,7 @@ Number error_inside(const CirclingBall& circle, Number h) {
     accelerate(system, from.x, from.v, from.a);
     rule.attempt(system, from, h, next, 1);
     rule.finish(system, h, next);
-    Looking looking(system);
+    Uncounted looking(system);
     Number worst = 0;
     for (const Number part : {0.2L, 0.5L, 0.7L}) {
         rule.between(looking, from, next, h, part, seen);
@@ -237,7 +237,7 @@ TEST(Frames, however_dense_cost_no_evaluations) {
     }
 }
 
-// Looking reads the run's steps and leaves them alone; what dense output makes is there again after coming back.
+// Uncounted reads the run's steps and leaves them alone; what dense output makes is there again after coming back.
 TEST(Frames, looked_at_or_restored_give_the_same_bits) {
     for (const Precision precision : precisions) {
         for (const std::string_view id : ids) {

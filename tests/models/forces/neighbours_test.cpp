@@ -12,7 +12,7 @@
 namespace steplab {
 namespace {
 
-Field<double> cloud(std::size_t count, double size, unsigned seed) {
+Field<double> ensemble(std::size_t count, double size, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-size, size);
     Field<double> field(count);
@@ -21,7 +21,7 @@ Field<double> cloud(std::size_t count, double size, unsigned seed) {
 }
 
 TEST(Neighbours, are_all_within_reach_in_order) {
-    const Field<double> field = cloud(300, 3, 5);
+    const Field<double> field = ensemble(300, 3, 5);
     Neighbours neighbours(1);
     neighbours.follow(field);
     for (std::size_t i = 0; i < 300; ++i) {
@@ -36,7 +36,7 @@ TEST(Neighbours, are_all_within_reach_in_order) {
 
 TEST(Neighbours, are_nearest_images_where_space_repeats_itself) {
     for (const double period : {2.5, 3.7, 6.0}) {
-        const Field<double> field = cloud(200, 5, 6);
+        const Field<double> field = ensemble(200, 5, 6);
         Neighbours neighbours(1, period);
         neighbours.follow(field);
         const auto nearest = [=](double d) { return d - period * std::round(d / period); };
@@ -53,7 +53,7 @@ TEST(Neighbours, are_nearest_images_where_space_repeats_itself) {
 }
 
 TEST(Neighbours, survive_particles_that_are_nowhere) {
-    Field<double> field = cloud(10, 1, 1);
+    Field<double> field = ensemble(10, 1, 1);
     field.set(3, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
     field.set(4, {1e300, -1e300, 0});
     Neighbours neighbours(1);
@@ -64,7 +64,7 @@ TEST(Neighbours, survive_particles_that_are_nowhere) {
 
 TEST(NearPairs, with_a_cut_off_beyond_everything_are_all_pairs) {
     const PairForces pairs{.count = 40, .mass = 2, .depth = 1, .k = 0.5, .r0 = 0.5};
-    const Field<double> field = cloud(40, 1, 4);
+    const Field<double> field = ensemble(40, 1, 4);
     Field<double> near(40), all(40);
     NearPairs<double>(NearPairForces{pairs, 100}).accelerations(field, near);
     Pairs<double>(pairs).accelerations(field, all);

@@ -55,7 +55,7 @@ double dot(const Field<double>& a, const Field<double>& b) {
 
 std::vector<StepperSetup> setups_of(const MethodCase& method, const Scene& scene, const ParameterValues& parameters) {
     std::vector<StepperSetup> all;
-    for (std::size_t run = 0; run < most_side_by_side; ++run) {
+    for (std::size_t run = 0; run < most_lanes; ++run) {
         const double dt = 0.01 + 0.001 * static_cast<double>(run);
         all.push_back({scene, start_of(scene, run), parameters, method.precision, dt});
     }
@@ -70,7 +70,7 @@ TEST_P(Groups, begin_anew_and_are_seen_along_a_shape_as_runs_alone) {
     const ParameterValues parameters(method.info.parameters);
     for (const Scene& scene : scenes()) {
         std::vector<StepperSetup> setups = setups_of(GetParam(), scene, parameters);
-        ASSERT_TRUE(alike(setups[0], setups[1]));
+        ASSERT_TRUE(lane_compatible(setups[0], setups[1]));
         const auto group = method.make_group(setups);
         ASSERT_TRUE(group);
         group->advance(3);
@@ -81,7 +81,7 @@ TEST_P(Groups, begin_anew_and_are_seen_along_a_shape_as_runs_alone) {
         group->advance(3);
         const std::size_t count = scene.reference.count;
         const Field<double> shape = scattered(count, 1, 0.5), origin = scene.start.state().displacement;
-        std::array<Along, most_side_by_side> along;
+        std::array<Along, most_lanes> along;
         group->along(shape, origin, along);
         for (std::size_t run = 0; run < group->runs(); ++run) {
             setups[run].start = starts[run];
@@ -139,7 +139,7 @@ TEST_P(Groups, leave_axes_out_as_runs_alone) {
 
 std::vector<MethodCase> methods_in_lanes() {
     std::vector<MethodCase> cases = all_methods();
-    std::erase_if(cases, [](const MethodCase& it) { return !method(it.id()).goes_in_groups(fastest_instructions()); });
+    std::erase_if(cases, [](const MethodCase& it) { return !method(it.id()).runs_in_lanes(fastest_instructions()); });
     return cases;
 }
 
@@ -152,8 +152,8 @@ TEST(Group, of_pairs_has_one_balance) {
     std::get<PairForces>(other.forces).balance = std::make_shared<Field<double>>(scene.reference.count);
     const StepperSetup a{scene, scene.start, parameters, Precision::double_, 0.1};
     const StepperSetup b{other, other.start, parameters, Precision::double_, 0.1};
-    EXPECT_TRUE(alike(a, a));
-    EXPECT_FALSE(alike(a, b));
+    EXPECT_TRUE(lane_compatible(a, a));
+    EXPECT_FALSE(lane_compatible(a, b));
 }
 
 }  // namespace

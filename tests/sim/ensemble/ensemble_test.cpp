@@ -26,7 +26,7 @@ constexpr std::size_t count = 37;
 struct Case {
     std::string_view model;
     std::vector<std::pair<std::string_view, double>> settings;
-    std::vector<Spread> spreads;
+    std::vector<ParameterRange> ranges;
 
     RunDescription run(const std::string& method, Precision precision, double dt) const {
         RunDescription description = test::run_of(model, method, precision, dt);
@@ -50,10 +50,10 @@ const std::vector<Case>& cases() {
     return all;
 }
 
-std::vector<EnsembleRun> runs_of(RunDescription description, const std::vector<Spread>& spreads, std::uint64_t steps,
-                                 std::size_t runs = count) {
+std::vector<EnsembleRun> runs_of(RunDescription description, const std::vector<ParameterRange>& ranges,
+                                 std::uint64_t steps, std::size_t runs = count) {
     std::vector<EnsembleRun> all;
-    for (std::size_t i = 0; i < runs; ++i) all.push_back({spread_run(description, spreads, i, runs), steps});
+    for (std::size_t i = 0; i < runs; ++i) all.push_back({run_in_range(description, ranges, i, runs), steps});
     return all;
 }
 
@@ -106,7 +106,7 @@ TEST_P(Ensembles, have_the_bits_of_their_runs_alone) {
     constexpr std::uint64_t every = 100;
     for (const Case& scene : cases()) {
         SCOPED_TRACE(scene.model);
-        const auto runs = runs_of(scene.run(GetParam().id(), GetParam().precision, 0.02), scene.spreads, 300);
+        const auto runs = runs_of(scene.run(GetParam().id(), GetParam().precision, 0.02), scene.ranges, 300);
         const auto results = run_ensemble(runs, every);
         for (std::size_t i = 0; i < runs.size(); ++i) {
             SCOPED_TRACE(i);
@@ -148,11 +148,11 @@ std::size_t lanes(Instructions instructions, Precision precision) {
 
 /// Runs of one size go side by side where they fill half of a register at least.
 void expect_side_by_side_where_half_is_full(const RunDescription& chain, Instructions instructions) {
-    const auto together = [&](const Spread& spread, std::size_t runs) {
+    const auto together = [&](const ParameterRange& spread, std::size_t runs) {
         return side_by_side(run_ensemble(runs_of(chain, {spread}, 10, runs), 10, {.instructions = instructions}));
     };
     const std::size_t half = lanes(instructions, chain.precision) / 2;
-    for (const Spread& spread : {Spread{"k", 1, 2}, Spread{"dt", 0.01, 0.02}}) {
+    for (const ParameterRange& spread : {ParameterRange{"k", 1, 2}, ParameterRange{"dt", 0.01, 0.02}}) {
         EXPECT_EQ(together(spread, half), half);
         EXPECT_EQ(together(spread, half - 1), 0u);
         EXPECT_GE(together(spread, count), 32u);
@@ -270,8 +270,8 @@ TEST(Ensemble, refuses_a_run_that_cannot_be) {
     EXPECT_THROW(run_ensemble(runs, 10), UsageError);
 }
 
-TEST(Spread, goes_from_one_value_to_the_other) {
-    const Spread spread{"k", 0.1, 0.7};
+TEST(ParameterRange, goes_from_one_value_to_the_other) {
+    const ParameterRange spread{"k", 0.1, 0.7};
     EXPECT_EQ(spread.value(0, 1), 0.1);
     EXPECT_EQ(spread.value(0, 10), 0.1);
     EXPECT_EQ(spread.value(9, 10), 0.7);
@@ -279,17 +279,17 @@ TEST(Spread, goes_from_one_value_to_the_other) {
         EXPECT_EQ(spread.value(i, 10), 0.1 + (0.7 - 0.1) * static_cast<double>(i) / 9.0);
 }
 
-TEST(Spread, is_read_from_text) {
+TEST(ParameterRange, is_read_from_text) {
     const RunDescription chain = describe("chain", "euler");
-    const Spread spread = parse_spread(chain, "v0=-1:2e-1");
+    const ParameterRange spread = parse_parameter_range(chain, "v0=-1:2e-1");
     EXPECT_EQ(spread.name, "v0");
     EXPECT_EQ(spread.from, -1);
     EXPECT_EQ(spread.to, 0.2);
-    EXPECT_EQ(parse_spread(chain, "dt=0.1:0.2").name, "dt");
+    EXPECT_EQ(parse_parameter_range(chain, "dt=0.1:0.2").name, "dt");
     for (const char* const wrong : {"", "k", "k=1", "=1:2", "k=1:", "k=:1", "k=0:1", "dt=0:1", "kk=1:2", "k=1:2:3"})
-        EXPECT_THROW(parse_spread(chain, wrong), UsageError) << wrong;
-    EXPECT_THROW(parse_spread(describe("mesh", "euler"), "kick=centre:corner"), UsageError);
-    EXPECT_THROW(spread_run(chain, std::vector<Spread>{{"n", 10, 11}}, 1, 3), UsageError);
+        EXPECT_THROW(parse_parameter_range(chain, wrong), UsageError) << wrong;
+    EXPECT_THROW(parse_parameter_range(describe("mesh", "euler"), "kick=centre:corner"), UsageError);
+    EXPECT_THROW(run_in_range(chain, std::vector<ParameterRange>{{"n", 10, 11}}, 1, 3), UsageError);
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ namespace {
 
 using test::MethodCase;
 constexpr std::size_t count = 11;  // fills no register
-Companions::Variation spread(const Cloud& cloud) {
-    return [cloud](const RunDescription& description, std::size_t i) {
-        return spread_run(description, std::vector{spread_of(cloud, description)}, i, cloud.runs);
+LiveEnsemble::Variation spread(const LiveEnsembleOptions& ensemble) {
+    return [ensemble](const RunDescription& description, std::size_t i) {
+        return run_in_range(description, std::vector{range_of(ensemble, description)}, i, ensemble.runs);
     };
 }
 
@@ -27,12 +27,12 @@ Companions::Variation spread(const Cloud& cloud) {
 struct Flock {
     Simulation run;
     std::vector<SegmentBegin> segments;
-    Companions companions;
+    LiveEnsemble live_ensemble;
     std::vector<Simulation> alone;  ///< what the companions are to be
 
-    Flock(const RunDescription& description, const Cloud& wanted)
-        : run(description), segments{{0, description}}, companions(wanted.runs, spread(wanted)), cloud(wanted) {
-        for (std::size_t i = 0; i < cloud.runs; ++i) alone.emplace_back(spread(cloud)(description, i));
+    Flock(const RunDescription& description, const LiveEnsembleOptions& wanted)
+        : run(description), segments{{0, description}}, live_ensemble(wanted.runs, spread(wanted)), ensemble(wanted) {
+        for (std::size_t i = 0; i < ensemble.runs; ++i) alone.emplace_back(spread(ensemble)(description, i));
     }
 
     void advance(std::uint64_t steps) {
@@ -42,35 +42,35 @@ struct Flock {
     void change(const RunDescription& description) {
         segments.push_back({run.step(), description});
         run.change(description);
-        for (std::size_t i = 0; i < cloud.runs; ++i) alone[i].change(spread(cloud)(description, i));
+        for (std::size_t i = 0; i < ensemble.runs; ++i) alone[i].change(spread(ensemble)(description, i));
     }
     void pull(std::size_t particle, Vec3 position) {
         append_pull(segments, {run.step(), run.description(), SegmentBegin::Pull{particle, position}});
         run.pull(particle, position);
         for (Simulation& simulation : alone) simulation.pull(particle, position);
     }
-    CloudReading look(Frame& frame) {
-        EXPECT_TRUE(companions.go_to(run.step(), segments));
-        EXPECT_TRUE(companions.are_at(run.step(), segments));
+    EnsembleSpread look(Frame& frame) {
+        EXPECT_TRUE(live_ensemble.go_to(run.step(), segments));
+        EXPECT_TRUE(live_ensemble.are_at(run.step(), segments));
         run.frame(frame);
-        return companions.look(frame);
+        return live_ensemble.look(frame);
     }
     void expect_the_bits_of_runs_alone() {
         Frame frame;
         look(frame);
-        for (std::size_t i = 0; i < cloud.runs; ++i) {
-            const auto begin = frame.cloud.begin() + static_cast<std::ptrdiff_t>(i * run.particles());
+        for (std::size_t i = 0; i < ensemble.runs; ++i) {
+            const auto begin = frame.ensemble.begin() + static_cast<std::ptrdiff_t>(i * run.particles());
             const std::vector<Vec3> places(begin, begin + static_cast<std::ptrdiff_t>(run.particles()));
             ASSERT_EQ(places, alone[i].frame().positions) << "companion " << i << " at step " << run.step();
         }
     }
 
-    Cloud cloud;
+    LiveEnsembleOptions ensemble;
 };
 
-class CompanionsOf : public testing::TestWithParam<MethodCase> {};
+class LiveEnsembleOf : public testing::TestWithParam<MethodCase> {};
 
-TEST_P(CompanionsOf, each_method_have_the_bits_of_runs_alone) {
+TEST_P(LiveEnsembleOf, each_method_have_the_bits_of_runs_alone) {
     for (const char* const model : {"chain", "rope", "mesh", "morse", "oscillator", "free"}) {
         for (const char* const name : {"v0", "k", "dt"}) {
             RunDescription description = test::run_of(model, GetParam().id(), GetParam().precision, 0.02);
@@ -86,7 +86,7 @@ TEST_P(CompanionsOf, each_method_have_the_bits_of_runs_alone) {
     }
 }
 /// Where their sums depend on where the lists of neighbours were made.
-TEST_P(CompanionsOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
+TEST_P(LiveEnsembleOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
     using test::run_of;
     for (RunDescription description :
          {run_of("crystal", GetParam().id(), GetParam().precision, 0.02, {{"edge", 5}, {"kT", 1}}),
@@ -112,28 +112,28 @@ TEST_P(CompanionsOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
         flock.expect_the_bits_of_runs_alone();
         // A step back within the segment, and one into the segment before.
         flock.run.frame(again);
-        flock.companions.go_to(2 * some, flock.segments);
-        flock.companions.look(again);
-        EXPECT_EQ(again.cloud, before.cloud);
-        flock.companions.go_to(some / 2, flock.segments);
+        flock.live_ensemble.go_to(2 * some, flock.segments);
+        flock.live_ensemble.look(again);
+        EXPECT_EQ(again.ensemble, before.ensemble);
+        flock.live_ensemble.go_to(some / 2, flock.segments);
         flock.expect_the_bits_of_runs_alone();
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, CompanionsOf, testing::ValuesIn(test::all_methods()), test::case_name);
+INSTANTIATE_TEST_SUITE_P(Methods, LiveEnsembleOf, testing::ValuesIn(test::all_methods()), test::case_name);
 
-TEST(Companions, are_computed_in_lanes_where_the_method_goes_so) {
+TEST(LiveEnsemble, are_computed_in_lanes_where_the_method_goes_so) {
     const auto in_lanes = [](const char* model, const char* method) {
         Flock flock(describe(model, method), {.runs = 16});
-        flock.companions.go_to(0, flock.segments);
-        return flock.companions.side_by_side();
+        flock.live_ensemble.go_to(0, flock.segments);
+        return flock.live_ensemble.in_lanes();
     };
     EXPECT_EQ(in_lanes("chain", "euler"), 16u);
     EXPECT_EQ(in_lanes("chain", "velocity-verlet"), 16u);
     EXPECT_EQ(in_lanes("mesh", "velocity-verlet"), 16u);
     EXPECT_EQ(in_lanes("chain", "dopri5"), 0u);
 }
-TEST(Companions, have_everything_happen_to_them_that_happens_to_the_run) {
+TEST(LiveEnsemble, have_everything_happen_to_them_that_happens_to_the_run) {
     for (const char* const method : {"velocity-verlet", "rk4"}) {
         const RunDescription description = test::run_of("chain", method, Precision::double_, 0.05);
         Flock flock(description, {.runs = count, .spread = "k", .width = 0.01});
@@ -153,7 +153,7 @@ TEST(Companions, have_everything_happen_to_them_that_happens_to_the_run) {
     }
 }
 
-TEST(Companions, go_back_within_a_segment_and_beyond_it) {
+TEST(LiveEnsemble, go_back_within_a_segment_and_beyond_it) {
     const RunDescription description = test::run_of("morse", "velocity-verlet", Precision::double_, 0.01);
     Flock flock(description, {.runs = count});
     flock.advance(100);
@@ -161,37 +161,37 @@ TEST(Companions, go_back_within_a_segment_and_beyond_it) {
     flock.advance(50);
     Frame after, again;
     flock.look(after);
-    flock.companions.go_to(120, flock.segments);
-    EXPECT_EQ(flock.companions.step(), 120u);
-    flock.companions.go_to(30, flock.segments);
-    EXPECT_EQ(flock.companions.step(), 30u);
+    flock.live_ensemble.go_to(120, flock.segments);
+    EXPECT_EQ(flock.live_ensemble.step(), 120u);
+    flock.live_ensemble.go_to(30, flock.segments);
+    EXPECT_EQ(flock.live_ensemble.step(), 30u);
     flock.look(again);
-    EXPECT_EQ(again.cloud, after.cloud);
+    EXPECT_EQ(again.ensemble, after.ensemble);
 }
 
-TEST(Companions, go_on_in_a_segment_that_begins_before_where_they_are) {
+TEST(LiveEnsemble, go_on_in_a_segment_that_begins_before_where_they_are) {
     const RunDescription description = test::run_of("morse", "velocity-verlet", Precision::double_, 0.01);
     Flock flock(description, {.runs = count});
-    flock.companions.go_to(100, flock.segments);
+    flock.live_ensemble.go_to(100, flock.segments);
     flock.advance(90);
     flock.change(with_method(description, "euler"));
     flock.advance(20);
     flock.expect_the_bits_of_runs_alone();
 }
 
-TEST(Companions, stop_between_segments_without_steps_too) {
+TEST(LiveEnsemble, stop_between_segments_without_steps_too) {
     Flock flock(test::run_of("chain", "euler", Precision::double_, 0.05), {.runs = count});
-    flock.companions.go_to(0, flock.segments);
+    flock.live_ensemble.go_to(0, flock.segments);
     for (std::size_t i = 0; i < 100; ++i) flock.pull(5 + i % 2, {10, 0.01 * static_cast<double>(i), 0});
     int asked = 0;
-    EXPECT_FALSE(flock.companions.go_to(0, flock.segments, [&] { return ++asked > 0; }));
+    EXPECT_FALSE(flock.live_ensemble.go_to(0, flock.segments, [&] { return ++asked > 0; }));
     EXPECT_EQ(asked, 1);
-    EXPECT_FALSE(flock.companions.are_at(0, flock.segments));
+    EXPECT_FALSE(flock.live_ensemble.are_at(0, flock.segments));
     flock.advance(5);
     flock.expect_the_bits_of_runs_alone();
 }
 
-TEST(Companions, are_dragged_along_in_one_segment) {
+TEST(LiveEnsemble, are_dragged_along_in_one_segment) {
     for (const Precision precision : test::precisions) {
         Flock flock(test::run_of("morse", "velocity-verlet", precision, 0.01), {.runs = count, .width = 0.01});
         flock.advance(30);
@@ -202,7 +202,7 @@ TEST(Companions, are_dragged_along_in_one_segment) {
         EXPECT_EQ(flock.segments.size(), 2u);
         flock.expect_the_bits_of_runs_alone();
         // The last pull counts also where the companions have gone on from an earlier one.
-        flock.companions.go_to(40, flock.segments);
+        flock.live_ensemble.go_to(40, flock.segments);
         flock.pull(5, {1.3, -0.5, 0.2});
         flock.advance(20);
         flock.expect_the_bits_of_runs_alone();
@@ -213,11 +213,11 @@ TEST(Companions, are_dragged_along_in_one_segment) {
     }
 }
 
-TEST(Companions, stop_while_they_begin_and_go_on_later) {
+TEST(LiveEnsemble, stop_while_they_begin_and_go_on_later) {
     Flock flock(test::run_of("chain", "euler", Precision::double_, 0.05), {.runs = count});
     std::size_t calls = 1;
-    while (!flock.companions.go_to(0, flock.segments, [asked = 0]() mutable { return ++asked > 2; })) {
-        ASSERT_FALSE(flock.companions.are_at(0, flock.segments));
+    while (!flock.live_ensemble.go_to(0, flock.segments, [asked = 0]() mutable { return ++asked > 2; })) {
+        ASSERT_FALSE(flock.live_ensemble.are_at(0, flock.segments));
         ++calls;
     }
     EXPECT_EQ(calls, (count + 1) / 2) << "two of them in each call";
@@ -225,30 +225,30 @@ TEST(Companions, stop_while_they_begin_and_go_on_later) {
     flock.expect_the_bits_of_runs_alone();
 }
 
-TEST(Companions, stop_on_the_way_and_go_on_later) {
+TEST(LiveEnsemble, stop_on_the_way_and_go_on_later) {
     const RunDescription description = test::run_of("chain", "euler", Precision::double_, 0.05);
     Flock flock(description, {.runs = count});
     const std::uint64_t end = 1000000;
     int asked = 0;
-    ASSERT_FALSE(flock.companions.go_to(end, flock.segments, [&] { return ++asked > 3 + static_cast<int>(count); }));
-    EXPECT_GT(flock.companions.step(), 0u);
-    EXPECT_LT(flock.companions.step(), end);
-    EXPECT_FALSE(flock.companions.are_at(end, flock.segments));
-    flock.advance(flock.companions.step() + 5);
+    ASSERT_FALSE(flock.live_ensemble.go_to(end, flock.segments, [&] { return ++asked > 3 + static_cast<int>(count); }));
+    EXPECT_GT(flock.live_ensemble.step(), 0u);
+    EXPECT_LT(flock.live_ensemble.step(), end);
+    EXPECT_FALSE(flock.live_ensemble.are_at(end, flock.segments));
+    flock.advance(flock.live_ensemble.step() + 5);
     flock.expect_the_bits_of_runs_alone();
 }
 
-TEST(Companions, that_do_not_differ_stay_where_the_run_is) {
+TEST(LiveEnsemble, that_do_not_differ_stay_where_the_run_is) {
     for (const Precision precision : test::precisions) {
         for (const char* const method : {"velocity-verlet", "rk4"}) {
             Flock flock(test::run_of("morse", method, precision, 0.01), {.runs = count, .width = 0});
             flock.advance(1000);
             Frame frame;
-            const CloudReading reading = flock.look(frame);
+            const EnsembleSpread reading = flock.look(frame);
             EXPECT_EQ(reading.largest, 0);
             EXPECT_EQ(reading.root_mean_square, 0);
-            for (std::size_t i = 0; i < frame.cloud.size(); ++i)
-                ASSERT_EQ(frame.cloud[i], frame.positions[i % frame.positions.size()]);
+            for (std::size_t i = 0; i < frame.ensemble.size(); ++i)
+                ASSERT_EQ(frame.ensemble[i], frame.positions[i % frame.positions.size()]);
             // The check above can fail: the least difference shows.
             Flock other(test::run_of("morse", method, precision, 0.01), {.runs = count, .width = 1e-6});
             other.advance(1000);
@@ -267,14 +267,14 @@ double growth(const RunDescription& description, double first, double end) {
     return flock.look(frame).root_mean_square / early;
 }
 
-TEST(Companions, swell_in_chaos_alone) {
+TEST(LiveEnsemble, swell_in_chaos_alone) {
     // In the chain, which is linear along itself, a difference of the kick stays in proportion to the motion itself.
     // The bullet's errors grow by a factor of e within about a unit of time while it is inside the cluster.
     EXPECT_LT(growth(test::run_of("chain", "velocity-verlet", Precision::double_, 0.01), 1, 30), 10);
     EXPECT_GT(growth(test::run_of("morse", "velocity-verlet", Precision::double_, 0.01), 1, 30), 1000);
 }
 
-TEST(Companions, that_are_lost_are_left_out) {
+TEST(LiveEnsemble, that_are_lost_are_left_out) {
     // The stability limits are 1.01 and 1.43; the largest dt of the companions is 1.95 times that of the run. Springs
     // of rest length 0 are linear: beyond the limit nothing holds the particles.
     for (const auto& [method, dt] : {std::pair("velocity-verlet", 0.55), std::pair("rk4", 0.8)}) {
@@ -283,41 +283,41 @@ TEST(Companions, that_are_lost_are_left_out) {
         flock.run.advance(20000);
         ASSERT_FALSE(flock.run.divergence());
         Frame frame;
-        const CloudReading reading = flock.look(frame);
+        const EnsembleSpread reading = flock.look(frame);
         EXPECT_GT(reading.lost, 0u);
         EXPECT_LT(reading.lost, 8u);
         EXPECT_TRUE(std::isfinite(reading.largest));
-        EXPECT_TRUE(std::isnan(frame.cloud.back().x)) << "the one with the largest dt";
-        EXPECT_TRUE(std::isfinite(frame.cloud.front().x));
+        EXPECT_TRUE(std::isnan(frame.ensemble.back().x)) << "the one with the largest dt";
+        EXPECT_TRUE(std::isfinite(frame.ensemble.front().x));
         // They stay lost in a segment that begins after it.
         flock.change(with_method(description, "euler"));
         EXPECT_EQ(flock.look(frame).lost, reading.lost);
-        EXPECT_TRUE(std::isnan(frame.cloud.back().x));
+        EXPECT_TRUE(std::isnan(frame.ensemble.back().x));
     }
 }
 
-TEST(Companions, too_many_or_of_other_sizes_are_refused) {
+TEST(LiveEnsemble, too_many_or_of_other_sizes_are_refused) {
     const RunDescription mesh = test::run_of("mesh", "euler", Precision::double_, 0.1, {{"dim", 300}});
     Flock large(mesh, {.runs = 0});
-    Companions many(256, spread({.runs = 256}));
+    LiveEnsemble many(256, spread({.runs = 256}));
     EXPECT_THROW(many.go_to(0, large.segments), UsageError);
     const RunDescription chain = describe("chain", "euler");
     const std::vector<SegmentBegin> segments{{0, chain}};
-    Companions longer(2, [](RunDescription description, std::size_t i) {
+    LiveEnsemble longer(2, [](RunDescription description, std::size_t i) {
         description.scene.set("n", 10.0 + static_cast<double>(i));
         return description;
     });
     EXPECT_THROW(longer.go_to(0, segments), UsageError);
 }
 
-TEST(Companions, that_need_more_memory_than_there_is_are_refused) {
+TEST(LiveEnsemble, that_need_more_memory_than_there_is_are_refused) {
     // Thrown by the first companion: those that are let through are not made.
     struct Begun {};
     const auto begin = [](const char* method) {
         // 1729 particles and all their pairs: the series of taylor take more than a GB in each run.
         const std::vector<SegmentBegin> segments{
             {0, test::run_of("morse", method, Precision::double_, 0.01, {{"edge", 12}})}};
-        Companions many(600, [](const RunDescription&, std::size_t) -> RunDescription { throw Begun(); });
+        LiveEnsemble many(600, [](const RunDescription&, std::size_t) -> RunDescription { throw Begun(); });
         many.go_to(0, segments);
     };
     EXPECT_THROW(begin("velocity-verlet"), Begun) << "it is the method's memory";
@@ -330,19 +330,19 @@ TEST(Companions, that_need_more_memory_than_there_is_are_refused) {
     }
 }
 
-TEST(Cloud, differs_in_the_start_first_and_within_the_range) {
+TEST(LiveEnsembleOptions, differs_in_the_start_first_and_within_the_range) {
     const RunDescription chain = describe("chain", "euler");
-    EXPECT_EQ(spreadable(chain).front(), "v0");
-    EXPECT_EQ(spreadable(chain).back(), "dt");
-    for (const std::string_view name : spreadable(chain)) EXPECT_NE(name, "c") << "no drag: nothing to differ in";
-    const Spread speed = spread_of({.runs = 2, .spread = "", .width = 0.25}, chain);
+    EXPECT_EQ(perturbable(chain).front(), "v0");
+    EXPECT_EQ(perturbable(chain).back(), "dt");
+    for (const std::string_view name : perturbable(chain)) EXPECT_NE(name, "c") << "no drag: nothing to differ in";
+    const ParameterRange speed = range_of({.runs = 2, .spread = "", .width = 0.25}, chain);
     EXPECT_EQ(speed.name, "v0");
     EXPECT_EQ(speed.from, 0.75 * chain.scene["v0"]);
     EXPECT_EQ(speed.to, 1.25 * chain.scene["v0"]);
-    const Spread step = spread_of({.runs = 2, .spread = "dt", .width = 0.5}, chain);
+    const ParameterRange step = range_of({.runs = 2, .spread = "dt", .width = 0.5}, chain);
     EXPECT_EQ(step.from, 0.5 * chain.dt);
     EXPECT_EQ(step.to, 1.5 * chain.dt);
-    EXPECT_EQ(spread_of({.runs = 2, .spread = "no such thing"}, chain).name, "v0");
+    EXPECT_EQ(range_of({.runs = 2, .spread = "no such thing"}, chain).name, "v0");
 }
 
 }  // namespace

@@ -173,81 +173,82 @@ TEST_F(WorkerTest, of_several_views_the_newest_is_taken) {
     EXPECT_FALSE(worker.take(view)) << "an older one was kept";
 }
 
-/// Sees the cloud of the moment that the view shows.
-bool has_cloud(const RunView& view) { return !view.frame.cloud.empty(); }
+/// Sees the ensemble of the moment that the view shows.
+bool has_ensemble(const RunView& view) { return !view.frame.ensemble.empty(); }
 
 /// Where the companions of a run of this description are that nothing was done to.
-CloudReading reading_after(const RunDescription& description, const Cloud& cloud, std::uint64_t steps) {
+EnsembleSpread reading_after(const RunDescription& description, const LiveEnsembleOptions& ensemble,
+                             std::uint64_t steps) {
     Simulation simulation(description);
     simulation.advance(steps);
     const std::vector<SegmentBegin> segments{{0, description}};
-    Companions companions(cloud.runs, [&](const RunDescription& run, std::size_t companion) {
-        return spread_run(run, std::vector{spread_of(cloud, run)}, companion, cloud.runs);
+    LiveEnsemble live_ensemble(ensemble.runs, [&](const RunDescription& run, std::size_t member) {
+        return run_in_range(run, std::vector{range_of(ensemble, run)}, member, ensemble.runs);
     });
-    companions.go_to(steps, segments);
+    live_ensemble.go_to(steps, segments);
     Frame frame = simulation.frame();
-    return companions.look(frame);
+    return live_ensemble.look(frame);
 }
 
-TEST_F(WorkerTest, has_a_cloud_only_when_asked_for_one) {
+TEST_F(WorkerTest, has_a_ensemble_only_when_asked_for_one) {
     worker.step_forward();
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
-    EXPECT_FALSE(has_cloud(view));
-    const Cloud cloud{.runs = 5, .spread = "k", .width = 0.01};
-    worker.show_cloud(cloud);
-    ASSERT_TRUE(see(has_cloud));
-    EXPECT_EQ(view.cloud, cloud);
-    EXPECT_EQ(view.frame.cloud.size(), 5 * view.frame.positions.size());
-    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, 1)) << "from the start of the run on";
-    EXPECT_GT(view.cloud_reading.largest, 0);
-    worker.show_cloud({});
-    ASSERT_TRUE(see([](const RunView& v) { return v.cloud.runs == 0; }));
-    EXPECT_FALSE(has_cloud(view));
+    EXPECT_FALSE(has_ensemble(view));
+    const LiveEnsembleOptions ensemble{.runs = 5, .spread = "k", .width = 0.01};
+    worker.show_ensemble(ensemble);
+    ASSERT_TRUE(see(has_ensemble));
+    EXPECT_EQ(view.ensemble, ensemble);
+    EXPECT_EQ(view.frame.ensemble.size(), 5 * view.frame.positions.size());
+    EXPECT_EQ(view.ensemble_spread, reading_after(view.description, ensemble, 1)) << "from the start of the run on";
+    EXPECT_GT(view.ensemble_spread.largest, 0);
+    worker.show_ensemble({});
+    ASSERT_TRUE(see([](const RunView& v) { return v.ensemble.runs == 0; }));
+    EXPECT_FALSE(has_ensemble(view));
 }
 
-TEST_F(WorkerTest, takes_the_cloud_along_on_the_way_forth_and_back) {
-    const Cloud cloud{.runs = 5, .spread = "k", .width = 0.01};
-    worker.show_cloud(cloud);
+TEST_F(WorkerTest, takes_the_ensemble_along_on_the_way_forth_and_back) {
+    const LiveEnsembleOptions ensemble{.runs = 5, .spread = "k", .width = 0.01};
+    worker.show_ensemble(ensemble);
     worker.set_rate({true, 1});
     worker.play(true);
-    ASSERT_TRUE(see([](const RunView& v) { return has_cloud(v) && v.frame.step > 1000; }));
+    ASSERT_TRUE(see([](const RunView& v) { return has_ensemble(v) && v.frame.step > 1000; }));
     worker.play(false);
-    ASSERT_TRUE(see([](const RunView& v) { return !v.playing && has_cloud(v); }));
+    ASSERT_TRUE(see([](const RunView& v) { return !v.playing && has_ensemble(v); }));
     const std::uint64_t end = view.frame.step;
-    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, end));
+    EXPECT_EQ(view.ensemble_spread, reading_after(view.description, ensemble, end));
     worker.step_back();
-    ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step == end - 1 && has_cloud(v); }));
-    EXPECT_EQ(view.cloud_reading, reading_after(view.description, cloud, end - 1));
-    EXPECT_NE(view.cloud_reading, reading_after(view.description, cloud, end));
+    ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step == end - 1 && has_ensemble(v); }));
+    EXPECT_EQ(view.ensemble_spread, reading_after(view.description, ensemble, end - 1));
+    EXPECT_NE(view.ensemble_spread, reading_after(view.description, ensemble, end));
     worker.restart();
-    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0 && has_cloud(v); }));
-    EXPECT_EQ(view.cloud_reading.largest, 0) << "k differs, the start does not";
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0 && has_ensemble(v); }));
+    EXPECT_EQ(view.ensemble_spread.largest, 0) << "k differs, the start does not";
 }
 
-TEST_F(WorkerTest, does_to_the_cloud_what_is_done_to_the_run) {
-    worker.show_cloud({.runs = 3, .spread = "v0", .width = 0});
+TEST_F(WorkerTest, does_to_the_ensemble_what_is_done_to_the_run) {
+    worker.show_ensemble({.runs = 3, .spread = "v0", .width = 0});
     for (int i = 0; i < 3; ++i) worker.step_forward();
-    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 3 && has_cloud(v); }));
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 3 && has_ensemble(v); }));
     worker.change(with_method(view.description, "euler"));
-    ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "euler" && has_cloud(v); }));
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "euler" && has_ensemble(v); }));
     worker.step_forward();
     worker.pull(5, {10, 1, 0});
     worker.step_forward();
-    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 5 && has_cloud(v); }));
-    EXPECT_EQ(view.cloud_reading.largest, 0) << "runs that do not differ stay together";
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 5 && has_ensemble(v); }));
+    EXPECT_EQ(view.ensemble_spread.largest, 0) << "runs that do not differ stay together";
     for (int i = 0; i < 3; ++i) worker.step_back();
-    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2 && has_cloud(v); }));
-    EXPECT_EQ(view.cloud_reading.largest, 0);
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2 && has_ensemble(v); }));
+    EXPECT_EQ(view.ensemble_spread.largest, 0);
     worker.change(with_model(view.description, "morse"));
-    ASSERT_TRUE(see([](const RunView& v) { return v.description.model == "morse" && has_cloud(v); }));
-    EXPECT_EQ(view.frame.cloud.size(), 3 * view.frame.positions.size());
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.model == "morse" && has_ensemble(v); }));
+    EXPECT_EQ(view.frame.ensemble.size(), 3 * view.frame.positions.size());
 }
 
-TEST_F(WorkerTest, goes_on_without_a_cloud_that_is_too_large) {
-    worker.show_cloud({.runs = Companions::most_particles});
+TEST_F(WorkerTest, goes_on_without_a_ensemble_that_is_too_large) {
+    worker.show_ensemble({.runs = LiveEnsemble::most_particles});
     ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
     EXPECT_THAT(view.error, testing::HasSubstr("too large"));
-    EXPECT_EQ(view.cloud.runs, 0u);
+    EXPECT_EQ(view.ensemble.runs, 0u);
     worker.step_forward();
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
 }
@@ -257,30 +258,30 @@ TEST_F(WorkerTest, waits_for_companions_that_begin_later) {
     worker.play(true);
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step > 100000; }));
     // So many steps of 256 companions take far longer than it computes between two looks at the commands.
-    worker.show_cloud({.runs = 256});
-    ASSERT_TRUE(see([](const RunView& v) { return v.cloud.runs == 256; }));
-    EXPECT_FALSE(has_cloud(view)) << "answers while they are on their way";
-    EXPECT_LT(view.cloud_reading.step, view.frame.step);
+    worker.show_ensemble({.runs = 256});
+    ASSERT_TRUE(see([](const RunView& v) { return v.ensemble.runs == 256; }));
+    EXPECT_FALSE(has_ensemble(view)) << "answers while they are on their way";
+    EXPECT_LT(view.ensemble_spread.step, view.frame.step);
     EXPECT_TRUE(view.playing);
     const std::uint64_t step = view.frame.step;
     worker.track(3);
     ASSERT_TRUE(see([](const RunView& v) { return v.tracked && v.tracked->particle == 3; }));
     EXPECT_EQ(view.frame.step, step);
-    worker.show_cloud({});
+    worker.show_ensemble({});
     ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step > step; })) << "and goes on playing";
 }
 
 TEST_F(WorkerTest, lives_on_where_memory_for_a_view_is_missing) {
-    worker.show_cloud({.runs = 256});
-    ASSERT_TRUE(see(has_cloud));
+    worker.show_ensemble({.runs = 256});
+    ASSERT_TRUE(see(has_ensemble));
     {
         const NoLargerThan limit(16384);  // the places of 256 times 10 particles take more, whatever else there is less
         worker.step_forward();
         ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
     }
     EXPECT_EQ(view.error, std::bad_alloc().what());
-    EXPECT_EQ(view.cloud.runs, 0u);
-    EXPECT_FALSE(has_cloud(view));
+    EXPECT_EQ(view.ensemble.runs, 0u);
+    EXPECT_FALSE(has_ensemble(view));
     EXPECT_EQ(view.frame.positions.size(), 10u);
     worker.step_forward();
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2; }));
