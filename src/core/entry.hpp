@@ -1,6 +1,9 @@
 #pragma once
 
+#include "core/coupling.hpp"
+
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -88,6 +91,10 @@ struct MethodInfo {
     std::string_view conserves = {};  ///< what it keeps, in words
     std::string_view source = {};
     std::span<const ParameterInfo> parameters = {};
+    /// Why the method cannot run scenes of this coupling, none if it can; null for methods that run any.
+    std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
+    /// Bytes it holds for a scene's interactions, given the number of pairs that interact; an upper bound. Null: none.
+    double (*bytes_of_interactions)(const Coupling&, double pairs) = nullptr;
 };
 
 /// Evaluations a step of the method with these parameters, start-up not counted.

@@ -16,18 +16,6 @@ namespace steplab {
 
 namespace {
 
-// The features are those of the flags that cmake/SteplabTargets.cmake compiles with.
-bool processor_has(Instructions instructions) {
-#if defined(__x86_64__)
-    const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-    if (instructions == Instructions::avx2) return avx2;
-    if (instructions == Instructions::avx512)
-        return avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-#endif
-    return instructions == Instructions::baseline;
-}
-
 std::vector<Instructions> found() {
     std::vector<Instructions> here;
     for (const Instructions instructions : {STEPLAB_INSTRUCTIONS}) {
@@ -43,7 +31,13 @@ std::span<const Instructions> instructions_here() {
     return here;
 }
 
-Instructions fastest_instructions() { return instructions_here().back(); }
+Instructions fastest_instructions() {
+    if (instructions_here().empty())
+        throw UsageError(
+            "this steplab was built for the processor of another machine alone; build it here, or for all "
+            "processors:  cmake --preset release && cmake --build --preset release");
+    return instructions_here().back();
+}
 
 std::string_view id(Instructions instructions) {
     constexpr std::string_view ids[] = {"baseline", "avx2", "avx512"};

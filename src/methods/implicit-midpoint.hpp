@@ -2,6 +2,7 @@
 
 #include "methods/engines/halved_steps.hpp"
 #include "methods/engines/implicit_stage.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/synchronised.hpp"
 
 namespace steplab {
@@ -9,6 +10,11 @@ namespace steplab {
 /// The implicit midpoint rule: x1 = x0 + h V, v1 = v0 + h (a(X) - gamma V) with X, V in the middle of the step.
 struct ImplicitMidpoint {
     static constexpr ParameterInfo parameters[] = {compensated_sums};
+
+    static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
+    static double bytes_of_interactions(const Coupling& coupling, double pairs) {
+        return bytes_of_linear_solver(coupling, pairs);
+    }
 
     static constexpr MethodInfo info{
         .id = "implicit-midpoint",
@@ -24,16 +30,15 @@ struct ImplicitMidpoint {
         .conserves = "momentum, angular momentum, on linear scenes energy exactly",
         .source = "Hairer, Lubich, Wanner, Geometric Numerical Integration, II.1.1, VI.4",
         .parameters = parameters,
+        .refusal = refusal,
+        .bytes_of_interactions = bytes_of_interactions,
     };
-
-    static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
-    static double bytes_of_interactions(const Coupling& coupling, double pairs) {
-        return bytes_of_linear_solver(coupling, pairs);
-    }
 
     template <class T>
     class Integrator : public Synchronised<T> {
     public:
+        static constexpr IntegratorCapabilities capabilities{.emits = true};
+
         explicit Integrator(const ParameterValues& values) : Synchronised<T>(values) {}
 
         template <class System>

@@ -2,6 +2,7 @@
 
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/synchronised.hpp"
 #include "methods/stoermer.hpp"
 
@@ -12,7 +13,6 @@ namespace steplab {
 /// The thesis' Störmer as its program was printed, mistake included (docs/curiosities.md): the velocity at the end of a
 /// step takes the acceleration of the substep before. It works on absolute positions with the plain force loop.
 struct Stoermer2008 {
-    static constexpr bool plain = true;
     static constexpr ParameterInfo parameters[] = {Stoermer::substeps};
 
     static constexpr MethodInfo info{
@@ -32,6 +32,8 @@ struct Stoermer2008 {
     template <class T>
     class Integrator : public Synchronised<T> {
     public:
+        static constexpr IntegratorCapabilities capabilities{.forcing = Forcing::plain, .emits = true};
+
         explicit Integrator(const ParameterValues& values) : substeps_(values.count("substeps")) {}
 
         template <class System>

@@ -8,6 +8,7 @@
 #include "methods/engines/adaptive.hpp"
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/series_forces.hpp"
 #include "methods/engines/series_motion.hpp"
 
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,20 +31,6 @@ namespace steplab {
 /// coefficient is that of t^K has taken the accelerations in K - 1 orders: it counts as K - 1 evaluations.
 struct Taylor {
     static constexpr ParameterInfo parameters[] = {tolerance_parameter};
-
-    static constexpr MethodInfo info{
-        .id = "taylor",
-        .name = "Taylor series",
-        .what = "Chooses step and order itself; every moment between two steps is known as exactly as their ends.",
-        .order = 20,
-        .order_with_drag = 20,
-        .evaluations = 19,
-        .linear_limit = infinity,
-        .adaptive = true,
-        .conserves = "everything, within the tolerance",
-        .source = "Jorba, Zou, Experimental Mathematics 14 (2005) 99",
-        .parameters = parameters,
-    };
 
     static double bytes_of_interactions(const Coupling&, double pairs) { return 1500 * pairs; }  // their series
     static std::optional<std::string> refusal(const Coupling& coupling) {
@@ -57,6 +45,22 @@ struct Taylor {
         return std::nullopt;
     }
 
+    static constexpr MethodInfo info{
+        .id = "taylor",
+        .name = "Taylor series",
+        .what = "Chooses step and order itself; every moment between two steps is known as exactly as their ends.",
+        .order = 20,
+        .order_with_drag = 20,
+        .evaluations = 19,
+        .linear_limit = infinity,
+        .adaptive = true,
+        .conserves = "everything, within the tolerance",
+        .source = "Jorba, Zou, Experimental Mathematics 14 (2005) 99",
+        .parameters = parameters,
+        .refusal = refusal,
+        .bytes_of_interactions = bytes_of_interactions,
+    };
+
     template <class T>
     class Integrator;
 };
@@ -69,6 +73,8 @@ class Taylor::Integrator {
     using Time = std::conditional_t<std::is_same_v<T, float>, double, T>;
 
 public:
+    static constexpr IntegratorCapabilities capabilities{.progress = true, .collisions = true};
+
     explicit Integrator(const ParameterValues& values)
         : log_tolerance_(logarithm(std::clamp(values[tolerance_parameter.name],
                                               2 * static_cast<double>(std::numeric_limits<T>::epsilon()), 0.1))),
@@ -82,7 +88,7 @@ public:
         a_ = end_ = Field<T>(state.displacement.count());
         x_[0] = state.displacement;
         v_ = state.velocity;
-        forces_ = SeriesForces<T>(system, state, last_ - 1);
+        forces_ = series_forces(system.force(), state, last_ - 1);
         progress_ = {};
         progress_.unit = power_of_two_below(system.dt());
         guard_.state({});
@@ -98,7 +104,8 @@ public:
             expand(system);
             lengthen(static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon())));
             // nothing moves by more than rounding: steps need not be shorter, nor can they
-            lengthen(time_of_rounding(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_.axes()));
+            lengthen(
+                time_of_rounding(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_->axes()));
         }
     }
 
@@ -192,7 +199,7 @@ private:
 
     template <class F>
     void each_change(T t, F f) const {
-        each_series_sum(std::span<const Field<T>>(x_), progress_.unit, t, forces_.axes(), f);
+        each_series_sum(std::span<const Field<T>>(x_), progress_.unit, t, forces_->axes(), f);
     }
 
     static T number(std::size_t k) { return static_cast<T>(static_cast<int>(k)); }
@@ -201,19 +208,17 @@ private:
     template <class System>
     void expand(System& system) {
         for (int attempt = 0; attempt < 40; ++attempt) {
-            if (forces_.axes() == 1) compute_series<1>(system);
-            if (forces_.axes() == 2) compute_series<2>(system);
-            if (forces_.axes() == 3) compute_series<3>(system);
+            compute_series(system);
             const T share = reach();
             // in too small a unit all coefficients vanish, and the series seems to end
             const bool too_small = share >= longest_series<T> && progress_.unit < system.dt() / longest_series<T>;
             const bool fits = share > T(1) / T(64) && share < T(64) && !too_small;
             progress_.length = progress_.unit * (std::isfinite(share) ? share : T(1) / T(4096));
-            if (fits || forces_.singular()) break;
+            if (fits || forces_->singular()) break;
             progress_.unit = power_of_two_below(progress_.length);
         }
         if (system.force().coupling().kind == Coupling::Kind::near) end_at_jump(system);
-        if (!forces_.singular()) end_at_collision(system);
+        if (!forces_->singular()) end_at_collision(system);
     }
 
     /// On its way to a collision the series ends before it, with the collision at hand as far behind it. A series does
@@ -309,24 +314,24 @@ private:
     }
 
     T reach() const {
-        if (forces_.singular()) return square_root(std::numeric_limits<T>::epsilon());
-        return series_reach(std::span<const Field<T>>(x_), v_, progress_.unit, log_tolerance_, forces_.axes());
+        if (forces_->singular()) return square_root(std::numeric_limits<T>::epsilon());
+        return series_reach(std::span<const Field<T>>(x_), v_, progress_.unit, log_tolerance_, forces_->axes());
     }
 
     /// All coefficients, order by order: (k + 1) (k + 2) x_(k+2) = a_k - gamma (k + 1) x_(k+1).
-    template <std::size_t Axes, class System>
+    template <class System>
     void compute_series(System& system) {
-        forces_.find_groups(system, x_[0], v_);
+        forces_->find_interactions(x_[0], v_);
         const T* const velocity = v_.flat().data();
         T* const first = x_[1].flat().data();
         elementwise(v_.flat().size(), [=, unit = progress_.unit](std::size_t p) { first[p] = unit * velocity[p]; });
         for (std::size_t k = 0; k + 2 <= last_; ++k) {
-            forces_.template accelerations<Axes>(system, x_[k], k, a_);
+            forces_->accelerations(x_[k], k, a_);
             const T scale = T(1) / number((k + 1) * (k + 2));
             const T of_a = progress_.unit * progress_.unit, of_v = system.drag() * progress_.unit * number(k + 1);
             const T *const a = a_.flat().data(), *const v = x_[k + 1].flat().data();
             T* const next = x_[k + 2].flat().data();
-            elementwise(a_.flat().size() / 3 * Axes,
+            elementwise(a_.flat().size() / 3 * forces_->axes(),
                         [=](std::size_t p) { next[p] = (of_a * a[p] - of_v * v[p]) * scale; });
         }
         system.count_evaluations(last_ - 1);
@@ -341,7 +346,7 @@ private:
 
     CollisionGuard<T> guard_;
     Field<T> a_, end_;
-    SeriesForces<T> forces_;
+    std::unique_ptr<SeriesForces<T>> forces_;
 };
 
 }  // namespace steplab

@@ -2,6 +2,7 @@
 
 #include "methods/engines/halved_steps.hpp"
 #include "methods/engines/implicit_stage.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/synchronised.hpp"
 
 namespace steplab {
@@ -10,6 +11,15 @@ namespace steplab {
 /// diagonally implicit Runge-Kutta method of two implicit stages (Hosea, Shampine 1996, table 1).
 struct TrBdf2 {
     static constexpr ParameterInfo parameters[] = {compensated_sums};
+
+    static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
+    static double bytes_of_interactions(const Coupling& coupling, double pairs) {
+        return bytes_of_linear_solver(coupling, pairs);
+    }
+
+    static constexpr double gamma = 0.58578643762690497;   // 2 - sqrt(2)
+    static constexpr double diagonal = gamma / 2;          // weight of a stage's own slope in it
+    static constexpr double before = 0.35355339059327379;  // sqrt(2) / 4: of the two earlier slopes at the end
 
     static constexpr MethodInfo info{
         .id = "tr-bdf2",
@@ -26,20 +36,15 @@ struct TrBdf2 {
             "Bank et al., IEEE Trans. Electron Devices 32 (1985) 1992; Hosea, Shampine, Appl. Numer. Math. 20 (1996) "
             "21",
         .parameters = parameters,
+        .refusal = refusal,
+        .bytes_of_interactions = bytes_of_interactions,
     };
-
-    static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
-    static double bytes_of_interactions(const Coupling& coupling, double pairs) {
-        return bytes_of_linear_solver(coupling, pairs);
-    }
-
-    static constexpr double gamma = 0.58578643762690497;   // 2 - sqrt(2)
-    static constexpr double diagonal = gamma / 2;          // weight of a stage's own slope in it
-    static constexpr double before = 0.35355339059327379;  // sqrt(2) / 4: of the two earlier slopes at the end
 
     template <class T>
     class Integrator : public Synchronised<T> {
     public:
+        static constexpr IntegratorCapabilities capabilities{.emits = true};
+
         explicit Integrator(const ParameterValues& values) : Synchronised<T>(values) {}
 
         template <class System>

@@ -2,6 +2,7 @@
 
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "methods/engines/integrator.hpp"
 
 namespace steplab {
 
@@ -9,8 +10,6 @@ namespace steplab {
 /// positions are equal takes an Euler step with its stored velocity, which the other steps store wrongly as
 /// x(n+1) - x(n) / (2 dt). It works on absolute positions with the plain force loop.
 struct Verlet2008 {
-    static constexpr bool plain = true;
-
     static constexpr MethodInfo info{
         .id = "verlet-2008",
         .name = "Verlet as printed in 2008",
@@ -27,6 +26,8 @@ struct Verlet2008 {
     template <class T>
     class Integrator {
     public:
+        static constexpr IntegratorCapabilities capabilities{.forcing = Forcing::plain};
+
         explicit Integrator(const ParameterValues&) {}
 
         template <class System>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/coupling.hpp"
 #include "models/model.hpp"
 #include "sim/ensemble/ensemble_stepper.hpp"
 #include "sim/steppers/stepper.hpp"
@@ -8,9 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace steplab {
@@ -22,10 +19,6 @@ struct Method {
     std::array<std::unique_ptr<Stepper> (*)(const StepperSetup&), 3> makers;
     /// The same for runs side by side; null for methods that do not go so.
     std::array<MakeEnsembleStepper, 3> ensemble_makers;
-    /// Why the method cannot run scenes of this coupling, none if it can; null for methods that run any.
-    std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
-    /// Bytes it holds for a scene's interactions (so many pairs act on each other), no less than it needs; null: none.
-    double (*bytes_of_interactions)(const Coupling&, double pairs) = nullptr;
 
     std::unique_ptr<Stepper> make(const StepperSetup& setup) const {
         return makers[static_cast<std::size_t>(setup.instructions)](setup);

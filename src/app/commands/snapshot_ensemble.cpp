@@ -40,7 +40,7 @@ SnapshotEnsemble::SnapshotEnsemble(const RunDescription& description, std::size_
 void SnapshotEnsemble::put_into(RunView& view) {
     go_to(view.frame.step);
     view.ensemble = ensemble_;
-    view.ensemble_spread = live_ensemble_.look(view.frame);
+    view.ensemble_spread = live_ensemble_.observe(view.frame);
 }
 
 void SnapshotEnsemble::go_to(std::uint64_t step) {

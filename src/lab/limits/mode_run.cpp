@@ -182,7 +182,7 @@ std::unique_ptr<EnsembleStepper> ModeRun::group(std::span<const GrowthQuestion> 
     for (const StepperSetup& other : setups) {
         if (!lane_compatible(setups.front(), other)) return nullptr;
     }
-    return method_.make_group(setups);
+    return method_.make_ensemble_stepper(setups);
 }
 
 std::size_t ModeRun::most_at_once() const {

@@ -46,13 +46,13 @@ private:
 }  // namespace
 
 Measurement measure(const RunDescription& run, std::uint64_t steps, const Reference& reference,
-                    const std::function<void()>& at_look, const Execution& execution) {
+                    const std::function<void()>& at_sample, const Execution& execution) {
     Measurement measurement{.run = run, .steps = steps, .wall_seconds = {}, .hash = {}};
     SteppingClock clock;
     Simulation simulation(run, execution);
     clock.started(simulation.evaluations());
     for (std::uint64_t observe = 1; observe <= samples && !simulation.divergence(); ++observe) {
-        at_look();
+        at_sample();
         const std::uint64_t next = steps * observe / samples - simulation.step();
         clock.time([&] { simulation.advance(next); });
         measurement.energy_error = std::max(measurement.energy_error, std::abs(simulation.energy_error()));

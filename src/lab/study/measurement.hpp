@@ -25,11 +25,11 @@ struct Measurement {
     std::string hash;
 };
 
-/// Runs it once, looking at the energy at 64 moments. No error is given below the reference's own. `at_look` is called
-/// at each of them and may throw to end it.
+/// Runs it once, looking at the energy at 64 moments. No error is given below the reference's own. `at_sample` is
+/// called at each of them and may throw to end it.
 Measurement measure(
     const RunDescription& run, std::uint64_t steps, const Reference& reference,
-    const std::function<void()>& at_look = [] {}, const Execution& execution = {});
+    const std::function<void()>& at_sample = [] {}, const Execution& execution = {});
 
 /// Times the stepping of one run from a fresh start: nothing else is inside the clock, unless the method makes most of
 /// its evaluations as it starts (an adaptive one whose first step reaches the end): then starting is too.

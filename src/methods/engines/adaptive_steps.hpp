@@ -8,6 +8,7 @@
 #include "methods/engines/adaptive.hpp"
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/step_control.hpp"
 
 #include <algorithm>
@@ -66,6 +67,8 @@ private:
 template <class T, class Rule>
 class AdaptiveSteps {
 public:
+    static constexpr IntegratorCapabilities capabilities{.progress = true, .collisions = true};
+
     explicit AdaptiveSteps(const ParameterValues& values)
         : tolerance_(std::max(static_cast<T>(values[tolerance_parameter.name]),
                               T(2) * std::numeric_limits<T>::epsilon())),  // no precision holds more

@@ -5,6 +5,7 @@
 #include "methods/engines/accelerate.hpp"
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/gauss_stages.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/moving_axes.hpp"
 #include "methods/engines/own_steps.hpp"
 #include "methods/engines/step_control.hpp"
@@ -28,6 +29,8 @@ namespace steplab {
 template <class T>
 class Gauss {
 public:
+    static constexpr IntegratorCapabilities capabilities{.progress = true, .collisions = true};
+
     explicit Gauss(const ParameterValues& values)
         : tolerance_(values["tolerance"] > 0 ? kept_tolerance(static_cast<T>(values["tolerance"])) : T(0)),
           aim_(std::min(T(longest), T(reach) * root(tolerance_, 16))),
@@ -38,7 +41,7 @@ public:
         end_ = TwoPartState<T>(state);
         begin_ = end_;
         progress_ = {};
-        progress_.axes = moving_axes(system, state);
+        progress_.axes = moving_axes(system.force(), state);
         stages_ = stages(state.displacement.count());
         known_ = GaussStages<T>::room_for_known(state.displacement);
         progress_.last = progress_.next = system.dt();

@@ -7,6 +7,7 @@
 #include "methods/engines/adaptive.hpp"
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/gauss_stages.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/own_steps.hpp"
 #include "methods/engines/radau.hpp"
 
@@ -25,6 +26,8 @@ namespace steplab {
 template <class T, class Control = RadauControl>
 class GaussRadau {
 public:
+    static constexpr IntegratorCapabilities capabilities{.progress = true, .collisions = true};
+
     explicit GaussRadau(const ParameterValues& values)
         : tolerance_(kept_tolerance(static_cast<T>(values[tolerance_parameter.name]))),
           aim_(std::min(T(Control::longest), T(Control::reach) * root(tolerance_, 15))),

@@ -211,7 +211,7 @@ private:
     GaussMatrices matrices_ = undamped_gauss;
     Weights weights_;
     T first_ = T(1), ratio_ = T(1);
-    StageColumns<T> guess_;  ///< from known forces to h^-2 (X - x0)
+    StageColumns<T> guess_{};  ///< from known forces to h^-2 (X - x0)
 };
 
 }  // namespace steplab

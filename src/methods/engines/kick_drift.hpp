@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/integrator.hpp"
 
 #include <array>
 #include <cstddef>
@@ -35,8 +36,12 @@ struct KickDriftStep {
 template <class T>
 class KickDriftSteps {
 public:
-    /// Every lane of a number type T that has lanes goes its own way.
-    static constexpr bool goes_in_lanes = true;
+    static constexpr IntegratorCapabilities capabilities{.forcing = Forcing::kick_drift,
+                                                         .lanes = true,
+                                                         .advances = true,
+                                                         .emits = true,
+                                                         .reach = true,
+                                                         .progress = true};
 
     explicit KickDriftSteps(bool compensated) : compensated_(compensated) {}
     KickDriftSteps(KickDriftStep<T> step, bool compensated) : step_(std::move(step)), compensated_(compensated) {}

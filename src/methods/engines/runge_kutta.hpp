@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/runge_kutta_steps.hpp"
 #include "methods/engines/synchronised.hpp"
 
@@ -32,8 +33,8 @@ struct ButcherTable {
 template <class T, class Table>
 class RungeKutta : public Synchronised<T> {
 public:
-    /// Every lane of a number type that has lanes goes its own way, in steps of which `stages_of_steps` is the table.
-    static constexpr bool goes_in_lanes = true;
+    static constexpr IntegratorCapabilities capabilities{
+        .forcing = Forcing::runge_kutta, .lanes = true, .advances = true, .emits = true, .reach = true};
 
     explicit RungeKutta(const ParameterValues& values) : Synchronised<T>(values) {}
 

@@ -10,116 +10,140 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace steplab {
 
-/// The accelerations of a scene as power series in time: the formula of each interaction, run order by order over the
-/// series of its particles' displacements, a register of interactions side by side.
+/// The accelerations of a scene as power series in time: the formula of each interaction, evaluated order by order over
+/// the series of its particles' displacements. The face behind which the layout of forces is known.
 template <class T>
 class SeriesForces {
 public:
-    SeriesForces() = default;
-    /// For series of `length` coefficients of the accelerations, from this state on.
-    template <class System>
-    SeriesForces(const System& system, const State<T>& state, std::size_t length)
-        : length_(length),
-          axes_(moving_axes(system, state)),
-          fixed_(fixed_particles(system, state.displacement.count())),
-          kept_(kept_by_formulas(system)) {}
+    virtual ~SeriesForces() = default;
 
-    /// 1 if all happens along x, 2 if in the plane of x and y, else 3.
+    /// 1 if all motion is along x, 2 if in the plane of x and y, else 3.
     std::size_t axes() const { return axes_; }
     /// Two particles are at one place, where there is no series.
     bool singular() const { return singular_; }
 
-    /// The interactions at the beginning of the series, in groups of one kind. Pairs that move together do not act on
-    /// each other: they are left out, and looked for again as long as there are any.
-    template <class System>
-    void find_groups(System& system, const Field<T>& displacement, const Field<T>& velocity) {
-        const Coupling::Kind kind_of_coupling = system.force().coupling().kind;
-        const bool each_on_each = kind_of_coupling == Coupling::Kind::near || kind_of_coupling == Coupling::Kind::all;
-        const bool known = !groups_.empty() && kind_of_coupling != Coupling::Kind::near;
+    /// The interactions at the beginning of the series, in batches of one kind. Pairs that move together do not act on
+    /// each other: they are left out, and searched for again as long as there are any.
+    virtual void find_interactions(const Field<T>& displacement, const Field<T>& velocity) = 0;
+    /// Coefficient k of the accelerations, into `out`, from that of the displacements and all before it.
+    virtual void accelerations(const Field<T>& x_k, std::size_t k, Field<T>& out) = 0;
+
+protected:
+    explicit SeriesForces(std::size_t axes) : axes_(axes) {}
+
+    std::size_t axes_;
+    bool singular_ = false;
+};
+
+/// The same of one layout of forces, a register of interactions at a time.
+template <class T, class Force>
+class SeriesForcesOf final : public SeriesForces<T> {
+public:
+    /// For series of `length` coefficients of the accelerations, from this state on. `force` is referred to.
+    SeriesForcesOf(Force& force, const State<T>& state, std::size_t length)
+        : SeriesForces<T>(moving_axes(force, state)),
+          force_(force),
+          length_(length),
+          fixed_(fixed_particles(force, state.displacement.count())),
+          kept_(kept_by_formulas(force)) {}
+
+    void find_interactions(const Field<T>& displacement, const Field<T>& velocity) override {
+        const Coupling::Kind coupling = force_.coupling().kind;
+        const bool each_on_each = coupling == Coupling::Kind::near || coupling == Coupling::Kind::all;
+        const bool known = !batches_.empty() && coupling != Coupling::Kind::near;
         if (known && !(each_on_each && (singular_ || left_out_))) return;
-        groups_.clear();
+        batches_.clear();
         left_out_ = false;
-        system.force().each_interaction(displacement, [&](std::size_t i, std::size_t j, std::size_t kind) {
-            if (each_on_each && move_together(system, displacement, velocity, i, j)) {
+        force_.each_interaction(displacement, [&](std::size_t i, std::size_t j, std::size_t kind) {
+            if (each_on_each && move_together(displacement, velocity, i, j)) {
                 left_out_ = true;
-                return;
+            } else {
+                append(i, j, kind);
             }
-            if (groups_.empty() || groups_.back().kind != kind || groups_.back().count == N::count) {
-                groups_.push_back({.kind = kind, .count = 0});
-                groups_.back().first.fill(static_cast<std::uint32_t>(i));
-                groups_.back().second.fill(static_cast<std::uint32_t>(j));
-            }
-            Group& group = groups_.back();
-            group.first[group.count] = static_cast<std::uint32_t>(i);
-            group.second[group.count] = static_cast<std::uint32_t>(j);
-            ++group.count;
         });
-        tapes_.resize(groups_.size() * kept_ * length_);
+        tapes_.resize(batches_.size() * kept_ * length_);
     }
 
-    /// Coefficient k of the accelerations, into `out`, from that of the displacements and all before it.
-    template <std::size_t Axes, class System>
-    void accelerations(const System& system, const Field<T>& x_k, std::size_t k, Field<T>& out) {
+    void accelerations(const Field<T>& x_k, std::size_t k, Field<T>& out) override {
+        if (axes_ == 1) return accelerations_along<1>(x_k, k, out);
+        if (axes_ == 2) return accelerations_along<2>(x_k, k, out);
+        accelerations_along<3>(x_k, k, out);
+    }
+
+private:
+    using N = Lanes<T>;
+    using SeriesForces<T>::axes_, SeriesForces<T>::singular_;
+
+    /// Interactions of one kind whose series are computed together, one in each SIMD lane.
+    struct Batch {
+        std::size_t kind = 0, count = 0;
+        std::array<std::uint32_t, N::count> first{}, second{};  ///< beyond `count` the first pair again
+    };
+
+    void append(std::size_t i, std::size_t j, std::size_t kind) {
+        if (batches_.empty() || batches_.back().kind != kind || batches_.back().count == N::count) {
+            batches_.push_back({.kind = kind, .count = 0});
+            batches_.back().first.fill(static_cast<std::uint32_t>(i));
+            batches_.back().second.fill(static_cast<std::uint32_t>(j));
+        }
+        Batch& batch = batches_.back();
+        batch.first[batch.count] = static_cast<std::uint32_t>(i);
+        batch.second[batch.count] = static_cast<std::uint32_t>(j);
+        ++batch.count;
+    }
+
+    template <std::size_t Axes>
+    void accelerations_along(const Field<T>& x_k, std::size_t k, Field<T>& out) {
         const auto a = components(out);
         if (k == 0) singular_ = false;
         std::fill_n(out.flat().data(), out.flat().size() / 3 * Axes, T(0));
-        if (k == 0) add_external(system, out);
-        const auto formulas = system.force().formulas();
+        if (k == 0) add_external(out);
+        const auto formulas = force_.formulas();
         const std::size_t length = length_;
-        for (std::size_t g = 0; g < groups_.size(); ++g) {
-            const Group& group = groups_[g];
-            SeriesTape<T> tape(tapes_.data() + g * kept_ * length, length, k);
-            const auto pull = pulls<Axes>(tape, formulas[group.kind], differences<Axes>(system, group, x_k, k));
+        for (std::size_t b = 0; b < batches_.size(); ++b) {
+            const Batch& batch = batches_[b];
+            SeriesTape<T> tape(tapes_.data() + b * kept_ * length, length, k);
+            const auto pull = pulls<Axes>(tape, formulas[batch.kind], differences<Axes>(batch, x_k, k));
             singular_ = singular_ || tape.singular();
-            for (std::size_t axis = 0; axis < Axes; ++axis) scatter(group, pull[axis], a[axis]);
+            for (std::size_t axis = 0; axis < Axes; ++axis) scatter(batch, pull[axis], a[axis]);
         }
         for (const std::size_t i : fixed_) {
             for (T* const component : a) component[i] = T(0);
         }
     }
 
-private:
-    using N = Lanes<T>;
-
-    /// At one place with one velocity, in a scene where all others act on both alike. Their distance, which counts as 0
-    /// where its square is lost, stays 0.
-    template <class System>
-    static bool move_together(const System& system, const Field<T>& x, const Field<T>& v, std::size_t i,
-                              std::size_t j) {
+    /// At one place with one velocity, in a scene where all others act on both equally. Their distance, which counts as
+    /// 0 where its square underflows, stays 0.
+    bool move_together(const Field<T>& x, const Field<T>& v, std::size_t i, std::size_t j) const {
         const auto square = [](T a, T b, T c) { return a * a + b * b + c * c; };
-        const auto d = system.separation(x, i, j);
+        const auto d = force_.separation(x, i, j);
         return square(d.x, d.y, d.z) == T(0) &&
                square(v.x()[j] - v.x()[i], v.y()[j] - v.y()[i], v.z()[j] - v.z()[i]) == T(0);
     }
 
-    /// Interactions of one kind whose series are computed side by side.
-    struct Group {
-        std::size_t kind = 0, count = 0;
-        std::array<std::uint32_t, N::count> first{}, second{};  ///< beyond `count` the first pair again
-    };
-
     static std::array<T*, 3> components(Field<T>& field) { return {field.x(), field.y(), field.z()}; }
     static std::array<const T*, 3> components(const Field<T>& field) { return {field.x(), field.y(), field.z()}; }
 
-    /// Coefficient k of what the formula of a group is given.
-    template <std::size_t Axes, class System>
-    [[gnu::always_inline]] static std::array<N, Axes> differences(const System& system, const Group& group,
-                                                                  const Field<T>& x_k, std::size_t k) {
+    /// Coefficient k of what the formula of a batch is given.
+    template <std::size_t Axes>
+    [[gnu::always_inline]] std::array<N, Axes> differences(const Batch& batch, const Field<T>& x_k,
+                                                           std::size_t k) const {
         const std::array<const T*, 3> u = components(x_k);
         std::array<N, Axes> e;
         for (std::size_t axis = 0; axis < Axes; ++axis) {
             const T* const along = u[axis];
-            e[axis] = N::each([&](std::size_t lane) { return along[group.second[lane]] - along[group.first[lane]]; });
+            e[axis] = N::each([&](std::size_t lane) { return along[batch.second[lane]] - along[batch.first[lane]]; });
         }
-        if constexpr (requires { system.force().difference(x_k, 0, 0); }) {
+        if constexpr (Force::capabilities.periodic) {
             if (k > 0) return e;
             const auto of = [&](auto component) {
                 return N::each([&](std::size_t lane) {
-                    return component(system.force().difference(x_k, group.first[lane], group.second[lane]));
+                    return component(force_.difference(x_k, batch.first[lane], batch.second[lane]));
                 });
             };
             e[0] = of([](const Vector<T>& d) { return d.x; });
@@ -129,7 +153,7 @@ private:
         return e;
     }
 
-    /// Coefficient k of the pulls of a group. Flattened, so that the formula's intermediate results stay in registers.
+    /// Coefficient k of the pulls of a batch. Flattened, so that the formula's intermediate results stay in registers.
     template <std::size_t Axes, class Formula>
     [[gnu::flatten]] static std::array<N, Axes> pulls(SeriesTape<T>& tape, const Formula& formula,
                                                       const std::array<N, Axes>& e) {
@@ -146,38 +170,35 @@ private:
         return coefficients;
     }
 
-    static void scatter(const Group& group, N pull, T* a) {
-        for (std::size_t lane = 0; lane < group.count; ++lane) {
-            a[group.first[lane]] += pull[lane];
-            a[group.second[lane]] -= pull[lane];
+    static void scatter(const Batch& batch, N pull, T* a) {
+        for (std::size_t lane = 0; lane < batch.count; ++lane) {
+            a[batch.first[lane]] += pull[lane];
+            a[batch.second[lane]] -= pull[lane];
         }
     }
 
-    template <class System>
-    static void add_external(const System& system, Field<T>& a) {
+    void add_external(Field<T>& a) const {
         for (std::size_t i = 0; i < a.count(); ++i) {
-            const auto external = system.force().external(i);
+            const auto external = force_.external(i);
             a.x()[i] = external.x;
             a.y()[i] = external.y;
             a.z()[i] = external.z;
         }
     }
 
-    template <class System>
-    static std::vector<std::size_t> fixed_particles(const System& system, std::size_t count) {
+    static std::vector<std::size_t> fixed_particles(const Force& force, std::size_t count) {
         std::vector<std::size_t> fixed;
         for (std::size_t i = 0; i < count; ++i) {
-            if (!system.force().moves(i)) fixed.push_back(i);
+            if (!force.moves(i)) fixed.push_back(i);
         }
         return fixed;
     }
 
-    /// Series that the formulas keep for each group.
-    template <class System>
-    static std::size_t kept_by_formulas(const System& system) {
+    /// Series that the formulas keep for each batch.
+    static std::size_t kept_by_formulas(const Force& force) {
         std::array<N, SeriesTape<T>::most_kept> memory;
         std::size_t kept = 0;
-        for (const auto& formula : system.force().formulas()) {
+        for (const auto& formula : force.formulas()) {
             SeriesTape<T> tape(memory.data(), 1, 0);
             const auto e = [&tape] { return Series<T>::variable(tape, N(T(1))); };
             formula(e(), e(), e());
@@ -186,14 +207,19 @@ private:
         return kept;
     }
 
-    std::size_t length_ = 0;
-    std::size_t axes_ = 3;
+    Force& force_;
+    std::size_t length_;
     std::vector<std::size_t> fixed_;
-    std::size_t kept_ = 0;
-    bool singular_ = false;
+    std::size_t kept_;
     bool left_out_ = false;  ///< pairs that move together
-    std::vector<Group> groups_;
-    std::vector<N, CacheLineAllocator<N>> tapes_;  ///< of each group: the series it keeps, one after the other
+    std::vector<Batch> batches_;
+    std::vector<N, CacheLineAllocator<N>> tapes_;  ///< of each batch: the series it keeps, one after the other
 };
+
+/// Of a layout of forces that is known; erased_force.hpp has that of others.
+template <class T, class Force>
+std::unique_ptr<SeriesForces<T>> series_forces(Force& force, const State<T>& state, std::size_t length) {
+    return std::make_unique<SeriesForcesOf<T, Force>>(force, state, length);
+}
 
 }  // namespace steplab

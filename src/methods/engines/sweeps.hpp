@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/force_layout.hpp"
 #include "core/lanes.hpp"
 #include "core/stages.hpp"
 #include "methods/engines/particles.hpp"
@@ -16,7 +17,7 @@
 namespace steplab {
 
 // A sweep goes once over all particles, a register of them at a time: it computes their accelerations and hands them to
-// a sink, which moves the particles at once. A layout of forces whose class has a type Sweep reads no position again
+// a sink, which moves the particles at once. A layout of forces that sweeps (ForceCapabilities) reads no position again
 // that it has handed out; those of the others are computed for all particles first. As many sweeps as the layout's
 // sweeps_together go one behind the other, by turns of registers_a_turn registers of all quantities, so that they find
 // particles in a cache; where these take no more than bytes_alone, they do anyway.
@@ -26,44 +27,14 @@ namespace steplab {
 // moves the particles of register r, whose accelerations are a. Stage::in_registers says whether it has few enough
 // quantities to be worth code for particles that stay in registers.
 
-template <class Force>
-concept Sweeping = requires {
-    typename Force::Sweep;
-};
-
-/// Layouts that sweep over particles in registers of the processor too.
-template <class Force>
-concept SweepingInRegisters = Sweeping<Force> && requires {
-    Force::most_registers;
-};
-
-/// Layouts that sweep in code of its own over particles that move along x alone.
-template <class Force>
-concept SweepingAlongX = requires {
-    Force::sweeps_along_x;
-};
-
-/// Layouts that sweep particle after particle where numbers have lanes.
-template <class Force>
-concept SweepingInTurn = requires {
-    Force::sweeps_in_turn;
-};
-
-/// Layouts that compute accelerations for all particles first and hand them out then, register by register, by several
-/// threads side by side: a sink touches its register alone, and does not throw.
-template <class Force, class T>
-concept HandingOut = requires(Force& force, const Field<T>& positions) {
-    force.each_acceleration(positions, [](std::size_t, const auto&) {});
-};
-
 namespace detail {
 
 template <class Force>
 struct SweepOf {
     struct Type {};
 };
-template <Sweeping Force>
-struct SweepOf<Force> {
+template <class Force>
+requires(Force::capabilities.sweeps) struct SweepOf<Force> {
     using Type = typename Force::Sweep;
 };
 
@@ -79,25 +50,25 @@ struct PositionsOf {
     [[gnu::always_inline]] auto get_from(std::size_t particle) const { return particles.get_from(Q, particle); }
 };
 
-/// Accelerations for somebody who looks: where they hang on the way of a run, that stays as it is.
+/// Accelerations for output, which change nothing: the history of a layout that has one stays as it is.
 template <class T, class Force>
-void uncounted_accelerations(Force& force, const Field<T>& x, Field<T>& a) {
-    if constexpr (requires { force.uncounted_accelerations(x, a); }) {
+void accelerations_for_output(Force& force, const Field<T>& x, Field<T>& a) {
+    if constexpr (Force::capabilities.history) {
         force.uncounted_accelerations(x, a);
     } else {
         force.accelerations(x, a);
     }
 }
 
-/// Calls sink(r, a) with the accelerations of every register r of particles, for somebody who looks.
+/// Calls sink(r, a) with the accelerations of every register r of particles, for output.
 template <class T, class Force, class Sink>
-void look_at(Force& force, const Field<T>& x, Sink sink) {
+void emit_accelerations(Force& force, const Field<T>& x, Sink sink) {
     const std::size_t registers = (x.count() + Lanes<T>::count - 1) / Lanes<T>::count;
-    if constexpr (!HasLanes<T> && Sweeping<Force>) {
+    if constexpr (!HasLanes<T> && Force::capabilities.sweeps) {
         typename Force::Sweep().to(force, registers, FieldLanes<const T>(x), sink);
     } else {
         Field<T> accelerations(x.count());
-        uncounted_accelerations(force, x, accelerations);
+        accelerations_for_output(force, x, accelerations);
         for (std::size_t r = 0; r < registers; ++r) sink(r, FieldLanes<const T>(accelerations).get(r));
     }
 }
@@ -111,7 +82,7 @@ public:
     template <std::size_t Quantities, class Stage>
     void run(Force& force, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps, std::size_t parts,
              Stage stage, std::size_t axes) {
-        if constexpr (SweepingAlongX<Force>) {
+        if constexpr (Force::capabilities.along_x) {
             if (axes == 1) return run_along<1>(force, fields, steps, parts, stage);
         }
         run_along<3>(force, fields, steps, parts, stage);
@@ -123,16 +94,16 @@ private:
     template <std::size_t Axes, std::size_t Quantities, class Stage>
     void run_along(Force& force, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps,
                    std::size_t parts, Stage stage) {
-        if constexpr (HasLanes<T> && SweepingInTurn<Force>) {
+        if constexpr (Force::capabilities.sweeps_in_turn) {
             InMemory<T, Quantities, Axes> particles(fields);
             for (std::uint64_t s = 0; s < steps; ++s) {
                 for (std::size_t part = 0; part < parts; ++part) sweep_in_turn(force, particles, part, stage);
             }
-        } else if constexpr (!Sweeping<Force>) {
+        } else if constexpr (!Force::capabilities.sweeps) {
             for (std::uint64_t s = 0; s < steps * parts; ++s) sweep_whole(force, fields, s % parts, stage);
         } else {
             const std::size_t registers = (fields[0]->count() + width - 1) / width;
-            if constexpr (SweepingInRegisters<Force> && Stage::in_registers && !HasLanes<T>) {
+            if constexpr (Force::capabilities.sweeps_in_registers && Stage::in_registers && !HasLanes<T>) {
                 if (registers <= Force::most_registers)
                     return run_in_registers<Axes, Force::most_registers>(force, fields, registers, steps, parts, stage);
             }
@@ -144,7 +115,7 @@ private:
     template <std::size_t Quantities, class Stage>
     void sweep_whole(Force& force, const std::array<Field<T>*, Quantities>& fields, std::size_t part, Stage stage) {
         InMemory<T, Quantities, 3> particles(fields);
-        if constexpr (HandingOut<Force, T>) {
+        if constexpr (Force::capabilities.hands_out) {
             return stage(part, [&](auto q, auto sink) {
                 force.each_acceleration(
                     *fields[q], [&](std::size_t r, const auto& a)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/force_layout.hpp"
 #include "core/stages.hpp"
 #include "methods/engines/sweeps.hpp"
 
@@ -12,33 +13,24 @@
 
 namespace steplab {
 
-/// The engine of a force in another number type; an engine that has none (Plain) stays out of it.
-template <class N, class Force>
-auto force_in(const Force& force) {
-    if constexpr (requires { force.template in<N>(); }) {
-        return force.template in<N>();
-    } else {
-        return force;
-    }
-}
-
 namespace detail {
 
+/// The engine of a force at the stages of a step, in SIMD lanes. Runs that are in lanes themselves have none, nor has a
+/// force that is in one number type only (Plain).
 template <class T, class Force>
 struct AtStages {
-    using Type = decltype(force_in<Stages<T>>(std::declval<const Force&>()));
-};
-/// Runs side by side have no stages side by side.
-template <HasLanes T, class Force>
-struct AtStages<T, Force> {
     struct Type {};
+};
+template <class T, class Force>
+requires(!HasLanes<T> && requires(const Force& force) { force.template in<Stages<T>>(); }) struct AtStages<T, Force> {
+    using Type = decltype(std::declval<const Force&>().template in<Stages<T>>());
 };
 
 }  // namespace detail
 
 /// What a method integrates: x'' = a(x) - gamma v, in steps of dt. Force is the layout's engine; it is known at compile
 /// time, so nothing is called through a pointer inside a step.
-template <class T, class Force>
+template <class T, ForceEngine<T> Force>
 class System {
 public:
     System(Force force, T drag, T dt) : force_(std::move(force)), drag_(drag), dt_(dt) {}
@@ -46,14 +38,14 @@ public:
     /// a(x) of all particles, drag not included: one evaluation.
     void accelerations(const Field<T>& x, Field<T>& a) {
         ++evaluations_;
-        if constexpr (SweepingAlongX<Force>) {
+        if constexpr (Force::capabilities.along_x) {
             if (axes_ == 1) return force_.accelerations_along_x(x, a);
         }
         force_.accelerations(x, a);
     }
 
-    /// The same for somebody who looks: not counted.
-    void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { uncounted_accelerations(force_, x, a); }
+    /// The same for output: not counted.
+    void uncounted_accelerations(const Field<T>& x, Field<T>& a) const { accelerations_for_output(force_, x, a); }
 
     /// Takes `steps` steps that consist of `parts` sweeps each over the particles, whose quantities are `fields`
     /// (sweeps.hpp); an evaluation each.
@@ -63,10 +55,10 @@ public:
         evaluations_ += steps * parts;
     }
 
-    /// Calls sink(r, a) with the accelerations of every register r of particles, for somebody who looks: not counted.
+    /// Calls sink(r, a) with the accelerations of every register r of particles, for output: not counted.
     template <class Sink>
     void emit(const Field<T>& x, Sink sink) const {
-        look_at(force_, x, sink);
+        emit_accelerations(force_, x, sink);
     }
 
     /// Calls f(i, j) for the pairs of particles whose distance vector turns by a right angle or more on the way between
@@ -86,7 +78,7 @@ public:
         each_block(force_, x, f);  // of the force's own header
     }
 
-    /// What the force is made of: the layouts tell (coupling, each_interaction, external, moves).
+    /// What the force is made of: see ForceLayout.
     Force& force() { return force_; }
     const Force& force() const { return force_; }
     /// For methods that compute accelerations in ways of their own.
@@ -95,9 +87,9 @@ public:
     /// a(x) at the eight stages of a step at once: eight evaluations. With `axes` 1 all moves along x alone; the rest
     /// of `a` may be left as it is.
     void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a, std::size_t axes = 3) {
-        if (!force_at_stages_) force_at_stages_.emplace(force_in<Stages<T>>(force_));
+        if (!force_at_stages_) force_at_stages_.emplace(force_.template in<Stages<T>>());
         evaluations_ += stage_count;
-        if constexpr (SweepingAlongX<Force>) {
+        if constexpr (Force::capabilities.along_x) {
             if (axes == 1) return force_at_stages_->accelerations_along_x(x, a);
         }
         force_at_stages_->accelerations(x, a);
@@ -123,18 +115,5 @@ private:
     std::size_t axes_ = 3;
     std::uint64_t evaluations_ = 0;
 };
-
-// An integrator (the class template Integrator<T> of a method) has
-//   explicit Integrator(const ParameterValues&)
-//   void start(System&, State<T>)             begins a segment at a synchronised state
-//   void step(System&)                        one step of dt; an adaptive one takes steps of its own until dt is behind
-//   void advance(System&, std::uint64_t)       the same, so many times, where that is faster
-//   void synchronised(const System&, State<T>& out) const   x and v of one time, without changing anything
-//   void look(const System&, sink) const   the same where it needs no memory: sink(r, x, v) for every register r
-//   std::size_t reach() const   springs that a step reaches; where a step needs the whole scene it is left out
-//   static void each_part(self, f)   calls f(field) for every field of self's internal state
-//   Progress progress() const, void progress(const Progress&)   plain data of its internal state that is no field
-//   const CollisionRecord& collisions() const   where it finds collisions (collisions.hpp); part of Progress
-// Everything else it holds is scratch: the internal state alone decides how the run goes on.
 
 }  // namespace steplab

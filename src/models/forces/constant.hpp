@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/force_layout.hpp"
 #include "core/sum.hpp"
 #include "models/forces/forces.hpp"
 #include "models/forces/interactions.hpp"
@@ -15,6 +16,8 @@ namespace steplab {
 template <class T>
 class Constant {
 public:
+    static constexpr ForceCapabilities capabilities{};
+
     explicit Constant(const ConstantForces& forces)
         : forces_(forces), count_(forces.count), mass_(forces.mass), step_(static_cast<T>(forces.step)) {}
 

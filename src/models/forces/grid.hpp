@@ -3,6 +3,7 @@
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
+#include "core/force_layout.hpp"
 #include "core/lanes.hpp"
 #include "core/sum.hpp"
 #include "models/forces/forces.hpp"
@@ -35,6 +36,8 @@ class Grid {
     static constexpr std::size_t narrow = width * sizeof(T) < 64 ? 4 * width - 1 : 0;
 
 public:
+    static constexpr ForceCapabilities capabilities{.sweeps = true};
+
     explicit Grid(const GridForces& forces)
         : forces_(forces),
           stiffness_(static_cast<T>(forces.k) / static_cast<T>(forces.mass)),

@@ -8,15 +8,7 @@
 
 namespace steplab {
 
-// Every layout of forces tells what its forces are made of, for methods that need more than their sum:
-//   coupling()                  which particles act on which
-//   formulas()                  an array of the kinds of interaction: each makes of the difference e = u_j - u_i, in
-//                               any number type, the acceleration of i; that of j is its opposite
-//   difference(u, i, j)         that e, where it is not just u_j - u_i: in a space that repeats itself
-//   each_interaction(u, f)      calls f(i, j, kind) once for every pair of particles i, j that interact at the
-//                               displacements u, kind after kind, always in the same order
-//   external(i)                 the acceleration that no other particle causes
-//   moves(i)                    false for fixed particles
+// The formulas of interactions that layouts are made of (core/force_layout.hpp), and their derivatives.
 
 /// A spring: its pull over the mass of a particle. With rest length 0 it is linear, which the general formula, there 0
 /// / 0 at distance 0, does not show to a derivative.
@@ -65,7 +57,7 @@ Block<T> derivative(const Formula& formula, const Vector<T>& e) {
 /// The difference e of two particles' displacements that the formulas are given.
 template <class Force, class T>
 Vector<T> difference(const Force& force, const Field<T>& u, std::size_t i, std::size_t j) {
-    if constexpr (requires { force.difference(u, i, j); }) {
+    if constexpr (Force::capabilities.periodic) {
         return force.difference(u, i, j);
     } else {
         return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};

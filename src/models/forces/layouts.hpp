@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/force_layout.hpp"
 #include "models/forces/constant.hpp"
 #include "models/forces/grid.hpp"
 #include "models/forces/line.hpp"
@@ -30,5 +31,11 @@ template <class T>
 NearPairs<T> engine(const NearPairForces& forces) {
     return NearPairs<T>(forces);
 }
+
+static_assert(ForceLayout<Constant<float>, float> && ForceLayout<Constant<double>, double>);
+static_assert(ForceLayout<Line<float>, float> && ForceLayout<Line<double>, double>);
+static_assert(ForceLayout<Grid<float>, float> && ForceLayout<Grid<double>, double>);
+static_assert(ForceLayout<Pairs<float>, float> && ForceLayout<Pairs<double>, double>);
+static_assert(ForceLayout<NearPairs<float>, float> && ForceLayout<NearPairs<double>, double>);
 
 }  // namespace steplab

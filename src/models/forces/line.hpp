@@ -4,6 +4,7 @@
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
+#include "core/force_layout.hpp"
 #include "core/lanes.hpp"
 #include "core/stages.hpp"
 #include "core/sum.hpp"
@@ -30,6 +31,12 @@ class Line {
     static constexpr std::size_t ahead = 3;
 
 public:
+    static constexpr ForceCapabilities capabilities{.sweeps = true,
+                                                    .sweeps_in_registers = true,
+                                                    .sweeps_in_turn = HasLanes<T>,
+                                                    .along_x = true,
+                                                    .bounds_energy = HasLanes<T>};
+
     explicit Line(const LineForces& forces)
         : forces_(forces),
           first_moving_(forces.first_fixed ? 1 : 0),
@@ -52,7 +59,6 @@ public:
 
     void accelerations(const Field<T>& u, Field<T>& a) const { accelerate<3>(u, a); }
 
-    static constexpr bool sweeps_along_x = true;
     /// The same where all particles move along x alone; where numbers have lanes, no other component of `a` is set.
     void accelerations_along_x(const Field<T>& u, Field<T>& a) const { accelerate<1>(u, a); }
 
@@ -132,7 +138,6 @@ public:
         (std::make_index_sequence<Registers>{});
     }
 
-    static constexpr bool sweeps_in_turn = true;
     /// A whole sweep, particle after particle, where numbers have lanes. It computes two springs ahead: the processor
     /// begins a root and a division while it waits for those of the springs before.
     template <class Positions, class Sink>

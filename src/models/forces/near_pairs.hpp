@@ -2,6 +2,7 @@
 
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
+#include "core/force_layout.hpp"
 #include "core/stages.hpp"
 #include "models/forces/forces.hpp"
 #include "models/forces/interactions.hpp"
@@ -30,6 +31,8 @@ class NearPairs {
     static constexpr bool by_clusters = std::is_same_v<T, float> || std::is_same_v<T, double>;
 
 public:
+    static constexpr ForceCapabilities capabilities{.hands_out = by_clusters, .history = by_clusters, .periodic = true};
+
     explicit NearPairs(const NearPairForces& forces)
         : NearPairs(forces, by_clusters ? std::make_shared<Team>(forces.threads) : nullptr) {}
 
@@ -69,15 +72,11 @@ public:
 
     /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does,
     /// and it is made again, as there is room for one only.
-    void uncounted_accelerations(const Field<T>& u, Field<T>& a) {
-        if constexpr (by_clusters) {
-            if (!sums_.holds_at(u)) {
-                const Field<T> made_at = sums_.made_at();
-                accelerations(u, a);
-                return sums_.make_at(made_at);
-            }
-        }
+    void uncounted_accelerations(const Field<T>& u, Field<T>& a) requires(by_clusters) {
+        if (sums_.holds_at(u)) return accelerations(u, a);
+        const Field<T> made_at = sums_.made_at();
         accelerations(u, a);
+        sums_.make_at(made_at);
     }
 
     /// Where the list of clusters was made, empty before the first evaluation: with the positions, all that

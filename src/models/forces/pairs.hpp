@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/force_layout.hpp"
 #include "core/stages.hpp"
 #include "models/forces/forces.hpp"
 #include "models/forces/interactions.hpp"
@@ -65,6 +66,8 @@ private:
 template <class T>
 class Pairs {
 public:
+    static constexpr ForceCapabilities capabilities{};
+
     explicit Pairs(const PairForces& forces)
         : forces_(forces), count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/force_layout.hpp"
 #include "models/forces/forces.hpp"
 
 #include <vector>
@@ -14,6 +15,8 @@ namespace steplab {
 template <class T>
 class Plain {
 public:
+    static constexpr ForceCapabilities capabilities{};
+
     explicit Plain(const Forces& forces);
 
     /// `positions` are absolute.

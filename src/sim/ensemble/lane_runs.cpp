@@ -52,7 +52,7 @@ public:
 
     void run(const StepsDone& done) {
         while (const std::size_t open = still_open()) {
-            const std::uint64_t next = next_look();
+            const std::uint64_t next = next_measurement();
             group_.advance(next - step_);
             done((next - step_) * open);
             step_ = next;
@@ -67,7 +67,7 @@ private:
     }
 
     /// The next step at which a run ends, a row is due or the energy is to be judged.
-    std::uint64_t next_look() const {
+    std::uint64_t next_measurement() const {
         std::uint64_t next = step_ - step_ % steps_between_checks + steps_between_checks;
         next = std::min(next, step_ - step_ % every_ + every_);
         for (std::size_t run = 0; run < group_.runs(); ++run) {

@@ -6,7 +6,7 @@
 #include "models/forces/layouts.hpp"
 #include "sim/ensemble/ensemble_stepper.hpp"
 #include "sim/ensemble/lanes_of_runs.hpp"
-#include "sim/steppers/method_traits.hpp"
+#include "sim/steppers/method_check.hpp"
 #include "sim/steppers/stepper_of.hpp"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ public:
     }
 
     double energy_bound(std::size_t run) const override {
-        if constexpr (requires { system_.force().elastic_bound(seen_.displacement); }) {
+        if constexpr (Force<N>::capabilities.bounds_energy) {
             if (!bound_known_) bound_ = kinetic(seen().velocity) + system_.force().elastic_bound(seen().displacement);
             bound_known_ = true;
             return static_cast<double>(bound_[run]);
@@ -89,7 +89,7 @@ private:
 
     void start(const std::vector<State<T>>& states) {
         State<N> all = state_in_lanes(states);
-        if constexpr (SweepingAlongX<Force<N>>) system_.axes(moving_axes(system_, all));
+        system_.axes(axes_of_steps(system_.force(), all));
         integrator_.start(system_, std::move(all));
     }
 
@@ -170,10 +170,6 @@ struct RungeKuttaMethod {
     template <class N>
     using Integrator = RungeKuttaSteps<N>;
 };
-template <class Method, class N>
-inline constexpr bool is_runge_kutta = requires {
-    Method::template Integrator<N>::stages_of_steps();
-};
 // runge_kutta_steps.cpp
 extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKuttaMethod, float>(
     std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<float>>&);
@@ -184,8 +180,8 @@ extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKut
 template <class Method, class N>
 bool is_too_long(const Scene& scene) {
     constexpr std::size_t longest = 64;
-    return is_runge_kutta<Method, N> && std::holds_alternative<LineForces>(scene.forces) &&
-           scene.reference.count > longest;
+    return Method::template Integrator<N>::capabilities.forcing == Forcing::runge_kutta &&
+           std::holds_alternative<LineForces>(scene.forces) && scene.reference.count > longest;
 }
 
 /// As many of the runs as have room; none if most lanes stayed empty, or if they are faster alone.
@@ -196,10 +192,10 @@ std::unique_ptr<EnsembleStepper> make_lane_stepper_in(std::span<const StepperSet
     if (2 * runs.size() < N::count || is_too_long<Method, N>(runs.front().scene)) return nullptr;
     using Integrator = typename Method::template Integrator<N>;
     const ParameterValues& parameters = runs.front().parameters;
-    if constexpr (is_runge_kutta<Method, N>) {
+    if constexpr (Integrator::capabilities.forcing == Forcing::runge_kutta) {
         return make_lane_stepper_with<RungeKuttaMethod, T>(
             runs, RungeKuttaSteps<N>(Integrator::stages_of_steps(), parameters));
-    } else if constexpr (is_kick_drift<Method, N>) {
+    } else if constexpr (Integrator::capabilities.forcing == Forcing::kick_drift) {
         const Integrator integrator(parameters);
         return make_lane_stepper_with<KickDriftMethod, T>(
             runs, kick_drift_steps(integrator, dt_in_lanes<T>(runs), drag_in_lanes<T>(runs)));

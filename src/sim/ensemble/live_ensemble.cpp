@@ -219,7 +219,7 @@ std::size_t LiveEnsemble::in_lanes() const {
                            [](std::size_t sum, const Batch& batch) { return sum + (batch.lanes ? batch.count : 0); });
 }
 
-EnsembleSpread LiveEnsemble::look(Frame& run) {
+EnsembleSpread LiveEnsemble::observe(Frame& run) {
     const FlushSubnormals flush;
     const std::size_t particles = run.positions.size();
     constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();

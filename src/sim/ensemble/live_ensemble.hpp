@@ -60,7 +60,7 @@ public:
     std::size_t in_lanes() const;
 
     /// Puts the particles of all of them beside those of the run, which stands at the same step.
-    EnsembleSpread look(Frame& run);
+    EnsembleSpread observe(Frame& run);
 
 private:
     struct Member {

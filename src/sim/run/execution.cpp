@@ -41,7 +41,8 @@ Instructions instructions_for(const Method& method, const Scene& scene, const Ex
     const Instructions fastest = instructions_of(execution);
     if (execution.instructions || fastest != Instructions::avx512) return fastest;
     if (!wide_divisions_take_longer() || !has_few_springs(scene) || !method.runs_in_lanes(fastest)) return fastest;
-    return instructions_here()[instructions_here().size() - 2];
+    const auto here = instructions_here();
+    return here.size() > 1 ? here[here.size() - 2] : fastest;
 }
 
 }  // namespace steplab

@@ -75,7 +75,7 @@ double bytes_per_particle(const RunDescription& description) {
     const double shown = seen + frame + shape;
     const bool own_steps = description.method_parameters.contains("tolerance");
     if (entry.info.curiosity) return 8 * vector + 4 * 3 * 8.0 + 2 * seen + shown;  // it lists its springs
-    if (!own_steps && !entry.bytes_of_interactions) {
+    if (!own_steps && !entry.info.bytes_of_interactions) {
         // position and velocity, what a stage of Runge-Kutta methods adds, what rounding cuts off, a state to come back
         // to
         const double fields = 2 + (entry.info.evaluations > 1 ? 4 : 0) + 2 + 4;
@@ -97,11 +97,12 @@ double bytes_of_interactions(const RunDescription& description, const Scene& sce
     const Method& entry = method(description.method);
     const auto* const near = std::get_if<NearPairForces>(&scene.forces);
     const double lists = near ? bytes_of_lists(*near, scene) : 0;
-    if (!entry.bytes_of_interactions) return lists;
-    return lists +
-           std::visit(
-               [&](const auto& forces) { return entry.bytes_of_interactions(coupling(forces), pairs(forces, scene)); },
-               scene.forces);
+    if (!entry.info.bytes_of_interactions) return lists;
+    return lists + std::visit(
+                       [&](const auto& forces) {
+                           return entry.info.bytes_of_interactions(coupling(forces), pairs(forces, scene));
+                       },
+                       scene.forces);
 }
 
 }  // namespace steplab

@@ -52,11 +52,11 @@ void check_memory(const RunDescription& description, double needed_for_interacti
 void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
     const bool lists = description.scene.contains("cutoff") && description.scene["cutoff"] > 0;
-    if (!entry.refusal && !lists) return;
+    if (!entry.info.refusal && !lists) return;
     const Scene scene = model(description.model).scene(description.scene);
     const auto refused = std::visit(
         [&](const auto& forces) {
-            return entry.refusal ? entry.refusal(coupling(forces)) : std::optional<std::string>();
+            return entry.info.refusal ? entry.info.refusal(coupling(forces)) : std::optional<std::string>();
         },
         scene.forces);
     if (refused) throw UsageError(fmt::format("{} cannot run this scene: {}", description.method, *refused));

@@ -15,9 +15,9 @@ Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_
 
 }  // namespace
 
-void emit(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
+void observe(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
     view.description = simulation.description();
-    view.diagnostics = simulation.emit(view.frame);
+    view.diagnostics = simulation.observe(view.frame);
     view.tracked.reset();
     if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
     view.divergence = simulation.divergence();
@@ -38,7 +38,7 @@ std::size_t first_followed(const Shape& shape) {
 
 RunView view_of(const Simulation& simulation, std::optional<std::size_t> particle) {
     RunView view;
-    emit(simulation, particle, view);
+    observe(simulation, particle, view);
     return view;
 }
 

@@ -51,7 +51,7 @@ struct RunView {
 };
 
 /// Fills in everything of `view` that the simulation knows, reusing its memory; `particle` is the one to track.
-void emit(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view);
+void observe(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view);
 
 /// The particle to track until another one is picked: the kicked one, else the bullet, else the last.
 std::size_t first_followed(const Shape& shape);

@@ -119,7 +119,7 @@ Diagnostics Simulation::diagnostics() const {
     return measured([](const Portion&) {});
 }
 
-Diagnostics Simulation::emit(Frame& out) const {
+Diagnostics Simulation::observe(Frame& out) const {
     settled();
     prepare(out);
     return measured([&](const Portion& portion) { fill(out, portion); });

@@ -73,7 +73,7 @@ public:
     void frame(Frame& out) const;
     Diagnostics diagnostics() const;
     /// Both, in one pass over the run's memory.
-    Diagnostics emit(Frame& out) const;
+    Diagnostics observe(Frame& out) const;
     /// Those two of them that cost least.
     double energy() const;
     double energy_error() const;

@@ -103,12 +103,12 @@ bool Worker::Body::affordable() const {
 
 /// Makes `view` one of the present moment.
 void Worker::Body::see() {
-    emit(simulation, tracked, view);
+    observe(simulation, tracked, view);
     if (view.divergence) playing = false;
     view.playing = playing;
     view.ensemble = ensemble;
     view.ensemble_spread = {.step = live_ensemble ? live_ensemble->step() : 0};
-    if (live_ensemble && !ensemble_is_behind()) view.ensemble_spread = live_ensemble->emit(view.frame);
+    if (live_ensemble && !ensemble_is_behind()) view.ensemble_spread = live_ensemble->observe(view.frame);
     view.can_step_back = history.reaches_before(simulation.step());
     view.rate = rate;
     view.run = run;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "core/elementwise.hpp"
+#include "methods/engines/integrator.hpp"
 #include "methods/engines/kick_drift.hpp"
 #include "methods/engines/moving_axes.hpp"
 #include "methods/engines/system.hpp"
 #include "models/forces/layouts.hpp"
 #include "models/forces/plain.hpp"
+#include "sim/steppers/erased_forces.hpp"
 #include "sim/steppers/stepper.hpp"
 
 #include <algorithm>
@@ -18,35 +20,18 @@
 
 namespace steplab {
 
-/// True for methods that work on absolute positions with the plain force loop.
-template <class Method>
-inline constexpr bool is_plain = requires {
-    Method::plain;
-};
-
 /// What of an integrator's internal state is no field.
-template <class Integrator>
-inline constexpr bool has_progress = requires(const Integrator& integrator) {
-    integrator.progress();
-};
 template <class Integrator>
 struct ProgressType {
     struct None {};
     using Type = None;
 };
 template <class Integrator>
-requires has_progress<Integrator>
-struct ProgressType<Integrator> {
+requires(Integrator::capabilities.progress) struct ProgressType<Integrator> {
     using Type = typename Integrator::Progress;
 };
 template <class Integrator>
 using ProgressOf = typename ProgressType<Integrator>::Type;
-
-/// Methods that find collisions where a force jumps and record them.
-template <class Integrator>
-inline constexpr bool has_collisions = requires(const Integrator& integrator) {
-    integrator.collisions();
-};
 
 /// A method in one precision on one layout of forces.
 template <class Method, class T, class Force>
@@ -57,17 +42,17 @@ public:
           integrator_(std::move(integrator)) {
         State<T> state = setup.start.state<T>();
         particles_ = state.displacement.count();
-        if constexpr (is_plain<Method>) {
+        if constexpr (on_positions) {
             reference_ = Field<T>(particles_);
             for (std::size_t i = 0; i < particles_; ++i) reference_.set(i, setup.scene.reference.at(i));
             add_reference(state.displacement, T(1));
         }
-        if constexpr (SweepingAlongX<Force>) system_.axes(moving_axes(system_, state));
+        system_.axes(axes_of_steps(system_.force(), state));
         integrator_.start(system_, std::move(state));
     }
 
     void advance(std::uint64_t steps) override {
-        if constexpr (requires { integrator_.advance(system_, steps); }) {
+        if constexpr (Integrator::capabilities.advances) {
             integrator_.advance(system_, steps);
         } else {
             for (std::uint64_t i = 0; i < steps; ++i) integrator_.step(system_);
@@ -87,7 +72,7 @@ public:
             show_in_portions(sink);
         } else {
             integrator_.synchronised(system_, seen_);
-            if constexpr (is_plain<Method>) add_reference(seen_.displacement, T(-1));
+            if constexpr (on_positions) add_reference(seen_.displacement, T(-1));
             show(sink, 0, particles_);
         }
     }
@@ -95,7 +80,7 @@ public:
     std::uint64_t evaluations() const override { return system_.evaluations(); }
 
     CollisionRecord collisions() const override {
-        if constexpr (has_collisions<Integrator>) {
+        if constexpr (Integrator::capabilities.collisions) {
             return integrator_.collisions();
         } else {
             return {};
@@ -111,7 +96,7 @@ public:
             saved.parts[count++] = part;
         });
         saved.progress = progress();
-        if constexpr (has_history) saved.history = system_.force().history();
+        if constexpr (Force::capabilities.history) saved.history = system_.force().history();
         saved.axes = system_.axes();
         saved.evaluations = system_.evaluations();
     }
@@ -120,8 +105,8 @@ public:
         const Saved& saved = std::any_cast<const Saved&>(state);
         auto part = saved.parts.begin();
         Integrator::each_part(integrator_, [&](Field<T>& mine) { mine = *part++; });
-        if constexpr (has_progress<Integrator>) integrator_.progress(saved.progress);
-        if constexpr (has_history) system_.force().history(saved.history);
+        if constexpr (Integrator::capabilities.progress) integrator_.progress(saved.progress);
+        if constexpr (Force::capabilities.history) system_.force().history(saved.history);
         system_.axes(saved.axes);
         system_.evaluations(saved.evaluations);
     }
@@ -129,12 +114,12 @@ public:
     std::size_t bytes() const override {
         std::size_t sum = 0;
         Integrator::each_part(integrator_, [&](const Field<T>& part) { sum += part.flat().size_bytes(); });
-        if constexpr (has_history) sum += system_.force().history().flat().size_bytes();
+        if constexpr (Force::capabilities.history) sum += system_.force().history().flat().size_bytes();
         return sum;
     }
 
     std::optional<std::size_t> reach() const override {
-        if constexpr (requires { integrator_.reach(); }) {
+        if constexpr (Integrator::capabilities.reach) {
             return integrator_.reach();
         } else {
             return std::nullopt;
@@ -158,13 +143,10 @@ private:
     using Integrator = typename Method::template Integrator<T>;
     using Vec = Vector<Lanes<T>>;
 
-    /// Forces whose last bits hang on the way of the run.
-    static constexpr bool has_history = requires(const Force& force) { force.history(); };
+    /// Methods that work on absolute positions with the plain force loop.
+    static constexpr bool on_positions = Integrator::capabilities.forcing == Forcing::plain;
 
-    static constexpr bool shows_registers =
-        !is_plain<Method> && requires(const Integrator& integrator, const System<T, Force>& system) {
-        integrator.emit(system, [](std::size_t, const Vec&, const Vec&) {});
-    };
+    static constexpr bool shows_registers = Integrator::capabilities.emits && !on_positions;
 
     /// Particles of a portion: a multiple of every register's.
     static constexpr std::size_t portion = 1024;
@@ -202,7 +184,7 @@ private:
     };
 
     ProgressOf<Integrator> progress() const {
-        if constexpr (has_progress<Integrator>) {
+        if constexpr (Integrator::capabilities.progress) {
             return integrator_.progress();
         } else {
             return {};
@@ -232,13 +214,19 @@ struct KickDriftMethod {
     template <class T>
     using Integrator = KickDriftSteps<T>;
 };
-template <class Method, class T>
-inline constexpr bool is_kick_drift = std::is_base_of_v<KickDriftSteps<T>, typename Method::template Integrator<T>>;
 
-/// The integrator as those of all such methods are.
+/// The integrator as those of all methods of kicks and drifts are.
 template <class Integrator, class T>
 KickDriftSteps<T> kick_drift_steps(const Integrator& integrator, const T& dt, const T& drag) {
     return {integrator.step_of(dt, drag), integrator.compensated()};
+}
+
+/// On any layout of forces.
+template <class Method, class T>
+std::unique_ptr<Stepper> make_erased_stepper(const StepperSetup& setup,
+                                             typename Method::template Integrator<T> integrator) {
+    return std::make_unique<StepperOf<Method, T, ErasedForce<T>>>(setup, erased_force<T>(setup.scene.forces),
+                                                                  std::move(integrator));
 }
 
 /// Chooses at the border what is static inside: the layout of forces.
@@ -252,6 +240,22 @@ std::unique_ptr<Stepper> make_stepper_with(const StepperSetup& setup,
         },
         setup.scene.forces);
 }
+
+/// The same where only layouts that sweep are known; the others are behind one face.
+template <class Method, class T>
+std::unique_ptr<Stepper> make_sweeping_stepper(const StepperSetup& setup,
+                                               typename Method::template Integrator<T> integrator) {
+    return std::visit(
+        [&](const auto& forces) -> std::unique_ptr<Stepper> {
+            using Force = decltype(engine<T>(forces));
+            if constexpr (Force::capabilities.sweeps) {
+                return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces), std::move(integrator));
+            } else {
+                return make_erased_stepper<Method, T>(setup, std::move(integrator));
+            }
+        },
+        setup.scene.forces);
+}
 // kick_drift_steps.cpp
 extern template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, float>(const StepperSetup&,
                                                                                    KickDriftSteps<float>);
@@ -260,15 +264,19 @@ extern template std::unique_ptr<Stepper> make_stepper_with<KickDriftMethod, doub
 
 template <class Method, class T>
 std::unique_ptr<Stepper> make_stepper_in(const StepperSetup& setup) {
-    typename Method::template Integrator<T> integrator(setup.parameters);
-    if constexpr (is_plain<Method>) {
+    using Integrator = typename Method::template Integrator<T>;
+    constexpr Forcing forcing = Integrator::capabilities.forcing;
+    Integrator integrator(setup.parameters);
+    if constexpr (forcing == Forcing::plain) {
         return std::make_unique<StepperOf<Method, T, Plain<T>>>(setup, Plain<T>(setup.scene.forces),
                                                                 std::move(integrator));
-    } else if constexpr (is_kick_drift<Method, T>) {
+    } else if constexpr (forcing == Forcing::kick_drift) {
         return make_stepper_with<KickDriftMethod, T>(
             setup, kick_drift_steps(integrator, static_cast<T>(setup.dt), static_cast<T>(setup.scene.drag)));
+    } else if constexpr (forcing == Forcing::runge_kutta) {
+        return make_sweeping_stepper<Method, T>(setup, std::move(integrator));
     } else {
-        return make_stepper_with<Method, T>(setup, std::move(integrator));
+        return make_erased_stepper<Method, T>(setup, std::move(integrator));
     }
 }
 

@@ -49,15 +49,15 @@ struct Flock {
         run.pull(particle, position);
         for (Simulation& simulation : alone) simulation.pull(particle, position);
     }
-    EnsembleSpread look(Frame& frame) {
+    EnsembleSpread observe(Frame& frame) {
         EXPECT_TRUE(live_ensemble.go_to(run.step(), segments));
         EXPECT_TRUE(live_ensemble.are_at(run.step(), segments));
         run.frame(frame);
-        return live_ensemble.look(frame);
+        return live_ensemble.observe(frame);
     }
     void expect_the_bits_of_runs_alone() {
         Frame frame;
-        look(frame);
+        observe(frame);
         for (std::size_t i = 0; i < ensemble.runs; ++i) {
             const auto begin = frame.ensemble.begin() + static_cast<std::ptrdiff_t>(i * run.particles());
             const std::vector<Vec3> places(begin, begin + static_cast<std::ptrdiff_t>(run.particles()));
@@ -107,13 +107,13 @@ TEST_P(LiveEnsembleOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
         flock.change(description);
         flock.advance(some);
         Frame before, again;
-        flock.look(before);
+        flock.observe(before);
         flock.advance(some);
         flock.expect_the_bits_of_runs_alone();
         // A step back within the segment, and one into the segment before.
         flock.run.frame(again);
         flock.live_ensemble.go_to(2 * some, flock.segments);
-        flock.live_ensemble.look(again);
+        flock.live_ensemble.observe(again);
         EXPECT_EQ(again.ensemble, before.ensemble);
         flock.live_ensemble.go_to(some / 2, flock.segments);
         flock.expect_the_bits_of_runs_alone();
@@ -160,12 +160,12 @@ TEST(LiveEnsemble, go_back_within_a_segment_and_beyond_it) {
     flock.change(with_method(description, "euler"));
     flock.advance(50);
     Frame after, again;
-    flock.look(after);
+    flock.observe(after);
     flock.live_ensemble.go_to(120, flock.segments);
     EXPECT_EQ(flock.live_ensemble.step(), 120u);
     flock.live_ensemble.go_to(30, flock.segments);
     EXPECT_EQ(flock.live_ensemble.step(), 30u);
-    flock.look(again);
+    flock.observe(again);
     EXPECT_EQ(again.ensemble, after.ensemble);
 }
 
@@ -244,7 +244,7 @@ TEST(LiveEnsemble, that_do_not_differ_stay_where_the_run_is) {
             Flock flock(test::run_of("morse", method, precision, 0.01), {.runs = count, .width = 0});
             flock.advance(1000);
             Frame frame;
-            const EnsembleSpread reading = flock.look(frame);
+            const EnsembleSpread reading = flock.observe(frame);
             EXPECT_EQ(reading.largest, 0);
             EXPECT_EQ(reading.root_mean_square, 0);
             for (std::size_t i = 0; i < frame.ensemble.size(); ++i)
@@ -252,7 +252,7 @@ TEST(LiveEnsemble, that_do_not_differ_stay_where_the_run_is) {
             // The check above can fail: the least difference shows.
             Flock other(test::run_of("morse", method, precision, 0.01), {.runs = count, .width = 1e-6});
             other.advance(1000);
-            EXPECT_GT(other.look(frame).root_mean_square, 0);
+            EXPECT_GT(other.observe(frame).root_mean_square, 0);
         }
     }
 }
@@ -262,9 +262,9 @@ double growth(const RunDescription& description, double first, double end) {
     Flock flock(description, {.runs = 16, .spread = "v0", .width = 1e-6});
     Frame frame;
     flock.run.advance(steps_until(first, description.dt));
-    const double early = flock.look(frame).root_mean_square;
+    const double early = flock.observe(frame).root_mean_square;
     flock.run.advance(steps_until(end - first, description.dt));
-    return flock.look(frame).root_mean_square / early;
+    return flock.observe(frame).root_mean_square / early;
 }
 
 TEST(LiveEnsemble, swell_in_chaos_alone) {
@@ -283,7 +283,7 @@ TEST(LiveEnsemble, that_are_lost_are_left_out) {
         flock.run.advance(20000);
         ASSERT_FALSE(flock.run.divergence());
         Frame frame;
-        const EnsembleSpread reading = flock.look(frame);
+        const EnsembleSpread reading = flock.observe(frame);
         EXPECT_GT(reading.lost, 0u);
         EXPECT_LT(reading.lost, 8u);
         EXPECT_TRUE(std::isfinite(reading.largest));
@@ -291,7 +291,7 @@ TEST(LiveEnsemble, that_are_lost_are_left_out) {
         EXPECT_TRUE(std::isfinite(frame.ensemble.front().x));
         // They stay lost in a segment that begins after it.
         flock.change(with_method(description, "euler"));
-        EXPECT_EQ(flock.look(frame).lost, reading.lost);
+        EXPECT_EQ(flock.observe(frame).lost, reading.lost);
         EXPECT_TRUE(std::isnan(frame.ensemble.back().x));
     }
 }

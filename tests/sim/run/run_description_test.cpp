@@ -124,7 +124,7 @@ TEST(Memory, estimated_is_what_a_run_takes) {
 
 TEST(Memory, estimated_counts_what_is_held_for_interactions) {
     for (const Method& method : methods()) {
-        if (!method.bytes_of_interactions) continue;
+        if (!method.info.bytes_of_interactions) continue;
         expect_estimate_holds(scene_of(describe("mesh", method.info.id), {{"dim", 60}}));
         expect_estimate_holds(scene_of(describe("morse", method.info.id), {{"edge", 5}}));
         if (method.info.id == "taylor") continue;  // refuses so many particles with a cut-off

@@ -187,7 +187,7 @@ EnsembleSpread reading_after(const RunDescription& description, const LiveEnsemb
     });
     live_ensemble.go_to(steps, segments);
     Frame frame = simulation.frame();
-    return live_ensemble.look(frame);
+    return live_ensemble.observe(frame);
 }
 
 TEST_F(WorkerTest, has_a_ensemble_only_when_asked_for_one) {

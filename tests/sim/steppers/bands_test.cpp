@@ -111,11 +111,11 @@ TEST(LargeBands, look_as_one_thread_does) {
             Simulation one(run, by_threads(1));
             one.advance(30);
             Frame expected, frame;
-            const Diagnostics right = one.look(expected);
+            const Diagnostics right = one.observe(expected);
             for (const std::size_t threads : {2U, 3U, 5U, 11U}) {
                 Simulation several(run, by_threads(threads));
                 several.advance(30);
-                const Diagnostics found = several.look(frame);
+                const Diagnostics found = several.observe(frame);
                 EXPECT_EQ(frame.positions, expected.positions) << run.model << " by " << threads;
                 EXPECT_EQ(frame.velocities, expected.velocities);
                 EXPECT_EQ(found.energy, right.energy);
@@ -176,11 +176,11 @@ TEST(LargeBands, look_one_after_the_other_in_one_part) {
     const auto one = chain_in_bands(scene, "euler", 1), several = chain_in_bands(scene, "euler", 5);
     ASSERT_EQ(several->parts(), 5u);
     EnergyMeter meter(scene, fastest_instructions());
-    const Energy right = meter.energy([&](const PortionSink& sink) { one->look(sink); });
-    const Energy found = meter.energy([&](const PortionSink& sink) { several->look(sink); });
+    const Energy right = meter.energy([&](const PortionSink& sink) { one->emit(sink); });
+    const Energy found = meter.energy([&](const PortionSink& sink) { several->emit(sink); });
     EXPECT_EQ(found.kinetic, right.kinetic);
     EXPECT_EQ(found.total(), right.total());
-    several->look([](const Portion& portion) { EXPECT_EQ(portion.part, 0u); });
+    several->emit([](const Portion& portion) { EXPECT_EQ(portion.part, 0u); });
 }
 
 // The steps of one method reach further than those of the other, so it has fewer bands.

@@ -1,0 +1,139 @@
+#pragma once
+
+#include "core/coupling.hpp"
+#include "core/field.hpp"
+#include "core/vector.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+namespace steplab {
+
+/// What a layout of forces has beyond what every layout must have. Each names the members that come with it;
+/// ForceLayout holds only where exactly the capabilities whose members are there are declared.
+struct ForceCapabilities {
+    /// `Sweep`, registers_ahead(), sweeps_together, registers_a_turn, bytes_alone: accelerations register by register,
+    /// of positions that are read once (methods/engines/sweeps.hpp).
+    bool sweeps = false;
+    /// sweep<Registers>(positions, sink), most_registers: whole sweeps over so few particles that they stay in
+    /// registers.
+    bool sweeps_in_registers = false;
+    /// sweep_in_turn(positions, sink): whole sweeps particle by particle, for numbers that have SIMD lanes.
+    bool sweeps_in_turn = false;
+    /// accelerations_along_x(u, a), and sweeps of positions whose `axes` is 1: where all motion is along x.
+    bool along_x = false;
+    /// each_acceleration(u, sink): accelerations of all particles, handed out by several threads. A sink touches its
+    /// register alone and does not throw.
+    bool hands_out = false;
+    /// history(), history(made_at), uncounted_accelerations(u, a): rounding depends on the course of the run, too.
+    bool history = false;
+    /// difference(u, i, j): u_j - u_i to the nearest image, where space is periodic.
+    bool periodic = false;
+    /// elastic_bound(u): no less than the elastic energy over a particle's mass.
+    bool bounds_energy = false;
+};
+
+namespace detail {
+
+// The members of each capability.
+
+template <class Force>
+concept HasSweeps = requires(const Force& force) {
+    typename Force::Sweep;
+    { force.registers_ahead() } -> std::convertible_to<std::size_t>;
+    { Force::sweeps_together } -> std::convertible_to<std::size_t>;
+    { Force::registers_a_turn } -> std::convertible_to<std::size_t>;
+    { Force::bytes_alone } -> std::convertible_to<std::size_t>;
+};
+
+template <class Force>
+concept HasMostRegisters = requires {
+    { Force::most_registers } -> std::convertible_to<std::size_t>;
+};
+
+/// Positions and a sink that fit every sweep, to ask for its signature.
+struct AnyPositions {};
+struct AnySink {
+    template <class A>
+    void operator()(std::size_t, const A&) const {}
+};
+
+template <class Force>
+concept HasSweepInTurn = requires(const Force& force) {
+    force.sweep_in_turn(AnyPositions{}, AnySink{});
+};
+
+template <class Force, class T>
+concept HasAlongX = requires(Force& force, const Field<T>& u, Field<T>& a) {
+    force.accelerations_along_x(u, a);
+};
+
+template <class Force, class T>
+concept HasEachAcceleration = requires(Force& force, const Field<T>& u) {
+    force.each_acceleration(u, AnySink{});
+};
+
+template <class Force, class T>
+concept HasHistory = requires(Force& force, const Force& same, const Field<T>& u, Field<T>& a) {
+    { same.history() } -> std::same_as<const Field<T>&>;
+    force.history(u);
+    force.uncounted_accelerations(u, a);
+};
+
+template <class Force, class T>
+concept HasDifference = requires(const Force& force, const Field<T>& u) {
+    { force.difference(u, 0, 0) } -> std::same_as<Vector<T>>;
+};
+
+template <class Force, class T>
+concept HasElasticBound = requires(const Force& force, const Field<T>& u) {
+    { force.elastic_bound(u) } -> std::same_as<T>;
+};
+
+/// A visitor of interactions: (i, j, kind) and (i, j).
+struct AnyVisitor {
+    void operator()(std::size_t, std::size_t, std::size_t) const {}
+    void operator()(std::uint32_t, std::uint32_t) const {}
+};
+
+}  // namespace detail
+
+/// Forces that a method computes with: their accelerations, and which further members there are.
+template <class Force, class T>
+concept ForceEngine = requires(Force& force, const Field<T>& u, Field<T>& a) {
+    { Force::capabilities } -> std::convertible_to<ForceCapabilities>;
+    force.accelerations(u, a);
+};
+
+/// A layout of forces in number type T (models/forces/layouts.hpp). It describes what its forces are made of, for
+/// methods that need more than their sum:
+///   coupling()                    which particles act on which
+///   formulas()                    the kinds of interaction: each computes from e = u_j - u_i, in any number type, the
+///                                 acceleration of i; that of j is its opposite
+///   each_interaction(u, f)        f(i, j, kind) once for every pair that interacts at the displacements u, kind after
+///                                 kind, always in the same order
+///   external(i)                   the acceleration that no other particle causes
+///   moves(i)                      false for fixed particles
+///   passing_pairs(from, to, f)    f(i, j) for pairs that pass each other between two positions, where forces jump
+///   separation(u, i, j)           the vector from particle i to particle j
+/// and declares its capabilities, exactly.
+template <class Force, class T>
+concept ForceLayout = ForceEngine<Force, T> && requires(Force& force, const Force& same, const Field<T>& u) {
+    { same.coupling() } -> std::same_as<Coupling>;
+    same.formulas();
+    force.each_interaction(u, detail::AnyVisitor());
+    { same.external(0) } -> std::same_as<Vector<T>>;
+    { same.moves(0) } -> std::same_as<bool>;
+    force.passing_pairs(u, u, detail::AnyVisitor());
+    { same.separation(u, 0, 0) } -> std::same_as<Vector<T>>;
+} && Force::capabilities.sweeps == detail::HasSweeps<Force>&& Force::capabilities.sweeps_in_registers ==
+    detail::HasMostRegisters<Force>&& Force::capabilities.sweeps_in_turn ==
+    detail::HasSweepInTurn<Force>&& Force::capabilities.along_x ==
+    detail::HasAlongX<Force, T>&& Force::capabilities.hands_out ==
+    detail::HasEachAcceleration<Force, T>&& Force::capabilities.history ==
+    detail::HasHistory<Force, T>&& Force::capabilities.periodic ==
+    detail::HasDifference<Force, T>&& Force::capabilities.bounds_energy == detail::HasElasticBound<Force, T>;
+
+}  // namespace steplab

@@ -1,0 +1,135 @@
+#pragma once
+
+#include "core/block.hpp"
+#include "core/coupling.hpp"
+#include "core/field.hpp"
+#include "core/force_layout.hpp"
+#include "core/lanes.hpp"
+#include "core/polymorphic.hpp"
+#include "core/stages.hpp"
+#include "core/vector.hpp"
+#include "methods/engines/moving_axes.hpp"
+#include "methods/engines/series_forces.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace steplab {
+
+/// Accelerations at all stages of a step at once, whatever the layout of forces.
+template <class T>
+class ErasedStageForce {
+public:
+    class Face {
+    public:
+        virtual ~Face() = default;
+        virtual std::unique_ptr<Face> copy() const = 0;
+        virtual void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a) = 0;
+        virtual void accelerations_along_x(const Field<Stages<T>>& x, Field<Stages<T>>& a) = 0;
+    };
+
+    static constexpr ForceCapabilities capabilities{.along_x = true};
+
+    explicit ErasedStageForce(std::unique_ptr<Face> face) : face_(std::move(face)) {}
+
+    void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a) { face_->accelerations(x, a); }
+    void accelerations_along_x(const Field<Stages<T>>& x, Field<Stages<T>>& a) { face_->accelerations_along_x(x, a); }
+
+private:
+    Polymorphic<Face> face_;
+};
+
+/// The forces of a scene whatever their layout, at the cost of a virtual call per evaluation: methods whose steps are
+/// long are compiled once on it instead of once for each layout. T is float or double.
+template <class T>
+class ErasedForce {
+public:
+    using PairVisitor = std::function<void(std::uint32_t, std::uint32_t)>;
+    using InteractionVisitor = std::function<void(std::size_t, std::size_t, std::size_t)>;
+    using RegisterVisitor = std::function<void(std::size_t, const Vector<Lanes<T>>&)>;
+    using BlockVisitor = std::function<void(std::size_t, std::size_t, const Block<T>&)>;
+
+    /// What a layout does here; the members are those of ForceLayout and ForceCapabilities.
+    class Face {
+    public:
+        virtual ~Face() = default;
+        virtual std::unique_ptr<Face> copy() const = 0;
+
+        virtual void accelerations(const Field<T>& x, Field<T>& a) = 0;
+        virtual void accelerations_along_x(const Field<T>& x, Field<T>& a) = 0;
+        virtual void uncounted_accelerations(const Field<T>& x, Field<T>& a) = 0;
+        virtual void each_acceleration(const Field<T>& x, const RegisterVisitor& f) = 0;
+        virtual std::unique_ptr<typename ErasedStageForce<T>::Face> at_stages() const = 0;
+
+        virtual Coupling coupling() const = 0;
+        virtual bool moves(std::size_t particle) const = 0;
+        virtual Vector<T> separation(const Field<T>& x, std::size_t i, std::size_t j) const = 0;
+        virtual void passing_pairs(const Field<T>& from, const Field<T>& to, const PairVisitor& f) = 0;
+        virtual void each_interaction(const Field<T>& x, const InteractionVisitor& f) = 0;
+        virtual void each_block(const Field<T>& x, const BlockVisitor& f) = 0;
+        virtual std::unique_ptr<SeriesForces<T>> series(const State<T>& state, std::size_t length) = 0;
+
+        virtual std::size_t moving_axes(const State<T>& state) const = 0;
+        virtual std::size_t axes_of_steps(const State<T>& state) const = 0;
+
+        /// Empty where the layout has none.
+        virtual const Field<T>& history() const = 0;
+        virtual void history(const Field<T>& made_at) = 0;
+    };
+
+    static constexpr ForceCapabilities capabilities{.along_x = true, .hands_out = true, .history = true};
+
+    explicit ErasedForce(std::unique_ptr<Face> face) : face_(std::move(face)) {}
+
+    void accelerations(const Field<T>& x, Field<T>& a) { face_->accelerations(x, a); }
+    void accelerations_along_x(const Field<T>& x, Field<T>& a) { face_->accelerations_along_x(x, a); }
+    void uncounted_accelerations(const Field<T>& x, Field<T>& a) { face_->uncounted_accelerations(x, a); }
+    template <class Sink>
+    void each_acceleration(const Field<T>& x, Sink sink) {
+        face_->each_acceleration(x, std::ref(sink));
+    }
+    template <class N>
+    requires std::is_same_v<N, Stages<T>> ErasedStageForce<T> in()
+    const { return ErasedStageForce<T>(face_->at_stages()); }
+
+    Coupling coupling() const { return face_->coupling(); }
+    bool moves(std::size_t particle) const { return face_->moves(particle); }
+    Vector<T> separation(const Field<T>& x, std::size_t i, std::size_t j) const { return face_->separation(x, i, j); }
+    template <class F>
+    void passing_pairs(const Field<T>& from, const Field<T>& to, F f) {
+        face_->passing_pairs(from, to, std::ref(f));
+    }
+    template <class F>
+    void each_interaction(const Field<T>& x, F f) {
+        face_->each_interaction(x, std::ref(f));
+    }
+
+    const Field<T>& history() const { return face_->history(); }
+    void history(const Field<T>& made_at) { face_->history(made_at); }
+
+    // What other layouts have as functions beside them.
+
+    template <class F>
+    friend void each_block(ErasedForce& force, const Field<T>& x, F f) {
+        force.face_->each_block(x, std::ref(f));
+    }
+    friend std::unique_ptr<SeriesForces<T>> series_forces(ErasedForce& force, const State<T>& state,
+                                                          std::size_t length) {
+        return force.face_->series(state, length);
+    }
+    friend std::size_t moving_axes(const ErasedForce& force, const State<T>& state) {
+        return force.face_->moving_axes(state);
+    }
+    friend std::size_t axes_of_steps(const ErasedForce& force, const State<T>& state) {
+        return force.face_->axes_of_steps(state);
+    }
+
+private:
+    Polymorphic<Face> face_;
+};
+
+}  // namespace steplab
