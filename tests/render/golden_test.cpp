@@ -31,7 +31,7 @@ Image read_png(const std::filesystem::path& file) {
 
 /// Other versions of Mesa and other processors round differently: outlines may gain or lose a sample, which changes a
 /// pixel by a quarter of its contrast. The text's pixels depend on the fonts that are installed, so it is left out.
-bool lane_compatible(const Image& a, const Image& b) {
+bool similar(const Image& a, const Image& b) {
     return a.size == b.size && test::differing_pixels(a, b, 24) < size.width * size.height / 1000;
 }
 
@@ -63,18 +63,18 @@ TEST_P(Golden, picture_is_as_it_was) {
         std::ofstream(golden_file(GetParam()), std::ios::binary)
             << encode_png(image.size.width, image.size.height, image.rgba);
     }
-    EXPECT_TRUE(lane_compatible(image, read_png(golden_file(GetParam()))));
+    EXPECT_TRUE(similar(image, read_png(golden_file(GetParam()))));
 }
 
 TEST_P(Golden, changed_picture_is_told_apart) {
     const Image golden = read_png(golden_file(GetParam()));
     Style other = style();
     other.background = Background::light;
-    EXPECT_FALSE(lane_compatible(draw_model(15, other), golden));
+    EXPECT_FALSE(similar(draw_model(15, other), golden));
     Style coloured = style();
     coloured.colouring = Colouring::role;
-    EXPECT_FALSE(lane_compatible(draw_model(15, coloured), golden));
-    EXPECT_FALSE(lane_compatible(draw_model(60, style()), golden));
+    EXPECT_FALSE(similar(draw_model(15, coloured), golden));
+    EXPECT_FALSE(similar(draw_model(60, style()), golden));
 }
 
 std::vector<std::string> model_ids() {

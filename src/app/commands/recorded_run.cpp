@@ -1,6 +1,7 @@
 #include "app/commands/recorded_run.hpp"
 
-#include "app/commands/pacer.hpp"
+#include "io/interruption.hpp"
+#include "sim/run/confirmed_steps.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -34,13 +35,16 @@ void describe(const Simulation& simulation, RunSummary& summary) {
 
 RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t every, Progress& progress,
                       const std::function<void(const Simulation&)>& record) {
-    Pacer pacer(steps);
+    ConfirmedSteps stepping(steps, [&progress](std::uint64_t step) {
+        check_interruption();
+        progress.at(step);
+    });
     const auto begin = Clock::now();
     RunSummary summary;
     summary.energy_start = simulation.energy();
     record(simulation);
     for (std::uint64_t recorded = 0; recorded < steps && !simulation.divergence();) {
-        pacer.advance(simulation, std::min(steps, recorded + every), progress);
+        stepping.advance(simulation, std::min(steps, recorded + every));
         if (simulation.step() == recorded) break;  // no step more was good
         recorded = simulation.step();
         summary.energy_error = std::max(summary.energy_error, std::abs(simulation.energy_error()));

@@ -3,12 +3,12 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/commands/ensemble_options.hpp"
-#include "app/commands/pacer.hpp"
 #include "app/commands/snapshot_ensemble.hpp"
 #include "app/commands/snapshot_options.hpp"
 #include "app/png.hpp"
 #include "io/interruption.hpp"
 #include "io/output_file.hpp"
+#include "sim/run/confirmed_steps.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -59,7 +59,10 @@ private:
     /// Takes the steps; the panel's plots get moments on the way.
     void compute(Simulation& simulation, std::uint64_t steps, PictureRequest& request) const {
         Progress progress(steps, isatty(STDERR_FILENO) != 0);
-        Pacer pacer(steps);
+        ConfirmedSteps stepping(steps, [&progress](std::uint64_t step) {
+            check_interruption();
+            progress.at(step);
+        });
         const std::optional<std::size_t> particle = followed_particle(simulation, request);
         const std::uint64_t bound = std::max<std::uint64_t>(16, most_particle_moments / simulation.particles());
         const std::uint64_t moments = request.panel ? std::min({steps, most_moments, bound}) : 1;
@@ -67,8 +70,7 @@ private:
             if (request.panel) request.past.push_back(without_particles(view_of(simulation, particle)));
             const double part = static_cast<double>(moment + 1) / static_cast<double>(moments);
             const bool last = moment + 1 == moments;
-            pacer.advance(simulation, last ? steps : static_cast<std::uint64_t>(part * static_cast<double>(steps)),
-                          progress);
+            stepping.advance(simulation, last ? steps : static_cast<std::uint64_t>(part * static_cast<double>(steps)));
         }
         request.view = view_of(simulation, particle);
     }

@@ -1,6 +1,7 @@
 #include "lab/hard_cases/hard_case.hpp"
 
 #include "core/error.hpp"
+#include "sim/run/samples.hpp"
 
 #include <fmt/format.h>
 
@@ -27,10 +28,7 @@ Trial trial(std::string_view model, Settings settings, double dt, double time) {
 }
 
 bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Observer& observe) {
-    const std::uint64_t samples = std::min(moments, steps);
-    for (std::uint64_t i = 1; i <= samples; ++i) {
-        simulation.advance(steps * i / samples - simulation.step());
-        if (i == samples) simulation.conclude();
+    for (Samples samples(steps, moments); samples.advance(simulation);) {
         if (simulation.divergence()) return false;
         observe(simulation);
     }

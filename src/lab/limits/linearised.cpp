@@ -1,7 +1,8 @@
 #include "lab/limits/linearised.hpp"
 
-#include "sim/steppers/stepper_of.hpp"
+#include "models/forces/layouts.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

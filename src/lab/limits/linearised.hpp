@@ -5,7 +5,7 @@
 #include "core/shape.hpp"
 #include "sim/catalogue.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cstddef>
 #include <functional>
 #include <vector>

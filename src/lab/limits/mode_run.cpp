@@ -2,8 +2,9 @@
 
 #include "core/flush_subnormals.hpp"
 #include "io/interruption.hpp"
+#include "models/forces/layouts.hpp"
+#include "sim/catalogue.hpp"
 #include "sim/ensemble/lane_compatible.hpp"
-#include "sim/steppers/stepper_of.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #include "lab/study/measurement.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "sim/run/samples.hpp"
 #include "sim/run/segment.hpp"
 #include "sim/run/simulation.hpp"
 
@@ -12,7 +13,7 @@ namespace steplab {
 
 namespace {
 
-constexpr std::uint64_t samples = 64;
+constexpr std::uint64_t samples_of_energy = 64;
 
 void compare(Measurement& measurement, const State<double>& end, const Reference& reference) {
     measurement.error = error_against(reference.moments.back(), end.displacement);
@@ -51,13 +52,15 @@ Measurement measure(const RunDescription& run, std::uint64_t steps, const Refere
     SteppingClock clock;
     Simulation simulation(run, execution);
     clock.started(simulation.evaluations());
-    for (std::uint64_t observe = 1; observe <= samples && !simulation.divergence(); ++observe) {
+    Samples samples(steps, samples_of_energy);
+    const auto advance = [&] {
         at_sample();
-        const std::uint64_t next = steps * observe / samples - simulation.step();
-        clock.time([&] { simulation.advance(next); });
+        bool more = false;
+        clock.time([&] { more = samples.advance(simulation); });
+        return more;
+    };
+    while (advance())
         measurement.energy_error = std::max(measurement.energy_error, std::abs(simulation.energy_error()));
-    }
-    simulation.conclude();
     measurement.evaluations = simulation.evaluations();
     measurement.rough_seconds = clock.seconds(measurement.evaluations);
     measurement.diverged = simulation.divergence().has_value();

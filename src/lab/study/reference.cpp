@@ -3,8 +3,9 @@
 #include "io/interruption.hpp"
 #include "lab/limits/linearised.hpp"
 #include "methods/engines/extrapolation.hpp"
+#include "methods/engines/system.hpp"
+#include "models/forces/layouts.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/steppers/stepper_of.hpp"
 
 #include <fmt/format.h>
 

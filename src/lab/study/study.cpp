@@ -4,6 +4,7 @@
 #include "lab/report/commit.hpp"
 #include "lab/study/parallel.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/samples.hpp"
 #include "sim/run/simulation.hpp"
 
 #include <fmt/chrono.h>
@@ -47,14 +48,13 @@ constexpr std::uint64_t moments = 600, spans = 60;
 Curve energy_curve(const Measurement& run, const Execution& execution) {
     Curve curve{.name = run.run.method, .points = {}, .marks = false};
     Simulation simulation(run.run, execution);
-    const std::uint64_t samples = std::min(moments, run.steps),
-                        samples_a_span = std::max<std::uint64_t>(1, samples / spans);
+    Samples samples(run.steps, moments);
+    const std::uint64_t samples_per_span = std::max<std::uint64_t>(1, samples.count() / spans);
     double largest = 0;
-    for (std::uint64_t i = 1; i <= samples; ++i) {
+    while (samples.advance(simulation)) {
         check_interruption();
-        simulation.advance(run.steps * i / samples - simulation.step());
         largest = std::max(largest, std::abs(simulation.energy_error()));
-        if (i % samples_a_span != 0) continue;
+        if (samples.number() % samples_per_span != 0) continue;
         curve.points.emplace_back(simulation.time(), largest);
         largest = 0;
     }

@@ -3,9 +3,9 @@
 #include "lab/report/page.hpp"
 #include "lab/study/measurement.hpp"
 #include "lab/study/study.hpp"
+#include "models/forces/morse_pair.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
-#include "sim/steppers/stepper_of.hpp"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include "sim/ensemble/lane_compatible.hpp"
 #include "sim/run/divergence.hpp"
 #include "sim/run/measures.hpp"
+#include "sim/run/segment.hpp"
 #include "sim/run/simulation_body.hpp"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ struct Member {
           steps(run.steps) {}
 
     StepperSetup setup(const Execution& execution) const {
-        return {scene, scene.start, held.method_parameters, held.precision, held.dt, instructions_of(execution)};
+        return segment_start(held, scene, instructions_of(execution));
     }
 };
 

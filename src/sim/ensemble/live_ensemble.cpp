@@ -5,6 +5,7 @@
 #include "sim/catalogue.hpp"
 #include "sim/ensemble/lane_compatible.hpp"
 #include "sim/run/memory.hpp"
+#include "sim/run/segment.hpp"
 
 #include <fmt/format.h>
 
@@ -158,9 +159,7 @@ void LiveEnsemble::continue_in(const SegmentBegin& segment, std::size_t i, const
 void LiveEnsemble::make_batches() {
     batches_.clear();
     std::vector<StepperSetup> setups;
-    for (const Member& it : members_)
-        setups.push_back({it.scene, it.scene.start, it.held.method_parameters, it.held.precision, it.held.dt,
-                          instructions_of(execution_)});
+    for (const Member& it : members_) setups.push_back(segment_start(it.held, it.scene, instructions_of(execution_)));
     for (std::size_t first = 0; first < setups.size(); first += batches_.back().count)
         batches_.push_back(make_batch(std::span<const StepperSetup>(setups).subspan(first), first));
 }

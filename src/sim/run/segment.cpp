@@ -28,10 +28,7 @@ void Segment::restart() {
     const FlushSubnormals flush;
     stepper.reset();
     const Method& how = method(held.method);
-    stepper = make_stepper(
-        how,
-        {scene, scene.start, held.method_parameters, held.precision, held.dt, instructions_for(how, scene, execution)},
-        execution);
+    stepper = make_stepper(how, segment_start(held, scene, instructions_for(how, scene, execution)), execution);
 }
 
 const std::optional<StabilityLimit>& Segment::limit() const {

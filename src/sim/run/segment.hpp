@@ -10,6 +10,12 @@
 
 namespace steplab {
 
+/// How a method begins a segment of `held` (as_held()) on its scene, at the scene's own start. The scene is referred
+/// to.
+inline StepperSetup segment_start(const RunDescription& held, const Scene& scene, Instructions instructions) {
+    return {scene, scene.start, held.method_parameters, held.precision, held.dt, instructions};
+}
+
 /// A stretch of a run in which nothing changes: one description, the scene it makes, the method at work on it.
 struct Segment {
     RunDescription description;  ///< as given

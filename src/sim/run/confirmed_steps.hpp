@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sim/run/simulation.hpp"
+
+#include <cstdint>
+#include <functional>
+
+namespace steplab {
+
+/// Takes a simulation from stop to stop so that every stop is confirmed: if the run diverges afterwards, its last good
+/// step is there or later, so that no row that was written has to be taken back. Between two checks of the energy it
+/// runs ahead to the next one and comes back.
+class ConfirmedSteps {
+public:
+    /// Called with the step reached between pieces of some hundredths of a second; what it throws ends advance().
+    using BetweenPieces = std::function<void(std::uint64_t)>;
+
+    /// `end`: the last step of the run, where its energy is judged whatever the grid of checks.
+    explicit ConfirmedSteps(
+        std::uint64_t end, BetweenPieces between = [](std::uint64_t) {})
+        : end_(end), between_(std::move(between)) {}
+
+    /// Up to `target` <= end, or to the last good step if the run diverges before.
+    void advance(Simulation& simulation, std::uint64_t target);
+
+private:
+    void walk(Simulation& simulation, std::uint64_t target);
+    void confirm(Simulation& simulation, std::uint64_t target);
+
+    std::uint64_t end_;
+    BetweenPieces between_;
+    std::uint64_t confirmed_ = 0;  ///< every step up to here is known to be good
+    std::uint64_t piece_ = 1;
+};
+
+}  // namespace steplab
