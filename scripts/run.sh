@@ -19,6 +19,11 @@ has() {
     return 1
 }
 
+is_built_for_all() {
+    local cache=$root/build/release/CMakeCache.txt
+    [[ -e $cache ]] && ! grep -q '^STEPLAB_INSTRUCTION_SETS:.*=native$' "$cache"
+}
+
 # A picture of the scene under way rather than of its start, unless the arguments say otherwise.
 write_picture() {
     local defaults=()
@@ -31,8 +36,12 @@ write_picture() {
 
 if has --help "$@" || has -h "$@"; then help_of "${BASH_SOURCE[0]}"; exit; fi
 
+# A first build is for this processor alone; what scripts/test.sh has completed for all of them stays so.
+sets=()
+if ! is_built_for_all; then sets=(-DSTEPLAB_INSTRUCTION_SETS=native); fi
+
 ensure_packages core graphics
-build release --target programs
+build release "${sets[@]}" --target programs
 steplab=$root/build/release/bin/steplab
 cd "$caller"
 
