@@ -68,6 +68,10 @@ std::string without_double_gaps(std::string text) {
     return text;
 }
 
+void in_group(CLI::Option* option, const std::string& group) {
+    if (!group.empty()) option->group(group);
+}
+
 /// One line on standard error; where even that is closed there is nobody to tell.
 void complain(const std::string& program, const char* message) {
     std::fputs(fmt::format("{}: {}\n", program, message).c_str(), stderr);
@@ -75,25 +79,35 @@ void complain(const std::string& program, const char* message) {
 
 }  // namespace
 
-CLI::Option* text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
-                         const std::string& what) {
+void text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
+                 const std::string& what, const std::string& group) {
     const auto take = [&value](const CLI::results_t& results) {
         value = results.back();
         return true;
     };
-    return app.add_option(name, take, what)->option_text(placeholder);
+    in_group(app.add_option(name, take, what)->option_text(placeholder), group);
 }
 
-CLI::Option* repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
-                             const std::string& placeholder, const std::string& what) {
+void repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                     const std::string& placeholder, const std::string& what, const std::string& group) {
     const auto take = [&values](const CLI::results_t& results) {
         values = results;
         return true;
     };
-    return app.add_option(name, take, what)
-        ->option_text(placeholder)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    in_group(app.add_option(name, take, what)
+                 ->option_text(placeholder)
+                 ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll),
+             group);
 }
+
+void flag_option(CLI::App& app, const std::string& name, bool& value, const std::string& what,
+                 const std::string& group) {
+    in_group(app.add_flag(name, value, what), group);
+}
+
+void footer(CLI::App& app, std::function<std::string()> text) { app.footer(std::move(text)); }
+
+bool is_given(const CLI::App& app, const std::string& name) { return app.count(name) > 0; }
 
 std::optional<std::string> parse(CLI::App& app, std::vector<std::string> arguments) {
     refuse_empty_values(arguments);

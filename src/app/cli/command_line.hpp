@@ -8,18 +8,27 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace steplab {
 
+// Options are declared by these functions alone: the parser's own header, which is slow to compile, stays out of the
+// commands.
+
 /// Declares an option whose value is taken as it stands; our own parsers read it, in the C locale and with our
-/// messages. `placeholder` stands for the value in the help: "--dt X".
-CLI::Option* text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
-                         const std::string& what);
+/// messages. `placeholder` stands for the value in the help: "--dt X". Options of one group stand below its heading.
+void text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
+                 const std::string& what, const std::string& group = "");
 /// The same for an option that may be repeated.
-CLI::Option* repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
-                             const std::string& placeholder, const std::string& what);
+void repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                     const std::string& placeholder, const std::string& what, const std::string& group = "");
+/// An option without a value.
+void flag_option(CLI::App& app, const std::string& name, bool& value, const std::string& what,
+                 const std::string& group = "");
+/// True if the option, declared before, was on the command line that was parsed.
+bool is_given(const CLI::App& app, const std::string& name);
+/// What stands at the end of the help, made when it is printed.
+void footer(CLI::App& app, std::function<std::string()> text);
 
 /// Parses the arguments of one command (its name not among them). Returns the text to print instead of running the
 /// command, if --help or --version was asked. Throws UsageError: one line, with the nearest and the known options.

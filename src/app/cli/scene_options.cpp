@@ -6,7 +6,6 @@
 #include "core/text.hpp"
 #include "sim/catalogue.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <array>
@@ -78,28 +77,26 @@ void check_known(const std::vector<Setting>& settings, const std::vector<RunDesc
 }  // namespace
 
 void SceneOptions::declare(CLI::App& app) {
+    app_ = &app;
     const RunDescription defaults = describe();
     model_ = defaults.model;
     method_ = defaults.method;
     precision_ = id(defaults.precision);
     dt_ = number_text(defaults.dt);
     const std::string group = "Scene";
-    text_option(app, "--model", model_, "ID", fmt::format("What moves (default {})", model_))->group(group);
-    repeated_option(app, "--set", settings_, "name=value", "A parameter of the model or method; repeatable")
-        ->group(group);
+    text_option(app, "--model", model_, "ID", fmt::format("What moves (default {})", model_), group);
+    repeated_option(app, "--set", settings_, "name=value", "A parameter of the model or method; repeatable", group);
     const std::string_view many = methods_ == Methods::one_or_all ? "; all: every method" : "";
-    method_option_ = text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
-                                 fmt::format("How it is integrated (default {}{})", method_, many))
-                         ->group(group);
-    precision_option_ = text_option(app, "--precision", precision_, "float|double",
-                                    fmt::format("Of the whole run (default {})", precision_))
-                            ->group(group);
-    text_option(app, "--dt", dt_, "X", fmt::format("Time step (default {})", dt_))->group(group);
-    app.footer(catalogue_help);
+    text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
+                fmt::format("How it is integrated (default {}{})", method_, many), group);
+    text_option(app, "--precision", precision_, "float|double",
+                fmt::format("Of the whole run (default {})", precision_), group);
+    text_option(app, "--dt", dt_, "X", fmt::format("Time step (default {})", dt_), group);
+    footer(app, catalogue_help);
 }
 
-bool SceneOptions::names_method() const { return method_option_->count() > 0; }
-bool SceneOptions::names_precision() const { return precision_option_->count() > 0; }
+bool SceneOptions::names_method() const { return is_given(*app_, "--method"); }
+bool SceneOptions::names_precision() const { return is_given(*app_, "--precision"); }
 
 RunDescription SceneOptions::description() const {
     RunDescription description = describe(model_, method_);
@@ -129,8 +126,8 @@ std::vector<RunDescription> SceneOptions::descriptions() const {
 
 void TimeOptions::declare(CLI::App& app) {
     const std::string group = "Time";
-    text_option(app, "--steps", steps_, "N", fmt::format("How many steps (default {})", default_steps_))->group(group);
-    text_option(app, "--until", until_, "T", "Instead of --steps: the time to reach")->group(group);
+    text_option(app, "--steps", steps_, "N", fmt::format("How many steps (default {})", default_steps_), group);
+    text_option(app, "--until", until_, "T", "Instead of --steps: the time to reach", group);
 }
 
 std::uint64_t TimeOptions::steps(const RunDescription& description) const {

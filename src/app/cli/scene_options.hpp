@@ -9,7 +9,6 @@
 
 namespace CLI {
 class App;
-class Option;
 }  // namespace CLI
 
 namespace steplab {
@@ -51,8 +50,7 @@ private:
     std::string method_;
     std::string precision_;
     std::string dt_;
-    const CLI::Option* method_option_ = nullptr;
-    const CLI::Option* precision_option_ = nullptr;
+    const CLI::App* app_ = nullptr;
 };
 
 /// The options TIME: --steps or --until.

@@ -4,7 +4,6 @@
 #include "core/entry.hpp"
 #include "core/error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <charconv>
@@ -45,8 +44,8 @@ void ViewOptions::declare(CLI::App& app) {
     text_option(app, "--scale", scale_, "X", "size of the interface: 2 is twice as large (as the display says)");
     text_option(app, "--view", view_, "VIEW", "camera: what \"Copy view\" gives, or default, front, side, top");
     text_option(app, "--trace", trace_, "FILE|-", "write a line for everything that happens in the window");
-    app.add_flag("--full-screen", full_screen_, "open on the whole screen");
-    app.add_flag("--play", playing_, "start playing");
+    flag_option(app, "--full-screen", full_screen_, "open on the whole screen");
+    flag_option(app, "--play", playing_, "start playing");
 }
 
 WindowRequest ViewOptions::request() const {

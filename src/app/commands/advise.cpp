@@ -13,7 +13,6 @@
 #include "lab/study/answers.hpp"
 #include "lab/study/study.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

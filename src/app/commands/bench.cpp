@@ -6,8 +6,6 @@
 #include "core/error.hpp"
 #include "io/interruption.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <string>
 #include <unistd.h>
@@ -29,8 +27,8 @@ public:
 
     void declare(CLI::App& app) override {
         text_option(app, "--method", method_, "ID", "Method to step with (default: velocity-verlet)");
-        app.add_flag("--json", json_, "As JSON, times in seconds")->group("Output");
-        app.footer(notes);
+        flag_option(app, "--json", json_, "As JSON, times in seconds", "Output");
+        footer(app, [] { return std::string(notes); });
     }
 
     int run() override {

@@ -8,7 +8,6 @@
 #include "io/trajectory.hpp"
 #include "io/trajectory_reader.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -34,7 +33,7 @@ public:
         text_option(app, "file", file_, "FILE", "A trajectory that `steplab run` wrote");
         text_option(app, "--out", out_, "FILE|-", "Where to (default -, standard output)");
         text_option(app, "--format", format_, "csv|xyz|trajectory", "Of --out (default: by the file's ending)");
-        app.footer(examples);
+        footer(app, [] { return std::string(examples); });
     }
 
     int run() override {

@@ -3,7 +3,6 @@
 #include "app/cli/command_line.hpp"
 #include "core/error.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace steplab {
@@ -21,11 +20,9 @@ constexpr ParameterInfo count_info{.name = "--ensemble",
 
 void EnsembleOptions::declare(CLI::App& app) {
     const std::string group = "Ensemble";
-    text_option(app, "--ensemble", count_, "N", "So many runs of the scene, counted from 0; see --spread")
-        ->group(group);
+    text_option(app, "--ensemble", count_, "N", "So many runs of the scene, counted from 0; see --spread", group);
     repeated_option(app, "--spread", ranges_, "name=a:b",
-                    "Run i has a + (b - a) i/(N - 1) of this parameter or dt; repeatable")
-        ->group(group);
+                    "Run i has a + (b - a) i/(N - 1) of this parameter or dt; repeatable", group);
 }
 
 bool EnsembleOptions::asked() const {

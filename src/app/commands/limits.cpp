@@ -9,7 +9,6 @@
 #include "io/interruption.hpp"
 #include "lab/limits/all_limits.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <unistd.h>
@@ -33,8 +32,8 @@ public:
 
     void declare(CLI::App& app) override {
         scene_.declare(app);
-        app.add_flag("--json", json_, "As JSON: time steps; 0: unstable at any dt, null: no limit")->group("Output");
-        app.footer([] { return std::string(examples) + catalogue_help(); });
+        flag_option(app, "--json", json_, "As JSON: time steps; 0: unstable at any dt, null: no limit", "Output");
+        footer(app, [] { return std::string(examples) + catalogue_help(); });
     }
 
     int run() override {

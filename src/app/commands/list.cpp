@@ -5,8 +5,6 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <string>
 
@@ -21,7 +19,7 @@ public:
 
     void declare(CLI::App& app) override {
         text_option(app, "kind", kind_, "models|methods", "Only these (default both)");
-        app.add_flag("--json", json_, "As JSON, with everything the entries know");
+        flag_option(app, "--json", json_, "As JSON, with everything the entries know");
     }
 
     int run() override {

@@ -10,7 +10,6 @@
 #include "lab/report/report.hpp"
 #include "sim/catalogue.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,16 +37,16 @@ public:
     std::string_view what() const override { return "Measure speed against error: a table and a page"; }
 
     void declare(CLI::App& app) override {
-        app.add_flag("--thesis", thesis_, "The tables and charts of the thesis of 2008 instead, as thesis.html");
+        flag_option(app, "--thesis", thesis_, "The tables and charts of the thesis of 2008 instead, as thesis.html");
         text_option(app, "--out", out_, "DIR", "Where speed_error.csv and report.html go (required)");
-        app.add_flag("--quick", quick_, "Under a minute instead of under fifteen: fewer and shorter runs");
+        flag_option(app, "--quick", quick_, "Under a minute instead of under fifteen: fewer and shorter runs");
         repeated_option(app, "--model", models_, "ID", "Only this model; repeatable (default all)");
         repeated_option(app, "--method", methods_, "ID", "Only this method; repeatable (default all)");
         text_option(app, "--precision", precision_, "float|double", "Only this precision (default both)");
         repeated_option(app, "--set", settings_, "name=value", "A parameter of the models or methods; repeatable");
         text_option(app, "--time", time_, "T", "How long the scenes run (default: a time that suits each)");
         repeated_option(app, "--error", errors_, "E", "An error to answer for; repeatable (default 1e-2 ... 1e-12)");
-        app.footer([] { return std::string(examples) + catalogue_help(); });
+        footer(app, [] { return std::string(examples) + catalogue_help(); });
     }
 
     int run() override {

@@ -11,7 +11,6 @@
 #include "core/error.hpp"
 #include "io/interruption.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,14 +35,13 @@ public:
     void declare(CLI::App& app) override {
         scene_.declare(app);
         time_.declare(app);
-        text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)")->group("Output");
+        text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)", "Output");
         output_.declare(app);
         ensemble_.declare(app);
-        text_option(app, "--isa", isa_, "SET", "Instruction set of the processor (default: the fastest)")
-            ->group("Computing");
-        text_option(app, "--threads", threads_, "N", "At most so many, where they pay (default: all processors)")
-            ->group("Computing");
-        app.footer([] { return std::string(examples) + catalogue_help(); });
+        text_option(app, "--isa", isa_, "SET", "Instruction set of the processor (default: the fastest)", "Computing");
+        text_option(app, "--threads", threads_, "N", "At most so many, where they pay (default: all processors)",
+                    "Computing");
+        footer(app, [] { return std::string(examples) + catalogue_help(); });
     }
 
     int run() override {

@@ -5,7 +5,6 @@
 #include "core/error.hpp"
 #include "sim/catalogue.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <array>
@@ -15,12 +14,11 @@ namespace steplab {
 
 void OutputOptions::declare(CLI::App& app) {
     const std::string group = "Output";
-    text_option(app, "--out", out, "FILE|-", "Positions and velocities; - is standard output")->group(group);
-    text_option(app, "--format", format, "csv|xyz|trajectory", "Of --out (default: by the file's ending)")
-        ->group(group);
-    text_option(app, "--particles", particles, "9,0-3", "Only these in --out (default all)")->group(group);
-    text_option(app, "--series", series, "FILE", "Energy, momentum and the like over time, as CSV")->group(group);
-    text_option(app, "--summary", summary, "FILE|-", "What came of the run, as JSON")->group(group);
+    text_option(app, "--out", out, "FILE|-", "Positions and velocities; - is standard output", group);
+    text_option(app, "--format", format, "csv|xyz|trajectory", "Of --out (default: by the file's ending)", group);
+    text_option(app, "--particles", particles, "9,0-3", "Only these in --out (default all)", group);
+    text_option(app, "--series", series, "FILE", "Energy, momentum and the like over time, as CSV", group);
+    text_option(app, "--summary", summary, "FILE|-", "What came of the run, as JSON", group);
 }
 
 void OutputOptions::check() const {

@@ -11,7 +11,6 @@
 #include "io/output_file.hpp"
 #include "sim/run/confirmed_steps.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include "io/output_file.hpp"
 #include "sim/catalogue.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,7 +85,7 @@ void check_room_for_panel(render::PictureSize size, double scale) {
 void SnapshotOptions::declare(CLI::App& app) {
     const std::string group = "Picture";
     const auto add = [&](const char* name, std::string& value, const std::string& placeholder,
-                         const std::string& what) { text_option(app, name, value, placeholder, what)->group(group); };
+                         const std::string& what) { text_option(app, name, value, placeholder, what, group); };
     add("--out", out_, "FILE.png", "Where the picture goes");
     add("--size", size_, "WxH", fmt::format("Pixels, up to {} each way (default {})", longest_side, size_));
     add("--view", view_, "VIEW", "default, front, side, top, or yaw,pitch,distance,x,y,z as the window copies it");

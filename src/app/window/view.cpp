@@ -39,7 +39,7 @@ int run(const std::vector<std::string>& arguments) {
     ViewOptions options;
     bool keys = false;
     options.declare(app);
-    app.add_flag("--keys", keys, "print the table of keys (Markdown) and end");
+    flag_option(app, "--keys", keys, "print the table of keys (Markdown) and end");
     scene.declare(app);
     if (const auto text = parse(app, arguments)) {
         print(*text);
