@@ -52,7 +52,7 @@ std::string others_table(const Advice& advice) {
         rows.push_back({other.run.method, step_text(other.run), std::string(id(other.run.precision)),
                         duration_text(*other.wall_seconds), readable(*other.wall_seconds / *advice.best.wall_seconds)});
     }
-    return "\n" + aligned(rows, 2);
+    return fmt::format("\n{}", aligned(rows, 2));
 }
 
 std::string advice_text(const StudyPlan& plan, double error, const Reference& reference, const Advice& advice) {

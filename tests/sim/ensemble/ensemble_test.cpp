@@ -97,7 +97,7 @@ void expect_same(const EnsembleResult& result, const EnsembleResult& expected) {
 
 std::size_t side_by_side(const std::vector<EnsembleResult>& results) {
     return static_cast<std::size_t>(
-        std::count_if(results.begin(), results.end(), [](const auto& result) { return result.side_by_side; }));
+        std::count_if(results.begin(), results.end(), [](const auto& result) { return result.in_lanes; }));
 }
 
 class Ensembles : public testing::TestWithParam<MethodCase> {};
