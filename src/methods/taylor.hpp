@@ -278,9 +278,9 @@ private:
     void behind_collision(const System& system, T since, State<T>& out) const {
         Field<T> a(v_.count());
         Motion<T> behind(v_.count());
-        Uncounted<System> looking(system);
+        Uncounted<System> uncounted(system);
         const MotionOf<T> before = now(a);
-        go_across(looking, before, progress_.across, behind);
+        go_across(uncounted, before, progress_.across, behind);
         within_crossing(before, behind, progress_.across, since, out);
     }
 

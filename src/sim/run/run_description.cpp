@@ -48,7 +48,7 @@ void check_memory(const RunDescription& description, double needed_for_interacti
                                                                       : "n"));
 }
 
-/// Methods that cannot run every scene look at its forces; what is held for each interaction has to fit, too.
+/// Methods that cannot run every scene check its forces; what is held for each interaction has to fit memory, too.
 void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
     const bool lists = description.scene.contains("cutoff") && description.scene["cutoff"] > 0;

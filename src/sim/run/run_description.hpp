@@ -33,7 +33,7 @@ RunDescription with_method(RunDescription description, std::string_view method);
 void set_parameter(RunDescription& description, std::string_view name, std::string_view text);
 
 /// Throws UsageError unless dt is finite, > 0 and not lost in the precision, every parameter fits into the precision,
-/// the particles fit into this machine's memory (the message tells the bytes needed) and the method can run the scene.
+/// the particles fit into this machine's memory (the message names the bytes needed) and the method can run the scene.
 void check(const RunDescription& description);
 
 /// The description with dt and the scene's parameters as its precision holds them. Throws UsageError (check()).
