@@ -20,7 +20,7 @@ struct Called {
 Called called(std::size_t count, double bytes) {
     Called all{std::vector<int>(count), std::vector<std::size_t>(count)};
     std::mutex mutex;
-    side_by_side(count, bytes, [&](std::size_t i, const Execution& execution) {
+    parallel_for_each(count, bytes, [&](std::size_t i, const Execution& execution) {
         const std::lock_guard lock(mutex);
         ++all.times[i];
         all.threads[i] = execution.threads;
@@ -54,7 +54,7 @@ TEST(HasLanes, ends_with_the_first_exception) {
         ++begun;
         throw UsageError("enough");
     };
-    EXPECT_THROW(side_by_side(1000, 0, fail), UsageError);
+    EXPECT_THROW(parallel_for_each(1000, 0, fail), UsageError);
     EXPECT_LE(begun, processors());
 }
 
