@@ -185,16 +185,9 @@ private:
         T *const x = x_[0].flat().data(), *const v = v_.flat().data();
         T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
         each_change(progress_.length, [=](std::size_t p, N change_of_x, N change_of_v) {
-            add_lanes(x + p, lost_x + p, change_of_x);
-            add_lanes(v + p, lost_v + p, change_of_v);
+            add_compensated_at(x + p, lost_x + p, change_of_x);
+            add_compensated_at(v + p, lost_v + p, change_of_v);
         });
-    }
-
-    static void add_lanes(T* to, T* left, N increment) {
-        N sum = N::load(to), lost = N::load(left);
-        add_compensated(sum, lost, increment);
-        sum.store(to);
-        lost.store(left);
     }
 
     template <class F>

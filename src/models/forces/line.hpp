@@ -26,8 +26,7 @@ class Line {
     using N = Lanes<T>;
     using Vec = Vector<N>;
     static constexpr std::size_t width = N::count;
-    /// Registers of springs that a sweep computes before they are needed: their roots and divisions take as long as all
-    /// else that it does for some of them.
+    /// Registers of springs that a sweep computes before they are needed, to hide the latency of roots and divisions.
     static constexpr std::size_t ahead = 3;
 
 public:
@@ -228,10 +227,7 @@ private:
 
     std::size_t registers() const { return (forces_.count + width - 1) / width; }
 
-    static Vec none() {
-        const N zero(T(0));
-        return {zero, zero, zero};
-    }
+    static Vec none() { return {N(T(0)), N(T(0)), N(T(0))}; }
 
     /// Hands out the accelerations of register r of so many. `here` are its positions and `before` the pulls of the
     /// springs before it; they become those of the next.
