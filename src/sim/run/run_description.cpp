@@ -19,8 +19,7 @@ namespace {
 
 void check_dt(const RunDescription& description) {
     const double dt = description.dt, held = rounded_to(description.precision, dt);
-    if (!(std::isfinite(dt) && dt > 0))
-        throw UsageError(fmt::format("dt = {} is not possible: dt must be a number > 0", number_text(dt)));
+    check_value(dt_parameter, dt);
     if (!std::isfinite(held) || !(held > 0)) {
         throw UsageError(
             fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", number_text(dt)));
