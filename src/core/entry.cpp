@@ -96,6 +96,20 @@ void ParameterValues::set_text(std::string_view name, std::string_view text) {
 
 namespace {
 
+bool same_parameter(const ParameterInfo& a, const ParameterInfo& b) {
+    return a.name == b.name && a.kind == b.kind &&
+           std::equal(a.choices.begin(), a.choices.end(), b.choices.begin(), b.choices.end());
+}
+
+}  // namespace
+
+bool operator==(const ParameterValues& a, const ParameterValues& b) {
+    return a.values_ == b.values_ &&
+           std::equal(a.infos_.begin(), a.infos_.end(), b.infos_.begin(), b.infos_.end(), same_parameter);
+}
+
+namespace {
+
 double substeps(const ParameterValues& values) { return values.contains("substeps") ? values["substeps"] : 1; }
 
 }  // namespace

@@ -61,9 +61,8 @@ public:
     void set(std::string_view name, double value);
     void set_text(std::string_view name, std::string_view text);
 
-    friend bool operator==(const ParameterValues& a, const ParameterValues& b) {
-        return a.infos_.data() == b.infos_.data() && a.values_ == b.values_;
-    }
+    /// The same parameters in the same order with the same values, wherever their descriptions are stored.
+    friend bool operator==(const ParameterValues& a, const ParameterValues& b);
 
 private:
     std::size_t index_of(std::string_view name) const;

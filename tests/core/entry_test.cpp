@@ -65,6 +65,28 @@ TEST(Entry, a_refused_value_leaves_the_old_one) {
     EXPECT_EQ(values["m"], 1);
 }
 
+TEST(Entry, values_are_compared_by_content_not_by_the_place_of_their_descriptions) {
+    constexpr ParameterInfo count{.name = "n", .kind = ParameterInfo::Kind::integer, .default_value = 3};
+    constexpr ParameterInfo mass{.name = "m", .default_value = 3};
+    const ParameterInfo one[] = {count}, same[] = {count}, other_name[] = {mass}, longer[] = {count, mass};
+    const ParameterValues values(one);
+    EXPECT_EQ(values, ParameterValues(same));
+    EXPECT_NE(values, ParameterValues(other_name));
+    EXPECT_NE(values, ParameterValues(longer));
+    EXPECT_NE(values, ParameterValues());
+    ParameterValues changed(same);
+    changed.set("n", 4);
+    EXPECT_NE(values, changed);
+}
+
+TEST(Entry, an_equal_index_of_another_choice_is_another_value) {
+    constexpr std::string_view sides[] = {"left", "right"};
+    const ParameterInfo place[] = {{.name = "at", .kind = ParameterInfo::Kind::choice, .choices = places}};
+    const ParameterInfo side[] = {{.name = "at", .kind = ParameterInfo::Kind::choice, .choices = sides}};
+    EXPECT_EQ(ParameterValues(place), ParameterValues(place));
+    EXPECT_NE(ParameterValues(place), ParameterValues(side));
+}
+
 TEST(Entry, choices_are_written_as_their_words) {
     ParameterValues values(infos);
     values.set_text("kick", "corner");
