@@ -1,10 +1,12 @@
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "lab/hard_cases/digits.hpp"
 #include "lab/hard_cases/hits.hpp"
 #include "lab/hard_cases/ropes.hpp"
 #include "lab/hard_cases/steps.hpp"
 
-#include <fmt/format.h>
+#include <string_view>
+#include <vector>
 
 namespace steplab {
 
@@ -31,7 +33,9 @@ HardCase hard_case(std::string_view id) {
     for (const HardCase& each : hard_cases()) {
         if (each.id == id) return each;
     }
-    throw UsageError(fmt::format("there is no hard case '{}'", id));
+    std::vector<std::string_view> known;
+    for (const HardCase& each : hard_cases()) known.push_back(each.id);
+    throw UsageError(unknown_word("hard case", id, known));
 }
 
 }  // namespace steplab
