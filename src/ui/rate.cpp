@@ -1,5 +1,6 @@
 #include "ui/rate.hpp"
 
+#include "core/number_text.hpp"
 #include "ui/widgets/format.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ Rate slower(Rate rate) {
 }
 
 std::string rate_text(Rate rate) {
-    return rate.as_fast_as_possible ? "as fast as possible" : with_unit(number(rate.seconds_per_second, 3), "s/s");
+    return rate.as_fast_as_possible ? "as fast as possible" : with_unit(setting_text(rate.seconds_per_second, 3), "s/s");
 }
 
 }  // namespace steplab::ui

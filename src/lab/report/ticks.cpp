@@ -1,7 +1,7 @@
 #include "lab/report/ticks.hpp"
 
 #include "core/duration.hpp"
-#include "lab/report/readable_number.hpp"
+#include "core/number_text.hpp"
 
 #include <cmath>
 

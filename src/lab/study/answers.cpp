@@ -1,6 +1,6 @@
 #include "lab/study/answers.hpp"
 
-#include "lab/report/readable_number.hpp"
+#include "core/number_text.hpp"
 
 #include <fmt/format.h>
 
