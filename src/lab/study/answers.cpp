@@ -41,10 +41,6 @@ std::vector<const Measurement*> pareto_front(std::span<const Measurement> runs) 
     return front;
 }
 
-bool chooses_its_steps(const RunDescription& run) {
-    return run.method_parameters.contains("tolerance") && run.method_parameters["tolerance"] > 0;
-}
-
 std::string step_text(const RunDescription& run) {
     if (chooses_its_steps(run)) return "tolerance " + typed(run.method_parameters["tolerance"]);
     return "dt " + typed(run.dt, 3);

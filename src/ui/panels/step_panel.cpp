@@ -1,5 +1,4 @@
 #include "core/number_text.hpp"
-#include "lab/study/answers.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/slider.hpp"
