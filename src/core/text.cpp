@@ -3,21 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace steplab {
 
 namespace {
-
-template <class T>
-std::string shortest(T value) {
-    char buffer[32];
-    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-    return std::string(buffer, result.ptr);
-}
 
 /// Levenshtein distance: the number of single-letter changes that turn one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -44,17 +37,6 @@ std::optional<std::string_view> nearest(std::string_view word, std::span<const s
 }
 
 }  // namespace
-
-std::string number_text(double value) { return shortest(value); }
-std::string number_text(float value) { return shortest(value); }
-
-std::optional<double> parse_number(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-    double value = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc{} || result.ptr != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 std::string joined(std::span<const std::string_view> words, std::string_view separator) {
     return fmt::format("{}", fmt::join(words, separator));

@@ -1,20 +1,12 @@
 #pragma once
 
-#include <optional>
+#include "core/number_text.hpp"
+
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace steplab {
-
-/// Shortest text that reads back as the same number; "nan", "inf", "-inf" if it is not finite. Independent of the
-/// user's locale.
-std::string number_text(double value);
-/// The same for a number of a float run: the shortest text that reads back as the same float.
-std::string number_text(float value);
-
-/// The number written as `text` (decimal or scientific, with an optional sign); nullopt if it is anything else.
-std::optional<double> parse_number(std::string_view text);
 
 /// "unknown model 'chian' (did you mean 'chain'?); known: free, oscillator, ...": one message for every unknown word.
 /// `of` follows the word: "unknown parameter 'q' of mesh and rk4; known: ...".

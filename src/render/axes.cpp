@@ -1,6 +1,6 @@
 #include "render/axes.hpp"
 
-#include "render/ticks.hpp"
+#include "core/ticks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -74,10 +74,10 @@ std::optional<PixelPoint> beside(const Edge& edge, Vec3 point, const Projection&
     return PixelPoint{on_edge->x + distance * dx / norm, on_edge->y + distance * dy / norm};
 }
 
-/// The step of the grid, or a round multiple of it that leaves room for the numbers.
+/// The step of the grid, or a larger nice one that leaves room for the numbers.
 double tick_step(double step, double pixels_per_step, double least) {
     while (pixels_per_step < least) {
-        const double wider = round_number_from(1.5 * step);
+        const double wider = nice_above(step);
         pixels_per_step *= wider / step;
         step = wider;
     }
@@ -88,7 +88,7 @@ void add_ticks(Axes& axes, const Edge& edge, double step, double strength, const
                double pixel_scale) {
     const double low = component(edge.start, edge.axis);
     const double high = component(edge.end, edge.axis);
-    for (const double value : ticks(low, high, step)) {
+    for (const double value : linear_ticks(low, high, step)) {
         const Vec3 point = with_component(edge.start, edge.axis, value);
         const auto number = beside(edge, point, projection, number_distance * pixel_scale);
         if (!number) continue;
@@ -110,7 +110,7 @@ void add_axis(Axes& axes, const Edge& edge, double grid_step, const Projection& 
     const double reach = length(edge.end - edge.start);
     const double step = tick_step(grid_step, pixels * grid_step / reach, least_spacing[edge.axis] * pixel_scale);
     // One number alone tells nothing.
-    if (ticks(component(edge.start, edge.axis), component(edge.end, edge.axis), step).size() < 2) return;
+    if (linear_ticks(component(edge.start, edge.axis), component(edge.end, edge.axis), step).size() < 2) return;
     axes.lines.push_back({edge.start, edge.end, strength});
     add_ticks(axes, edge, step, strength, projection, pixel_scale);
     const auto title = beside(edge, 0.5 * (edge.start + edge.end), projection, title_distance * pixel_scale);

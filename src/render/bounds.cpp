@@ -1,6 +1,6 @@
 #include "render/bounds.hpp"
 
-#include "render/ticks.hpp"
+#include "core/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ AxesBox axes_box(const Frame& frame) {
 AxesBox axes_box(const Bounds& expected, double spacing, const Bounds& now) {
     const Bounds usual = widened(expected, 0.75 * spacing);
     const Bounds whole = joined(usual, now);
-    const double step = round_number_from(largest(whole.size()) / wanted_cells);
+    const double step = nice_ceil(largest(whole.size()) / wanted_cells);
     const auto low = [step](double usual_low, double seen) {
         return usual_low - std::ceil(std::max(usual_low - seen, 0.0) / step) * step;
     };

@@ -1,5 +1,7 @@
 #include "render/colouring.hpp"
 
+#include "core/ticks.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,14 +43,8 @@ double strain(const Frame& frame, const Spring& spring) {
     return spring.rest_length > 0 ? now / spring.rest_length - 1 : now;
 }
 
-/// A number of two digits at most that is little more than `value` (> 0).
-double scale_end(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
-        if (factor * power >= value) return factor * power;
-    }
-    return 10 * power;
-}
+// Leading digits of the ends of colour scales: closer to each other than those of ticks.
+constexpr double scale_digits[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
 
 double largest_value(const Frame& frame, const Style& style) {
     double largest = 0;
@@ -80,7 +76,7 @@ std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style) 
     if (style.colouring == Colouring::role) return std::nullopt;
     // Where nothing moves yet there is no largest value to go by; any scale is as good as another.
     const double largest = largest_value(frame, style);
-    const double maximum = style.scale_maximum.value_or(largest > 0 ? scale_end(largest) : 1.0);
+    const double maximum = style.scale_maximum.value_or(largest > 0 ? nice_ceil(largest, scale_digits) : 1.0);
     return ColourScale{style.colouring, style.colouring == Colouring::strain ? -maximum : 0.0, maximum};
 }
 

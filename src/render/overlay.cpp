@@ -1,6 +1,6 @@
 #include "render/overlay.hpp"
 
-#include <fmt/format.h>
+#include "core/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -83,7 +83,7 @@ void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, c
     }
     for (const double number : legend_values(scale)) {
         const double y = top + height * (scale.maximum - number) / (scale.maximum - scale.minimum);
-        const std::string text = fmt::format("{:.3g}", number);
+        const std::string text = typed(number, 3);
         const PixelPoint extent = sketch.text_size(text);
         sketch.text({right - width - 8 * pixel_scale - extent.x, y - extent.y / 2}, text, palette.text);
     }

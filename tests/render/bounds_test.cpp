@@ -1,7 +1,6 @@
 #include "render/bounds.hpp"
 
 #include "render/scenes.hpp"
-#include "render/ticks.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,34 +11,6 @@ namespace steplab::render {
 namespace {
 
 using testing::ElementsAre;
-
-TEST(Ticks, round_numbers_are_1_2_5) {
-    EXPECT_DOUBLE_EQ(round_number_from(0.7), 1);
-    EXPECT_DOUBLE_EQ(round_number_from(1.01), 2);
-    EXPECT_DOUBLE_EQ(round_number_from(4), 5);
-    EXPECT_DOUBLE_EQ(round_number_from(60), 100);
-    EXPECT_DOUBLE_EQ(round_number_from(0.003), 0.005);
-}
-
-TEST(Ticks, ends_belong_to_them) {
-    EXPECT_THAT(ticks(-1, 2, 1), ElementsAre(-1, 0, 1, 2));
-    // Ten times 0.1 is not 1 in double; the tick is there nevertheless.
-    EXPECT_EQ(ticks(0, 0.1 + 0.2, 0.1).size(), 4u);
-}
-
-TEST(Ticks, are_none_where_numbers_lie_farther_apart_than_the_step) {
-    EXPECT_TRUE(ticks(1e20, 1e20 + 1e5, 1).empty());
-    EXPECT_TRUE(ticks(0, 1, 1e-9).empty());
-}
-
-TEST(Ticks, are_written_with_the_decimals_of_their_step) {
-    EXPECT_EQ(tick_text(0.30000000000000004, 0.1, 1), "0.3");
-    EXPECT_EQ(tick_text(-2, 0.5, 3), "-2.0");
-    EXPECT_EQ(tick_text(20, 5, 30), "20");
-    EXPECT_EQ(tick_text(1e-20, 0.5, 1), "0");
-    EXPECT_EQ(tick_text(1'200'000, 200'000, 2e6), "1.2e6");
-    EXPECT_EQ(tick_text(-3e-7, 1e-7, 1e-6), "-3e-7");
-}
 
 TEST(AxesBox, holds_rest_and_expected_places) {
     Frame frame = test::particles_at({{0, 0, 0}, {10, 0, 0}});

@@ -21,7 +21,7 @@ const std::map<std::string, Folders>& arrows() {
         {"io", {"core", "sim"}},
         {"lab", {"core", "methods", "models", "sim", "io"}},
         {"render", {"core"}},
-        {"ui", {"core", "sim", "io", "lab", "render"}},
+        {"ui", {"core", "sim", "io", "render"}},
         {"app", {"core", "methods", "models", "sim", "io", "lab", "render", "ui"}},
     };
     return map;

@@ -29,6 +29,7 @@ TEST(Arrows, include_against_an_arrow_is_found_with_file_and_line) {
                 ElementsAre("src/core/frame.hpp:2: core may not know sim"));
     EXPECT_THAT(forbidden_arrows({{"src/methods/rk4.hpp", "# include \"models/chain.hpp\"\n"}}), SizeIs(1));
     EXPECT_THAT(forbidden_arrows({{"src/render/spheres.cpp", "#include \"sim/run/simulation.hpp\"\n"}}), SizeIs(1));
+    EXPECT_THAT(forbidden_arrows({{"src/ui/panels/a.cpp", "#include \"lab/study/answers.hpp\"\n"}}), SizeIs(1));
     EXPECT_THAT(forbidden_arrows({{"src/sim/catalogue.cpp.in", "#include \"ui/panel.hpp\"\n"}}), SizeIs(1));
 }
 

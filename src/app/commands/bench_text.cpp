@@ -1,7 +1,7 @@
 #include "app/commands/bench_text.hpp"
 
 #include "app/cli/text_table.hpp"
-#include "lab/report/readable_number.hpp"
+#include "core/number_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

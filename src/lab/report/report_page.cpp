@@ -1,10 +1,10 @@
 #include "lab/report/report_page.hpp"
 
 #include "core/duration.hpp"
+#include "core/number_text.hpp"
 #include "core/text.hpp"
 #include "lab/report/figures.hpp"
 #include "lab/report/page.hpp"
-#include "lab/report/readable_number.hpp"
 #include "lab/report/table.hpp"
 #include "lab/report/tables.hpp"
 #include "lab/study/lyapunov.hpp"

@@ -1,8 +1,8 @@
 #include "lab/report/tables.hpp"
 
 #include "core/duration.hpp"
+#include "core/number_text.hpp"
 #include "lab/report/page.hpp"
-#include "lab/report/readable_number.hpp"
 #include "lab/report/table.hpp"
 #include "lab/study/answers.hpp"
 #include "sim/catalogue.hpp"

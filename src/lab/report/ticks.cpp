@@ -1,13 +1,16 @@
 #include "lab/report/ticks.hpp"
 
 #include "core/duration.hpp"
-#include "lab/report/readable_number.hpp"
+#include "core/number_text.hpp"
+#include "core/ticks.hpp"
 
 #include <cmath>
 
 namespace steplab {
 
 namespace {
+
+constexpr int most_texts = 9;  // that stand beside each other
 
 std::string text_of(double value, Quantity quantity) {
     if (quantity == Quantity::seconds) return duration_text(value);
@@ -19,13 +22,12 @@ std::string text_of(double value, Quantity quantity) {
 }  // namespace
 
 std::vector<Tick> decades(std::pair<double, double> range, Quantity quantity) {
-    const int first = static_cast<int>(std::ceil(std::log10(range.first) - 1e-9));
-    const int last = static_cast<int>(std::floor(std::log10(range.second) + 1e-9));
-    const int every = (last - first) / 9 + 1;
+    const std::vector<int> exponents = decades(range.first, range.second);
+    const int every = (static_cast<int>(exponents.size()) - 1) / most_texts + 1;
     std::vector<Tick> ticks;
-    for (int decade = first; decade <= last; ++decade) {
-        const double value = std::pow(10.0, decade);
-        ticks.push_back({value, decade % every == 0 ? text_of(value, quantity) : ""});
+    for (const int exponent : exponents) {
+        const double value = std::pow(10.0, exponent);
+        ticks.push_back({value, exponent % every == 0 ? text_of(value, quantity) : ""});
     }
     return ticks;
 }

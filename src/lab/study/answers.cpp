@@ -1,6 +1,6 @@
 #include "lab/study/answers.hpp"
 
-#include "lab/report/readable_number.hpp"
+#include "core/number_text.hpp"
 
 #include <fmt/format.h>
 
@@ -39,10 +39,6 @@ std::vector<const Measurement*> pareto_front(std::span<const Measurement> runs) 
         return beaten;
     });
     return front;
-}
-
-bool chooses_its_steps(const RunDescription& run) {
-    return run.method_parameters.contains("tolerance") && run.method_parameters["tolerance"] > 0;
 }
 
 std::string step_text(const RunDescription& run) {

@@ -20,9 +20,6 @@ std::vector<const Measurement*> pareto_front(std::span<const Measurement> runs);
 /// "pefrl at dt 0.21 in double, 3.1 times faster than rk4": the fastest run for this error, in words.
 std::string answer(std::span<const Measurement> runs, double error);
 
-/// True if the method chooses its steps by a tolerance, false if it takes steps of dt.
-bool chooses_its_steps(const RunDescription& run);
-
 /// "dt 0.21" or "tolerance 1e-07".
 std::string step_text(const RunDescription& run);
 

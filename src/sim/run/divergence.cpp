@@ -1,5 +1,6 @@
 #include "sim/run/divergence.hpp"
 
+#include "core/ticks.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -16,13 +17,6 @@ double squared_speed(const State<double>& state, std::size_t i) {
     const double measure =
         dot(state.velocity.at(i), state.velocity.at(i)) + 0 * dot(state.displacement.at(i), state.displacement.at(i));
     return std::isfinite(measure) ? measure : infinity;
-}
-
-/// The number cut to one significant digit, 1, 2 or 5: dt a person would choose.
-double round_down_nicely(double value) {
-    const double power = std::pow(10, std::floor(std::log10(value)));
-    const double digit = value / power;
-    return (digit >= 5 ? 5 : digit >= 2 ? 2 : 1) * power;
 }
 
 std::string reason(const Divergence& divergence, const RunDescription& held) {
@@ -68,7 +62,7 @@ void explain(Divergence& divergence, const RunDescription& held, const std::opti
         "The run diverged: step {} (t = {:.6g}) was the last good one, then particle {} was thrown off; {}.",
         divergence.step, divergence.time, divergence.particle, reason(divergence, held));
     const bool beyond = divergence.limit && *divergence.limit > 0 && held.dt >= *divergence.limit;
-    divergence.remedy_dt = round_down_nicely(beyond ? *divergence.limit / 2 : held.dt / 4);
+    divergence.remedy_dt = nice_floor(beyond ? *divergence.limit / 2 : held.dt / 4);
 }
 
 }  // namespace steplab

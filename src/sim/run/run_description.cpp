@@ -148,6 +148,11 @@ bool has_drag(const RunDescription& description) {
     return description.scene.contains("c") && description.scene["c"] > 0;
 }
 
+bool chooses_its_steps(const RunDescription& description) {
+    const ParameterValues& values = description.method_parameters;
+    return values.contains("tolerance") && values["tolerance"] > 0;
+}
+
 std::uint64_t steps_until(double duration, double dt) {
     return static_cast<std::uint64_t>(std::ceil(duration / dt * (1 - 1e-12)));
 }

@@ -67,6 +67,9 @@ std::optional<StabilityLimit> stability_limit(const RunDescription& description)
 /// True if the scene takes energy out of the motion: the energy then changes without any error.
 bool has_drag(const RunDescription& description);
 
+/// True if the method chooses its own steps within dt by its tolerance; false if every step is dt.
+bool chooses_its_steps(const RunDescription& description);
+
 /// ceil(duration / dt * (1 - 1e-12)): the steps that reach `duration`.
 std::uint64_t steps_until(double duration, double dt);
 

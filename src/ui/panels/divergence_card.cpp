@@ -1,3 +1,4 @@
+#include "core/number_text.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/remedy.hpp"
@@ -25,7 +26,7 @@ void draw_buttons(const Context& context, const Divergence& divergence) {
     };
     if (divergence.remedy_dt) {
         next();
-        const std::string text = fmt::format("use dt = {}", number(*divergence.remedy_dt));
+        const std::string text = fmt::format("use dt = {}", setting_text(*divergence.remedy_dt));
         if (text_button(context, "remedy.dt", text, true)) apply(context, with_dt(now, *divergence.remedy_dt));
     }
     if (const auto method = stable_method(now)) {

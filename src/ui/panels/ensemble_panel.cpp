@@ -1,3 +1,4 @@
+#include "core/number_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/slider.hpp"
@@ -60,11 +61,11 @@ void draw_width(const Context& context, const LiveEnsembleOptions& ensemble) {
     };
     const std::string help = fmt::format(
         "by how much at most, in parts of the run's own value\n{} · default {}\na change begins the ensemble anew",
-        range_text(width_info), scientific(width_info.default_value));
+        range_text(width_info), rounded_text(width_info.default_value));
     slider_row(context, {.widget = "ensemble width",
                          .label = "by ±",
                          .tooltip = help,
-                         .value_text = scientific(ensemble.width),
+                         .value_text = rounded_text(ensemble.width),
                          .entry_text = format_value(width_info, ensemble.width),
                          .value = ensemble.width,
                          .default_value = width_info.default_value,
@@ -75,11 +76,11 @@ void draw_width(const Context& context, const LiveEnsembleOptions& ensemble) {
 }
 
 /// "apart by 0.031 m at most, 2.1e-3 m rms"
-std::string reading_text(const RunView& view) {
+std::string spread_text(const RunView& view) {
     const EnsembleSpread& reading = view.ensemble_spread;
     if (view.frame.ensemble.empty()) return fmt::format("being computed: step {} of {}", reading.step, view.frame.step);
-    std::string text = fmt::format("apart by {} at most, {} rms", with_unit(scientific(reading.largest), "m"),
-                                   with_unit(scientific(reading.root_mean_square), "m"));
+    std::string text = fmt::format("apart by {} at most, {} rms", with_unit(rounded_text(reading.largest), "m"),
+                                   with_unit(rounded_text(reading.root_mean_square), "m"));
     if (reading.lost > 0) text += fmt::format(", {} lost", counted(static_cast<double>(reading.lost), "run", "runs"));
     return text;
 }
@@ -94,7 +95,7 @@ void draw_ensemble_rows(const Context& context) {
         draw_perturbed_parameter(context, ensemble);
         draw_width(context, ensemble);
     }
-    explanation(context, reading_text(context.view));
+    explanation(context, spread_text(context.view));
 }
 
 }  // namespace steplab::ui

@@ -1,3 +1,4 @@
+#include "core/number_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -18,7 +19,7 @@ struct Line {
 /// "5.3 digits right", green where the run is good for something.
 Line digits_line(double error, double scale) {
     if (error == 0) return {"all digits right", colour::good};
-    const auto digits = digits_right(error, scale);
+    const auto digits = correct_digits(error, scale);
     if (!digits) return {};
     return {fmt::format("{:.1f} digits right", *digits), *digits < 1 ? colour::bad : colour::good};
 }
@@ -29,16 +30,16 @@ std::vector<Line> lines_of(const Context& context) {
     lines.push_back(
         {fmt::format("t = {} s   step {}", time_text(view.frame.time, view.dt), view.frame.step), colour::text, true});
     const std::string energy = has_drag(view.description) ? "energy change " : "energy error ";  // drag takes it
-    lines.push_back({energy + with_unit(scientific(view.diagnostics.energy_error), "J")});
+    lines.push_back({energy + with_unit(rounded_text(view.diagnostics.energy_error), "J")});
     if (view.baseline_step > 0) lines.push_back({fmt::format("counted from step {}", view.baseline_step)});
     if (const auto error = view.diagnostics.error) {
         const double scale =
             std::max(context.session.history.largest_displacement(), view.diagnostics.max_displacement);
-        lines.push_back({"position error " + with_unit(scientific(*error), "m") + " (exact solution)"});
+        lines.push_back({"position error " + with_unit(rounded_text(*error), "m") + " (exact solution)"});
         lines.push_back(digits_line(*error, scale));
     }
     if (!view.frame.ensemble.empty())
-        lines.push_back({"ensemble apart by " + with_unit(scientific(view.ensemble_spread.largest), "m")});
+        lines.push_back({"ensemble apart by " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });
     return lines;
 }

@@ -1,3 +1,4 @@
+#include "core/number_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -11,7 +12,7 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiW
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 /// "420", "1.9e6".
-std::string frequency(double value) { return value < 1000 ? fmt::format("{:.0f}", value) : scientific(value); }
+std::string frequency(double value) { return value < 1000 ? fmt::format("{:.0f}", value) : rounded_text(value); }
 
 /// "1.9e6 steps/s · 7.6e6 evaluations/s · frame 4.1 ms"; what is not known is left out.
 std::string footer_text(const RunView& view, const Measured& measured) {
@@ -19,7 +20,7 @@ std::string footer_text(const RunView& view, const Measured& measured) {
     const auto add = [&](const std::string& part) { text.append(text.empty() ? "" : " · ").append(part); };
     if (view.steps_per_second.value_or(0) > 0) add(frequency(*view.steps_per_second) + " steps/s");
     if (view.evaluations_per_second.value_or(0) > 0) add(frequency(*view.evaluations_per_second) + " evaluations/s");
-    if (measured.frame_seconds) add("frame " + number(1e3 * *measured.frame_seconds, 2) + " ms");
+    if (measured.frame_seconds) add("frame " + setting_text(1e3 * *measured.frame_seconds, 2) + " ms");
     return text;
 }
 

@@ -1,4 +1,4 @@
-#include "lab/study/answers.hpp"
+#include "core/number_text.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/parameter_rows.hpp"
@@ -26,8 +26,8 @@ Verdict verdict(const std::optional<StabilityLimit>& known, const RunDescription
     if (std::isinf(known->limit)) return {"stable at any dt", colour::good};
     const double part = description.dt / known->limit;
     const std::string share = part < 0.01 ? "< 0.01" : fmt::format("{:.2f}", part);
-    const std::string of_limit = fmt::format("{} of limit {} s, ω_max {}", part < 10 ? share : scientific(part),
-                                             reading(known->limit), reading(known->omega_max));
+    const std::string of_limit = fmt::format("{} of limit {} s, ω_max {}", part < 10 ? share : rounded_text(part),
+                                             reading_text(known->limit), reading_text(known->omega_max));
     if (part > 1) return {"unstable: " + of_limit, colour::bad, true};
     return {"stable: " + of_limit, colour::good};
 }
@@ -65,7 +65,7 @@ void draw_step_panel(const Context& context) {
                             .widget = "dt",
                             .label = info.name,
                             .tooltip = help,
-                            .value_text = with_unit(number(description.dt), info.unit),
+                            .value_text = with_unit(setting_text(description.dt), info.unit),
                             .entry_text = format_value(info, description.dt),
                             .value = description.dt,
                             .default_value = info.default_value,

@@ -1,29 +1,42 @@
 #include "ui/plot/axis.hpp"
 
-#include "ui/widgets/format.hpp"
+#include "core/number_text.hpp"
+#include "core/ticks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace steplab::ui {
 namespace {
 
-/// The smallest of 1, 2, 5 times a power of ten that is not below `least`.
-double round_step(double least) {
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= least * (1 - 1e-9)) return factor * power;
+std::vector<Tick> linear_ticks_of(const Axis& axis, int most) {
+    constexpr std::size_t longest = 9;
+    const double step = nice_step(axis.low, axis.high, most);
+    const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
+    std::vector<Tick> found;
+    for (const double value : linear_ticks(axis.low, axis.high, step)) {
+        // Beside a plot there is no room for all the digits of a step that is tiny beside its values.
+        std::string label = tick_text(value, step, largest);
+        found.push_back({value, label.size() <= longest ? std::move(label) : typed(value, 6)});
     }
-    return 10 * power;
+    return found;
 }
 
-std::string tick_label(double value, double step) {
-    const double size = std::max(std::abs(value), step);
-    if (size >= 1e5 || size < 1e-3) return fmt::format("{:.3g}", value);
-    const int decimals = std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 6);
-    return fmt::format("{:.{}f}", value, decimals);
+/// Every power of ten, or every second, third ... so that they divide the axis into at most `most` intervals.
+std::vector<Tick> logarithmic_ticks_of(const Axis& axis, int most) {
+    const std::vector<int> exponents = decades(axis.low, axis.high);
+    const auto intervals = static_cast<std::size_t>(std::max(most, 1));
+    const std::size_t every = std::max<std::size_t>(1, (exponents.size() + intervals - 2) / intervals);
+    std::vector<Tick> found;
+    for (std::size_t i = 0; i < exponents.size(); i += every) {
+        const bool plain = exponents[i] >= -2 && exponents[i] <= 3;
+        const double value = std::pow(10.0, exponents[i]);
+        found.push_back({value, plain ? number_text(value) : fmt::format("1e{}", exponents[i])});
+    }
+    return found;
 }
 
 bool can_show(double x, double y, const Axis& up) {
@@ -65,51 +78,8 @@ double Axis::value(float pixel) const {
     return logarithmic ? low * std::pow(high / low, part) : low + part * (high - low);
 }
 
-std::vector<Tick> linear_ticks(double low, double high, int most) {
-    std::vector<Tick> found;
-    if (!(high > low) || most < 1) return found;
-    const double step = round_step((high - low) / most);
-    const double slack = 1e-9 * step;
-    for (double k = std::ceil((low - slack) / step); k * step <= high + slack; ++k) {
-        const double value = k == 0 ? 0 : k * step;
-        found.push_back({value, tick_label(value, step)});
-    }
-    return found;
-}
-
-std::vector<Tick> logarithmic_ticks(double low, double high, int most) {
-    std::vector<Tick> found;
-    if (!(high > low) || !(low > 0) || most < 1) return found;
-    const int first = static_cast<int>(std::ceil(std::log10(low) - 1e-9));
-    const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
-    const int every = std::max(1, (last - first + most - 1) / most);
-    for (int exponent = first; exponent <= last; exponent += every) {
-        const bool plain = exponent >= -2 && exponent <= 3;
-        const double value = std::pow(10.0, exponent);
-        found.push_back({value, plain ? fmt::format("{:g}", value) : fmt::format("1e{}", exponent)});
-    }
-    return found;
-}
-
 std::vector<Tick> ticks(const Axis& axis, int most) {
-    return axis.logarithmic ? logarithmic_ticks(axis.low, axis.high, most) : linear_ticks(axis.low, axis.high, most);
-}
-
-Range round_range(double low, double high, int most) {
-    if (!(high > low)) {
-        const double half = low == 0 ? 1 : 0.5 * std::abs(low);
-        return {low - half, low + half};
-    }
-    for (double step = round_step((high - low) / most);; step = round_step(1.5 * step)) {
-        const Range range{std::floor(low / step + 1e-9) * step, std::ceil(high / step - 1e-9) * step};
-        if (range.high - range.low <= (most + 1e-9) * step) return range;
-    }
-}
-
-Range round_logarithmic_range(double low, double high) {
-    const double bottom = std::floor(std::log10(low));
-    const double top = std::max(std::ceil(std::log10(high)), bottom + 1);
-    return {std::pow(10.0, bottom), std::pow(10.0, top)};
+    return axis.logarithmic ? logarithmic_ticks_of(axis, most) : linear_ticks_of(axis, most);
 }
 
 std::vector<PlotPoint> decimated(std::span<const double> x, std::span<const double> y, const Axis& across,

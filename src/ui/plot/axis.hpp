@@ -24,23 +24,9 @@ struct Tick {
     std::string label;
 };
 
-/// Values at steps of 1, 2 or 5 times a power of ten that lie in low .. high, which they part into at most `most`
+/// Ticks at nice numbers, or at powers of ten on a logarithmic axis, that divide the axis into at most `most` (>= 1)
 /// intervals.
-std::vector<Tick> linear_ticks(double low, double high, int most);
-/// Whole powers of ten in low .. high, every second, third ... one where they would be more than
-/// `most` intervals.
-std::vector<Tick> logarithmic_ticks(double low, double high, int most);
 std::vector<Tick> ticks(const Axis& axis, int most);
-
-struct Range {
-    double low = 0;
-    double high = 1;
-};
-/// A range about low .. high whose ends are ticks, parted by them into at most `most` intervals; where low = high, a
-/// range about it.
-Range round_range(double low, double high, int most);
-/// Whole powers of ten around low .. high, at least one decade; both > 0.
-Range round_logarithmic_range(double low, double high);
 
 /// A point of a plotted line, in pixels.
 struct PlotPoint {

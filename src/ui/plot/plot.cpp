@@ -1,5 +1,6 @@
 #include "ui/plot/plot.hpp"
 
+#include "core/number_text.hpp"
 #include "ui/plot/plot_files.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/icons.hpp"
@@ -108,13 +109,13 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const P
     const float x = std::round(axes.across.pixel(first.x[i]));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine({x, frame.y}, {x, frame.bottom()}, colour::text_faint);
-    std::string text = "t = " + with_unit(number(first.x[i], 6), "s");
+    std::string text = "t = " + with_unit(setting_text(first.x[i], 6), "s");
     for (const Curve& curve : plot.curves) {
         if (!std::isfinite(curve.y[i])) continue;
         if (!plot.logarithmic || curve.y[i] > 0) {
             list.AddCircleFilled({x, axes.up.pixel(curve.y[i])}, context.theme.scale() * 3, curve.ink);
         }
-        text.append("\n" + curve.name + " " + with_unit(number(curve.y[i], 5), plot.unit));
+        text.append("\n" + curve.name + " " + with_unit(setting_text(curve.y[i], 5), plot.unit));
     }
     tooltip(context, text);
 }

@@ -1,3 +1,4 @@
+#include "core/ticks.hpp"
 #include "ui/plot/plot.hpp"
 
 #include <fmt/format.h>
@@ -54,8 +55,7 @@ PlotAxes plot_axes(const Plot& plot, const Area& frame, int most) {
     PlotAxes axes;
     axes.across = {x.low, x.high > x.low ? x.high : x.low + 1, false, frame.x, frame.right()};
     if (y.low <= y.high) {
-        const Range range =
-            plot.logarithmic ? round_logarithmic_range(y.low, y.high) : round_range(y.low, y.high, most);
+        const Range range = plot.logarithmic ? decade_range(y.low, y.high) : nice_range(y.low, y.high, most);
         axes.up = {range.low, range.high, plot.logarithmic, frame.bottom(), frame.y};
     }
     return axes;

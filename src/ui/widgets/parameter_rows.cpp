@@ -1,5 +1,6 @@
 #include "ui/widgets/parameter_rows.hpp"
 
+#include "core/number_text.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -33,7 +34,7 @@ void slider_parameter(const Context& context, const std::string& widget, const P
                    .widget = widget,
                    .label = info.name,
                    .tooltip = help,
-                   .value_text = with_unit(whole ? fmt::format("{:.0f}", value) : number(value), info.unit),
+                   .value_text = with_unit(whole ? fmt::format("{:.0f}", value) : setting_text(value), info.unit),
                    .entry_text = format_value(info, value),
                    .value = value,
                    .default_value = info.default_value,

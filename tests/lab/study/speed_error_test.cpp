@@ -1,6 +1,6 @@
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "core/text.hpp"
-#include "lab/report/readable_number.hpp"
 #include "lab/studies.hpp"
 #include "lab/study/advice.hpp"
 #include "lab/study/answers.hpp"

@@ -1,0 +1,74 @@
+#include "core/number_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace steplab {
+namespace {
+
+TEST(ReadableNumber, is_a_decimal_where_that_is_short) {
+    EXPECT_EQ(readable(0), "0");
+    EXPECT_EQ(readable(0.2123), "0.21");
+    EXPECT_EQ(readable(3.1), "3.1");
+    EXPECT_EQ(readable(0.001), "0.001");
+    EXPECT_EQ(readable(68.1, 4), "68.1");
+    EXPECT_EQ(readable(1234), "1234");
+    EXPECT_EQ(readable(-0.05), "-0.05");
+}
+
+// No "1e-06" and no "1.0·10⁻⁶": a power of ten is that alone.
+TEST(ReadableNumber, has_raised_digits_elsewhere) {
+    EXPECT_EQ(readable(1e-6), "10⁻⁶");
+    EXPECT_EQ(readable(2.34e-7), "2.3·10⁻⁷");
+    EXPECT_EQ(readable(9.97e-7), "10⁻⁶");
+    EXPECT_EQ(readable(9.9999e-4), "0.001");
+    EXPECT_EQ(readable(3e12), "3·10¹²");
+}
+
+TEST(ReadableNumber, can_be_typed) {
+    EXPECT_EQ(typed(1e-6), "1e-6");
+    EXPECT_EQ(typed(2.34e-17), "2.3e-17");
+    EXPECT_EQ(typed(0.89605, 3), "0.896");
+    EXPECT_EQ(typed(0.01), "0.01");
+}
+
+TEST(ReadableNumber, counts_in_groups_of_three) {
+    EXPECT_EQ(grouped(999), "999");
+    EXPECT_EQ(grouped(12345678), "12\u202f345\u202f678");
+}
+
+TEST(SettingText, is_short) {
+    EXPECT_EQ(setting_text(2), "2.0");
+    EXPECT_EQ(setting_text(0.25), "0.25");
+    EXPECT_EQ(setting_text(9.81), "9.81");
+    EXPECT_EQ(setting_text(1.9e6, 2), "1.9e6");
+    EXPECT_EQ(setting_text(1.5e-5), "1.5e-5");
+    EXPECT_EQ(setting_text(0), "0");
+    EXPECT_EQ(setting_text(-3), "-3.0");
+    EXPECT_EQ(setting_text(INFINITY), "∞");
+    EXPECT_EQ(setting_text(NAN), "not a number");
+    EXPECT_EQ(setting_text(1e300), "1.0e300");
+}
+
+TEST(ReadingText, keeps_its_width) {
+    EXPECT_EQ(reading_text(0.5), "0.500");
+    EXPECT_EQ(reading_text(0.2134), "0.213");
+    EXPECT_EQ(reading_text(12.34), "12.3");
+    EXPECT_EQ(reading_text(123.4), "123");
+    EXPECT_EQ(reading_text(1e-7), "1.00e-7");
+    EXPECT_EQ(reading_text(0), "0");
+}
+
+TEST(RoundedText, has_two_digits) {
+    EXPECT_EQ(rounded_text(2.14e-7), "2.1e-7");
+    EXPECT_EQ(rounded_text(-0.314), "-0.31");
+    EXPECT_EQ(rounded_text(4.44), "4.4");
+    EXPECT_EQ(rounded_text(123), "123");
+    EXPECT_EQ(rounded_text(123456), "1.2e5");
+    EXPECT_EQ(rounded_text(0), "0");
+    EXPECT_EQ(rounded_text(INFINITY), "∞");
+}
+
+}  // namespace
+}  // namespace steplab
