@@ -1,5 +1,5 @@
 #version 330 core
-// A cube along the axes of space, its corners on the ball of v_radius, its edges softened by the light.
+// An axis-aligned cube with its corners on the ball of v_radius and edges softened by the light.
 
 flat in float v_radius;
 
@@ -7,7 +7,7 @@ flat in float v_radius;
 #include "lighting.glsl"
 #include "covered.glsl"
 
-// Where a ray in the cube's own axes enters and leaves it.
+// Where a ray, in the axes of the cube, enters and leaves it.
 vec2 crossed(vec3 closest, vec3 direction, float half_side) {
     vec3 inverse = 1.0 / (direction + 1e-20);  // no 0 * infinity
     vec3 middle = -closest * inverse;
@@ -26,7 +26,7 @@ float surface(vec3 closest, vec3 direction, out vec3 normal, out float coverage)
     float distance = min(range.x, 0.5 * (range.x + range.y));
     vec3 part = (from + distance * along) / half_side;
     vec3 squared = part * part;
-    vec3 rounded = part * squared * squared * squared;  // nearly a face's normal but for the edges
+    vec3 rounded = part * squared * squared * squared;  // the normal of a face, except near the edges
     normal = u_rotation * normalize(rounded);
     return distance;
 }

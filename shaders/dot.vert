@@ -1,5 +1,5 @@
 #version 330 core
-// Balls so far away that nothing of their shape is seen: one small square per particle, as large as the ball's disc.
+// Balls so far away that their shape is not visible: one small square per particle, with the area of the disc.
 
 layout(location = 0) in vec3 a_centre;
 layout(location = 1) in vec4 a_colour;

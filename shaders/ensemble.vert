@@ -1,5 +1,5 @@
 #version 330 core
-// Particles of the runs beside a run: small dots turned to the eye, hidden where they are inside the run's own particles.
+// Particles of an ensemble: small dots facing the camera, hidden inside the particles of the run itself.
 
 layout(location = 0) in vec3 a_centre;
 layout(location = 1) in vec4 a_colour;

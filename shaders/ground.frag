@@ -1,6 +1,6 @@
 #version 330 core
-// Lines every u_step, stronger every fifth, one pixel wide at any distance; they fade towards the edge of the ground,
-// where they crowd, and where the ground is seen from the side.
+// Lines every u_step, every fifth one stronger, one pixel wide at any distance. They fade towards the edge of the
+// ground, where they are dense, and where the ground is seen from the side.
 
 in vec2 v_place;
 in vec3 v_position;
@@ -16,7 +16,7 @@ uniform float u_strength;
 
 out vec4 f_colour;
 
-// Coverage of the lines at whole numbers; `spread` is how many of them a pixel spans.
+// Coverage of lines at integers; `spread` is the number of them in a pixel.
 float lines(vec2 place, vec2 spread) {
     vec2 off = abs(fract(place - 0.5) - 0.5) / spread;
     vec2 covered = clamp(0.5 * u_width + 0.5 - off, 0.0, 1.0) * (1.0 - smoothstep(0.15, 0.45, spread));

@@ -1,5 +1,5 @@
 #version 330 core
-// The ground: a level square around the scene.
+// The ground: a horizontal square around the scene.
 
 uniform vec3 u_centre;     // relative to the focus
 uniform float u_reach;     // half its side

@@ -1,14 +1,14 @@
 // Draws a convex body inside its quad. The shader that includes this defines:
 //     float surface(vec3 closest, vec3 direction, out vec3 normal, out float coverage)
-//         how far along the ray from `closest` the body's surface is (negative: nearer), the normal in the eye's space,
-//         and how much of the pixel the body covers: from the distance to its outline, which is smooth by that
-// A ray is given relative to the body's centre by its point closest to that centre, so that nothing is lost far away.
+//         the distance of the body's surface from `closest` along the ray (negative: nearer), the normal in the eye's
+//         space, and the part of the pixel that the body covers, which makes its outline smooth
+// A ray is given relative to the centre of the body by its point closest to that centre, so that it is exact far away.
 
 in vec3 v_direction;
 flat in vec3 v_centre;
 flat in vec3 v_colour;
 
-uniform float u_least_coverage;  // of a pixel that is drawn at all
+uniform float u_least_coverage;  // smallest coverage of a pixel that is drawn
 
 out vec4 f_colour;
 

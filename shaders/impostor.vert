@@ -1,5 +1,5 @@
 #version 330 core
-// One quad per particle that just covers the picture of a ball of u_radius, or of the least that is drawn.
+// One quad per particle that just covers a ball of u_radius, or of the smallest radius that is drawn.
 
 layout(location = 0) in vec3 a_centre;
 layout(location = 1) in vec4 a_colour;
@@ -15,7 +15,7 @@ flat out vec3 v_colour;
 flat out float v_radius;
 flat out float v_scale;   // pixels of a length of 1 at the centre
 
-// The range that the ball covers of across/ahead, in the plane of that direction and the line of sight.
+// The range of across/ahead that the ball covers, in the plane of that direction and the line of sight.
 vec2 covered(float across, float ahead) {
     float from_eye = across * across + ahead * ahead;
     float root = v_radius * sqrt(max(from_eye - v_radius * v_radius, 0.0));
@@ -41,6 +41,6 @@ void main() {
     v_direction = vec3(right ? horizontal.y + margin : horizontal.x - margin,
                        upper ? vertical.y + margin : vertical.x - margin, -1.0);
     gl_Position = u_clip * vec4(v_direction * (ahead - v_radius), 1.0);
-    // All fragments write their own depth; the quad must only not be cut off by the planes.
+    // All fragments write their own depth; the planes must not cut off the quad.
     gl_Position.z = 0.0;
 }

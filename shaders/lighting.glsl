@@ -1,11 +1,11 @@
-// One soft light that goes with the eye, from the upper left, and a sky above a darker ground.
+// One soft light from the upper left that moves with the camera, and a sky above a darker ground.
 
 const vec3 light_direction = normalize(vec3(-0.42, 0.70, 0.58));
 
 uniform float u_sky;    // light from above that reaches every surface
 uniform float u_earth;  // and from below
 
-// x^48, in fewer instructions than pow() takes where a processor draws.
+// x^48, in fewer instructions than pow() takes in a software renderer.
 float to_the_48th(float x) {
     float third = x * x * x;
     float sixth = third * third;

@@ -1,5 +1,5 @@
 #version 330 core
-// A rod too thin to show that it is round, lit as a whole, or a plain line.
+// A rod too thin for visible shading across it, or a plain line.
 
 uniform float u_lit;  // 1: a rod under the light; 0: a plain line
 

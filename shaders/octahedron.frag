@@ -1,5 +1,5 @@
 #version 330 core
-// An octahedron along the axes of space, its corners on the ball of v_radius.
+// An axis-aligned octahedron with its corners on the ball of v_radius.
 
 flat in float v_radius;
 

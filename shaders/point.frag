@@ -1,10 +1,10 @@
 #version 330 core
-// A small ball: lit like a large one, flat in depth, its outline smooth by how far it is from the pixel.
+// A small ball: lit like a large one, flat in depth, with its outline smoothed by the distance to the pixel.
 
 flat in vec3 v_colour;
 flat in float v_radius;
 
-uniform float u_least_coverage;  // of a pixel that is drawn at all
+uniform float u_least_coverage;  // smallest coverage of a pixel that is drawn
 
 #include "view.glsl"
 #include "lighting.glsl"

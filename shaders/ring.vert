@@ -1,5 +1,5 @@
 #version 330 core
-// A ring around a particle, turned to the eye.
+// A ring around a particle, facing the camera.
 
 layout(location = 0) in vec3 a_centre;
 layout(location = 1) in vec4 a_colour;

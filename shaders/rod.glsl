@@ -1,4 +1,4 @@
-// One quad per rod (spring, line of an axis), turned to the eye; never thinner than u_least_width pixels. Or one line.
+// One quad per rod (spring, line of an axis), facing the camera, at least u_least_width pixels wide; or one line.
 
 layout(location = 0) in vec3 a_start;
 layout(location = 1) in vec3 a_end;
@@ -7,8 +7,8 @@ layout(location = 2) in vec4 a_colour;
 uniform float u_radius;       // 0: a line
 uniform float u_least_width;  // pixels
 uniform float u_breadth;      // 1: quads; 0: lines
-uniform float u_fading;       // a rod shorter than this, in pixels, is paler
-uniform float u_faded;        // and one as short as this is gone
+uniform float u_fading;       // rods shorter than this, in pixels, are fainter
+uniform float u_faded;        // rods as short as this are invisible
 
 struct RodCorner {
     vec3 position;   // in the eye's space
@@ -18,7 +18,7 @@ struct RodCorner {
     float alpha;
 };
 
-// The corner that this vertex is.
+// The corner of this vertex.
 RodCorner rod_corner() {
     RodCorner corner;
     vec3 start = seen(a_start);
@@ -30,9 +30,9 @@ RodCorner rod_corner() {
     float radius = max(u_radius, least_radius);
     corner.position = position + u_breadth * corner.across * radius * corner.side;
     corner.diameter = 2.0 * radius * u_pixels / max(-position.z, 1e-30);
-    // A rod too thin to be drawn so is drawn paler instead; a plain line has no thickness of its own.
+    // A rod below the smallest width is drawn fainter instead; a plain line has no thickness of its own.
     float thinness = u_radius > 0.0 ? u_radius / radius : 1.0;
-    // What is seen of its length, the rest being along the line of sight.
+    // The visible length; the rest is along the line of sight.
     float pixels = length(cross(end - start, normalize(position))) * u_pixels / max(-position.z, 1e-30);
     corner.alpha = a_colour.a * mix(1.0, thinness, 0.6) * smoothstep(u_faded, u_fading, pixels);
     return corner;

@@ -1,12 +1,12 @@
 #version 330 core
-// A round rod under the light.
+// A round rod, lit.
 
 #include "view.glsl"
 #include "rod.glsl"
 
 out vec4 v_colour;
 out float v_across;         // -1 .. 1 from side to side
-out float v_roundness;      // 0 where the rod is too thin to show that it is round
+out float v_roundness;      // 0 if the rod is too thin for visible shading
 out vec3 v_side;            // in the eye's space, of length 1
 out vec3 v_position;
 

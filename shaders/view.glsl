@@ -1,5 +1,5 @@
-// What every shader of the scene knows of the eye. Positions are relative to the focus of the
-// camera, lengths in units of its distance.
+// The camera, for all shaders of the scene. Positions are relative to the focus of the camera, lengths in units of its
+// distance.
 
 uniform mat3 u_rotation;  // to the eye's space: x to the right, y up, z towards the eye
 uniform vec3 u_eye;

@@ -19,7 +19,7 @@ constexpr double least_spacing[] = {54, 32, 54};  // of ticks along x, y, z
 constexpr double vanished_length = 50;
 constexpr double full_length = 120;
 
-/// One axis: an edge of the box and the way out of the box, where ticks and numbers are.
+/// One axis: an edge of the box and the direction out of the box, where ticks and numbers are.
 struct Edge {
     int axis;  // 0 x, 1 y, 2 z
     Vec3 start;
@@ -34,7 +34,7 @@ Vec3 with_component(Vec3 v, int axis, double value) {
     return v;
 }
 
-/// The upright edge that is farthest to the left in the picture.
+/// The upright edge farthest to the left in the picture.
 Edge upright_edge(const Bounds& box, const Projection& projection) {
     double leftmost = std::numeric_limits<double>::infinity();
     Edge edge{1, box.low, box.low, -1.0 * projection.right()};
@@ -61,7 +61,7 @@ std::array<Edge, 3> facing_edges(const Bounds& box, const Projection& projection
              {2, {x, y, box.low.z}, {x, y, box.high.z}, {from_right ? 1.0 : -1.0, 0, 0}}}};
 }
 
-/// The point moved outward by a distance on the picture.
+/// The point moved outward by a distance in the picture.
 std::optional<PixelPoint> beside(const Edge& edge, Vec3 point, const Projection& projection, double distance) {
     const double depth = projection.depth(point);
     const auto on_edge = projection.pixel(point);
@@ -109,7 +109,7 @@ void add_axis(Axes& axes, const Edge& edge, double grid_step, const Projection& 
     if (strength <= 0) return;
     const double reach = length(edge.end - edge.start);
     const double step = tick_step(grid_step, pixels * grid_step / reach, least_spacing[edge.axis] * pixel_scale);
-    // One number alone tells nothing.
+    // A single number shows no scale.
     if (linear_ticks(component(edge.start, edge.axis), component(edge.end, edge.axis), step).size() < 2) return;
     axes.lines.push_back({edge.start, edge.end, strength});
     add_ticks(axes, edge, step, strength, projection, pixel_scale);

@@ -8,28 +8,28 @@
 
 namespace steplab::render {
 
-/// A line of the axes in space, and how strongly it shows, 0 .. 1.
+/// A line of the axes in space and its opacity, 0 .. 1.
 struct AxisLine {
     Vec3 start;
     Vec3 end;
     double strength = 1;
 };
 
-/// A text of the axes: where its centre is in the picture, and how strongly it shows, 0 .. 1.
+/// A text of the axes: the place of its centre in the picture and its opacity, 0 .. 1.
 struct AxisLabel {
     std::string text;
     PixelPoint centre;
     double strength = 1;
 };
 
-/// Axes along three edges of a box, on the sides that face the eye, with ticks, their numbers and titles.
+/// Axes along three edges of a box, on the sides that face the camera, with ticks, numbers and titles.
 struct Axes {
     std::vector<AxisLine> lines;
     std::vector<AxisLabel> labels;
 };
 
-/// An axis that is seen from its end fades. Ticks are as close as their numbers allow. Distances on the picture, such
-/// as that of a number from its axis, grow with `pixel_scale`.
+/// An axis that points towards the camera fades. Ticks are as close as their numbers allow. Distances in the picture,
+/// such as that of a number from its axis, are proportional to `pixel_scale`.
 Axes axes_of(const AxesBox& box, const Projection& projection, double pixel_scale);
 
 }  // namespace steplab::render

@@ -8,7 +8,7 @@
 namespace steplab::render {
 namespace {
 
-// Cells of the ground grid along the longer side of the scene, about.
+// Approximate number of cells of the ground grid along the longest side of the scene.
 constexpr double wanted_cells = 14;
 
 Vec3 smaller(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
@@ -30,7 +30,7 @@ std::array<Vec3, 8> Bounds::corners() const {
 }
 
 bool drawable(Vec3 point) {
-    constexpr double farthest = 1e100;  // squares and cubes of it are still numbers
+    constexpr double farthest = 1e100;  // its square and cube do not overflow
     return std::abs(point.x) < farthest && std::abs(point.y) < farthest && std::abs(point.z) < farthest;
 }
 
@@ -58,7 +58,7 @@ Bounds expected_bounds(const Shape& shape) {
 
 AxesBox axes_box(const Frame& frame) {
     const Shape& shape = *frame.shape;
-    // with a period nothing is seen beyond what is expected
+    // a periodic scene is drawn within its expected bounds
     const Bounds now = shape.period == 0 ? bounds_of(frame.positions) : expected_bounds(shape);
     return axes_box(expected_bounds(shape), shape.spacing, now);
 }

@@ -8,7 +8,7 @@
 
 namespace steplab::render {
 
-/// A box along the axes of space.
+/// An axis-aligned box.
 struct Bounds {
     Vec3 low;
     Vec3 high;
@@ -19,26 +19,26 @@ struct Bounds {
     friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 
-/// False for places that cannot be told in the arithmetic of the drawing: not finite, or beyond all measure.
+/// False for positions that cannot be drawn: not finite, or so large that their squares and cubes overflow.
 bool drawable(Vec3 point);
 
-/// The smallest box that holds all points that can be drawn; the origin alone if there are none.
+/// The smallest box around all points that can be drawn; the origin if there are none.
 Bounds bounds_of(std::span<const Vec3> points);
 Bounds joined(const Bounds& a, const Bounds& b);
 /// Larger by `margin` on every side.
 Bounds widened(const Bounds& bounds, double margin);
 
-/// The box of a scene at rest and of the places it is expected to reach.
+/// The box around a scene at rest and the places that it is expected to reach.
 Bounds expected_bounds(const Shape& shape);
 
-/// The box whose edges carry the axes: a little more than expected_bounds(). Where the frame has left it, it is larger
-/// by whole steps, so that it mostly stands still while the scene moves.
+/// The box whose edges carry the axes: slightly larger than expected_bounds(). Where the frame leaves it, it grows by
+/// whole steps, so that it rarely changes while the scene moves.
 struct AxesBox {
     Bounds bounds;
-    double step = 1;  ///< of the ground grid: 1, 2 or 5 times a power of ten
+    double step = 1;  ///< of the ground grid, a nice number (core/ticks.hpp)
 };
 AxesBox axes_box(const Frame& frame);
-/// The same of a scene with these expected_bounds() and distance of neighbours whose particles are in the box `now`.
+/// The same for a scene with these expected_bounds() and spacing of neighbours, whose particles are in the box `now`.
 AxesBox axes_box(const Bounds& expected, double spacing, const Bounds& now);
 
 }  // namespace steplab::render

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-// Beyond these the floats of the drawing would not tell neighbouring points apart.
+// Beyond these, single precision does not resolve neighbouring points.
 constexpr double nearest = 1e-9;
 constexpr double farthest = 1e12;
 

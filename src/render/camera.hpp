@@ -6,17 +6,17 @@
 
 namespace steplab::render {
 
-/// Where the scene is looked at from; plain data. At yaw 0 and pitch 0 it looks along -z: x to the right, y up.
+/// The position and direction of the camera. At yaw 0 and pitch 0 it points along -z, with x to the right and y up.
 struct Camera {
-    Vec3 focus;            ///< the point it looks at and turns about
-    double distance = 10;  ///< from the eye to the focus, > 0
-    double yaw = 0;        ///< degrees; the eye moves towards +x as it grows
-    double pitch = 0;      ///< degrees, -90 .. 90; the eye moves up as it grows
+    Vec3 focus;            ///< the point at the centre of the picture, about which the camera turns
+    double distance = 10;  ///< from the camera to the focus, > 0
+    double yaw = 0;        ///< degrees; the camera moves towards +x as it grows
+    double pitch = 0;      ///< degrees, -90 .. 90; the camera moves up as it grows
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// Height of the picture as an angle in degrees.
+/// Vertical field of view in degrees.
 inline constexpr double field_of_view = 28;
 
 /// Size of a picture in pixels.
@@ -37,7 +37,7 @@ struct Ray {
     Vec3 direction;  ///< of length 1
 };
 
-/// A camera with a size of picture: the way from space to pixels and back, in double.
+/// A camera and a picture size: maps points in space to pixels and back, in double.
 class Projection {
 public:
     Projection(const Camera& camera, PictureSize size);
@@ -48,17 +48,17 @@ public:
     Vec3 right() const { return right_; }
     Vec3 up() const { return up_; }
     Vec3 forward() const { return forward_; }
-    /// How far in front of the eye a point is, along the direction of view; negative behind it.
+    /// Distance of a point in front of the camera along its direction; negative behind it.
     double depth(Vec3 point) const { return dot(point - eye_, forward_); }
-    /// Where a point is in the picture, also beyond its edges. None if it is not in front of the eye.
+    /// The place of a point in the picture, also beyond its edges. None if it is not in front of the camera.
     std::optional<PixelPoint> pixel(Vec3 point) const;
-    /// The ray from the eye through a pixel.
+    /// The ray from the camera through a pixel.
     Ray ray(PixelPoint pixel) const;
-    /// The point under a pixel on the plane through the focus that faces the eye.
+    /// The point under a pixel on the plane through the focus that faces the camera.
     Vec3 on_focus_plane(PixelPoint pixel) const;
-    /// Pixels that a length of 1 covers at a depth, > 0.
+    /// Pixels covered by a length of 1 at a depth > 0.
     double pixels_per_unit(double depth) const { return pixels_at_one_ / depth; }
-    /// Tangents of half the picture's width and height as angles.
+    /// Tangents of half the horizontal and vertical field of view.
     double half_width() const { return half_width_; }
     double half_height() const { return half_height_; }
 
@@ -69,11 +69,11 @@ private:
     double half_width_, half_height_, pixels_at_one_;
 };
 
-/// Turns about the focus by a drag of the mouse, in pixels; half a turn is the picture's height.
+/// Turns about the focus by a drag of the mouse in pixels; the height of the picture is half a turn.
 Camera orbited(const Projection& projection, double dx, double dy);
-/// Moves so that the focus follows a drag of the mouse, in pixels.
+/// Moves so that the focus follows a drag of the mouse in pixels.
 Camera panned(const Projection& projection, double dx, double dy);
-/// Nearer by `factor` (> 1) or farther (< 1); the point of the focus plane under the pixel stays under it.
+/// Moves closer by `factor` (> 1) or away (< 1); the point of the focus plane under the pixel stays there.
 Camera zoomed(const Projection& projection, double factor, PixelPoint pixel);
 
 }  // namespace steplab::render

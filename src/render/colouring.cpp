@@ -9,7 +9,7 @@
 namespace steplab::render {
 namespace {
 
-// Sixteen evenly spaced colours of the scale by S. van der Walt and N. Smith (2015).
+// Sixteen evenly spaced colours of the colour map by S. van der Walt and N. Smith (2015).
 constexpr std::array<Rgb, 16> viridis_stops = {rgb(0x440154), rgb(0x481a6c), rgb(0x472f7d), rgb(0x414487),
                                                rgb(0x39568c), rgb(0x31688e), rgb(0x2a788e), rgb(0x23888e),
                                                rgb(0x1f988b), rgb(0x22a884), rgb(0x35b779), rgb(0x54c568),
@@ -23,7 +23,7 @@ Rgb mixed(Rgb a, Rgb b, double part) {
     return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }
 
-/// In the arithmetic of the drawing: of places that drawable() lets through.
+/// Length of a vector between points that are drawable().
 double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
 
 double particle_value(const Frame& frame, const Style& style, std::size_t i) {
@@ -39,7 +39,7 @@ double particle_value(const Frame& frame, const Style& style, std::size_t i) {
 
 double strain(const Frame& frame, const Spring& spring) {
     const double now = size_of(frame.positions[spring.second] - frame.positions[spring.first]);
-    // A spring of no rest length has no strain: its length itself tells how far it is pulled.
+    // A spring without rest length has no strain: its length is the measure of its extension.
     return spring.rest_length > 0 ? now / spring.rest_length - 1 : now;
 }
 
@@ -74,7 +74,7 @@ Rgb ColourScale::colour(double value, const Palette& palette) const {
 
 std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style) {
     if (style.colouring == Colouring::role) return std::nullopt;
-    // Where nothing moves yet there is no largest value to go by; any scale is as good as another.
+    // Without a largest value, as before the first motion, any scale will do.
     const double largest = largest_value(frame, style);
     const double maximum = style.scale_maximum.value_or(largest > 0 ? nice_ceil(largest, scale_digits) : 1.0);
     return ColourScale{style.colouring, style.colouring == Colouring::strain ? -maximum : 0.0, maximum};
@@ -94,7 +94,7 @@ Rgb role_colour(const Style& style, Role role) {
 
 Rgb particle_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i) {
     const Role role = frame.shape->roles[i];
-    if (!scale || !tells_values(scale->colouring) || role == Role::fixed) return role_colour(style, role);
+    if (!scale || !shows_values(scale->colouring) || role == Role::fixed) return role_colour(style, role);
     return scale->colour(particle_value(frame, style, i), palette(style.background));
 }
 

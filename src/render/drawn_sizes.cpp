@@ -5,8 +5,8 @@
 namespace steplab::render {
 namespace {
 
-constexpr double usual_part = 0.19;      // of the distance of neighbours
-constexpr double largest_part = 0.25;    // of the distance of neighbours
+constexpr double usual_part = 0.19;      // of the spacing of neighbours
+constexpr double largest_part = 0.25;    // of the spacing of neighbours
 constexpr double part_of_scene = 0.014;  // of the scene's diagonal
 
 }  // namespace

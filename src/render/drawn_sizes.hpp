@@ -5,14 +5,14 @@
 
 namespace steplab::render {
 
-/// How large the things of a scene are drawn, in its lengths: by the distance of neighbours, but not so small that they
-/// would be lost in a wide scene.
+/// The sizes at which particles and springs are drawn, in lengths of the scene: proportional to the spacing of
+/// neighbours, but not too small to be seen in a wide scene.
 class DrawnSizes {
 public:
     explicit DrawnSizes(const Shape& shape);
-    /// Of a scene with these expected_bounds() and distance of neighbours.
+    /// For a scene with these expected_bounds() and spacing of neighbours.
     DrawnSizes(const Bounds& expected, double spacing);
-    /// Of a particle: of the ball, or of the ball around the body that it is drawn as.
+    /// Radius of a particle: of its ball, or of the ball around its cube or octahedron.
     double radius(Role role) const;
     double spring_radius() const { return 0.1 * ball_; }
 

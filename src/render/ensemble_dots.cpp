@@ -9,7 +9,7 @@ namespace {
 constexpr double part_of_ball = 0.11;  // the radius of a dot
 constexpr double least_radius = 0.9;   // pixels
 
-/// Fainter the more there are: of a few, each is seen; of many, how close they are.
+/// The more dots, the fainter: few are seen one by one, many as a density.
 std::uint8_t opacity(std::size_t runs) {
     const double opacity = std::clamp(2.8 / std::sqrt(static_cast<double>(runs)), 0.16, 0.55);
     return static_cast<std::uint8_t>(std::lround(255 * opacity));

@@ -10,22 +10,22 @@
 
 namespace steplab::render {
 
-/// Draws the runs beside a run as an ensemble of faint dots, in the colours of its particles: what is inside these is
-/// not seen, so that there is an ensemble only where the runs have parted.
+/// Draws the particles of an ensemble as faint dots in the colours of the particles of the run. Dots inside these are
+/// hidden, so that they show only where the runs have diverged from each other.
 class EnsembleDots {
 public:
     EnsembleDots();
 
     void prepare(const Shot& shot);
-    /// The box of all that can be drawn of it; none if there is nothing.
+    /// The box around all dots that can be drawn; none if there are none.
     const std::optional<Bounds>& bounds() const { return bounds_; }
-    /// They are blended, so after everything solid.
+    /// Blended, so to be drawn after everything opaque.
     void draw(const ViewUniforms& view, double pixel_scale) const;
 
 private:
     ShaderProgram program_;
     DotList dots_;
-    std::vector<Dot> listed_;  ///< kept for its memory
+    std::vector<Dot> listed_;  ///< kept to reuse its memory
     std::optional<Bounds> bounds_;
     float radius_ = 0;
 };

@@ -4,11 +4,11 @@
 
 namespace steplab::render {
 
-/// The vector font of everything that is written: Inter if it is installed, else DejaVu Sans.
+/// The vector font of all texts: Inter if it is installed, otherwise DejaVu Sans.
 struct FontFiles {
-    std::string regular;  ///< path; empty if no font was found, and Dear ImGui's own is to be used
+    std::string regular;  ///< path; empty if no font was found: use the font of Dear ImGui
     std::string strong;
-    float size_factor = 1;  ///< fonts of one nominal size differ in how large they look
+    float size_factor = 1;  ///< fonts of the same nominal size differ in apparent size
 };
 
 FontFiles find_font_files();

@@ -1,6 +1,7 @@
 #include "render/framing.hpp"
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "render/bounds.hpp"
 #include "render/drawn_sizes.hpp"
 
@@ -14,7 +15,7 @@
 namespace steplab::render {
 namespace {
 
-// Part of the half picture that the scene may fill; the rest is for legend, axes' numbers and air.
+// Part of the half picture that the scene may fill; the rest is for the legend, the numbers of the axes and a margin.
 constexpr double filled_width = 0.90;
 constexpr double filled_height = 0.86;
 
@@ -31,16 +32,16 @@ Direction opening_direction(const Shape& shape) {
     return upright ? Direction{-14, 12} : Direction{30, 32};
 }
 
-/// How far the scene reaches across the picture, seen from one direction: the largest of across + t ahead and of
-/// -across + t ahead over all particles, t the tangent of half the angle of view. From both follow the nearest
-/// distance that shows them all and the centre of the picture.
+/// The extent of the scene across the picture, seen from one direction: the largest of across + t ahead and of
+/// -across + t ahead over all particles, with t the tangent of half the field of view. Both together give the smallest
+/// distance that shows all particles, and the centre of the picture.
 struct Reach {
     double tangent = 1;
     double positive = -INFINITY;
     double negative = -INFINITY;
 
     void include(double across, double ahead, double radius) {
-        // A ball touches the edge of the picture where its surface, not its centre, does.
+        // A ball touches the edge of the picture with its surface, not with its centre.
         const double round = radius * std::hypot(1.0, tangent);
         positive = std::max(positive, across + tangent * ahead + round);
         negative = std::max(negative, -across + tangent * ahead + round);
@@ -85,9 +86,9 @@ Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
         include(shape.rest[i], radius);
         include(frame.seen(i), radius);
     }
-    // The axes belong to the picture too.
+    // The axes have to be in the picture, too.
     for (const Vec3& corner : axes_box(frame).bounds.corners()) include(corner, 0);
-    const double closest = 4 * shape.spacing;  // a lone particle does not fill the picture
+    const double closest = 4 * shape.spacing;  // a single particle does not fill the picture
     return {centre + wide.centre() * projection.right() + high.centre() * projection.up(),
             std::max({wide.distance(), high.distance(), closest}), yaw, pitch};
 }
@@ -98,8 +99,9 @@ Camera default_camera(const Frame& frame, PictureSize size) {
 }
 
 std::string view_text(const Camera& camera) {
-    return fmt::format("{},{},{},{},{},{}", camera.yaw, camera.pitch, camera.distance, camera.focus.x, camera.focus.y,
-                       camera.focus.z);
+    return fmt::format("{},{},{},{},{},{}", number_text(camera.yaw), number_text(camera.pitch),
+                       number_text(camera.distance), number_text(camera.focus.x), number_text(camera.focus.y),
+                       number_text(camera.focus.z));
 }
 
 Camera camera_of(std::string_view text, const Frame& frame, PictureSize size) {
@@ -109,10 +111,11 @@ Camera camera_of(std::string_view text, const Frame& frame, PictureSize size) {
     if (text == "top") return framed(frame, 0, 90, size);
     std::array<double, 6> numbers{};
     if (!read_numbers(text, numbers) || std::abs(numbers[1]) > 90 || !(numbers[2] > 0)) {
-        throw UsageError(fmt::format(
-            "--view '{}' is no view: give default, front, side or top, or the six numbers yaw,pitch,distance,x,y,z "
-            "(angles in degrees, pitch from -90 to 90, distance > 0, x,y,z the point looked at)",
-            text));
+        throw UsageError(
+            fmt::format("--view must be default, front, side, top or yaw,pitch,distance,x,y,z with angles in degrees, "
+                        "pitch from -90 to "
+                        "90, distance > 0 and the point x,y,z at the centre (got \"{}\")",
+                        text));
     }
     return {{numbers[3], numbers[4], numbers[5]}, numbers[2], numbers[0], numbers[1]};
 }

@@ -8,19 +8,19 @@
 
 namespace steplab::render {
 
-/// The camera a scene opens with: whole and well placed, with room for where it is expected to move. Lines are seen
-/// from the front, plates and clusters from above at an angle.
+/// The camera that a scene opens with: it shows the whole scene and the places that it is expected to reach. Lines are
+/// seen from the front, plates and clusters obliquely from above.
 Camera default_camera(const Frame& frame, PictureSize size);
 
-/// The nearest camera from this direction that has every particle of the frame, and of the scene at rest, in the
-/// picture.
+/// The closest camera in this direction that shows every particle of the frame and of the scene at rest.
 Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size);
 
-/// A camera as text: "yaw,pitch,distance,x,y,z", the angles in degrees, x,y,z the focus. The numbers read back exactly.
+/// A camera as text: "yaw,pitch,distance,x,y,z" with angles in degrees and the focus x,y,z. The numbers read back
+/// exactly.
 std::string view_text(const Camera& camera);
 
-/// The camera that `text` stands for: what view_text() writes, or one of the words default, front, side, top.
-/// Throws UsageError that says what would be right.
+/// The camera for `text`: the form of view_text() or one of the words default, front, side, top. Throws UsageError that
+/// describes the valid forms.
 Camera camera_of(std::string_view text, const Frame& frame, PictureSize size);
 
 }  // namespace steplab::render

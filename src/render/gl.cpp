@@ -7,7 +7,7 @@
 namespace steplab::render {
 namespace {
 
-// Not in every glew.h: what glewInit answers on Wayland after it has loaded everything.
+// Not in every glew.h: the result of glewInit on Wayland after it has loaded everything.
 constexpr GLenum no_glx_display = 4;
 
 std::string version_text() {
@@ -21,9 +21,9 @@ void load_opengl() {
     glewExperimental = GL_TRUE;
     const GLenum status = glewInit();
     const bool loaded = status == GLEW_OK || status == GLEW_ERROR_GLX_VERSION_11_ONLY || status == no_glx_display;
-    if (!loaded) throw GraphicsError(fmt::format("OpenGL could not be loaded (GLEW error {})", status));
+    if (!loaded) throw GraphicsError(fmt::format("cannot load OpenGL (GLEW error {})", status));
     if (!GLEW_VERSION_3_3) {
-        throw GraphicsError(fmt::format("OpenGL 3.3 is needed; this system offers \"{}\"", version_text()));
+        throw GraphicsError(fmt::format("OpenGL 3.3 is required (this system has \"{}\")", version_text()));
     }
 }
 

@@ -4,7 +4,7 @@
 
 namespace steplab::render {
 
-/// Loads OpenGL's functions for the current context, once per process and module; called after the context was made.
+/// Loads the functions of OpenGL for the current context, once per process and module.
 /// Throws GraphicsError if there is no OpenGL 3.3.
 void load_opengl();
 

@@ -8,7 +8,7 @@
 
 namespace steplab::render {
 
-/// Owner of one OpenGL object; it is made and destroyed while its context is current. Moves, never copies.
+/// Owner of one OpenGL object, which is created and destroyed while its context is current. Movable, not copyable.
 template <class Kind>
 class GlObject {
 public:
@@ -62,13 +62,13 @@ void upload(const Buffer& buffer, GLenum target, std::span<const T> data) {
     glBufferData(target, static_cast<GLsizeiptr>(data.size_bytes()), data.data(), GL_STREAM_DRAW);
 }
 
-/// A place in a bound buffer in the form OpenGL takes it.
+/// An offset in a bound buffer in the form that OpenGL expects.
 const void* byte_offset(std::size_t offset);
-/// One float attribute of the buffer bound to GL_ARRAY_BUFFER, `components` numbers at `offset` bytes of each item.
+/// Defines an attribute of the buffer bound to GL_ARRAY_BUFFER: `components` floats at `offset` bytes of each item.
 void float_attribute(GLuint location, int components, std::size_t stride, std::size_t offset);
-/// One attribute of four bytes, read as numbers from 0 to 1.
+/// Defines an attribute of four bytes, read as numbers from 0 to 1.
 void colour_attribute(GLuint location, std::size_t stride, std::size_t offset);
-/// The attribute advances once an instance, not once a vertex.
+/// Makes the attribute advance per instance instead of per vertex.
 void per_instance(GLuint location);
 
 }  // namespace steplab::render

@@ -35,7 +35,7 @@ void Ground::draw_grid(const AxesBox& box, const ViewUniforms& view, const Palet
     view.apply(ground_);
     ground_.set("u_centre", vertex(projection, centre));
     ground_.set("u_reach", vertex_length(projection, reach(box)));
-    // The nearest of the stronger lines, so that the shader's numbers stay small far from the origin.
+    // Relative to the nearest of the stronger lines, so that the numbers in the shader stay small far from the origin.
     const auto to_line = [&](double place) { return vertex_length(projection, std::remainder(-place, 5 * box.step)); };
     ground_.set("u_origin", glm::vec2(to_line(centre.x), to_line(centre.z)));
     ground_.set("u_step", vertex_length(projection, box.step));

@@ -6,22 +6,22 @@
 
 namespace steplab::render {
 
-/// Draws what is behind and below the scene: the backdrop, the grid on the ground, the lines of the axes.
+/// Draws the backdrop, the grid on the ground and the lines of the axes.
 class Ground {
 public:
     Ground();
-    /// Fills the target; nothing else needs to be cleared but the depth.
+    /// Fills the target; only the depth has to be cleared before.
     void draw_backdrop(const Palette& palette, const Tile& tile, const RenderTarget& target) const;
-    /// The grid on the lower side of the box; blended, so after everything solid.
+    /// The grid on the lower side of the box; blended, so to be drawn after everything opaque.
     void draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, double pixel_scale) const;
     void draw_axes(const Axes& axes, const ViewUniforms& view, const Palette& palette, double pixel_scale);
 
-    /// How far the grid reaches from the middle of the box.
+    /// Half the side of the grid, from the centre of the box.
     static double reach(const AxesBox& box);
 
 private:
     ShaderProgram backdrop_, ground_, line_;
-    VertexArray no_vertices_;  ///< the shaders make their own
+    VertexArray no_vertices_;  ///< the shaders compute them
     RodList lines_;
 };
 

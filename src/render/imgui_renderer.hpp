@@ -9,16 +9,16 @@ struct ImFontAtlas;
 
 namespace steplab::render {
 
-/// Draws what Dear ImGui made, into the framebuffer that is bound, the same everywhere. (The library's own backend
-/// opens libGL by itself and so cannot draw off-screen.) A texture id of ImGui is the OpenGL name of a texture.
+/// Draws the draw data of Dear ImGui into the bound framebuffer, in a window and off-screen. (The backend of the
+/// library opens libGL itself and so cannot draw off-screen.) A texture id of ImGui is the OpenGL name of a texture.
 class ImguiRenderer {
 public:
     ImguiRenderer();
 
-    /// Takes the glyphs; to be called once the atlas is built and whenever it was built anew. Sets the atlas' TexID.
+    /// Uploads the glyphs and sets the TexID of the atlas. To be called whenever the atlas was built.
     void upload_fonts(ImFontAtlas& fonts);
-    /// Over a picture whose top left corner is data.DisplayPos, of data.DisplaySize units with data.FramebufferScale
-    /// pixels each. Lists with an offset of their vertices are drawn too: set ImGuiBackendFlags_RendererHasVtxOffset.
+    /// Draws over a picture with its top left corner at data.DisplayPos, of data.DisplaySize units with
+    /// data.FramebufferScale pixels each. Supports vertex offsets: set ImGuiBackendFlags_RendererHasVtxOffset.
     void draw(const ImDrawData& data) const;
 
 private:

@@ -7,20 +7,20 @@
 
 namespace steplab::render {
 
-/// A particle, or what is drawn around one, as a vertex: 16 bytes.
+/// A particle, or a ring around one, as a vertex of 16 bytes.
 struct Dot {
     glm::vec3 centre;  ///< see vertex()
     VertexColour colour;
 };
 
-/// A rod from one point to another as a vertex: 28 bytes.
+/// A rod between two points as a vertex of 28 bytes.
 struct Rod {
     glm::vec3 start;
     glm::vec3 end;
     VertexColour colour;
 };
 
-/// A list of dots on the graphics processor, drawn by the program in use: as points, or as one quad each.
+/// A list of dots on the GPU, drawn by the current program as points or as one quad each.
 class DotList {
 public:
     DotList();
@@ -34,14 +34,14 @@ private:
     VertexArray per_vertex_, per_instance_;
 };
 
-/// A list of rods on the graphics processor.
+/// A list of rods on the GPU.
 class RodList {
 public:
     RodList();
     void upload(std::span<const Rod> rods);
-    /// As one quad each.
+    /// Draws one quad for each rod.
     void draw() const;
-    /// As one line each, whose vertices are numbered as the first two of the quad.
+    /// Draws one line for each rod; its vertices have the numbers of the first two of the quad.
     void draw_lines() const;
 
 private:

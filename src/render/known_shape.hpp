@@ -10,14 +10,14 @@
 
 namespace steplab::render {
 
-/// What every picture asks of a shape; found once.
+/// Properties of a shape that every picture needs, computed once.
 struct KnownShape {
     explicit KnownShape(std::shared_ptr<const Shape> shape);
 
     std::shared_ptr<const Shape> shape;
     Bounds expected;
     DrawnSizes sizes;
-    std::vector<std::uint32_t> special;  ///< particles that are drawn one by one: all but Role::moving
+    std::vector<std::uint32_t> special;  ///< particles that are drawn individually: all but Role::moving
 };
 
 }  // namespace steplab::render

@@ -4,10 +4,9 @@
 
 namespace steplab::render {
 
-/// Makes `out` the moment a fraction (0 .. 1) of the way from one frame to a later one of the same particles, on the
-/// cubic curves that have the positions and velocities of both (Hermite). For pictures of slow runs only, so that ten
-/// steps a second do not look like ten: at 0 and 1 they are the frames themselves, in between no numbers of the run.
-/// The particles of companions keep their places beside those of the run, which change evenly.
+/// Interpolates between a frame (fraction 0) and a later one of the same particles (1) by cubic Hermite curves through
+/// their positions and velocities. For smooth pictures of slow runs only: between 0 and 1, `out` is no result of the
+/// run. The particles of an ensemble are placed relative to those of the run, with offsets that change linearly.
 void between(const Frame& from, const Frame& to, double fraction, Frame& out);
 
 }  // namespace steplab::render

@@ -18,7 +18,7 @@ Occupancy::Occupancy(PictureSize size)
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
 void Occupancy::mark(PixelPoint centre, double radius) {
-    if (radius < cell / 2.0) {  // as good as one place
+    if (radius < cell / 2.0) {  // smaller than a cell
         if (!(centre.x >= 0 && centre.y >= 0 && centre.x < cell * columns_ && centre.y < cell * rows_)) return;
         const int row = static_cast<int>(centre.y) / cell, column = static_cast<int>(centre.x) / cell;
         const int place = row * columns_ + column;

@@ -7,13 +7,13 @@
 
 namespace steplab::render {
 
-/// Which parts of a picture particles are drawn in, in cells of some pixels: what is written there would be in the way.
+/// The parts of a picture that particles cover, in cells of a few pixels: texts fade there.
 class Occupancy {
 public:
     explicit Occupancy(PictureSize size);
-    /// A disc is drawn here.
+    /// Marks a disc as covered.
     void mark(PixelPoint centre, double radius);
-    /// Part of a rectangle's cells that are taken, 0 .. 1.
+    /// The covered part of a rectangle's cells, 0 .. 1.
     double taken(PixelPoint low, PixelPoint high) const;
 
 private:

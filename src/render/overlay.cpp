@@ -22,7 +22,7 @@ PixelPoint cross_centre(PictureSize size, double pixel_scale) {
     return {56 * pixel_scale, size.height - 52 * pixel_scale};
 }
 
-/// Ticks of the scale: the ends and what lies evenly between.
+/// Numbers of the scale: its ends, centre and, for strain, the quarters.
 std::vector<double> legend_values(const ColourScale& scale) {
     if (scale.minimum < 0) return {scale.minimum, scale.minimum / 2, 0, scale.maximum / 2, scale.maximum};
     return {0, scale.maximum / 2, scale.maximum};
@@ -48,7 +48,7 @@ void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& p
     const PixelPoint centre = cross_centre(projection.size(), pixel_scale);
     std::array<Arm, 3> arms{
         {{{1, 0, 0}, "x", palette.axes[0]}, {{0, 1, 0}, "y", palette.axes[1]}, {{0, 0, 1}, "z", palette.axes[2]}}};
-    // The arm that points away is drawn first.
+    // Arms are drawn from the farthest to the nearest.
     std::sort(arms.begin(), arms.end(), [&](const Arm& a, const Arm& b) {
         return dot(a.direction, projection.forward()) > dot(b.direction, projection.forward());
     });
@@ -57,7 +57,7 @@ void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& p
         const double y = -dot(arm.direction, projection.up());
         const double letter = reach + 11 * pixel_scale;
         sketch.line(centre, {centre.x + reach * x, centre.y + reach * y}, arm.colour, 1.8 * pixel_scale);
-        // An arm that points at the eye has its letter beside it.
+        // The letter of an arm that points at the camera is placed beside it.
         const double near_eye = 1 - std::min(std::hypot(x, y) / 0.4, 1.0);
         sketch.text_centred(
             {centre.x + letter * x + 10 * pixel_scale * near_eye, centre.y + letter * y + 8 * pixel_scale * near_eye},

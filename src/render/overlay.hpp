@@ -7,14 +7,14 @@
 
 namespace steplab::render {
 
-/// What is written and drawn flat over a picture of a scene. Each adds to the sketch.
+/// Texts and symbols over a picture of a scene. Each function adds to the sketch.
 
-/// Numbers and titles of the axes; those that particles are drawn under fade.
+/// Numbers and titles of the axes; they fade where particles are drawn.
 void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, const Palette& palette);
-/// The small cross of x, y and z at the lower left; where it is, no labels should be.
+/// The small xyz cross at the lower left, and its mark that keeps labels away.
 void mark_cross(Occupancy& taken, PictureSize size, double pixel_scale);
 void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& palette, double pixel_scale);
-/// The colour scale with its title and numbers at the upper right.
+/// The colour scale with title and numbers at the upper right.
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,
                    double pixel_scale);
 

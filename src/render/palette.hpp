@@ -8,7 +8,7 @@
 
 namespace steplab::render {
 
-/// A colour as it is shown (sRGB).
+/// A colour in sRGB.
 struct Rgb {
     std::uint8_t red = 0;
     std::uint8_t green = 0;
@@ -26,12 +26,12 @@ struct Palette {
     Rgb grid;         ///< lines on the ground, axes
     Rgb text;         ///< numbers and titles
     Rgb spring;
-    Rgb neutral;                ///< moving particles where the springs carry the colours
+    Rgb neutral;                ///< moving particles where springs are coloured by strain
     Rgb selection;              ///< ring around the selected particle
     std::array<Rgb, 4> roles;   ///< by Role
     std::array<Rgb, 3> axes;    ///< x, y, z of the small cross
     Rgb compressed, stretched;  ///< ends of the scale of strain; its middle is `spring`
-    double sky, earth;          ///< light from above and below that reaches every surface, 0 .. 1
+    double sky, earth;          ///< ambient light from above and below, 0 .. 1
 };
 
 const Palette& palette(Background background);

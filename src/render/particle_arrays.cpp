@@ -48,7 +48,7 @@ void ParticleArrays::draw_points(std::span<const IndexRange> ranges) const {
 }
 
 void ParticleArrays::draw_quads(std::span<const IndexRange> ranges) const {
-    // OpenGL 3.3 has no first instance: the attributes begin there instead.
+    // OpenGL 3.3 has no first instance: the attributes start at an offset instead.
     for (const IndexRange& range : ranges) {
         bind(quads_, range.first);
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(range.count));

@@ -10,16 +10,16 @@
 
 namespace steplab::render {
 
-/// Particles on the graphics processor, in the order of the run; ranges of them are drawn by the program in use: as
-/// points, or as one quad each. Attribute 0 is the centre, attribute 1 the colour.
+/// Particles on the GPU, in the order of the run. Ranges of them are drawn by the current program as points or as one
+/// quad each. Attribute 0 is the centre, attribute 1 the colour.
 class ParticleArrays {
 public:
     ParticleArrays();
 
     void upload(std::span<const glm::vec3> centres);
-    /// One colour for each.
+    /// Sets one colour for each particle.
     void colour(std::span<const VertexColour> colours);
-    /// One colour for all.
+    /// Sets one colour for all particles.
     void colour(VertexColour colour);
 
     void draw_points(std::span<const IndexRange> ranges) const;

@@ -9,13 +9,13 @@
 namespace steplab::render {
 namespace {
 
-// Up to these radii in pixels nothing of a ball's shading, and nothing of its depth, could be seen.
+// Up to these radii in pixels, the shading and the depth of a ball are not visible.
 constexpr double dot_radius = 1.0;
 constexpr double point_radius = 3.5;
-// Around what is drawn of a particle at least, in pixels.
+// Margin around a drawn particle, in pixels.
 constexpr float margin = 2;
 
-/// The part of space that a tile shows, in vertices' units: in front of the eye, between four planes through it.
+/// The view frustum of a tile in units of the vertices: in front of the camera, between four planes through it.
 class Pyramid {
 public:
     Pyramid(const Projection& p, const Tile& tile, PictureSize part)
@@ -30,7 +30,7 @@ public:
                     in_float(p.up() - bottom * p.forward()), in_float(top * p.forward() - p.up())};
     }
 
-    /// How the balls of a radius in this box are drawn; none if all are outside.
+    /// The level of detail of balls of a radius in this box; none if all are outside the view.
     std::optional<Detail> detail(glm::vec3 low, glm::vec3 high, float radius) const {
         const glm::vec3 centre = 0.5F * (low + high) - eye_, half = 0.5F * (high - low);
         const float ahead = glm::dot(centre, forward_), reach = glm::dot(half, glm::abs(forward_));

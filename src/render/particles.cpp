@@ -7,7 +7,7 @@ namespace steplab::render {
 namespace {
 
 constexpr float least_radius = 0.75F;  // pixels
-// Up to this radius in pixels a cube or an octahedron is a point: nothing of its shape could be seen.
+// Up to this radius in pixels, cubes and octahedra are drawn as points: their shape is not visible.
 constexpr double special_point_radius = 2.5;
 
 constexpr float ring_radius = 1.55F;  // in radii of the particle
@@ -26,7 +26,7 @@ bool outside(PixelPoint centre, double radius, PictureSize size) {
            centre.y > size.height + radius;
 }
 
-/// Of particles whose outline the shader smooths.
+/// Sets the uniforms of particles with outlines smoothed by the shader.
 void use(const ShaderProgram& program, const ViewUniforms& view, float radius, float least_coverage) {
     view.apply(program);
     program.set("u_radius", radius);
@@ -59,7 +59,7 @@ void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& tak
 }
 
 void Particles::colour_moving(const Shot& shot) {
-    if (!tells_values(shot.style.colouring)) {
+    if (!shows_values(shot.style.colouring)) {
         return moving_.colour(vertex_colour(role_colour(shot.style, Role::moving)));
     }
     colours_.resize(shot.frame.positions.size());
@@ -85,7 +85,7 @@ void Particles::gather_special(const Shot& shot, Occupancy& taken) {
         if (!centre) continue;
         const Role role = shot.known.shape->roles[i];
         const double radius = shot.known.sizes.radius(role) * projection.pixels_per_unit(projection.depth(position));
-        // The picture of a ball near the edge is longer than its radius.
+        // Near the edge of the picture, perspective elongates a ball.
         if (outside(*centre, 2 * radius + 1, projection.size())) continue;
         taken.mark(*centre, radius);
         Kind& kind = kinds_[index(role)];
@@ -119,7 +119,7 @@ void Particles::prepare_rings(const Shot& shot) {
 
 void Particles::draw(const ViewUniforms& view, const RenderTarget& target) const {
     const bool sampled = target.samples() > 1;
-    // Covered samples follow the alpha of outlines; the picture itself has none.
+    // The alpha of outlines determines the covered samples; the picture itself is opaque.
     const float least_coverage = sampled ? 0.0F : 0.5F;
     const float radius = kinds_[index(Role::moving)].radius;
     glEnable(GL_PROGRAM_POINT_SIZE);
@@ -146,14 +146,14 @@ void Particles::draw(const ViewUniforms& view, const RenderTarget& target) const
 
 void Particles::draw_rings(const ViewUniforms& view, double pixel_scale) const {
     const auto scale = static_cast<float>(pixel_scale);
-    // What is marked is found again even behind others.
+    // Rings are visible even behind other particles.
     glDisable(GL_DEPTH_TEST);
     view.apply(ring_);
     ring_.set("u_width", ring_width * scale);
     ring_.set("u_radius", ring_radius * kinds_[index(Role::kicked)].radius);
     ring_.set("u_least_radius", least_ring_radius * scale);
     kicked_ring_.draw_quads();
-    // The ring of the selected particle stands clear of the kicked one's.
+    // The ring of the selected particle is larger than that of the kicked one.
     ring_.set("u_radius", 1.3F * ring_radius * selected_radius_);
     ring_.set("u_least_radius", 1.3F * least_ring_radius * scale);
     selected_ring_.draw_quads();

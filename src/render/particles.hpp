@@ -12,18 +12,18 @@
 
 namespace steplab::render {
 
-/// Draws the particles of a frame: balls; cubes where they are fixed; an octahedron for the bullet; a ring around the
-/// kicked and around the selected one. Moving particles are drawn as they come from the run, block by block; the few
-/// others are gathered.
+/// Draws the particles of a frame: balls, cubes for fixed ones, an octahedron for the bullet, and rings around the
+/// kicked and the selected one. Moving particles are drawn in the order of the run, block by block; the few others are
+/// collected.
 class Particles {
 public:
     Particles();
 
-    /// Uploads the particles and finds out what of them the picture shows. Marks where that is in `taken`.
+    /// Uploads the particles, chooses those that the picture shows, and marks what they cover in `taken`.
     void prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& taken);
-    /// Draws the bodies.
+    /// Draws the particles.
     void draw(const ViewUniforms& view, const RenderTarget& target) const;
-    /// Draws the rings; they are blended, so after everything solid.
+    /// Draws the rings; blended, so after everything opaque.
     void draw_rings(const ViewUniforms& view, double pixel_scale) const;
 
 private:
@@ -31,7 +31,7 @@ private:
     struct Kind {
         float radius = 0;
         DotList bodies, points;
-        std::vector<Dot> listed_bodies, listed_points;  ///< kept for their memory
+        std::vector<Dot> listed_bodies, listed_points;  ///< kept to reuse their memory
     };
 
     void gather_special(const Shot& shot, Occupancy& taken);
@@ -42,7 +42,7 @@ private:
     ShaderProgram sphere_, cube_, octahedron_, point_, dot_, ring_;
     ParticleArrays moving_;
     std::array<std::vector<IndexRange>, details> chosen_;  ///< of the moving ones, by Detail
-    std::vector<VertexColour> colours_;                    ///< kept for its memory
+    std::vector<VertexColour> colours_;                    ///< kept to reuse its memory
     std::array<Kind, 4> kinds_;                            ///< by Role
     DotList kicked_ring_, selected_ring_;
     float selected_radius_ = 0;

@@ -9,8 +9,8 @@
 
 namespace steplab::render {
 
-/// The particle under a pixel, the nearest to the eye of those whose drawn disc has it; discs count as at least
-/// `reach` pixels in radius, so that far ones can be hit too. None if there is nothing.
+/// The particle under a pixel, the one nearest to the camera. Particles count as discs of at least `reach` pixels in
+/// radius, so that far ones can be selected, too. None if there is no particle.
 std::optional<std::size_t> particle_at(const Frame& frame, const Projection& projection, PixelPoint pixel,
                                        double reach = 6);
 

@@ -35,15 +35,15 @@ void make_colour_texture(const Texture& texture, const Framebuffer& framebuffer,
 
 void require_complete(PictureSize size) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
-    throw GraphicsError(fmt::format("this OpenGL cannot draw a picture of {}x{} pixels", size.width, size.height));
+    throw GraphicsError(fmt::format("OpenGL cannot create a picture of {}x{} pixels", size.width, size.height));
 }
 
 void require_size(PictureSize size) {
     const int largest = std::min(integer(GL_MAX_RENDERBUFFER_SIZE), integer(GL_MAX_TEXTURE_SIZE));
     const bool possible = size.width >= 1 && size.height >= 1 && size.width <= largest && size.height <= largest;
     if (possible) return;
-    throw GraphicsError(fmt::format("this OpenGL draws at most {}x{} pixels at once, not {}x{}", largest, largest,
-                                    size.width, size.height));
+    throw GraphicsError(fmt::format("a picture must have at most {}x{} pixels with this OpenGL (got {}x{})", largest,
+                                    largest, size.width, size.height));
 }
 
 }  // namespace

@@ -8,23 +8,23 @@
 
 namespace steplab::render {
 
-/// The picture that is drawn into: a multisampled framebuffer and the texture it is resolved to.
+/// The target of drawing: a multisampled framebuffer and the texture that it is resolved to.
 class RenderTarget {
 public:
-    /// Throws GraphicsError if this OpenGL cannot make it; the message tells the largest size.
+    /// Throws GraphicsError if OpenGL does not support the size; the message names the largest one.
     explicit RenderTarget(PictureSize size);
 
     PictureSize size() const { return size_; }
-    /// Samples of a pixel; 1 where this OpenGL has no more.
+    /// Samples per pixel; 1 if OpenGL does not support more.
     int samples() const { return samples_; }
 
-    /// Makes the multisampled framebuffer the one drawn into, its viewport the whole of it.
+    /// Binds the multisampled framebuffer with a viewport of its full size.
     void bind() const;
-    /// Averages the samples into texture(), and makes that the one drawn into, for what needs no smoothing (text).
+    /// Averages the samples into texture() and binds that, for drawing without multisampling (text).
     void resolve() const;
     /// The finished picture, bottom row first.
     GLuint texture() const { return texture_.id(); }
-    /// The finished picture as bytes: rows from the top, 4 bytes a pixel (red, green, blue, alpha).
+    /// The finished picture as bytes: rows from the top, 4 bytes per pixel (red, green, blue, alpha).
     std::vector<std::uint8_t> read() const;
 
 private:

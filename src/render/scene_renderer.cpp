@@ -12,12 +12,12 @@
 namespace steplab::render {
 namespace {
 
-/// Pictures too small for numbers and legends have none.
+/// Smaller pictures have no numbers and no legend.
 bool has_room(PictureSize size, double pixel_scale) {
     return size.width >= 160 * pixel_scale && size.height >= 120 * pixel_scale;
 }
 
-/// Everything that is drawn, for the near and far planes.
+/// The box around everything that is drawn, for the near and far planes.
 Bounds drawn_bounds(Bounds positions, const std::optional<Bounds>& ensemble, const DrawnSizes& sizes,
                     const AxesBox& box, bool grid) {
     if (ensemble) positions = joined(positions, *ensemble);
@@ -61,7 +61,7 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     glClear(GL_DEPTH_BUFFER_BIT);
     ground.draw_backdrop(colours, tile, target);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    // All is above the grid: seen from above, it is behind all.
+    // The grid is below everything: seen from above, it is behind everything.
     const bool from_above = view.projection().eye().y > box.bounds.low.y;
     if (style.grid && from_above) draw_grid(style, box, view);
     glEnable(GL_DEPTH_TEST);

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file this code is part of: the module, or the program where it is linked into one.
+// The file that contains this code: the module or the program.
 fs::path own_file() {
     Dl_info info{};
     std::error_code none;
     const bool known = dladdr(reinterpret_cast<const void*>(&shader_folders), &info) != 0 && info.dli_fname;
     const fs::path program = fs::read_symlink("/proc/self/exe", none);
-    // For the program itself dladdr gives what it was started as, which says nothing after a change of folder.
+    // For the program itself, dladdr gives the path on its command line, which is invalid after a change of folder.
     const bool is_module = known && fs::path(info.dli_fname).is_absolute() && fs::path(info.dli_fname) != program;
     return is_module ? fs::path(info.dli_fname) : program;
 }
@@ -46,8 +46,8 @@ fs::path find(const std::string& name, const std::vector<fs::path>& folders) {
     std::vector<std::string> looked_in(folders.size());
     std::transform(folders.begin(), folders.end(), looked_in.begin(), [](const fs::path& f) { return f.string(); });
     throw GraphicsError(
-        fmt::format("the shader {} was not found; looked in {}. Reinstall steplab, or set "
-                    "STEPLAB_SHADERS to the folder that holds the shaders",
+        fmt::format("shader {} not found in {}. Reinstall steplab, or set STEPLAB_SHADERS "
+                    "to the folder that contains the shaders",
                     name, fmt::join(looked_in, ", ")));
 }
 
@@ -60,7 +60,7 @@ std::optional<std::string> included_name(std::string_view line) {
     return std::string(line.substr(0, line.find('"')));
 }
 
-/// Takes a whole number from the front of `text`.
+/// Removes an integer from the front of `text`.
 std::optional<std::size_t> take_number(std::string_view& text) {
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -92,10 +92,10 @@ std::string named_line(std::string_view line, const std::vector<std::string>& fi
 void append(ShaderSource& source, const std::string& name, const std::vector<fs::path>& folders) {
     const fs::path path = find(name, folders);
     const auto text = text_of(path);
-    if (!text) throw GraphicsError(fmt::format("the shader {} cannot be read", path.string()));
+    if (!text) throw GraphicsError(fmt::format("cannot read the shader {}", path.string()));
     const std::size_t number = source.files.size();
     source.files.push_back(path.string());
-    // Nothing but comments may stand before #version, so the outermost file is not announced.
+    // Only comments may precede #version, so the outermost file has no #line.
     if (number > 0) source.text += fmt::format("#line 1 {}\n", number);
     std::istringstream lines(*text);
     std::size_t line_number = 0;

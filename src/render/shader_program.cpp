@@ -66,8 +66,8 @@ ShaderProgram::ShaderProgram(const std::string& vertex_file, const std::string& 
     GLint done = GL_FALSE;
     glGetProgramiv(program_.id(), GL_LINK_STATUS, &done);
     if (done == GL_TRUE) return;
-    throw GraphicsError(fmt::format("the shaders {} and {} do not fit together:\n{}", vertex_file, fragment_file,
-                                    program_log(program_.id())));
+    throw GraphicsError(
+        fmt::format("cannot link the shaders {} and {}:\n{}", vertex_file, fragment_file, program_log(program_.id())));
 }
 
 GLint ShaderProgram::location(const char* name) const { return glGetUniformLocation(program_.id(), name); }

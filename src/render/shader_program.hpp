@@ -18,16 +18,16 @@ struct ProgramKind {
 /// A vertex and a fragment shader, compiled and linked.
 class ShaderProgram {
 public:
-    /// Reads `name`.vert and `name`.frag (two names where they differ). Throws GraphicsError: a file that is missing,
-    /// or the compiler's message with file and line.
+    /// Reads `name`.vert and `name`.frag. Throws GraphicsError that names a missing file, or with the message of the
+    /// compiler, its file and line.
     explicit ShaderProgram(const std::string& name,
                            const std::vector<std::filesystem::path>& folders = shader_folders());
     ShaderProgram(const std::string& vertex_file, const std::string& fragment_file,
                   const std::vector<std::filesystem::path>& folders);
 
-    /// Makes it the current program.
+    /// Makes this the current program.
     void use() const;
-    /// Sets a uniform of the current program. A name the shader does not use is ignored, as the compiler may drop it.
+    /// Sets a uniform of the current program. Unknown names are ignored, as the compiler removes unused uniforms.
     void set(const char* name, int value) const;
     void set(const char* name, float value) const;
     void set(const char* name, const glm::vec2& value) const;

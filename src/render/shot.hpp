@@ -11,15 +11,15 @@
 
 namespace steplab::render {
 
-/// What one picture, or a tile of it, is made of.
+/// The input of one picture, or of a tile of it.
 struct Shot {
     const Frame& frame;
-    const KnownShape& known;  ///< of the frame
+    const KnownShape& known;  ///< shape of the frame
     const Style& style;
     const std::optional<ColourScale>& scale;
     const Projection& projection;
     const Tile& tile;
-    PictureSize part;  ///< what the tile holds of the whole
+    PictureSize part;  ///< size of the tile
 };
 
 }  // namespace steplab::render

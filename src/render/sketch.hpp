@@ -10,8 +10,8 @@ namespace steplab::render {
 
 struct Tile;
 
-/// Text, lines and boxes over a picture, in pixels from its top left corner. It draws with ImGui's draw lists and our
-/// font, but without an ImGui context, so beside one of somebody else's.
+/// Text, lines and boxes over a picture, in pixels from its top left corner. It uses ImGui's draw lists and our font,
+/// but no ImGui context, so that it does not interfere with another one.
 class Sketch {
 public:
     Sketch();
@@ -19,7 +19,7 @@ public:
     Sketch(Sketch&&) noexcept;
     Sketch& operator=(Sketch&&) noexcept;
 
-    /// Forgets what was drawn. Text is `pixel_scale` times its usual size.
+    /// Starts an empty sketch. Text has `pixel_scale` times its usual size.
     void begin(PictureSize size, double pixel_scale);
 
     PixelPoint text_size(const std::string& text) const;
@@ -27,10 +27,10 @@ public:
     void text_centred(PixelPoint centre, const std::string& text, Rgb colour, double opacity = 1);
     void line(PixelPoint from, PixelPoint to, Rgb colour, double width, double opacity = 1);
     void box(PixelPoint top_left, PixelPoint bottom_right, Rgb colour, double opacity = 1);
-    /// A box whose colour goes evenly from top to bottom.
+    /// A box with a colour gradient from top to bottom.
     void shaded_box(PixelPoint top_left, PixelPoint bottom_right, Rgb top, Rgb bottom);
 
-    /// Draws it into the framebuffer that is bound; with the part of the picture that the tile is.
+    /// Draws the sketch, or the part of it in the tile, into the bound framebuffer.
     void finish(const Tile& tile, PictureSize part);
 
 private:

@@ -9,21 +9,21 @@ namespace steplab::render {
 namespace {
 
 constexpr float least_width = 1.15F;  // pixels
-/// Lengths in pixels: of the shortest rod that is drawn, and of the shortest that is not paler for it.
+/// Lengths in pixels: of the shortest rod that is drawn, and of the shortest at full opacity.
 struct LengthsDrawn {
     float least, full;
 };
 constexpr LengthsDrawn of_few{5, 5.01F};
-// Of many, short ones would be but a haze over their particles.
+// In a large scene, short rods would only veil their particles.
 constexpr LengthsDrawn of_many{10, 18};
 constexpr std::size_t few = 10000;
 
 LengthsDrawn lengths_drawn(std::size_t springs) { return springs <= few ? of_few : of_many; }
 
-constexpr float widest_line = 1.5F;  // pixels: up to this a line of OpenGL, one pixel wide, will do
-constexpr float round_width = 2;     // pixels: thinner ones do not show that they are round
+constexpr float widest_line = 1.5F;  // pixels: up to this width, rods are drawn as lines of one pixel
+constexpr float round_width = 2;     // pixels: the shading of thinner rods is not visible
 
-/// What of the view decides whether a rod is drawn, and how.
+/// The properties of the view that determine whether and how a rod is drawn.
 class RodFilter {
 public:
     RodFilter(const Projection& p, float radius, float least_length)
@@ -37,17 +37,17 @@ public:
           margin_(2 * radius),
           least_length_(least_length) {}
 
-    /// True if it is long enough and not all of it lies beyond one edge of the picture.
+    /// True if it is long enough and not entirely beyond one edge of the picture.
     bool worth_drawing(glm::vec3 start, glm::vec3 end) const {
         const glm::vec3 a = start - eye_, b = end - eye_, along = end - start;
         const float depth = std::max(glm::dot(a, forward_), glm::dot(b, forward_));
         const float least = least_length_ * depth / pixels_;
-        // What of its length is seen, the rest being along the line of sight.
+        // The visible length; the rest is along the line of sight.
         const float ahead = glm::dot(along, a);
         const float seen = glm::dot(along, along) - ahead * ahead / glm::dot(a, a);
         return depth > 0 && seen >= least * least && !outside(a, b);
     }
-    /// How many pixels a rod of this radius is thick where it is nearest.
+    /// Thickness of a rod of this radius in pixels at its nearest point.
     float thickness(glm::vec3 start, glm::vec3 end, float radius) const {
         const float nearest = std::min(glm::dot(start - eye_, forward_), glm::dot(end - eye_, forward_));
         return nearest > 0 ? 2 * radius * pixels_ / nearest : INFINITY;
@@ -73,7 +73,7 @@ Springs::Springs() : round_program_("rod"), thin_program_("line") {}
 
 void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
     const auto& [frame, known, style, scale, projection, tile, part] = shot;
-    // Colours are seen only on what is thick enough.
+    // Colours are visible only on rods that are thick enough.
     const double thickness = style.colouring == Colouring::strain ? 2 : 1;
     radius_ = vertex_length(projection, thickness * known.sizes.spring_radius());
     const auto [least_length, full_length] = lengths_drawn(known.shape->springs.size());
@@ -94,7 +94,7 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
     for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->list.upload(std::span<const Rod>(rods->listed));
 }
 
-/// For a rod of this thickness where the least is `least`, both in pixels.
+/// The list for a rod of this thickness; `least`: the smallest thickness drawn. Both in pixels.
 std::vector<Rod>& Springs::list_for(float thickness, float least) {
     if (thickness > round_width) return round_.listed;
     return thickness > least || least > widest_line ? thin_.listed : thinnest_.listed;

@@ -13,15 +13,15 @@ namespace steplab::render {
 class Springs {
 public:
     Springs();
-    /// Uploads the springs that the picture shows; those of neighbours only a few pixels apart are left out, as their
-    /// particles already cover the picture there.
+    /// Uploads the springs that the picture shows. Springs of only a few pixels are left out, as their particles
+    /// already cover them.
     void prepare(const Shot& shot, const ParticleBlocks& blocks);
     void draw(const ViewUniforms& view, double pixel_scale) const;
 
 private:
-    /// Rods that are drawn alike: round ones; those too thin to show it; and of these the thinnest, drawn as lines.
+    /// Rods of one kind: round ones, thin ones without visible shading, and the thinnest, drawn as lines.
     struct Rods {
-        std::vector<Rod> listed;  ///< kept for its memory
+        std::vector<Rod> listed;  ///< kept to reuse its memory
         RodList list;
     };
 
@@ -29,7 +29,7 @@ private:
 
     ShaderProgram round_program_, thin_program_;
     float radius_ = 0;
-    float least_length_ = 0, full_length_ = 1;  ///< pixels: shorter ones are left out, or paler
+    float least_length_ = 0, full_length_ = 1;  ///< pixels: shorter springs are left out, or fainter
     Rods round_, thin_, thinnest_;
 };
 

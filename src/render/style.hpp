@@ -8,7 +8,7 @@
 
 namespace steplab::render {
 
-/// What the colours of particles, or of springs (strain), tell.
+/// The quantity shown by the colours of particles, or of springs (strain).
 enum class Colouring : std::uint8_t { role, speed, kinetic_energy, displacement, strain };
 
 inline constexpr std::array<std::string_view, 5> colouring_ids = {"role", "speed", "kinetic-energy", "displacement",
@@ -20,18 +20,18 @@ enum class Background : std::uint8_t { dark, light };
 inline constexpr std::array<std::string_view, 2> background_ids = {"dark", "light"};
 constexpr std::string_view id(Background background) { return background_ids[static_cast<std::size_t>(background)]; }
 
-/// How a scene is drawn; plain data.
+/// Options of drawing a scene.
 struct Style {
     Colouring colouring = Colouring::role;
     Background background = Background::dark;
     bool springs = true;
     bool grid = true;                          ///< ground grid, axes with their numbers, and the small xyz cross
-    bool legend = true;                        ///< of the colour scale, if there is one
+    bool legend = true;                        ///< for the colour scale, if there is one
     std::optional<std::size_t> selected = {};  ///< particle to mark
     double mass = 1;                           ///< of each particle; for its kinetic energy
-    /// Value at the upper end of the colour scale; none: the next round number above the largest of the frame.
+    /// Value at the upper end of the colour scale; none: the next nice number above the largest value of the frame.
     std::optional<double> scale_maximum = {};
-    double pixel_scale = 1;  ///< pixels of one unit of the layout: text and lines grow with it
+    double pixel_scale = 1;  ///< pixels per unit of the layout: scales text and lines
 
     friend bool operator==(const Style&, const Style&) = default;
 };

@@ -5,7 +5,7 @@
 namespace steplab::render {
 namespace {
 
-// Nearer than this part of the farthest depth a 24-bit depth buffer could not tell surfaces apart.
+// With a nearer near plane, relative to the farthest depth, a 24-bit depth buffer would not separate surfaces.
 constexpr double least_near = 1e-4;
 
 /// In units of the camera's distance.
@@ -26,7 +26,7 @@ DepthRange depth_range(const Projection& projection, const Bounds& scene) {
     return {std::clamp(nearest, least_near * farthest, 0.5 * distance) / distance, 1.01 * farthest / distance};
 }
 
-/// From space as the eye has it (looking along -z) to the part of the picture that the tile holds.
+/// From camera space (along -z) to the part of the picture in the tile.
 glm::mat4 clip_matrix(const Projection& projection, DepthRange range, const Tile& tile, PictureSize part) {
     const double left = 2.0 * tile.left / tile.whole.width - 1;
     const double right = 2.0 * (tile.left + part.width) / tile.whole.width - 1;

@@ -10,21 +10,21 @@
 namespace steplab::render {
 
 glm::vec3 in_float(Vec3 v);
-/// A point as the shaders get it: relative to the camera's focus and in units of its distance, so that float is enough
-/// wherever and however large or small the scene is.
+/// A point in the coordinates of the shaders: relative to the focus of the camera and in units of its distance, so that
+/// float is accurate enough for any position and size of the scene.
 glm::vec3 vertex(const Projection& projection, Vec3 point);
 /// A length in the same units.
 float vertex_length(const Projection& projection, double length);
 
-/// What every shader of the scene is told about the eye and the picture.
+/// The uniforms of camera and picture that all shaders of the scene share.
 class ViewUniforms {
 public:
-    /// `scene` holds everything that is drawn; the near and far planes follow it. `part` is the size of the tile.
+    /// `scene`: the box around everything that is drawn, for the near and far planes; `part`: the size of the tile.
     ViewUniforms(const Projection& projection, const Bounds& scene, const Tile& tile, PictureSize part,
                  const Palette& palette);
 
     const Projection& projection() const { return projection_; }
-    /// Makes the program the current one and sets what shaders/view.glsl and shaders/lighting.glsl need.
+    /// Makes the program current and sets the uniforms of shaders/view.glsl and shaders/lighting.glsl.
     void apply(const ShaderProgram& program) const;
 
 private:
@@ -36,7 +36,7 @@ private:
 
 glm::vec3 as_vec3(Rgb colour);
 
-/// A colour as a vertex holds it.
+/// A colour in a vertex.
 struct VertexColour {
     std::uint8_t red, green, blue, alpha;
 };

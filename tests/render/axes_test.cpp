@@ -45,7 +45,7 @@ TEST(Axes, behind_the_eye_there_are_none) {
     EXPECT_TRUE(axes_of(box, Projection({{9, 1, 500}, 60, 0, 0}, size), 1).labels.empty());
 }
 
-TEST(Occupancy, tells_how_much_of_a_rectangle_is_taken) {
+TEST(Occupancy, is_the_covered_part_of_a_rectangle) {
     Occupancy taken({320, 160});
     EXPECT_EQ(taken.taken({0, 0}, {319, 159}), 0);
     taken.mark({100, 80}, 10);

@@ -25,7 +25,7 @@ TEST(Projection, without_angles_x_is_right_and_y_up) {
     EXPECT_LT(projection.depth({0, 0, 1}), projection.depth({0, 0, 0}));
 }
 
-TEST(Projection, positive_pitch_looks_from_above) {
+TEST(Projection, positive_pitch_views_from_above) {
     EXPECT_GT(Projection({{0, 0, 0}, 10, 0, 30}, size).eye().y, 0);
     EXPECT_GT(Projection({{0, 0, 0}, 10, 30, 0}, size).eye().x, 0);
 }

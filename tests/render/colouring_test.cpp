@@ -46,9 +46,9 @@ TEST(ColourScale, there_is_none_of_roles) {
     EXPECT_FALSE(colour_scale(test::particles_at({{0, 0, 0}}), coloured_by(Colouring::role)));
 }
 
-TEST(ColourScale, of_strain_tells_pressed_from_pulled) {
+TEST(ColourScale, of_strain_distinguishes_compressed_from_stretched) {
     Frame frame = test::string_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
-    frame.positions[1] = {1.2, 0, 0};  // first spring stretched, second pressed
+    frame.positions[1] = {1.2, 0, 0};  // first spring stretched, second compressed
     const Style style = coloured_by(Colouring::strain);
     const auto scale = colour_scale(frame, style);
     EXPECT_DOUBLE_EQ(scale->minimum, -scale->maximum);
@@ -89,7 +89,7 @@ TEST(ParticleColours, kinetic_energy_takes_the_mass) {
     EXPECT_DOUBLE_EQ(colour_scale(frame, style)->maximum, 6);
 }
 
-TEST(Palettes, roles_are_told_apart) {
+TEST(Palettes, roles_have_distinct_colours) {
     for (const Background background : {Background::dark, Background::light}) {
         const auto& roles = palette(background).roles;
         for (std::size_t a = 0; a < roles.size(); ++a) {

@@ -22,7 +22,7 @@ constexpr int something = 20;
 
 PixelPoint place_of(Vec3 point) { return *Projection(straight, size).pixel(point); }
 
-/// A ball in the middle, and runs beside it that have it elsewhere.
+/// A ball in the middle, and an ensemble in which it is elsewhere.
 class LiveEnsembles : public test::Studio {
 protected:
     static Image picture(std::vector<Vec3> ensemble, const Style& style = bare()) {

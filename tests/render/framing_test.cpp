@@ -81,7 +81,7 @@ TEST(Framing, one_particle_does_not_fill_the_picture) {
     EXPECT_GT(part, 0.05);
 }
 
-TEST(Framing, is_not_thrown_off_by_what_is_not_finite) {
+TEST(Framing, ignores_positions_that_are_not_finite) {
     Frame frame = test::particles_at({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
     const Camera expected = default_camera(frame, sizes[0]);
     frame.positions[1] = {std::numeric_limits<double>::quiet_NaN(), 1e300, 0};
@@ -106,7 +106,7 @@ TEST(ViewText, words_stand_for_directions) {
     EXPECT_EQ(camera_of("top", frame, sizes[0]).pitch, 90);
 }
 
-TEST(ViewText, wrong_ones_say_what_would_be_right) {
+TEST(ViewText, refusals_describe_the_valid_forms) {
     const Frame frame = test::particles_at({{0, 0, 0}});
     for (const char* text : {"", "left", "1,2,3", "1,2,3,4,5,6,7", "1,2,3,4,5,six", "1,2,nan,4,5,6", "1,2,-3,4,5,6",
                              "1,2,0,4,5,6", "1,91,3,4,5,6", "1,2,3,4,5,", "1,2,3,4,5,6 ", "1,2,inf,4,5,6"}) {
@@ -115,7 +115,7 @@ TEST(ViewText, wrong_ones_say_what_would_be_right) {
             ADD_FAILURE() << "'" << text << "' was taken for a view";
         } catch (const UsageError& error) {
             EXPECT_THAT(error.what(), HasSubstr("yaw,pitch,distance,x,y,z"));
-            EXPECT_THAT(error.what(), HasSubstr("'" + std::string(text) + "'"));
+            EXPECT_THAT(error.what(), HasSubstr("\"" + std::string(text) + "\""));
         }
     }
 }

@@ -58,7 +58,7 @@ protected:
 
 TEST_P(Golden, picture_is_as_it_was) {
     const Image image = draw_model(15, style());
-    // STEPLAB_UPDATE_GOLDEN=1 writes the pictures instead, after a change that is meant; look at them.
+    // STEPLAB_UPDATE_GOLDEN=1 writes the pictures instead, after an intended change; inspect them.
     if (std::getenv("STEPLAB_UPDATE_GOLDEN")) {
         std::ofstream(golden_file(GetParam()), std::ios::binary)
             << encode_png(image.size.width, image.size.height, image.rgba);
@@ -66,7 +66,7 @@ TEST_P(Golden, picture_is_as_it_was) {
     EXPECT_TRUE(similar(image, read_png(golden_file(GetParam()))));
 }
 
-TEST_P(Golden, changed_picture_is_told_apart) {
+TEST_P(Golden, a_changed_picture_is_detected) {
     const Image golden = read_png(golden_file(GetParam()));
     Style other = style();
     other.background = Background::light;

@@ -39,7 +39,7 @@ TEST(Motion, follows_a_cubic_exactly) {
     }
 }
 
-TEST(Motion, takes_companions_along) {
+TEST(Motion, moves_the_ensemble_with_the_run) {
     Frame a = on_a_cubic(1), b = on_a_cubic(3), shown;
     a.ensemble = {a.positions[0], a.positions[0] + Vec3{1, 0, 0}};
     b.ensemble = {b.positions[0], b.positions[0] + Vec3{3, 0, 0}};

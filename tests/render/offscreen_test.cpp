@@ -88,7 +88,7 @@ TEST(Offscreen, panel_is_drawn_in_tiles_without_a_seam) {
     request.size = {2304, 600};  // a tile and an eighth
     const Picture picture = offscreen.draw(request);
     EXPECT_EQ(picture.rgba.size(), 4u * 2304 * 600);
-    // The bar at the top goes on past the seam at 2048.
+    // The bar at the top continues past the seam at 2048.
     const auto pixel = [&](std::size_t x) { return picture.rgba[4 * (2304 * 2 + x)]; };
     EXPECT_EQ(pixel(2047), pixel(2048));
 }
@@ -99,7 +99,7 @@ TEST(Offscreen, wrong_view_comes_back_as_wrong_usage) {
     request.camera = "sideways";
     EXPECT_THROW(offscreen.draw(request), UsageError);
     request.camera = "top";
-    EXPECT_NO_THROW(offscreen.draw(request));  // and the module goes on
+    EXPECT_NO_THROW(offscreen.draw(request));  // and the module still works
 }
 
 TEST(Offscreen, unknown_way_lists_the_known_ones) {
@@ -115,7 +115,7 @@ TEST(Offscreen, missing_modules_are_named_with_the_remedy) {
     EXPECT_THAT(message_of([&] { Offscreen("egl", empty.path()); }), testing::Not(HasSubstr("osmesa.so")));
 }
 
-TEST(Offscreen, file_that_is_no_module_is_told) {
+TEST(Offscreen, file_that_is_not_a_module_is_reported) {
     const TemporaryFolder folder;
     put_text(folder.file("osmesa.so"), "no module");
     EXPECT_THAT(message_of([&] { Offscreen("osmesa", folder.path()); }), HasSubstr(folder.file("osmesa.so")));

@@ -42,7 +42,7 @@ TEST_F(Picture, shows_a_particle_where_it_is_and_nowhere_else) {
     EXPECT_EQ(image.at(mirrored), background.at(mirrored));
 }
 
-TEST_F(Picture, of_a_periodic_scene_does_not_tell_whole_periods_apart) {
+TEST_F(Picture, of_a_periodic_scene_is_the_same_after_whole_periods) {
     Style style = bare();
     style.selected = 1;
     const auto moved = [&](Vec3 by) {
@@ -118,7 +118,7 @@ TEST_F(Picture, colours_follow_the_speed) {
     EXPECT_GT(fast.green, fast.blue + something);  // yellow
 }
 
-TEST_F(Picture, fixed_particle_and_bullet_are_told_by_their_shape_too) {
+TEST_F(Picture, fixed_particle_and_bullet_have_shapes_of_their_own) {
     const Camera slanted{{0, 0, 0}, 2, 30, 25};
     std::vector<int> areas;
     for (const Role role : {Role::moving, Role::fixed, Role::bullet}) {

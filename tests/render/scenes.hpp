@@ -21,7 +21,7 @@ inline Frame particles_at(std::vector<Vec3> places, std::vector<Role> roles = {}
     return frame;
 }
 
-/// The same in space that repeats itself after a length, seen in the box from a corner on.
+/// The same with periodic boundary conditions, seen in the box from a corner on.
 inline Frame periodic(std::vector<Vec3> places, double period, Vec3 corner) {
     Frame frame = particles_at(std::move(places));
     auto shape = std::make_shared<Shape>(*frame.shape);

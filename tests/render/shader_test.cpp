@@ -60,7 +60,7 @@ TEST_F(Shaders, error_after_an_included_file_names_the_right_line) {
     EXPECT_THAT(message([&] { compile(); }), HasSubstr(path("a.frag") + ":4"));
 }
 
-TEST_F(Shaders, missing_one_tells_where_it_was_looked_for) {
+TEST_F(Shaders, missing_one_names_the_searched_folders) {
     put_good_ones();
     const std::string text = message([&] { ShaderProgram("a.vert", "c.frag", {path("here"), path("there")}); });
     EXPECT_THAT(text, HasSubstr("a.vert"));
@@ -78,7 +78,7 @@ TEST_F(Shaders, stages_that_do_not_fit_are_named) {
     EXPECT_THAT(text, HasSubstr("a.frag"));
 }
 
-TEST(ShaderLog, forms_of_several_drivers_are_told_in_names) {
+TEST(ShaderLog, messages_of_several_drivers_name_their_files) {
     const std::vector<std::string> files{"one.frag", "two.glsl"};
     EXPECT_EQ(named_log("1:12(5): error: bad\n", files), "two.glsl:12(5): error: bad\n");
     EXPECT_EQ(named_log("0(7) : error C1008: bad\n", files), "one.frag:7 : error C1008: bad\n");

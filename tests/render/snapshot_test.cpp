@@ -43,7 +43,7 @@ TEST_F(Snapshot, writes_a_png_of_the_size_asked_for) {
     EXPECT_THAT(outcome.out, HasSubstr("a.png"));
 }
 
-TEST_F(Snapshot, is_1280_by_720_if_nothing_is_said) {
+TEST_F(Snapshot, is_1280_by_720_by_default) {
     ASSERT_EQ(snapshot({"--out", "a.png"}).code, 0);
     EXPECT_EQ(big_endian(bytes("a.png"), 16), 1280u);
     EXPECT_EQ(big_endian(bytes("a.png"), 20), 720u);
@@ -73,7 +73,7 @@ TEST_F(Snapshot, another_moment_view_or_colouring_gives_another_picture) {
     }
 }
 
-TEST_F(Snapshot, shows_an_ensemble_as_a_ensemble) {
+TEST_F(Snapshot, shows_an_ensemble_as_dots) {
     const auto draw = [this](const std::string& name, const std::vector<std::string>& ensemble) {
         std::vector<std::string> arguments{"--model", "morse",   "--method", "velocity-verlet",  "--dt",
                                            "0.01",    "--until", "30",       "--size",           "640x400",

@@ -72,7 +72,7 @@ private:
     inline static std::unique_ptr<render::SceneRenderer> renderer_;
 };
 
-/// Nothing but the particles themselves.
+/// Only the particles.
 inline render::Style bare() {
     render::Style style;
     style.springs = style.grid = style.legend = false;

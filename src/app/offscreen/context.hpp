@@ -2,11 +2,11 @@
 
 namespace steplab {
 
-/// An OpenGL 3.3 core context without a display, current on the thread that made it, its functions not yet loaded.
-/// Each off-screen module has its own kind.
+/// An OpenGL 3.3 core context without a display, current on the thread that created it; its functions are not loaded
+/// yet. Each off-screen module implements it in its own way.
 class OffscreenContext {
 public:
-    /// Throws GraphicsError with the step that failed.
+    /// Throws GraphicsError that names the failed step.
     OffscreenContext();
     ~OffscreenContext();
     OffscreenContext(const OffscreenContext&) = delete;

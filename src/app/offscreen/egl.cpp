@@ -16,7 +16,7 @@ namespace {
 EGLDisplay open_display() {
     const auto platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (!platform_display) fail("knows no platforms");
+    if (!platform_display) fail("has no platform displays");
     const EGLDisplay display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (display == EGL_NO_DISPLAY) fail("has no surfaceless platform");
     if (!eglInitialize(display, nullptr, nullptr)) fail("cannot be initialised");
@@ -24,7 +24,7 @@ EGLDisplay open_display() {
 }
 
 EGLContext create_context(EGLDisplay display) {
-    if (!eglBindAPI(EGL_OPENGL_API)) fail("has no OpenGL");
+    if (!eglBindAPI(EGL_OPENGL_API)) fail("does not support OpenGL");
     const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
@@ -33,7 +33,7 @@ EGLContext create_context(EGLDisplay display) {
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
-    if (context == EGL_NO_CONTEXT) fail("offers no OpenGL 3.3 core context");
+    if (context == EGL_NO_CONTEXT) fail("cannot create an OpenGL 3.3 core context");
     return context;
 }
 
@@ -55,7 +55,7 @@ OffscreenContext::~OffscreenContext() {
 
 }  // namespace steplab
 
-// GLEW as Debian builds it asks GLX for OpenGL's functions; there is no GLX here.
+// GLEW in Debian loads OpenGL's functions through GLX, which is not available here.
 extern "C" {
 void (*glXGetProcAddressARB(const unsigned char* name))() {
     return eglGetProcAddress(reinterpret_cast<const char*>(name));

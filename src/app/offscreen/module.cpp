@@ -13,7 +13,7 @@
 namespace steplab {
 namespace {
 
-/// Runs `action`; what it throws becomes an answer.
+/// Runs `action` and turns an exception into an answer.
 ModuleAnswer answered(const std::function<void()>& action) noexcept {
     try {
         action();
@@ -21,13 +21,13 @@ ModuleAnswer answered(const std::function<void()>& action) noexcept {
     } catch (const Error& error) {
         return {error.code(), error.what()};
     } catch (const std::bad_alloc&) {
-        return {ExitCode::usage, "the picture needs more memory than there is"};
+        return {ExitCode::usage, "not enough memory for the picture: choose a smaller --size"};
     } catch (const std::exception& error) {
         return {ExitCode::no_opengl, error.what()};
     }
 }
 
-/// A context and what draws in it, in the order in which they must be made.
+/// A context and the painter in it, in the order of their construction.
 class Module final : public OffscreenModule {
 public:
     Module() { render::load_opengl(); }

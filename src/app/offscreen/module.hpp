@@ -11,38 +11,38 @@
 
 namespace steplab {
 
-/// A picture of a run as it is asked for.
+/// A request for a picture of a run.
 struct PictureRequest {
     RunView view;
     render::Style style;
     std::string camera = "default";  ///< see render::camera_of()
     render::PictureSize size;
-    bool panel = false;              ///< with the panels of the window, as they would look
-    std::vector<RunView> past = {};  ///< earlier moments, for the panel's plots
+    bool panel = false;              ///< with the panels of the window
+    std::vector<RunView> past = {};  ///< earlier views, for the plots
 };
 
-/// Rows from the top, 4 bytes a pixel: red, green, blue, alpha.
+/// A picture: rows from the top, 4 bytes per pixel (red, green, blue, alpha).
 struct Picture {
     render::PictureSize size;
     std::vector<std::uint8_t> rgba;
 };
 
-/// How a call into a module went: exceptions stay on their side.
+/// The result of a call into a module; exceptions do not cross its border.
 struct ModuleAnswer {
     ExitCode code = ExitCode::done;
     std::string message = {};
 };
 
-/// A module's side of off-screen drawing: plain data go in and out. It is built together with the program, so that both
-/// agree on their layout.
+/// Off-screen drawing in a module, with plain data as input and output. It is built together with the program, so that
+/// both agree on the layout of the data.
 class OffscreenModule {
 public:
     virtual ~OffscreenModule() = default;
     virtual ModuleAnswer draw(const PictureRequest& request, Picture& picture) noexcept = 0;
 };
 
-/// The one function a module offers: makes its OpenGL context. Null if that failed; `answer` tells why. The caller owns
-/// what it gets.
+/// The only exported function of a module: creates its OpenGL context. Null if that failed, with the reason in
+/// `answer`. The caller owns the result.
 using OpenOffscreenModule = OffscreenModule*(ModuleAnswer& answer);
 inline constexpr const char* open_offscreen_module_name = "steplab_open_offscreen_module";
 

@@ -16,19 +16,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view remedy =
-    "Off-screen drawing needs one of Debian's packages libosmesa6 and libegl1 with libgl1-mesa-dri, and steplab built "
-    "with graphics";
+    "Off-screen drawing requires the Debian package libosmesa6, or libegl1 with libgl1-mesa-dri, and a steplab built "
+    "with "
+    "graphics";
 
 struct Opened {
     std::unique_ptr<OffscreenModule> module;
-    std::string trouble;  ///< why there is none
+    std::string trouble;  ///< why there is no module
 };
 
 Opened open(std::string_view kind, const fs::path& folder) {
     std::error_code none;
     const fs::path file = folder / (std::string(kind) + ".so");
-    if (!fs::is_regular_file(file, none)) return {nullptr, fmt::format("there is no {}", file.string())};
-    // It stays loaded to the end of the program: OpenGL drivers do not like to be unloaded.
+    if (!fs::is_regular_file(file, none)) return {nullptr, fmt::format("{} not found", file.string())};
+    // It stays loaded to the end of the program: OpenGL drivers may crash when unloaded.
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) return {nullptr, dlerror()};
     auto* open_module = reinterpret_cast<OpenOffscreenModule*>(dlsym(library, open_offscreen_module_name));
@@ -42,7 +43,7 @@ std::vector<std::string_view> wanted_kinds(std::string_view kind) {
     if (kind == "auto") return {offscreen_kinds.begin(), offscreen_kinds.end()};
     if (std::find(offscreen_kinds.begin(), offscreen_kinds.end(), kind) != offscreen_kinds.end()) return {kind};
     constexpr std::array<std::string_view, 3> known{"auto", offscreen_kinds[0], offscreen_kinds[1]};
-    throw UsageError(unknown_word("way to OpenGL (--gl)", kind, known));
+    throw UsageError(unknown_word("OpenGL backend (--gl)", kind, known));
 }
 
 [[noreturn]] void rethrow(const ModuleAnswer& answer) {
@@ -71,8 +72,7 @@ Offscreen::Offscreen(std::string_view kind, const fs::path& folder) {
         }
         troubles.push_back(fmt::format("{}: {}", each, opened.trouble));
     }
-    throw GraphicsError(
-        fmt::format("no way to draw without a display; tried {}. {}", fmt::join(troubles, "; "), remedy));
+    throw GraphicsError(fmt::format("cannot draw without a display; tried {}. {}", fmt::join(troubles, "; "), remedy));
 }
 
 Picture Offscreen::draw(const PictureRequest& request) {

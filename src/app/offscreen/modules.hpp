@@ -11,21 +11,21 @@
 
 namespace steplab {
 
-/// The ways to get OpenGL without a display, one module each; in the order in which `auto` tries them.
+/// The OpenGL backends without a display, one module each, in the order in which `auto` tries them.
 inline constexpr std::array<std::string_view, 2> offscreen_kinds = {"osmesa", "egl"};
 
-/// Draws pictures without a display, with a module that is loaded for it: this program itself is linked to no OpenGL.
+/// Draws pictures without a display, in a module loaded at run time: the program itself does not link OpenGL.
 ///
 ///     Offscreen offscreen("auto");
 ///     const Picture picture = offscreen.draw({.view = view_of(simulation)});
 class Offscreen {
 public:
-    /// `kind` is one of offscreen_kinds, or `auto`: the first that works. Throws UsageError for any other word;
-    /// GraphicsError if none works, naming what was tried, what went wrong and how to get it.
+    /// `kind`: one of offscreen_kinds, or `auto` for the first that works. Throws UsageError for any other word, and
+    /// GraphicsError if none works, naming what was tried, what failed and what to install.
     explicit Offscreen(std::string_view kind);
     Offscreen(std::string_view kind, const std::filesystem::path& folder);
 
-    /// Throws what the request deserves: UsageError (view), GraphicsError.
+    /// Throws UsageError (view), GraphicsError.
     Picture draw(const PictureRequest& request);
     /// The module in use: "osmesa" or "egl".
     const std::string& kind() const { return kind_; }
@@ -35,7 +35,7 @@ private:
     std::unique_ptr<OffscreenModule> module_;
 };
 
-/// Where the modules are, seen from the program, in the build tree as when installed: ../lib/steplab.
+/// The folder of the modules relative to the program, both in the build tree and installed: ../lib/steplab.
 std::filesystem::path module_folder();
 
 }  // namespace steplab

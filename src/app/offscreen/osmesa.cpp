@@ -6,8 +6,8 @@
 namespace steplab {
 namespace {
 
-// OSMesa wants a picture of its own; everything is drawn into framebuffer objects, so this one is never seen.
-unsigned char unseen[4];
+// OSMesa requires a buffer. Everything is drawn into framebuffer objects, so this one is not used.
+unsigned char unused[4];
 
 }  // namespace
 
@@ -24,18 +24,18 @@ OffscreenContext::OffscreenContext() {
                               3,
                               0};
     const OSMesaContext context = OSMesaCreateContextAttribs(attributes, nullptr);
-    if (!context) throw GraphicsError("OSMesa offers no OpenGL 3.3 core context");
+    if (!context) throw GraphicsError("OSMesa cannot create an OpenGL 3.3 core context");
     context_ = context;
-    if (OSMesaMakeCurrent(context, unseen, GL_UNSIGNED_BYTE, 1, 1)) return;
+    if (OSMesaMakeCurrent(context, unused, GL_UNSIGNED_BYTE, 1, 1)) return;
     OSMesaDestroyContext(context);
-    throw GraphicsError("OSMesa's context cannot be made current");
+    throw GraphicsError("OSMesa cannot make its context current");
 }
 
 OffscreenContext::~OffscreenContext() { OSMesaDestroyContext(static_cast<OSMesaContext>(context_)); }
 
 }  // namespace steplab
 
-// GLEW as Debian builds it asks GLX for OpenGL's functions; there is no GLX here.
+// GLEW in Debian loads OpenGL's functions through GLX, which is not available here.
 extern "C" {
 void (*glXGetProcAddressARB(const GLubyte* name))() {
     return OSMesaGetProcAddress(reinterpret_cast<const char*>(name));

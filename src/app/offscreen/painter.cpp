@@ -13,10 +13,10 @@
 namespace steplab {
 namespace {
 
-// Longest side of a tile: the multisampled framebuffer of one takes 128 MiB.
+// Longest side of a tile: its multisampled framebuffer takes 128 MiB.
 constexpr int tile_side = 2048;
 
-/// A tile in the whole picture.
+/// The place of a tile in the whole picture.
 struct Place {
     int left;
     int top;
@@ -33,7 +33,7 @@ void copy_into(Picture& picture, const Place& place, const std::vector<std::uint
     }
 }
 
-/// Has every tile painted and puts them together.
+/// Paints all tiles and assembles the picture.
 Picture in_tiles(render::PictureSize size,
                  const std::function<void(const Place&, const render::RenderTarget&)>& paint) {
     Picture picture{size, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size.width) *
@@ -50,7 +50,7 @@ Picture in_tiles(render::PictureSize size,
     return picture;
 }
 
-/// The same description with the parameters of this module's catalogue: what came from the program points to its own.
+/// The same description with the parameters of this module's catalogue: those of the program refer to its own.
 RunDescription of_this_module(const RunDescription& description) {
     RunDescription own = describe(description.model, description.method);
     const auto take_over = [](const ParameterValues& from, ParameterValues& to) {
@@ -76,7 +76,7 @@ Picture paint_scene(render::SceneRenderer& scene, const PictureRequest& request)
     });
 }
 
-/// The panels as the window would show them, and the camera and style they leave.
+/// The panels as in the window, and the camera and style for the scene.
 class Panels {
 public:
     Panels(const PictureRequest& request, render::ImguiRenderer& renderer)
@@ -87,7 +87,7 @@ public:
         renderer_.upload_fonts(interface_.fonts());
         for (const RunView& moment : request.past) interface_.record(of_this_module(moment));
         interface_.record(view_);
-        // The first frame finds out where the scene is; the second is drawn with the camera for it.
+        // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
         camera_ = render::camera_of(request.camera, view_.frame, scene_size());
         draw();

@@ -8,8 +8,8 @@
 
 namespace steplab {
 
-/// Paints whole pictures in the context that is current: the scene, and over it the panels of the window if they are
-/// asked for. Large pictures are painted in tiles, so that their size is bounded by memory for the picture alone.
+/// Paints pictures in the current context: the scene and, if requested, the panels of the window over it. Large
+/// pictures are painted in tiles, so that only the memory for the picture itself limits their size.
 class OffscreenPainter {
 public:
     /// Throws UsageError (view), GraphicsError.
@@ -17,7 +17,7 @@ public:
 
 private:
     render::SceneRenderer scene_;
-    std::optional<render::ImguiRenderer> panels_;  ///< made when first asked for
+    std::optional<render::ImguiRenderer> panels_;  ///< created when first needed
 };
 
 }  // namespace steplab
