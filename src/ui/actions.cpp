@@ -17,12 +17,12 @@ render::PictureSize scene_size(const Context& context) {
     return {rect.width, rect.height};
 }
 
-void frame_all(const Context& context) {
+void zoom_to_fit(const Context& context) {
     render::Camera& camera = context.stage.camera;
     camera = render::framed(context.view.frame, camera.yaw, camera.pitch, scene_size(context));
 }
 
-/// The scene `offset` places further in the list of models, which goes round.
+/// The model `offset` places further in the list; the list wraps around.
 void change_scene(const Context& context, std::ptrdiff_t offset) {
     const auto all = models();
     const auto count = static_cast<std::ptrdiff_t>(all.size());
@@ -54,23 +54,23 @@ void perform(const Context& context, Action action) {
             return run.restart();
         case Action::reset_view:
             return reset_view(context);
-        case Action::frame_all:
-            return frame_all(context);
+        case Action::zoom_to_fit:
+            return zoom_to_fit(context);
         case Action::faster:
             return wanted.set_rate(faster(wanted.rate()), run);
         case Action::slower:
             return wanted.set_rate(slower(wanted.rate()), run);
-        case Action::scene_before:
+        case Action::previous_scene:
             return change_scene(context, -1);
-        case Action::scene_after:
+        case Action::next_scene:
             return change_scene(context, 1);
         case Action::panel:
             return toggle_panel(context);
         case Action::help:
             context.session.help_open = !context.session.help_open;
             return;
-        case Action::picture:
-            return context.request({.kind = Request::Kind::save_picture});
+        case Action::snapshot:
+            return context.request({.kind = Request::Kind::save_snapshot});
         case Action::full_screen:
             return context.request({.kind = Request::Kind::full_screen});
         case Action::quit:

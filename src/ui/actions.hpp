@@ -7,15 +7,15 @@
 
 namespace steplab::ui {
 
-/// Does what a key or its button asks for.
+/// Performs the action of a key or a button.
 void perform(const Context& context, Action action);
 /// Performs the actions whose keys were pressed in this frame, unless ImGui itself uses the keyboard.
 void perform_pressed_keys(const Context& context);
 
-/// "one step on (Right)": the tooltip of a button.
+/// The tooltip of a button: "one step forward (Right)".
 std::string help_of(Action action);
 
-/// The camera goes to where the scene opens.
+/// Moves the camera to where it is when the scene opens.
 void reset_view(const Context& context);
 
 }  // namespace steplab::ui

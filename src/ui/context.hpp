@@ -18,41 +18,41 @@
 
 namespace steplab::ui {
 
-/// What of the drawing the interface reads and changes.
+/// The camera and the style of the drawing, which the interface reads and changes.
 struct Stage {
     render::Camera& camera;
     render::Style& style;
 };
 
-/// A number being typed instead of dragged: which one, and the text so far.
+/// An open text entry in place of a slider: its widget and the text so far.
 struct Entry {
     std::string widget;
     std::array<char, 64> text{};
     bool just_opened = false;
 };
 
-/// A short message over the scene.
+/// A short message over the scene, shown for some seconds.
 struct Notice {
     std::string text;
-    double until = 0;  ///< seconds of the interface's clock
+    double until = 0;  ///< on the interface's clock, in seconds
 };
 
-/// What the interface remembers from frame to frame.
+/// State that the interface keeps from frame to frame.
 struct Session {
     Wanted wanted;
     History history;
     std::optional<Entry> entry;
     std::optional<Notice> notice;
-    std::optional<bool> panel;  ///< asked for or against by the person; none: as the window has room
+    std::optional<bool> panel;  ///< chosen by the user; none: shown where the window has room
     bool help_open = false;
-    std::optional<std::size_t> pulled;                ///< the particle that hangs on the pointer
-    bool drag_from_scene = false;                     ///< the left or right button went down over the scene
-    bool dragged = false;                             ///< since then the pointer moved: it is no click
+    std::optional<std::size_t> pulled;                ///< the particle that follows the pointer
+    bool drag_from_scene = false;                     ///< the left or right button was pressed over the scene
+    bool dragged = false;                             ///< the pointer has moved since then: not a click
     std::optional<std::size_t> dismissed_divergence;  ///< step of the divergence whose card was closed
     std::vector<Request> requests;
 };
 
-/// What every panel is given for one frame.
+/// Everything a panel needs to draw one frame.
 struct Context {
     const Theme& theme;
     const Layout& layout;
@@ -65,11 +65,11 @@ struct Context {
     WidgetMap& widgets;
 
     float px(float units) const { return theme.px(units); }
-    /// The description the panels show and change.
+    /// The run description that the panels show and change.
     const RunDescription& description() const { return session.wanted.description(); }
     void ask(const RunDescription& description) const { session.wanted.ask(description, commands); }
     void request(Request request) const { session.requests.push_back(std::move(request)); }
-    /// Stores where the widget that was drawn last is.
+    /// Records the place of the widget that was drawn last.
     void mark(std::string_view widget) const;
     void mark(std::string_view widget, const WidgetRect& place) const;
 };

@@ -6,15 +6,15 @@
 
 namespace steplab::ui {
 
-/// The surface the interface is drawn on.
+/// The surface that the interface is drawn on.
 struct Display {
     int width = 1280;  ///< pixels
     int height = 720;
-    float scale = 1;  ///< pixels of one unit of the layout: 2 on a display of twice the usual density
+    float scale = 1;  ///< pixels per unit of the layout: 2 on a display of twice the usual density
     friend bool operator==(const Display&, const Display&) = default;
 };
 
-/// Pixels from the top left of the display.
+/// A rectangle in pixels from the top left of the display.
 struct PixelRect {
     int x = 0;
     int y = 0;
@@ -23,22 +23,22 @@ struct PixelRect {
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-/// What only a running window knows; nothing of it is in a still picture.
+/// Times measured by a running window. A snapshot shows none of them.
 struct Measured {
-    std::optional<double> frame_seconds = {};  ///< time it took to draw the last picture of the scene
-    double since_last_frame = 1.0 / 60;        ///< seconds since the interface was drawn last
+    std::optional<double> frame_seconds = {};  ///< it took to draw the last picture of the scene
+    double since_last_frame = 1.0 / 60;        ///< seconds since the interface was last drawn
 };
 
-/// Something the program does rather than the interface.
+/// A request that the program carries out, not the interface.
 struct Request {
-    enum class Kind { save_picture, copy_text, full_screen, quit };
+    enum class Kind { save_snapshot, copy_text, full_screen, quit };
     Kind kind = Kind::quit;
-    std::string text = {};  ///< copy_text: what to put on the clipboard
-    std::string file = {};  ///< save_picture: where to
-    PixelRect part = {};    ///< save_picture: the part of the window; nothing of it (width 0) means all
+    std::string text = {};  ///< copy_text: the text for the clipboard
+    std::string file = {};  ///< save_snapshot: path; empty: a new name
+    PixelRect part = {};    ///< save_snapshot: the part of the window; all of it if its width is 0
 };
 
-/// Where a widget was drawn, and by its name a test finds it.
+/// Where a widget was drawn, in pixels of the display. Tests find widgets by name.
 struct WidgetRect {
     float left = 0;
     float top = 0;

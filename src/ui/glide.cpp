@@ -7,12 +7,12 @@ namespace steplab::ui {
 
 namespace {
 
-/// Steps that follow each other faster look smooth by themselves; slower ones are meant to be seen one by one.
+/// Seconds from step to step: faster ones are smooth without interpolation, slower ones are watched one by one.
 constexpr double shortest = 0.02, longest = 0.5;
-/// Beyond this many particles, making the moments in between costs more than it shows.
+/// With more particles, interpolation costs more than it is worth.
 constexpr std::size_t most_particles = 20000;
 
-/// Seconds from one step of a playing run to the next; 0 where there is nothing to glide over.
+/// Seconds from one step of a playing run to the next; 0 if there is nothing to interpolate.
 double pause_between(const RunView& a, const RunView& b) {
     const bool follow = a.playing && b.playing && a.run == b.run && b.frame.step > a.frame.step;
     const bool fits = a.frame.positions.size() == b.frame.positions.size() &&

@@ -7,28 +7,28 @@
 
 namespace steplab::ui {
 
-/// Where between its last two moments a playing run is shown, so that ten steps a second do not look like ten: the
-/// picture glides from one step to the next in the time until the one after is due. Read-outs and plots show steps
-/// alone.
+/// Interpolates the picture of a playing run between its last two views, so that slow runs move smoothly: the picture
+/// moves from one step to the next during the time until the following one is due. Readings and plots show whole steps
+/// only.
 class Glide {
 public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// A newer view of the run is there.
+    /// Takes a newer view of the run.
     void arrived(std::shared_ptr<const RunView> view, Time now);
 
-    /// The moment glided from; null while the newest view is shown as it is.
+    /// The view to interpolate from; null while the newest view is shown as it is.
     std::shared_ptr<const RunView> from(Time now) const { return gliding(now) ? from_ : nullptr; }
-    /// How far from there to the newest view, 0 .. 1.
+    /// Position between that view (0) and the newest one (1).
     double fraction(Time now) const;
-    /// True while the picture changes by itself.
+    /// True while the picture changes without input.
     bool gliding(Time now) const { return fraction(now) < 1; }
 
 private:
     std::shared_ptr<const RunView> from_;
     std::shared_ptr<const RunView> newest_;
     Time begin_{};
-    double duration_ = 0;  ///< seconds; 0: nothing to glide over
+    double duration_ = 0;  ///< seconds; 0: no interpolation
 };
 
 }  // namespace steplab::ui

@@ -11,7 +11,7 @@ struct KeyName {
     ImGuiKey imgui;
 };
 
-// The keys that ImGui itself acts on. ImGui 1.86 knows no others by name; from 1.87 on every key has one.
+// The keys that ImGui itself acts on. ImGui 1.86 has names for these only; from 1.87 on every key has a name.
 constexpr KeyName editing_keys[] = {
     {Key::space, ImGuiKey_Space},
     {Key::left, ImGuiKey_LeftArrow},
@@ -83,7 +83,7 @@ void release_all(ImGuiIO& io) {
 
 #endif
 
-/// Sets one event on ImGui; says whether it was a press or a release.
+/// Passes one event to ImGui; true if it is a press or a release.
 struct Feed {
     ImGuiIO& io;
 
@@ -117,7 +117,7 @@ bool Input::feed(ImGuiIO& io) {
     return !events_.empty();
 }
 
-/// The frame that sees a button released no longer sees where it was dragged to.
+/// ImGui does not see a drag in the same frame as the release of the button.
 bool Input::ends_a_drag(const InputEvent& event, bool moved) {
     const auto* button = std::get_if<ButtonChanged>(&event);
     return moved && button && !button->down;

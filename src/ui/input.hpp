@@ -9,7 +9,7 @@
 
 namespace steplab::ui {
 
-/// What happened at the keyboard and the mouse, in the order it happened, whatever window library reports it.
+/// Events of keyboard and mouse, in their order, independent of the window library.
 struct PointerMoved {
     float x = 0;
     float y = 0;
@@ -37,18 +37,18 @@ struct FocusLost {};
 using InputEvent =
     std::variant<PointerMoved, ButtonChanged, WheelTurned, KeyChanged, ModifiersChanged, TextTyped, FocusLost>;
 
-/// Hands events to ImGui, at most one press or release of a button or key in a frame, and what was dragged before it is
-/// let go: a click or drag that is over within one frame of a slow machine must not be lost. It is the one place that
-/// knows how ImGui's versions take input.
+/// Feeds events to ImGui: at most one press or release of a button or key per frame, and a drag before its release, so
+/// that a click or drag within one frame of a slow machine is not lost. Differences between ImGui's versions are
+/// handled here only.
 class Input {
 public:
     void push(const InputEvent& event) { events_.push_back(event); }
-    /// Feeds the next frame. True if events are left for another frame.
+    /// Feeds the events of the next frame. True if some are left for another frame.
     bool feed(ImGuiIO& io);
 
-    /// Tells ImGui which of its own keys ours are; once per context.
+    /// Maps our keys to those of ImGui; once per context.
     static void describe_keys(ImGuiIO& io);
-    /// True if the key went down in this frame, or repeats while it is held if `repeat`.
+    /// True if the key was pressed in this frame; with `repeat` also each time a held key repeats.
     static bool pressed(Key key, bool repeat);
 
 private:

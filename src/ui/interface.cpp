@@ -16,8 +16,8 @@ struct ContextDeleter {
     void operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
 };
 
-/// A still picture has nobody to ask for anything.
-class Nobody final : public Commands {
+/// Ignores all commands: a snapshot has no user.
+class NoCommands final : public Commands {
 public:
     void play(bool) override {}
     void step_forward() override {}
@@ -30,7 +30,7 @@ public:
     void show_ensemble(const LiveEnsembleOptions&) override {}
 };
 
-/// A context whose state lives in this process alone.
+/// A context that reads and writes no files.
 ImGuiContext* make_context() {
     ImGuiContext* context = ImGui::CreateContext();
     ImGui::SetCurrentContext(context);
@@ -43,7 +43,7 @@ ImGuiContext* make_context() {
     return context;
 }
 
-/// A clipboard as ImGui calls it, which wants text that stays where it is after the call.
+/// The clipboard in the form ImGui calls it: the text has to stay valid after the call.
 struct ImGuiClipboard {
     Clipboard clipboard;
     std::string text;
@@ -66,7 +66,7 @@ void draw_panels(const Context& context) {
     draw_help(context);
 }
 
-/// The newest picture of the scene, stretched to the place it has now until one of the right size is there.
+/// Draws the newest picture of the scene, stretched to its area until one of the right size is available.
 void draw_scene_picture(const Area& scene, std::uint32_t texture) {
     if (texture == 0) return;
     // ImGui carries a texture's name as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
@@ -98,7 +98,7 @@ struct Interface::Body {
     std::uint32_t scene_texture = 0;
     bool new_view = true;
     bool input_left = false;
-    bool unsettled = true;  ///< a widget came, went or moved: ImGui knows the size of what is new one frame later
+    bool unsettled = true;  ///< a widget appeared, disappeared or moved; ImGui knows its size one frame later
 };
 
 Interface::Interface(const Display& display) : body_(std::make_unique<Body>(display)) {}
@@ -136,9 +136,9 @@ void Interface::draw(const RunView& view, Commands& commands, Stage stage, const
 }
 
 void Interface::draw_still(const RunView& view, Stage stage) {
-    Nobody nobody;
-    // ImGui knows the size of a window that fits its content only after it was drawn once.
-    for (int pass = 0; pass < 3; ++pass) draw_frame(view, nobody, stage, {}, true);
+    NoCommands no_commands;
+    // ImGui knows the size of a window that fits its content only after drawing it once.
+    for (int pass = 0; pass < 3; ++pass) draw_frame(view, no_commands, stage, {}, true);
 }
 
 void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured, bool still) {
@@ -195,7 +195,7 @@ void Interface::notify(std::string text) {
     body_->session.notice = Notice{std::move(text), ImGui::GetTime() + 4};
 }
 
-void Interface::complain(std::string text) { body_->session.wanted.refuse(std::move(text)); }
+void Interface::report_error(std::string text) { body_->session.wanted.refuse(std::move(text)); }
 
 const WidgetMap& Interface::widgets() const { return body_->widgets; }
 

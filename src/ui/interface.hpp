@@ -17,18 +17,18 @@ struct ImGuiContext;
 
 namespace steplab::ui {
 
-/// The clipboard that other programs see.
+/// The clipboard shared with other programs.
 struct Clipboard {
     std::function<std::string()> read;
     std::function<void(const std::string& text)> write;
 };
 
-/// The whole panel set of one window or still picture. It owns an ImGui context and no OpenGL object: whoever draws
-/// takes draw_data() and fonts(). All positions are pixels from the top left of the display.
+/// All panels of a window or a snapshot. It owns an ImGui context and no OpenGL object; the caller draws draw_data()
+/// with the glyphs of fonts(). All positions are pixels from the top left of the display.
 ///
-/// A still picture (`snapshot --ui on`):
+/// A snapshot with panels (`snapshot --ui on`):
 ///     ui::Interface interface({.width = 1280, .height = 720});
-///     for (const RunView& earlier : recorded) interface.record(earlier);   // plots; may be none
+///     for (const RunView& earlier : recorded) interface.record(earlier);   // for the plots; optional
 ///     interface.draw_still(view_of(simulation), {camera, style});
 ///     // draw the scene into interface.scene(), then interface.draw_data() over the whole picture
 class Interface {
@@ -38,39 +38,40 @@ public:
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
-    /// The display's size or scale changed; true if the fonts were built anew, so that their texture must be too.
+    /// Sets the size and scale of the display. True if the fonts were rebuilt: their texture must then be rebuilt, too.
     bool resize(const Display& display);
-    /// A new moment of the run: to be called once for each, before it is drawn.
+    /// Records a new view of the run for the plots. Call it once for each view, before drawing it.
     void record(const RunView& view);
-    /// The OpenGL name of the texture that holds the newest picture of the scene, top row first: it is part of the
-    /// draw data from now on. 0: the scene is drawn by other means.
+    /// The OpenGL name of the texture with the newest picture of the scene, top row first, which becomes part of the
+    /// draw data. 0: the scene is not part of the draw data.
     void show_scene(std::uint32_t texture);
 
-    /// Keyboard and mouse: what is pushed here is fed to the next frames.
+    /// Takes events of keyboard and mouse for the next frames.
     Input& input();
-    /// What is cut, copied and pasted in text entries goes by this clipboard; without one it stays in the interface.
+    /// The clipboard for text entries; without one, copied text stays within the interface.
     void use_clipboard(Clipboard clipboard);
-    /// One frame: sends what the person asked for to `commands`, moves the camera and sets the style.
+    /// Draws one frame: sends the user's commands to `commands`, moves the camera and sets the style.
     void draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured = {});
-    /// The frame of a picture that nobody touches: the same view gives the same draw data, whenever it is drawn.
+    /// Draws a frame without input: the same view always gives the same draw data.
     void draw_still(const RunView& view, Stage stage);
 
-    /// Where the scene is to be drawn; of the frame drawn last.
+    /// The area of the scene in the last frame.
     PixelRect scene() const;
-    /// Of the frame drawn last; valid until the next one.
+    /// The draw data of the last frame; valid until the next one.
     ImDrawData& draw_data() const;
     ImFontAtlas& fonts() const;
     ImGuiContext& context() const;
 
-    /// What was asked for since the last call that is the program's to do.
+    /// The requests to the program since the last call.
     std::vector<Request> take_requests();
-    /// How long the picture stays as it is if nothing happens, in seconds: 0 where another frame is wanted at once.
+    /// Seconds until the picture changes without input: 0 if another frame is needed at once, infinity if it does not
+    /// change.
     double seconds_until_change() const;
-    /// Shows `text` for a while over the scene: a picture was saved, a command was copied.
+    /// Shows `text` over the scene for some seconds: "saved steplab-mesh-1.png".
     void notify(std::string text);
-    /// Shows a message that stays until it is closed: what could not be done, and why.
-    void complain(std::string text);
-    /// Where each widget of the last frame was drawn, by name; for tests.
+    /// Shows an error message until it is closed.
+    void report_error(std::string text);
+    /// The places of the widgets in the last frame, by name; for tests.
     const WidgetMap& widgets() const;
 
 private:

@@ -8,18 +8,18 @@ namespace {
 
 constexpr std::array<KeyBinding, 15> keys = {{
     {Action::pause, Key::space, false, "Space", "play or pause"},
-    {Action::step_forward, Key::right, false, "Right", "one step on"},
+    {Action::step_forward, Key::right, false, "Right", "one step forward"},
     {Action::step_back, Key::left, false, "Left", "one step back"},
-    {Action::restart, Key::backspace, false, "Backspace", "restart"},
+    {Action::restart, Key::backspace, false, "Backspace", "restart the run"},
     {Action::reset_view, Key::home, false, "Home", "reset the view"},
-    {Action::frame_all, Key::f, false, "F", "show all particles"},
-    {Action::faster, Key::equal, false, "=", "faster"},
-    {Action::slower, Key::minus, false, "-", "slower"},
-    {Action::scene_before, Key::bracket_left, false, "[", "scene before"},
-    {Action::scene_after, Key::bracket_right, false, "]", "scene after"},
-    {Action::panel, Key::tab, false, "Tab", "hide or show the panel"},
+    {Action::zoom_to_fit, Key::f, false, "F", "zoom to fit"},
+    {Action::faster, Key::equal, false, "=", "play faster"},
+    {Action::slower, Key::minus, false, "-", "play slower"},
+    {Action::previous_scene, Key::bracket_left, false, "[", "previous scene"},
+    {Action::next_scene, Key::bracket_right, false, "]", "next scene"},
+    {Action::panel, Key::tab, false, "Tab", "show or hide the panel"},
     {Action::help, Key::f1, false, "F1", "help"},
-    {Action::picture, Key::p, true, "Ctrl+P", "save a picture"},
+    {Action::snapshot, Key::p, true, "Ctrl+P", "save a snapshot"},
     {Action::full_screen, Key::f11, false, "F11", "full screen"},
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
 }};
@@ -27,12 +27,12 @@ constexpr std::array<KeyBinding, 15> keys = {{
 constexpr std::array<MouseBinding, 8> gestures = {{
     {"left drag", "orbit"},
     {"right drag, Shift + left drag", "pan"},
-    {"wheel", "zoom to the pointer"},
-    {"click", "pick a particle"},
+    {"wheel", "zoom towards the pointer"},
+    {"click", "select a particle"},
     {"Ctrl + left drag", "pull a particle"},
-    {"double click on a slider", "its default"},
+    {"double click on a slider", "reset it to its default"},
     {"Ctrl + click on a slider, click on its value", "type an exact value"},
-    {"right click on a plot", "save it"},
+    {"right click on a plot", "save it as CSV or PNG"},
 }};
 
 template <class Rows>
@@ -53,7 +53,7 @@ const KeyBinding& binding_of(Action action) {
 }
 
 std::string key_table() {
-    std::string table = "| key | what it does |\n|---|---|\n";
+    std::string table = "| key or mouse | action |\n|---|---|\n";
     append_rows(table, keys);
     append_rows(table, gestures);
     return table;

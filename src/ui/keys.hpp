@@ -7,26 +7,26 @@
 
 namespace steplab::ui {
 
-/// What a key or a button does.
+/// What a key or a button does to the run, the view or the window.
 enum class Action {
     pause,
     step_forward,
     step_back,
     restart,
     reset_view,
-    frame_all,
+    zoom_to_fit,
     faster,
     slower,
-    scene_before,
-    scene_after,
+    previous_scene,
+    next_scene,
     panel,
     help,
-    picture,
+    snapshot,
     full_screen,
     quit
 };
 
-/// The keys the interface knows, whatever library they come from; the others are none of its business.
+/// The keys of the interface, independent of the window library; all other keys are ignored.
 enum class Key {
     none,
     space,
@@ -58,16 +58,16 @@ enum class Key {
     count
 };
 
-/// One line of the table of keys: help, tooltips and documentation are made from it.
+/// A row of the table of keys. Help, tooltips and documentation are generated from the table.
 struct KeyBinding {
     Action action;
     Key key;
     bool control = false;
     std::string_view label;  ///< "Ctrl+P"
-    std::string_view what;   ///< "save a picture"
+    std::string_view what;   ///< "save a snapshot"
 };
 
-/// What the mouse does over the scene.
+/// A row of the table of mouse actions.
 struct MouseBinding {
     std::string_view label;
     std::string_view what;
@@ -79,7 +79,7 @@ std::span<const MouseBinding> mouse_bindings();
 /// The binding of an action. Every action has one.
 const KeyBinding& binding_of(Action action);
 
-/// The table for the documentation, in Markdown.
+/// Both tables for the documentation, in Markdown.
 std::string key_table();
 
 }  // namespace steplab::ui

@@ -2,11 +2,11 @@
 
 #include "core/number_text.hpp"
 #include "core/ticks.hpp"
-#include "ui/widgets/format.hpp"
 
 #include <algorithm>
 
 namespace steplab::ui {
+
 Rate faster(Rate rate) {
     if (rate.as_fast_as_possible || rate.seconds_per_second >= fastest) return {true, rate.seconds_per_second};
     return {false, std::min(nice_above(rate.seconds_per_second), fastest)};
@@ -17,9 +17,6 @@ Rate slower(Rate rate) {
     return {false, std::max(nice_below(rate.seconds_per_second), slowest)};
 }
 
-std::string rate_text(Rate rate) {
-    return rate.as_fast_as_possible ? "as fast as possible"
-                                    : with_unit(setting_text(rate.seconds_per_second, 3), "s/s");
-}
+std::string rate_text(double seconds_per_second) { return setting_text(seconds_per_second, 3) + "x real time"; }
 
 }  // namespace steplab::ui

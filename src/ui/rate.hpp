@@ -6,15 +6,15 @@
 
 namespace steplab::ui {
 
-/// The range the speed slider offers, simulated seconds a second.
+/// The range of the speed slider, in simulated seconds per second of real time.
 inline constexpr double slowest = 0.01;
 inline constexpr double fastest = 1000;
 
-/// The next speed of 1, 2, 5 times a power of ten up or down; beyond `fastest` comes "as fast as possible".
+/// The next nice number (core/ticks.hpp) up or down; the step above `fastest` is unlimited speed.
 Rate faster(Rate rate);
 Rate slower(Rate rate);
 
-/// "1.0 s/s", "as fast as possible".
-std::string rate_text(Rate rate);
+/// "1.0x real time".
+std::string rate_text(double seconds_per_second);
 
 }  // namespace steplab::ui

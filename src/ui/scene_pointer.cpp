@@ -10,7 +10,7 @@ namespace {
 
 bool went_down(int button) { return ImGui::GetIO().MouseClicked[button]; }
 
-/// The pointer in pixels of the scene's picture.
+/// The position of the pointer in the picture of the scene.
 render::PixelPoint pointer_in(const Area& scene) {
     const ImVec2 pointer = ImGui::GetIO().MousePos;
     return {static_cast<double>(pointer.x - scene.x), static_cast<double>(pointer.y - scene.y)};
@@ -22,9 +22,9 @@ void drag(const Context& context, const render::Projection& projection) {
     const double dy = static_cast<double>(io.MouseDelta.y);
     if (dx == 0 && dy == 0) return;
     const bool pan = io.MouseDown[1] || io.KeyShift;
-    // A hand that clicks trembles: the first pixels of a drag do nothing.
-    const float tremble = context.px(4);
-    if (io.MouseDragMaxDistanceSqr[pan && io.MouseDown[1] ? 1 : 0] < tremble * tremble) return;
+    // A click may move the pointer by a few pixels: they do not count as a drag.
+    const float tolerance = context.px(4);
+    if (io.MouseDragMaxDistanceSqr[pan && io.MouseDown[1] ? 1 : 0] < tolerance * tolerance) return;
     context.session.dragged = true;
     context.stage.camera = pan ? render::panned(projection, dx, dy) : render::orbited(projection, dx, dy);
 }
@@ -52,7 +52,7 @@ void pull(const Context& context, const render::Projection& projection) {
     }
 }
 
-/// A button went down over the scene: what comes is a pull, a drag or a click.
+/// A button was pressed over the scene: a pull, a drag or a click begins.
 void begin(const Context& context, const render::Projection& projection) {
     Session& session = context.session;
     const ImGuiIO& io = ImGui::GetIO();
@@ -61,7 +61,7 @@ void begin(const Context& context, const render::Projection& projection) {
     session.dragged = false;
 }
 
-void pick(const Context& context, const render::Projection& projection) {
+void select(const Context& context, const render::Projection& projection) {
     if (const auto particle = particle_under_pointer(context, projection)) context.commands.track(particle);
 }
 
@@ -77,7 +77,7 @@ void use_pointer(const Context& context) {
     if (over && (went_down(0) || went_down(1))) begin(context, projection);
     if (session.pulled) pull(context, projection);
     if (session.drag_from_scene && (io.MouseDown[0] || io.MouseDown[1])) drag(context, projection);
-    if (session.drag_from_scene && io.MouseReleased[0] && !session.dragged) pick(context, projection);
+    if (session.drag_from_scene && io.MouseReleased[0] && !session.dragged) select(context, projection);
     if (!io.MouseDown[0] && !io.MouseDown[1]) session.drag_from_scene = false;
     if (over && io.MouseWheel != 0) {
         const double factor = std::pow(1.15, static_cast<double>(io.MouseWheel));

@@ -4,8 +4,8 @@
 
 namespace steplab::ui {
 
-/// The mouse over the scene: orbit, pan, zoom to the pointer, pick and pull particles. Only what ImGui's own windows
-/// leave to it.
+/// The mouse over the scene: orbit, pan, zoom towards the pointer, select and pull particles. Ignores the mouse over
+/// ImGui's windows.
 void use_pointer(const Context& context);
 
 }  // namespace steplab::ui

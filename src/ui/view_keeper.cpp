@@ -17,7 +17,7 @@ void ViewKeeper::keep(const Context& context) {
     if (first ? !view.tracked : other_model || (other_shape && shape_->roles.size() != particles)) {
         context.commands.track(first_followed(*view.frame.shape));
     }
-    // A program that was started with a view has set the camera; an untouched one is put where the scene opens.
+    // The command line may have set the camera; one that is still untouched is placed where the scene opens.
     const bool untouched = context.stage.camera == home_.value_or(render::Camera{});
     const bool moved_about = other_shape || place != place_;
     if ((first && untouched) || (!first && (other_model || (moved_about && untouched)))) {

@@ -11,8 +11,8 @@
 
 namespace steplab::ui {
 
-/// Sees to it that a new scene is whole in the picture and one of its particles is followed. A camera that the person
-/// has moved stays where it is until another model comes.
+/// Keeps the camera and the followed particle suited to the scene: a new scene is shown whole, with one particle
+/// followed. A camera that the user has moved stays until the model changes.
 class ViewKeeper {
 public:
     void keep(const Context& context);
@@ -21,7 +21,7 @@ private:
     std::string model_;
     std::shared_ptr<const Shape> shape_;
     PixelRect place_;
-    std::optional<render::Camera> home_;  ///< where the camera was put last
+    std::optional<render::Camera> home_;  ///< where the camera was last placed by the program
 };
 
 }  // namespace steplab::ui

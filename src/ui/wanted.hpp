@@ -7,33 +7,33 @@
 
 namespace steplab::ui {
 
-/// What the person wants computed. Between asking for a change and seeing the run that has it, the panel shows what was
-/// asked for; every further change builds on that, so a dragged slider never jumps back and the newest value wins.
+/// The settings that the user has requested. From a request until the run has taken it, the panel shows the requested
+/// values and further changes build on them, so that a dragged slider never jumps back and the newest value wins.
 class Wanted {
 public:
-    /// Takes note of what the run is doing now. `is_new`: this view was not seen before.
+    /// Updates to the state of the run. `is_new`: the first call with this view.
     void follow(const RunView& view, bool is_new);
 
     const RunDescription& description() const { return asked_ ? *asked_ : running_; }
-    /// Sends a change at once if it differs from what was asked for and can be run; else message() says why not.
+    /// Sends a change at once if it differs from the last request and can be run; otherwise message() gives the reason.
     void ask(const RunDescription& description, Commands& commands);
-    /// Whether the run plays, how fast, and with what ensemble; the same way.
+    /// The same for playing or pausing, the speed and the ensemble.
     bool playing() const { return playing_.shown(); }
     Rate rate() const { return rate_.shown(); }
     const LiveEnsembleOptions& ensemble() const { return ensemble_.shown(); }
     void play(bool on, Commands& commands);
     void set_rate(Rate rate, Commands& commands);
     void show_ensemble(const LiveEnsembleOptions& ensemble, Commands& commands);
-    /// Tells why something that was typed cannot be meant.
+    /// Shows why an entry was refused.
     void refuse(std::string message) { message_ = std::move(message); }
 
-    /// Why the last change was refused, here or by the run; empty if it was not.
+    /// The reason why the last change was refused, here or by the run; empty if it was not.
     const std::string& message() const { return message_; }
     void dismiss() { message_.clear(); }
 
 private:
-    /// A setting that was asked for, shown until the run has it. A run may have its reasons not to take it (it is
-    /// over), so after some views what it does counts again.
+    /// A requested setting, shown until the run has taken it. A run that has ended does not take it: after some views
+    /// the setting of the run is shown again.
     template <class T>
     class Setting {
     public:

@@ -54,7 +54,7 @@ TEST(input, leaving_the_window_releases_everything) {
     EXPECT_TRUE(desk.recorder.changes.empty());
 }
 
-TEST(interface, a_paused_window_that_nobody_touches_changes_nothing) {
+TEST(interface, a_paused_window_without_input_does_not_change) {
     Desk desk;
     for (int i = 0; i < 5; ++i) desk.frame();
     EXPECT_TRUE(std::isinf(desk.interface.seconds_until_change()));
@@ -73,7 +73,7 @@ TEST(interface, still_pictures_of_one_view_are_the_same) {
         Interface interface({1280, 720, 1});
         interface.record(view);
         interface.draw_still(view, {camera, style});
-        EXPECT_EQ(camera, render::Camera{}) << "a still picture's camera is whoever draws it's";
+        EXPECT_EQ(camera, render::Camera{}) << "the camera of a snapshot belongs to the caller";
         return bytes_of(interface.draw_data());
     };
     EXPECT_EQ(still(), still());
@@ -113,7 +113,7 @@ TEST(interface, two_interfaces_do_not_disturb_each_other) {
     EXPECT_EQ(two.calls(), std::vector<std::string>{"step forward"});
 }
 
-TEST(interface, fonts_are_built_anew_for_another_scale_only) {
+TEST(interface, fonts_are_rebuilt_only_for_another_scale) {
     Desk desk;
     EXPECT_FALSE(desk.interface.resize({800, 600, 1}));
     desk.frame();

@@ -46,7 +46,7 @@ TEST(keys, run_is_driven_from_the_keyboard) {
     EXPECT_EQ(desk.recorder.rates.back().seconds_per_second, 1);
 }
 
-TEST(keys, brackets_go_round_the_scenes) {
+TEST(keys, brackets_cycle_through_the_scenes) {
     const auto all = models();
     Desk desk(describe(all.front().info.id));
     desk.key(Key::bracket_left);
@@ -88,14 +88,14 @@ TEST(keys, help_opens_and_closes) {
     EXPECT_FALSE(desk.has("help"));
 }
 
-TEST(keys, picture_full_screen_and_quit_are_requests) {
+TEST(keys, snapshot_full_screen_and_quit_are_requests) {
     Desk desk;
     desk.key(Key::p, true);
     desk.key(Key::f11);
     desk.key(Key::q, true);
     const auto requests = desk.interface.take_requests();
     ASSERT_EQ(requests.size(), 3u);
-    EXPECT_EQ(requests[0].kind, Request::Kind::save_picture);
+    EXPECT_EQ(requests[0].kind, Request::Kind::save_snapshot);
     EXPECT_EQ(requests[1].kind, Request::Kind::full_screen);
     EXPECT_EQ(requests[2].kind, Request::Kind::quit);
     EXPECT_TRUE(desk.interface.take_requests().empty());
@@ -124,7 +124,7 @@ TEST(keys, an_entry_keeps_the_keyboard_to_itself) {
     EXPECT_THAT(desk.calls(), ElementsAre("step forward"));
 }
 
-TEST(keys, home_resets_the_view_and_f_shows_all) {
+TEST(keys, home_resets_the_view_and_f_zooms_to_fit) {
     Desk desk;
     const render::Camera home = desk.camera;
     desk.camera.distance *= 7;
@@ -144,14 +144,14 @@ TEST(keys, every_key_has_a_button_or_menu_entry) {
                                                   {Action::step_back, "step back"},
                                                   {Action::restart, "restart"},
                                                   {Action::reset_view, "menu/reset view"},
-                                                  {Action::frame_all, "menu/frame all"},
+                                                  {Action::zoom_to_fit, "menu/zoom to fit"},
                                                   {Action::faster, "menu/faster"},
                                                   {Action::slower, "menu/slower"},
-                                                  {Action::scene_before, "menu/scene before"},
-                                                  {Action::scene_after, "menu/scene after"},
+                                                  {Action::previous_scene, "menu/previous scene"},
+                                                  {Action::next_scene, "menu/next scene"},
                                                   {Action::panel, "menu/panel"},
                                                   {Action::help, "menu/help"},
-                                                  {Action::picture, "menu/picture"},
+                                                  {Action::snapshot, "menu/snapshot"},
                                                   {Action::full_screen, "menu/full screen"},
                                                   {Action::quit, "menu/quit"}};
     Desk desk;

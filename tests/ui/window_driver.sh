@@ -1,12 +1,12 @@
 # shellcheck shell=bash disable=SC2154  # the script that sources this one sets folder and program
 # Sourced by window_test.sh: opens the real window on a display of its own and drives it with xdotool. It never sleeps:
-# the window tells every change on its trace, and expect waits for the line that has to come.
+# the window writes every change to its trace, and expect waits for the line that has to come.
 
 readonly patience=60 # seconds until a line counts as missing
 
 fail() {
     echo "FAILED: $*" >&2
-    echo "the window said last:" >&2
+    echo "last lines of its trace:" >&2
     tail -n 30 "$folder/said" >&2
     exit 1
 }
@@ -19,7 +19,7 @@ clean_up() {
     rm -rf "$folder"
 }
 
-# start_display WIDTHxHEIGHT: a virtual display; it says its number once it is ready.
+# start_display WIDTHxHEIGHT: a virtual display; it reports its number once it is ready.
 start_display() {
     for tool in Xvfb xdotool; do
         command -v "$tool" >/dev/null || { echo "FAILED: $tool is needed (see scripts/packages.txt)" >&2; exit 1; }
@@ -43,7 +43,7 @@ start_window_manager() {
     read -r -t $patience word <"$folder/manager" || fail "the window manager did not start"
 }
 
-# open_window OPTION...: the window, and what it says from now on.
+# open_window OPTION...: opens the window and its trace.
 open_window() {
     declare -gA place=()
     mkfifo "$folder/trace"
@@ -102,7 +102,7 @@ enter() {
     xdotool key Return
 }
 
-# close_window: it ends by itself, with exit code 0 and without a word on standard error.
+# close_window: it exits with code 0 and nothing on standard error.
 close_window() {
     xdotool key ctrl+q
     local code=0

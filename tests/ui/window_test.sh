@@ -108,9 +108,9 @@ text_entries_paste_what_was_copied() {
     close_window
 }
 
-divergence_is_told_and_cured() {
+divergence_is_reported_and_cured() {
     start_display 1280x800
-    open_window --model oscillator --method euler --dt 2.5 # a motion so regular that the remedy holds for ever
+    open_window --model oscillator --method euler --dt 2.5 # a periodic motion, for which the remedy stays stable
     click fastest; expect 'rate fastest'
     xdotool key space; expect 'diverged [0-9]+' 'widget remedy.dt [0-9].*'
     click remedy.dt; expect 'diverged no' 'playing true' 'widget divergence gone'
@@ -152,17 +152,17 @@ command_line_opens_its_scene() {
     close_window
 }
 
-# refused CODE TEXT COMMAND...: the command ends with this exit code, and says these words on standard error.
+# refused CODE TEXT COMMAND...: the command exits with this code and has this text in one line on standard error.
 refused() {
     local code=0 wanted=$1 text=$2
     shift 2
     "$@" >"$folder/said" 2>"$folder/errors" || code=$?
     ((code == wanted)) || fail "exit code $code, not $wanted: $(cat "$folder/errors")"
-    grep -qF -- "$text" "$folder/errors" || fail "it does not say '$text' but: $(cat "$folder/errors")"
+    grep -qF -- "$text" "$folder/errors" || fail "expected '$text' but got: $(cat "$folder/errors")"
     (($(wc -l <"$folder/errors") == 1)) || fail "more than one line: $(cat "$folder/errors")"
 }
 
-without_a_display_it_says_what_to_do() {
+without_a_display_it_explains_what_to_do() {
     refused 5 'DISPLAY is not set' env -u DISPLAY -u WAYLAND_DISPLAY "$program"
     refused 5 'steplab snapshot --model rope' env -u DISPLAY -u WAYLAND_DISPLAY "$program" --model rope
     refused 5 "DISPLAY=':987654'" env -u WAYLAND_DISPLAY DISPLAY=:987654 "$program"
@@ -170,7 +170,7 @@ without_a_display_it_says_what_to_do() {
     refused 2 '--size' env -u DISPLAY "$program" --size 12
 }
 
-without_opengl_or_shaders_it_says_so() {
+without_opengl_or_shaders_it_reports_that() {
     start_display 640x480
     refused 5 'OpenGL 3.3' env MESA_GL_VERSION_OVERRIDE=2.1 "$program"
     refused 5 "$folder" env STEPLAB_SHADERS="$folder" "$program"

@@ -18,7 +18,7 @@ struct Colour {
 };
 
 struct Disc {
-    double x, y, radius;  ///< in parts of the side
+    double x, y, radius;  ///< relative to the side
     Colour colour;
 };
 
@@ -27,7 +27,7 @@ constexpr std::array<Disc, 3> discs = {
 constexpr Colour ground = {28, 33, 40};
 constexpr Colour spring = {150, 160, 175};
 
-/// 1 inside, 0 outside, between the two over one pixel.
+/// 1 inside, 0 outside, with a transition of one pixel.
 double coverage(double distance_inside) { return std::clamp(distance_inside * side + 0.5, 0.0, 1.0); }
 
 Colour mix(Colour a, Colour b, double part) {
@@ -56,7 +56,7 @@ Colour colour_at(double x, double y) {
     return colour;
 }
 
-/// How much of the pixel is within the rounded square.
+/// The part of the pixel within the rounded square.
 double opacity(double x, double y) {
     constexpr double corner = 0.18;
     const double dx = std::max(std::abs(x - 0.5) - (0.5 - corner), 0.0);

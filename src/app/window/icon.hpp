@@ -4,7 +4,7 @@ struct GLFWwindow;
 
 namespace steplab {
 
-/// Gives a window the program's icon: three particles on a spring.
+/// Sets the icon of a window: three particles connected by springs.
 void set_icon(GLFWwindow* window);
 
 }  // namespace steplab

@@ -4,8 +4,8 @@
 
 namespace steplab {
 
-/// The interface's key for one of GLFW. Letters and signs go by what is printed on the keyboard of the person; signs
-/// that this keyboard has on no key of their own go by their place on an American one.
+/// The key of the interface for a key of GLFW. Letters and signs follow the user's keyboard layout; signs without a key
+/// of their own there follow the US layout.
 ui::Key key_of(int glfw_key, int scancode);
 
 }  // namespace steplab

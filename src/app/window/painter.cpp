@@ -11,7 +11,7 @@ namespace steplab {
 
 using Clock = std::chrono::steady_clock;
 
-/// What belongs to the painter's context: the renderer and what is drawn into.
+/// The objects in the painter's context: the renderer and its target.
 class Painting {
 public:
     std::vector<std::uint8_t> draw(const PaintJob& job) {
@@ -70,7 +70,7 @@ bool ScenePainter::take(Painted& picture) {
 }
 
 void ScenePainter::work() {
-    give_way();
+    lower_priority();
     context_.make_current();
     try {
         Painting painting;
@@ -89,7 +89,7 @@ void ScenePainter::work() {
     context_.release();
 }
 
-/// Until the window closes.
+/// Draws until the window closes.
 void ScenePainter::draw_jobs(Painting& painting) {
     while (const auto job = next_job()) {
         const auto begin = Clock::now();
@@ -99,7 +99,7 @@ void ScenePainter::draw_jobs(Painting& painting) {
     }
 }
 
-/// Waits for a job; none once the painter is to stop.
+/// Waits for a job; none when the painter has to stop.
 std::optional<PaintJob> ScenePainter::next_job() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopping_ || asked_; });

@@ -18,35 +18,35 @@ namespace steplab {
 
 class Painting;
 
-/// A picture of the scene as it is asked for.
+/// A request for a picture of the scene.
 struct PaintJob {
     std::shared_ptr<const RunView> view;
-    std::shared_ptr<const RunView> from;  ///< the moment glided from; null: `view` as it is
-    double fraction = 1;                  ///< how far from there to `view`
+    std::shared_ptr<const RunView> from;  ///< the view to interpolate from; null: none
+    double fraction = 1;                  ///< position between `from` (0) and `view` (1)
     render::Style style;
     render::Camera camera;
     render::PictureSize size;
     friend bool operator==(const PaintJob&, const PaintJob&) = default;
 };
 
-/// A picture that is done.
+/// A finished picture.
 struct Painted {
-    std::vector<std::uint8_t> bytes;  ///< rows from the top, 4 bytes a pixel
+    std::vector<std::uint8_t> bytes;  ///< rows from the top, 4 bytes per pixel
     render::PictureSize size;
-    double seconds = 0;  ///< it took
+    double seconds = 0;  ///< time to draw it
 };
 
-/// Draws the scene on a thread and in an OpenGL context of its own, so that a heavy picture never holds up the panels.
-/// Only the newest job counts.
+/// Draws the scene on its own thread and in its own OpenGL context, so that a slow picture never delays the panels.
+/// Only the newest job is drawn.
 class ScenePainter {
 public:
-    /// `wake` is called from the painter's thread when a picture is done. Throws what the renderer throws.
+    /// `wake` is called on the thread of the painter when a picture is finished. Throws the errors of the renderer.
     explicit ScenePainter(void (*wake)());
     ~ScenePainter();
 
-    /// Asks for a picture, unless the last one asked for is the same.
+    /// Requests a picture, unless it equals the last request.
     void ask(const PaintJob& job);
-    /// Swaps the newest picture into `picture` if there is one that was not taken yet. Throws what drawing it threw.
+    /// Swaps the newest picture into `picture` if it was not taken yet. Throws the error that drawing it caused.
     bool take(Painted& picture);
 
 private:
@@ -59,8 +59,8 @@ private:
     void (*wake_)();
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::optional<PaintJob> asked_;  ///< newest job, not begun yet
-    std::optional<PaintJob> last_;   ///< asked for last
+    std::optional<PaintJob> asked_;  ///< newest job, not started yet
+    std::optional<PaintJob> last_;   ///< last request
     bool stopping_ = false;
     bool fresh_ = false;
     bool started_ = false;

@@ -13,7 +13,7 @@
 namespace steplab {
 namespace {
 
-/// The rows of a part of a picture of 4 bytes a pixel.
+/// The rows of a part of a picture, 4 bytes per pixel.
 std::vector<std::uint8_t> cut_out(const std::vector<std::uint8_t>& picture, int width, const ui::PixelRect& part) {
     std::vector<std::uint8_t> bytes;
     for (int row = part.y; row < part.y + part.height; ++row) {

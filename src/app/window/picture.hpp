@@ -10,7 +10,7 @@ struct ImDrawData;
 
 namespace steplab {
 
-/// Writes what the window shows, or the part of it that is not empty, as a PNG. Throws FileError, GraphicsError.
+/// Writes the content of the window, or `part` of it if that is not empty, as a PNG. Throws FileError, GraphicsError.
 void write_panels(const render::ImguiRenderer& renderer, const ImDrawData& data, render::PictureSize size,
                   const ui::PixelRect& part, const std::string& file);
 

@@ -11,13 +11,13 @@ namespace steplab {
 
 namespace {
 
-/// Behind the panels, but not so far that other work on the machine leaves the scene without a picture.
+/// Below the panels, but high enough that the scene is drawn while the machine does other work.
 constexpr int nice_value = 5;
 
-/// Linux: priorities are of single threads.
-void give_way(int thread) { setpriority(PRIO_PROCESS, static_cast<id_t>(thread), nice_value); }
+/// On Linux each thread has its own priority.
+void lower_priority(int thread) { setpriority(PRIO_PROCESS, static_cast<id_t>(thread), nice_value); }
 
-/// The numbers of all threads of the program, as the system lists them.
+/// The ids of all threads of the program.
 std::vector<int> threads() {
     std::vector<int> numbers;
     std::error_code ignored;
@@ -29,13 +29,13 @@ std::vector<int> threads() {
 
 }  // namespace
 
-void give_way() { give_way(gettid()); }
+void lower_priority() { lower_priority(gettid()); }
 
-NewThreadsGiveWay::NewThreadsGiveWay() : before_(threads()) {}
+LowPriorityThreads::LowPriorityThreads() : before_(threads()) {}
 
-NewThreadsGiveWay::~NewThreadsGiveWay() {
+LowPriorityThreads::~LowPriorityThreads() {
     for (const int thread : threads()) {
-        if (std::find(before_.begin(), before_.end(), thread) == before_.end()) give_way(thread);
+        if (std::find(before_.begin(), before_.end(), thread) == before_.end()) lower_priority(thread);
     }
 }
 

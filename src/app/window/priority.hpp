@@ -4,17 +4,17 @@
 
 namespace steplab {
 
-/// From now on this thread, and those it starts, give way to threads that answer a person.
-void give_way();
+/// Lowers the priority of this thread, and of threads it starts, below that of the thread that answers the user.
+void lower_priority();
 
-/// While it lives, notes which threads of the program are new: at its end these give way too. For the threads that an
-/// OpenGL driver without a graphics card starts to draw with.
-class NewThreadsGiveWay {
+/// Lowers the priority of all threads that the program starts during the lifetime of this object, when it ends. For the
+/// drawing threads of a software OpenGL driver.
+class LowPriorityThreads {
 public:
-    NewThreadsGiveWay();
-    ~NewThreadsGiveWay();
-    NewThreadsGiveWay(const NewThreadsGiveWay&) = delete;
-    NewThreadsGiveWay& operator=(const NewThreadsGiveWay&) = delete;
+    LowPriorityThreads();
+    ~LowPriorityThreads();
+    LowPriorityThreads(const LowPriorityThreads&) = delete;
+    LowPriorityThreads& operator=(const LowPriorityThreads&) = delete;
 
 private:
     std::vector<int> before_;

@@ -24,50 +24,50 @@ Trace::Trace(const std::string& file) {
     }
 }
 
-void Trace::tell(std::string_view name, const std::string& value) {
+void Trace::report(std::string_view name, const std::string& value) {
     if (!out_) return;
-    const auto told = told_.find(name);
-    if (told != told_.end() && told->second == value) return;
-    told_.insert_or_assign(std::string(name), value);
+    const auto last = reported_.find(name);
+    if (last != reported_.end() && last->second == value) return;
+    reported_.insert_or_assign(std::string(name), value);
     fmt::print(out_.get(), "{} {}\n", name, value);
     std::fflush(out_.get());
 }
 
-void Trace::tell(const RunView& view) {
+void Trace::report(const RunView& view) {
     const RunDescription& run = view.description;
-    tell("model", run.model);
-    tell("method", run.method);
-    tell("precision", std::string(id(run.precision)));
-    tell("dt", number_text(run.dt));
-    tell("command", command_line(run));
-    tell("run", std::to_string(view.run));
-    tell("step", std::to_string(view.frame.step));
-    tell("playing", view.playing ? "true" : "false");
-    tell("rate", view.rate.as_fast_as_possible ? "fastest" : number_text(view.rate.seconds_per_second));
-    tell("tracked", view.tracked ? std::to_string(view.tracked->particle) : "none");
-    tell("diverged", view.divergence ? std::to_string(view.divergence->step) : "no");
-    tell("ensemble", view.ensemble.runs == 0       ? "none"
-                     : view.frame.ensemble.empty() ? "being computed"
-                                                   : number_text(view.ensemble_spread.largest));
-    tell("error", view.error.empty() ? "none" : view.error);
+    report("model", run.model);
+    report("method", run.method);
+    report("precision", std::string(id(run.precision)));
+    report("dt", number_text(run.dt));
+    report("command", command_line(run));
+    report("run", std::to_string(view.run));
+    report("step", std::to_string(view.frame.step));
+    report("playing", view.playing ? "true" : "false");
+    report("rate", view.rate.as_fast_as_possible ? "fastest" : number_text(view.rate.seconds_per_second));
+    report("tracked", view.tracked ? std::to_string(view.tracked->particle) : "none");
+    report("diverged", view.divergence ? std::to_string(view.divergence->step) : "no");
+    report("ensemble", view.ensemble.runs == 0       ? "none"
+                       : view.frame.ensemble.empty() ? "being computed"
+                                                     : number_text(view.ensemble_spread.largest));
+    report("error", view.error.empty() ? "none" : view.error);
 }
 
-void Trace::tell(const render::Camera& camera) { tell("camera", render::view_text(camera)); }
+void Trace::report(const render::Camera& camera) { report("camera", render::view_text(camera)); }
 
-void Trace::tell(const ui::WidgetMap& widgets, bool last_frame) {
+void Trace::report(const ui::WidgetMap& widgets, bool last_frame) {
     if (!out_) return;
     std::vector<std::string> gone;
-    for (const auto& [line, value] : told_) {
+    for (const auto& [line, value] : reported_) {
         if (!line.starts_with("widget ") || value == "gone") continue;
         const std::string widget = line.substr(7);
         if (!widgets.contains(widget) && (last_frame || !before_.contains(widget))) gone.push_back(line);
     }
-    for (const std::string& line : gone) tell(line, "gone");
+    for (const std::string& line : gone) report(line, "gone");
     for (const auto& [name, place] : widgets) {
         const auto before = before_.find(name);
         if (!last_frame && (before == before_.end() || before->second != place)) continue;
-        tell("widget " + name,
-             fmt::format("{:.0f} {:.0f} {:.0f} {:.0f}", place.left, place.top, place.right, place.bottom));
+        report("widget " + name,
+               fmt::format("{:.0f} {:.0f} {:.0f} {:.0f}", place.left, place.top, place.right, place.bottom));
     }
     before_ = widgets;
 }

@@ -16,9 +16,9 @@ namespace {
 
 using namespace steplab;
 
-/// How to get a picture of the same scene without a window.
+/// The command that draws the same scene without a window.
 std::string way_out(const RunDescription& description) {
-    return "`steplab snapshot " + command_line(description) + " --out picture.png` draws without a display";
+    return "to draw without a display, use `steplab snapshot " + command_line(description) + " --out picture.png`";
 }
 
 int open_window(const RunDescription& description, const WindowRequest& request) {
@@ -33,13 +33,13 @@ int open_window(const RunDescription& description, const WindowRequest& request)
 }
 
 int run(const std::vector<std::string>& arguments) {
-    CLI::App app("The scene in a window", "steplab-view");
+    CLI::App app("Show a simulation in a window", "steplab-view");
     app.set_version_flag("--version", std::string("steplab-view ") + STEPLAB_VERSION);
     SceneOptions scene;
     ViewOptions options;
     bool keys = false;
     options.declare(app);
-    flag_option(app, "--keys", keys, "print the table of keys (Markdown) and end");
+    flag_option(app, "--keys", keys, "Print the table of keys (Markdown) and exit");
     scene.declare(app);
     if (const auto text = parse(app, arguments)) {
         print(*text);

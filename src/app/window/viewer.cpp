@@ -13,20 +13,20 @@
 namespace steplab {
 namespace {
 
-// Waiting for the display's refresh does nothing under a virtual display: the rate is kept down here.
+// A virtual display does not wait for a refresh, so the frame rate is limited here.
 constexpr std::chrono::duration<double> frame_time{1.0 / 60};
-// A click reaches the panels in one frame; what it opens has found its size two frames later.
+// A click reaches the panels in one frame; a widget that it opens has its final size two frames later.
 constexpr int frames_after_input = 3;
-// Pictures of the moments between two steps are drawn only where they take less than this.
+// Interpolated pictures between two steps are drawn only if a picture takes less than this.
 constexpr double slow_picture = 0.05;
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-/// The run's thread has the priority of the thread that makes it.
+/// The thread of the run inherits the priority of the thread that starts it.
 std::unique_ptr<Worker> start_worker(const RunDescription& description) {
     return std::async(std::launch::async,
                       [&] {
-                          give_way();
+                          lower_priority();
                           return std::make_unique<Worker>(description);
                       })
         .get();
@@ -84,7 +84,7 @@ void Viewer::run() {
     }
 }
 
-/// Newer views of the run and pictures of the scene; each wants a frame.
+/// Takes newer views of the run and pictures of the scene; each requires a frame.
 void Viewer::take_news() {
     auto newer = pool_.free_view();
     if (worker_->take(*newer)) {
@@ -118,7 +118,7 @@ void Viewer::draw_frame() {
     drawn_ = now;
     --frames_wanted_;
     const ui::Display display = window_.display();
-    trace_.tell("size", std::to_string(display.width) + "x" + std::to_string(display.height));
+    trace_.report("size", std::to_string(display.width) + "x" + std::to_string(display.height));
     if (display.width <= 0 || display.height <= 0) return;  // minimised
     if (interface_.resize(display)) panels_.upload_fonts(interface_.fonts());
     interface_.draw(*view_, *worker_, {camera_, style_}, measured_);
@@ -130,7 +130,7 @@ void Viewer::draw_frame() {
     if (still <= 0) frames_wanted_ = frames_after_input;
     change_ = still < 1e6 ? now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(still))
                           : Clock::time_point::max();
-    tell();
+    report();
 }
 
 void Viewer::ask_for_scene(Clock::time_point now) {
@@ -151,11 +151,11 @@ void Viewer::draw_panels(const ui::Display& display) {
 
 void Viewer::carry_out(const ui::Request& request) {
     switch (request.kind) {
-        case ui::Request::Kind::save_picture:
-            return save_picture(request);
+        case ui::Request::Kind::save_snapshot:
+            return save_snapshot(request);
         case ui::Request::Kind::copy_text:
             window_.copy(request.text);
-            return trace_.tell("copied", request.text);
+            return trace_.report("copied", request.text);
         case ui::Request::Kind::full_screen:
             return window_.toggle_full_screen();
         case ui::Request::Kind::quit:
@@ -163,25 +163,25 @@ void Viewer::carry_out(const ui::Request& request) {
     }
 }
 
-/// Draws the frame again into a picture of its own: what other windows cover is not in the window's buffer.
-void Viewer::save_picture(const ui::Request& request) {
+/// Draws the frame again off-screen: the buffer of the window lacks the parts that other windows cover.
+void Viewer::save_snapshot(const ui::Request& request) {
     const std::string name = request.file.empty() ? ui::free_name({}, view_->description.model, "png") : request.file;
     const ui::Display display = window_.display();
     try {
         write_panels(panels_, interface_.draw_data(), {display.width, display.height}, request.part, name);
         interface_.notify("saved " + name);
     } catch (const Error& error) {
-        interface_.complain(error.what());
+        interface_.report_error(error.what());
     }
     frames_wanted_ = std::max(frames_wanted_, 1);
-    trace_.tell("saved", name);
+    trace_.report("saved", name);
 }
 
-void Viewer::tell() {
+void Viewer::report() {
     if (!trace_.wanted()) return;
-    trace_.tell(*view_);
-    trace_.tell(camera_);
-    trace_.tell(interface_.widgets(), frames_wanted_ == 0);
+    trace_.report(*view_);
+    trace_.report(camera_);
+    trace_.report(interface_.widgets(), frames_wanted_ == 0);
 }
 
 }  // namespace steplab

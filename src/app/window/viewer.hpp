@@ -17,17 +17,17 @@
 
 namespace steplab {
 
-/// Views of a run that go round: one that somebody still looks at is not written to.
+/// A pool of views of a run for reuse; a view that is still in use is not overwritten.
 class ViewPool {
 public:
-    /// One that nobody holds.
+    /// A view that is not in use.
     std::shared_ptr<RunView> free_view();
 
 private:
     std::vector<std::shared_ptr<RunView>> views_;
 };
 
-/// The newest picture of the scene as a texture of the window's context.
+/// The newest picture of the scene as a texture in the context of the window.
 class SceneTexture {
 public:
     void upload(const Painted& picture);
@@ -38,20 +38,20 @@ private:
     render::PictureSize size_{0, 0};
 };
 
-/// The window's program: the worker computes, the painter draws the scene, and this thread draws the panels over the
-/// newest picture and hands on what the person does. It sleeps while nothing happens.
+/// The program of the window: the worker computes, the painter draws the scene, and this thread draws the panels over
+/// the newest picture and forwards the input. It sleeps while nothing happens.
 class Viewer {
 public:
-    /// Throws GraphicsError where there is no display, no OpenGL 3.3 or no shader.
+    /// Throws GraphicsError if there is no display, no OpenGL 3.3 or a shader is missing.
     Viewer(const RunDescription& description, const WindowRequest& request);
 
-    /// Until the window is closed.
+    /// Runs until the window is closed.
     void run();
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    /// The window's OpenGL; made after the window and before everything that draws.
+    /// Loads OpenGL in the context of the window; constructed after the window and before everything that draws.
     struct OpenGl {
         OpenGl();
     };
@@ -62,8 +62,8 @@ private:
     void ask_for_scene(Clock::time_point now);
     void draw_panels(const ui::Display& display);
     void carry_out(const ui::Request& request);
-    void save_picture(const ui::Request& request);
-    void tell();
+    void save_snapshot(const ui::Request& request);
+    void report();
 
     WindowSystem system_;
     Window window_;
@@ -81,8 +81,8 @@ private:
     render::Camera camera_;
     render::Style style_;
     ui::Measured measured_;
-    Clock::time_point drawn_ = Clock::now();               ///< when the last frame was begun
-    Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes by itself
+    Clock::time_point drawn_ = Clock::now();               ///< when the last frame began
+    Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes without input
     int frames_wanted_ = 3;
     bool quit_ = false;
 };

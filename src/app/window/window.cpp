@@ -18,7 +18,7 @@ namespace {
 std::string last_error() {
     const char* text = nullptr;
     glfwGetError(&text);
-    return text ? text : "no reason was given";
+    return text ? text : "no reason given";
 }
 
 std::string setting(const char* name) {
@@ -38,16 +38,16 @@ void hint_core_profile() {
 }  // namespace
 
 WindowSystem::WindowSystem() {
-    // Mesa's EGL tells everybody, on standard error, which of several ways to a driver did not work.
+    // Mesa's EGL would print to standard error which drivers it tried without success.
     setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (glfwInit() == GLFW_TRUE) return;
-    throw GraphicsError(fmt::format("there is no display to open a window on ({}, {}; {})", setting("DISPLAY"),
+    throw GraphicsError(fmt::format("cannot open a window: no display ({}, {}; {})", setting("DISPLAY"),
                                     setting("WAYLAND_DISPLAY"), last_error()));
 }
 
 WindowSystem::~WindowSystem() { glfwTerminate(); }
 
-/// What GLFW calls; each finds its window by the pointer the handle carries.
+/// Callbacks of GLFW; the user pointer of the handle is the window.
 struct Window::Events {
     static Window& of(GLFWwindow* handle) { return *static_cast<Window*>(glfwGetWindowUserPointer(handle)); }
 
@@ -115,7 +115,7 @@ void Window::Deleter::operator()(GLFWwindow* window) const { glfwDestroyWindow(w
 Window::Window(int width, int height, std::optional<float> scale) : scale_(scale) {
     hint_core_profile();
     window_.reset(glfwCreateWindow(width, height, "steplab", nullptr, nullptr));
-    if (!window_) throw GraphicsError(fmt::format("no window with OpenGL 3.3 can be opened ({})", last_error()));
+    if (!window_) throw GraphicsError(fmt::format("cannot open a window with OpenGL 3.3 ({})", last_error()));
     glfwSetWindowSizeLimits(handle(), 200, 150, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(handle(), this);
     Events::connect(handle());
@@ -142,7 +142,7 @@ bool Window::closing() const { return glfwWindowShouldClose(handle()) == GLFW_TR
 bool Window::take_touched() { return std::exchange(touched_, false); }
 
 void Window::wait(double seconds) {
-    // GLFW takes a time that is too long for the system's clock for an error.
+    // GLFW reports an error for a time that the clock of the system cannot represent.
     constexpr double longest = 3600;
     if (seconds <= 0) {
         glfwPollEvents();
@@ -180,7 +180,7 @@ std::string Window::pasted() const {
 }
 
 DrawingContext::DrawingContext() : window_(nullptr) {
-    const NewThreadsGiveWay rasterisers;
+    const LowPriorityThreads rasterisers;
     for (const int way : {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API}) {
         hint_core_profile();
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -188,7 +188,7 @@ DrawingContext::DrawingContext() : window_(nullptr) {
         window_ = glfwCreateWindow(16, 16, "steplab drawing", nullptr, nullptr);
         if (window_) return;
     }
-    throw GraphicsError(fmt::format("no second OpenGL context can be had ({})", last_error()));
+    throw GraphicsError(fmt::format("cannot create a second OpenGL context ({})", last_error()));
 }
 
 DrawingContext::~DrawingContext() { glfwDestroyWindow(window_); }

@@ -11,7 +11,8 @@ struct GLFWwindow;
 
 namespace steplab {
 
-/// The window library from its start to its end. Throws GraphicsError, naming what was tried, if there is no display.
+/// Initialises the window library and terminates it. Throws GraphicsError, naming what was tried, if there is no
+/// display.
 class WindowSystem {
 public:
     WindowSystem();
@@ -20,24 +21,24 @@ public:
     WindowSystem& operator=(const WindowSystem&) = delete;
 };
 
-/// A window with an OpenGL 3.3 core context, its input as events of the interface. Belongs to the main thread.
+/// A window with an OpenGL 3.3 core context; its input becomes events of the interface. For the main thread only.
 class Window {
 public:
-    /// Throws GraphicsError if the window, or OpenGL 3.3, cannot be had. `scale`: instead of what the display says.
+    /// Throws GraphicsError if the window or OpenGL 3.3 is not available. `scale` replaces the scale of the display.
     Window(int width, int height, std::optional<float> scale);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Hands keyboard and mouse to this input from now on; it outlives the window.
+    /// Sends events of keyboard and mouse to this input, which has to outlive the window.
     void listen(ui::Input& input) { input_ = &input; }
-    /// The surface as it is now, in pixels; nothing of it (width 0) while the window is minimised.
+    /// The current surface in pixels; its width is 0 while the window is minimised.
     ui::Display display() const;
     bool closing() const;
 
-    /// True if anything happened to the window since the last call: input, size, exposure.
+    /// True if there was input, a change of size or an exposure since the last call.
     bool take_touched();
-    /// Sleeps until something happens or wake() is called, at most `seconds`.
+    /// Sleeps until an event or wake(), at most `seconds`.
     void wait(double seconds);
     /// Ends a wait(); may be called from any thread.
     static void wake();
@@ -46,7 +47,7 @@ public:
     void show_picture();
     void toggle_full_screen();
     void copy(const std::string& text);
-    /// What other programs copied; empty where it is no text.
+    /// The text on the clipboard; empty if there is none.
     std::string pasted() const;
     GLFWwindow* handle() const { return window_.get(); }
 
@@ -63,12 +64,12 @@ private:
     std::optional<float> scale_;
     ui::Input* input_ = nullptr;
     bool touched_ = true;
-    Place windowed_;  ///< where to come back to from full screen
+    Place windowed_;  ///< place to restore after full screen
 };
 
-/// An OpenGL 3.3 context without a window, for drawing on another thread. It shares nothing with the window's: where
-/// OpenGL is computed by the processor, drawings of one driver's screen wait for each other, whatever their contexts;
-/// so this one comes by another way (EGL) where there is one.
+/// An OpenGL 3.3 context without a window, for drawing on another thread. It shares nothing with the context of the
+/// window. In a software renderer, contexts on the same screen of a driver wait for each other, so this one is created
+/// through another interface (EGL) if possible.
 class DrawingContext {
 public:
     DrawingContext();
@@ -76,7 +77,7 @@ public:
     DrawingContext(const DrawingContext&) = delete;
     DrawingContext& operator=(const DrawingContext&) = delete;
 
-    /// On the thread that draws.
+    /// To be called on the thread that draws.
     void make_current();
     void release();
 

@@ -11,7 +11,7 @@
 namespace steplab::ui {
 namespace {
 
-/// Runs the scene from its start with what should work: the last good state carries the blow-up's energy in it.
+/// Restarts the run with the remedy: the last valid state already has the energy of the blow-up.
 void apply(const Context& context, const RunDescription& remedy) {
     context.ask(remedy);
     context.commands.restart();
@@ -26,16 +26,16 @@ void draw_buttons(const Context& context, const Divergence& divergence) {
     };
     if (divergence.remedy_dt) {
         next();
-        const std::string text = fmt::format("use dt = {}", setting_text(*divergence.remedy_dt));
+        const std::string text = fmt::format("Use dt = {} s", setting_text(*divergence.remedy_dt));
         if (text_button(context, "remedy.dt", text, true)) apply(context, with_dt(now, *divergence.remedy_dt));
     }
     if (const auto method = stable_method(now)) {
         next();
-        const std::string text = fmt::format("use {}", steplab::method(method->method).info.name);
+        const std::string text = fmt::format("Use {}", steplab::method(method->method).info.name);
         if (text_button(context, "remedy.method", text, !divergence.remedy_dt)) apply(context, *method);
     }
     next();
-    if (text_button(context, "remedy.restart", "restart")) context.commands.restart();
+    if (text_button(context, "remedy.restart", "Restart")) context.commands.restart();
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ void draw_divergence_card(const Context& context) {
     if (close_cross(context, "divergence.close")) dismissed = divergence->step;
     {
         const WithFont font(context.theme.fonts().strong);
-        ImGui::TextUnformatted("The run blew up");
+        ImGui::TextUnformatted("The run diverged");
     }
     explanation(context, divergence->message, colour::text);
     ImGui::Dummy({0, context.px(4)});

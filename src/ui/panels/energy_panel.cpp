@@ -4,15 +4,24 @@
 #include "ui/widgets/widgets.hpp"
 
 namespace steplab::ui {
+namespace {
+
+/// The label and, below it, the value: in one line they overlap if the components have many digits.
+void vector_row(const Context& context, std::string_view label, Vec3 value, std::string_view what) {
+    reading_row(context, label, "", what);
+    reading_row(context, "", vector(value), what);
+}
+
+}  // namespace
 
 void draw_energy_panel(const Context& context) {
     const Diagnostics& now = context.view.diagnostics;
-    heading(context, "ENERGY");
-    reading_row(context, "kinetic", with_unit(reading_text(now.kinetic), "J"));
-    reading_row(context, "potential", with_unit(reading_text(now.potential), "J"));
-    reading_row(context, "total", with_unit(reading_text(now.energy), "J"));
-    reading_row(context, "momentum", vector(now.momentum), "sum over all particles, kg m/s");
-    reading_row(context, "angular mom.", vector(now.angular_momentum), "about the origin, kg m²/s");
+    heading(context, "ENERGY AND MOMENTUM");
+    reading_row(context, "kinetic energy", with_unit(reading_text(now.kinetic), "J"));
+    reading_row(context, "potential energy", with_unit(reading_text(now.potential), "J"));
+    reading_row(context, "total energy", with_unit(reading_text(now.energy), "J"));
+    vector_row(context, "momentum [kg m/s]", now.momentum, "sum over all particles");
+    vector_row(context, "angular momentum [kg m²/s]", now.angular_momentum, "about the origin, sum over all particles");
 }
 
 }  // namespace steplab::ui

@@ -17,9 +17,10 @@ constexpr std::array<std::string_view, 4> names_of_numbers{"off", "16", "64", "2
 
 void draw_number(const Context& context, const LiveEnsembleOptions& ensemble) {
     const RowPlaces places = row_places(context);
-    row_label(context, "ensemble",
-              "runs of the same scene beside this one, each a little different:\nwhere they part from it, small "
-              "errors grow, as in chaos");
+    row_label(
+        context, "ensemble",
+        "number of perturbed runs of the same scene, computed and drawn with this one;\nif the motion is chaotic, "
+        "they diverge from it exponentially");
     ImGui::SameLine(places.control);
     const auto found = std::find(numbers_of_runs.begin(), numbers_of_runs.end(), ensemble.runs);
     auto chosen = static_cast<std::size_t>(found - numbers_of_runs.begin());
@@ -32,8 +33,11 @@ void draw_number(const Context& context, const LiveEnsembleOptions& ensemble) {
 
 void draw_perturbed_parameter(const Context& context, const LiveEnsembleOptions& ensemble) {
     const RowPlaces places = row_places(context);
-    row_label(context, "differ in", "the number that differs from run to run of the ensemble, evenly over its range",
-              ImGui::GetFrameHeight());
+    row_label(
+        context, "perturb",
+        "parameter that differs between the runs of the ensemble; its values are spaced evenly\na change restarts "
+        "the ensemble",
+        ImGui::GetFrameHeight());
     ImGui::SameLine(places.control);
     const std::vector<std::string_view> names = perturbable(context.description());
     std::vector<ComboItem> items;
@@ -47,11 +51,11 @@ void draw_perturbed_parameter(const Context& context, const LiveEnsembleOptions&
     context.session.wanted.show_ensemble(changed, context.commands);
 }
 
-constexpr ParameterInfo width_info{.name = "width",
+constexpr ParameterInfo width_info{.name = "perturbation",
                                    .unit = "",
                                    .maximum = LiveEnsembleOptions::most_width,
                                    .default_value = LiveEnsembleOptions::usual_width,
-                                   .what = "width of the ensemble"};
+                                   .what = "relative perturbation"};
 
 void draw_width(const Context& context, const LiveEnsembleOptions& ensemble) {
     const auto set = [&](double width) {
@@ -60,7 +64,7 @@ void draw_width(const Context& context, const LiveEnsembleOptions& ensemble) {
         context.session.wanted.show_ensemble(changed, context.commands);
     };
     const std::string help = fmt::format(
-        "by how much at most, in parts of the run's own value\n{} · default {}\na change begins the ensemble anew",
+        "largest perturbation relative to the value of this run\n{} · default {}\na change restarts the ensemble",
         range_text(width_info), rounded_text(width_info.default_value));
     slider_row(context, {.widget = "ensemble width",
                          .label = "by ±",
@@ -75,13 +79,14 @@ void draw_width(const Context& context, const LiveEnsembleOptions& ensemble) {
                          .set_text = [&](std::string_view typed) { set(parse_value(width_info, typed)); }});
 }
 
-/// "apart by 0.031 m at most, 2.1e-3 m rms"
+/// "spread: max 0.031 m, rms 2.1e-3 m"
 std::string spread_text(const RunView& view) {
     const EnsembleSpread& reading = view.ensemble_spread;
-    if (view.frame.ensemble.empty()) return fmt::format("being computed: step {} of {}", reading.step, view.frame.step);
-    std::string text = fmt::format("apart by {} at most, {} rms", with_unit(rounded_text(reading.largest), "m"),
+    if (view.frame.ensemble.empty()) return fmt::format("computing: step {} of {}", reading.step, view.frame.step);
+    std::string text = fmt::format("spread: max {}, rms {}", with_unit(rounded_text(reading.largest), "m"),
                                    with_unit(rounded_text(reading.root_mean_square), "m"));
-    if (reading.lost > 0) text += fmt::format(", {} lost", counted(static_cast<double>(reading.lost), "run", "runs"));
+    if (reading.lost > 0)
+        text += fmt::format(", {} diverged", counted(static_cast<double>(reading.lost), "run", "runs"));
     return text;
 }
 

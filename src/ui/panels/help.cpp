@@ -29,7 +29,7 @@ void draw_help(const Context& context) {
     const WithFont font(context.theme.fonts().small);
     {
         const WithFont strong(context.theme.fonts().strong);
-        ImGui::TextUnformatted("Keys and mouse");
+        ImGui::TextUnformatted("Keyboard and mouse");
     }
     draw_rows(context, key_bindings(), context.px(110));
     ImGui::Dummy({0, context.px(4)});

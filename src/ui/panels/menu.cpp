@@ -10,7 +10,7 @@ namespace {
 
 void copy(const Context& context, std::string text, std::string_view what) {
     context.request({.kind = Request::Kind::copy_text, .text = std::move(text)});
-    context.session.notice = Notice{std::string(what) + " copied", ImGui::GetTime() + 2.5};
+    context.session.notice = Notice{"copied " + std::string(what), ImGui::GetTime() + 2.5};
 }
 
 bool menu_item(const Context& context, std::string_view widget, const char* label, std::string_view key = {}) {
@@ -24,23 +24,23 @@ void action_item(const Context& context, std::string_view widget, const char* la
 }
 
 void draw_menu_items(const Context& context) {
-    if (menu_item(context, "menu/copy command", "Copy command")) {
-        copy(context, "steplab " + command_line(context.description()), "command");
+    if (menu_item(context, "menu/copy command", "Copy command line")) {
+        copy(context, "steplab " + command_line(context.description()), "the command line");
     }
     if (menu_item(context, "menu/copy view", "Copy view")) {
-        copy(context, render::view_text(context.stage.camera), "view");
+        copy(context, render::view_text(context.stage.camera), "the view");
     }
     ImGui::Separator();
-    action_item(context, "menu/picture", "Save a picture", Action::picture);
-    action_item(context, "menu/reset view", "Reset the view", Action::reset_view);
-    action_item(context, "menu/frame all", "Show all particles", Action::frame_all);
+    action_item(context, "menu/snapshot", "Save snapshot", Action::snapshot);
+    action_item(context, "menu/reset view", "Reset view", Action::reset_view);
+    action_item(context, "menu/zoom to fit", "Zoom to fit", Action::zoom_to_fit);
     ImGui::Separator();
-    action_item(context, "menu/faster", "Faster", Action::faster);
-    action_item(context, "menu/slower", "Slower", Action::slower);
-    action_item(context, "menu/scene before", "Scene before", Action::scene_before);
-    action_item(context, "menu/scene after", "Scene after", Action::scene_after);
+    action_item(context, "menu/faster", "Play faster", Action::faster);
+    action_item(context, "menu/slower", "Play slower", Action::slower);
+    action_item(context, "menu/previous scene", "Previous scene", Action::previous_scene);
+    action_item(context, "menu/next scene", "Next scene", Action::next_scene);
     ImGui::Separator();
-    action_item(context, "menu/panel", "Panel", Action::panel);
+    action_item(context, "menu/panel", "Show or hide panel", Action::panel);
     action_item(context, "menu/full screen", "Full screen", Action::full_screen);
     action_item(context, "menu/help", "Help", Action::help);
     action_item(context, "menu/quit", "Quit", Action::quit);

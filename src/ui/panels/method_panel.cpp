@@ -21,14 +21,15 @@ std::vector<ComboItem> method_items(std::string_view shown, std::size_t& chosen)
     return items;
 }
 
-/// "order 4 · 4 evaluations a step · symplectic · keeps momentum".
+/// "order 4 · 4 force evaluations per step · symplectic · conserves momentum".
 std::string description_line(const MethodInfo& info, const RunDescription& description) {
     const int order = has_drag(description) ? info.order_with_drag : info.order;
     const double evaluations = evaluations_per_step(info, description.method_parameters);
-    std::string line = fmt::format("order {} · {} a step", order, counted(evaluations, "evaluation", "evaluations"));
+    std::string line =
+        fmt::format("order {} · {} per step", order, counted(evaluations, "force evaluation", "force evaluations"));
     if (info.symplectic) line.append(" · symplectic");
     if (info.reversible) line.append(" · time-reversible");
-    if (!info.conserves.empty()) line.append(" · keeps ").append(info.conserves);
+    if (!info.conserves.empty()) line.append(" · conserves ").append(info.conserves);
     return line;
 }
 

@@ -4,26 +4,26 @@
 
 namespace steplab::ui {
 
-/// The panels, one per file of its name. Each draws one frame of itself from the context and sends what the person asks
-/// for to the context's commands.
+/// The panels, each in a file of its name. They draw one frame from the context and send the user's commands to
+/// context.commands.
 
 void draw_top_bar(const Context& context);
-/// The button of the menu and, when open, the menu; at the cursor of the bar.
+/// The menu button at the cursor of the bar and, if open, the menu.
 void draw_menu(const Context& context);
-/// The sections below, one under another, with a scroll bar where the window is too low for them.
+/// The sections below, one below the other, with a scroll bar if the window is too low for them.
 void draw_side_panel(const Context& context);
 void draw_scene_panel(const Context& context);
 void draw_method_panel(const Context& context);
 void draw_step_panel(const Context& context);
 void draw_show_panel(const Context& context);
-/// Rows of the section above.
+/// Rows of the previous section.
 void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
-/// Measured rates, along the foot of the side panel.
+/// Measured rates, at the bottom of the side panel.
 void draw_footer(const Context& context);
 void draw_plots_panel(const Context& context);
 
-/// Over the scene: time, step and errors; what just happened; why a change was refused; why the run ended.
+/// Over the scene: readings of time, step and errors; messages; the card of a diverged run; help.
 void draw_read_out(const Context& context);
 void draw_notices(const Context& context);
 void draw_divergence_card(const Context& context);

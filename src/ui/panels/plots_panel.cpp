@@ -8,11 +8,11 @@
 namespace steplab::ui {
 namespace {
 
-/// |E - E0| on a logarithmic axis; drag takes energy without any error, so there it is called a change.
+/// |E - E0| on a logarithmic axis. With drag the energy changes without any error: the plot is then named so.
 Plot energy_plot(const History& history, bool drag) {
-    Plot plot{.widget = "energy error", .title = drag ? "Energy change" : "Energy error", .unit = "J"};
+    Plot plot{.widget = "energy error", .title = drag ? "Energy change [J]" : "Energy error [J]", .unit = "J"};
     plot.logarithmic = true;
-    plot.empty = "none so far";
+    plot.empty = "no data yet";
     Curve curve{.name = drag ? "change" : "error"};
     for (const Sample& sample : history.whole()) {
         curve.x.push_back(sample.time);
@@ -27,13 +27,13 @@ double part_along(const std::optional<Vec3>& vector, int axis) {
 }
 
 Plot displacement_plot(const History& history) {
-    constexpr std::string_view names[] = {"displacement x", "height", "displacement z"};
-    Plot plot{.widget = "displacement", .title = "No particle picked", .unit = "m"};
-    plot.empty = "click a particle";
+    constexpr std::string_view names[] = {"displacement x [m]", "displacement y [m]", "displacement z [m]"};
+    Plot plot{.widget = "displacement", .title = "No particle selected", .unit = "m"};
+    plot.empty = "click a particle to plot its displacement";
     if (!history.particle()) return plot;
     const int axis = history.direction();
     plot.title = fmt::format("Particle {}: {}", *history.particle(), names[axis]);
-    plot.empty = "nothing yet";
+    plot.empty = "no data yet";
     Curve run{.name = "run"};
     Curve exact{.name = "exact", .ink = colour::exact, .dashed = true};
     bool known = false;

@@ -16,12 +16,12 @@ struct Line {
     bool strong = false;
 };
 
-/// "5.3 digits right", green where the run is good for something.
+/// "5.3 correct digits", green if there is at least one.
 Line digits_line(double error, double scale) {
-    if (error == 0) return {"all digits right", colour::good};
+    if (error == 0) return {"all digits correct", colour::good};
     const auto digits = correct_digits(error, scale);
     if (!digits) return {};
-    return {fmt::format("{:.1f} digits right", *digits), *digits < 1 ? colour::bad : colour::good};
+    return {fmt::format("{:.1f} correct digits", *digits), *digits < 1 ? colour::bad : colour::good};
 }
 
 std::vector<Line> lines_of(const Context& context) {
@@ -29,17 +29,17 @@ std::vector<Line> lines_of(const Context& context) {
     std::vector<Line> lines;
     lines.push_back(
         {fmt::format("t = {} s   step {}", time_text(view.frame.time, view.dt), view.frame.step), colour::text, true});
-    const std::string energy = has_drag(view.description) ? "energy change " : "energy error ";  // drag takes it
+    const std::string energy = has_drag(view.description) ? "energy change: " : "energy error: ";
     lines.push_back({energy + with_unit(rounded_text(view.diagnostics.energy_error), "J")});
-    if (view.baseline_step > 0) lines.push_back({fmt::format("counted from step {}", view.baseline_step)});
+    if (view.baseline_step > 0) lines.push_back({fmt::format("relative to the energy at step {}", view.baseline_step)});
     if (const auto error = view.diagnostics.error) {
         const double scale =
             std::max(context.session.history.largest_displacement(), view.diagnostics.max_displacement);
-        lines.push_back({"position error " + with_unit(rounded_text(*error), "m") + " (exact solution)"});
+        lines.push_back({"position error: " + with_unit(rounded_text(*error), "m") + " (against the exact solution)"});
         lines.push_back(digits_line(*error, scale));
     }
     if (!view.frame.ensemble.empty())
-        lines.push_back({"ensemble apart by " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
+        lines.push_back({"ensemble spread: max " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });
     return lines;
 }

@@ -5,7 +5,7 @@
 namespace steplab::ui {
 namespace {
 
-// A nonlinear scene stiffens as it moves: a method at the very edge of its linear limit is no remedy.
+// A nonlinear scene stiffens as it moves: a method close to its linear limit is no remedy.
 constexpr double share_of_limit = 0.9;
 
 bool keeps_stable(const RunDescription& description) {

@@ -6,7 +6,7 @@
 namespace steplab::ui {
 namespace {
 
-/// All models as a menu, and which of them is shown.
+/// All models as items of a menu; `chosen` becomes the index of the shown one.
 std::vector<ComboItem> model_items(std::string_view shown, std::size_t& chosen) {
     std::vector<ComboItem> items;
     for (const Model& entry : models()) {

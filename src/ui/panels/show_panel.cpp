@@ -6,24 +6,24 @@
 namespace steplab::ui {
 namespace {
 
-struct ColouringName {
-    render::Colouring colouring;
-    ComboItem item;
-};
-
 std::vector<ComboItem> colouring_items() {
     return {
-        {.id = id(render::Colouring::role), .name = "role", .tooltip = "moving, fixed, kicked, bullet"},
-        {.id = id(render::Colouring::speed), .name = "speed"},
-        {.id = id(render::Colouring::kinetic_energy), .name = "kinetic energy"},
-        {.id = id(render::Colouring::displacement), .name = "displacement"},
-        {.id = id(render::Colouring::strain), .name = "strain of the springs"},
+        {.id = id(render::Colouring::role),
+         .name = "role",
+         .tooltip = "of the particle: moving, fixed, kicked or bullet"},
+        {.id = id(render::Colouring::speed), .name = "speed [m/s]"},
+        {.id = id(render::Colouring::kinetic_energy), .name = "kinetic energy [J]", .tooltip = "of each particle"},
+        {.id = id(render::Colouring::displacement), .name = "displacement [m]", .tooltip = "from the rest position"},
+        {.id = id(render::Colouring::strain),
+         .name = "strain of the springs",
+         .tooltip = "relative elongation: length / rest length - 1"},
     };
 }
 
 void draw_colouring(const Context& context, render::Style& style) {
     const RowPlaces places = row_places(context);
-    row_label(context, "colour by", "what the colours tell", ImGui::GetFrameHeight());
+    row_label(context, "colour by", "quantity that the colours of the particles or springs show",
+              ImGui::GetFrameHeight());
     ImGui::SameLine(places.control);
     const auto items = colouring_items();
     auto chosen = static_cast<std::size_t>(style.colouring);
@@ -34,7 +34,7 @@ void draw_colouring(const Context& context, render::Style& style) {
 
 void draw_background(const Context& context, render::Style& style) {
     const RowPlaces places = row_places(context);
-    row_label(context, "background", {});
+    row_label(context, "background", "dark for screens, light for print");
     ImGui::SameLine(places.control);
     auto chosen = static_cast<std::size_t>(style.background);
     if (segmented(context, "background", render::background_ids, chosen, places.right - places.control,
@@ -47,12 +47,14 @@ void draw_background(const Context& context, render::Style& style) {
 
 void draw_show_panel(const Context& context) {
     render::Style& style = context.stage.style;
-    heading(context, "SHOW");
+    heading(context, "DISPLAY");
     draw_colouring(context, style);
     draw_background(context, style);
     check_row(context, "springs", "springs", style.springs);
+    tooltip(context, "draw the springs");
     ImGui::SameLine(row_places(context).control);
     check_row(context, "grid", "grid and axes", style.grid);
+    tooltip(context, "draw the ground grid and the axes in metres");
     draw_ensemble_rows(context);
 }
 

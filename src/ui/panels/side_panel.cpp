@@ -14,13 +14,14 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiW
 /// "420", "1.9e6".
 std::string frequency(double value) { return value < 1000 ? fmt::format("{:.0f}", value) : rounded_text(value); }
 
-/// "1.9e6 steps/s · 7.6e6 evaluations/s · frame 4.1 ms"; what is not known is left out.
+/// "1.9e6 steps/s · 7.6e6 force evaluations/s · 4.1 ms per frame"; values that are not known are left out.
 std::string footer_text(const RunView& view, const Measured& measured) {
     std::string text;
     const auto add = [&](const std::string& part) { text.append(text.empty() ? "" : " · ").append(part); };
     if (view.steps_per_second.value_or(0) > 0) add(frequency(*view.steps_per_second) + " steps/s");
-    if (view.evaluations_per_second.value_or(0) > 0) add(frequency(*view.evaluations_per_second) + " evaluations/s");
-    if (measured.frame_seconds) add("frame " + setting_text(1e3 * *measured.frame_seconds, 2) + " ms");
+    if (view.evaluations_per_second.value_or(0) > 0)
+        add(frequency(*view.evaluations_per_second) + " force evaluations/s");
+    if (measured.frame_seconds) add(setting_text(1e3 * *measured.frame_seconds, 2) + " ms per frame");
     return text;
 }
 

@@ -12,24 +12,35 @@
 namespace steplab::ui {
 namespace {
 
-/// What dt is to a method that chooses its steps, else what the linear theory says of it: the line below the slider.
+/// How dt stands to the stability limit: the line below the slider, and its tooltip.
 struct Verdict {
     std::string text;
     ImU32 ink = colour::text_dim;
     bool passed = false;  ///< dt is beyond the limit
+    std::string tooltip = "from linear theory for the scene at rest";
 };
 
+std::string share_text(double share) {
+    if (share < 0.01) return "< 0.01";
+    return share < 10 ? fmt::format("{:.2f}", share) : rounded_text(share);
+}
+
 Verdict verdict(const std::optional<StabilityLimit>& known, const RunDescription& description) {
-    if (chooses_its_steps(description)) return {"the method chooses its own steps", colour::good};
-    if (!known) return {"stability limit not known"};
-    if (known->limit == 0) return {"unstable at any dt: the energy grows", colour::bad, true};
-    if (std::isinf(known->limit)) return {"stable at any dt", colour::good};
-    const double part = description.dt / known->limit;
-    const std::string share = part < 0.01 ? "< 0.01" : fmt::format("{:.2f}", part);
-    const std::string of_limit = fmt::format("{} of limit {} s, ω_max {}", part < 10 ? share : rounded_text(part),
-                                             reading_text(known->limit), reading_text(known->omega_max));
-    if (part > 1) return {"unstable: " + of_limit, colour::bad, true};
-    return {"stable: " + of_limit, colour::good};
+    if (chooses_its_steps(description))
+        return {.text = "step size chosen by the method",
+                .ink = colour::good,
+                .tooltip = "the method keeps its tolerance; dt is the time between two frames"};
+    if (!known) return {.text = "stability limit unknown", .tooltip = "linear theory does not cover this scene"};
+    if (known->limit == 0) return {.text = "unstable at any dt: the energy grows", .ink = colour::bad, .passed = true};
+    if (std::isinf(known->limit)) return {.text = "stable at any dt", .ink = colour::good};
+    const bool unstable = description.dt > known->limit;
+    return {.text = fmt::format("{}: {} of the limit {} s", unstable ? "unstable" : "stable",
+                                share_text(description.dt / known->limit), reading_text(known->limit)),
+            .ink = unstable ? colour::bad : colour::good,
+            .passed = unstable,
+            .tooltip = fmt::format("dt relative to the stability limit, from linear theory for the scene at rest;\n"
+                                   "largest angular frequency ω_max = {} rad/s",
+                                   reading_text(known->omega_max))};
 }
 
 void draw_verdict(const Context& context, const Verdict& verdict) {
@@ -42,6 +53,7 @@ void draw_verdict(const Context& context, const Verdict& verdict) {
         ImGui::SetCursorScreenPos({corner.x + context.px(14), corner.y});
     }
     explanation(context, verdict.text, verdict.ink);
+    tooltip(context, verdict.tooltip);
 }
 
 }  // namespace
@@ -53,14 +65,14 @@ void draw_step_panel(const Context& context) {
         changed.dt = dt;
         context.ask(changed);
     };
-    // The run's own limit is that of what is being computed; while a change is on its way, the one asked for counts.
+    // While a change is on its way to the run, the limit is that of the requested description.
     const bool current = description == context.view.description;
     const auto limit = current ? context.view.limit : stability_limit(description);
     const Verdict result = verdict(limit, description);
     const bool marked = limit && limit->limit > 0 && std::isfinite(limit->limit);
     const ParameterInfo& info = dt_parameter;
     const std::string help = parameter_help(info);
-    heading(context, "STEP");
+    heading(context, "TIME STEP");
     slider_row(context, {
                             .widget = "dt",
                             .label = info.name,

@@ -43,22 +43,29 @@ void draw_speed(const Context& context) {
     const double shown = rate.as_fast_as_possible ? fastest : rate.seconds_per_second;
     const SliderStyle style{.fill = rate.as_fast_as_possible ? colour::track : colour::accent};
     const auto moved = slider(context, "speed", shown, range, style, context.px(104), ImGui::GetFrameHeight());
-    tooltip(context, "simulated seconds a second; faster (=), slower (-)");
+    tooltip(context,
+            "playback speed in simulated seconds per second of real time; keys = and - change it, a double click "
+            "resets it");
     if (ImGui::IsItemHovered() && ImGui::GetIO().MouseDoubleClicked[0]) {
         wanted.set_rate({}, context.commands);
     } else if (moved) {
         wanted.set_rate({false, *moved}, context.commands);
     }
+}
+
+void draw_rate(const Context& context) {
+    Wanted& wanted = context.session.wanted;
+    const Rate rate = wanted.rate();
     ImGui::SameLine(0, context.px(8));
     const ImVec2 place = ImGui::GetCursorScreenPos();
-    ImGui::Dummy({context.px(62), ImGui::GetFrameHeight()});
-    text_left(place.x, place.y + 0.5f * ImGui::GetFrameHeight(),
-              rate.as_fast_as_possible ? "no limit" : rate_text(rate), colour::text);
+    ImGui::Dummy({context.px(112), ImGui::GetFrameHeight()});
+    if (!rate.as_fast_as_possible)
+        text_left(place.x, place.y + 0.5f * ImGui::GetFrameHeight(), rate_text(rate.seconds_per_second), colour::text);
     ImGui::SameLine(0, context.px(6));
-    if (text_button(context, "fastest", "max", rate.as_fast_as_possible)) {
+    if (text_button(context, "fastest", "unlimited", rate.as_fast_as_possible)) {
         wanted.set_rate({!rate.as_fast_as_possible, rate.seconds_per_second}, context.commands);
     }
-    tooltip(context, "as fast as possible");
+    tooltip(context, "run as fast as the processor allows; click again to return to the speed of the slider");
 }
 
 void draw_precision(const Context& context) {
@@ -70,23 +77,23 @@ void draw_precision(const Context& context) {
     }
 }
 
-/// The group at the right end: it is placed from the right, so its width is needed beforehand.
+/// The group at the right end. It is placed from the right, so its width is computed first.
 void draw_right_group(const Context& context) {
     const float gap = context.px(8);
     const float menu = ImGui::GetFrameHeight() + context.px(4);
-    const float picture = ImGui::CalcTextSize("Picture").x + 2 * context.px(12);
+    const float snapshot = ImGui::CalcTextSize("Snapshot").x + 2 * context.px(12);
     float x = context.layout.bar.right() - context.px(12) - menu;
     const float menu_x = x;
-    if (context.layout.bar_has_picture) x -= picture + gap;
-    const float picture_x = x;
+    if (context.layout.bar_has_snapshot) x -= snapshot + gap;
+    const float snapshot_x = x;
     if (context.layout.bar_has_precision) {
         ImGui::SameLine(x - context.px(precision_width) - 2 * gap);
         draw_precision(context);
     }
-    if (context.layout.bar_has_picture) {
-        ImGui::SameLine(picture_x);
-        if (text_button(context, "picture", "Picture")) perform(context, Action::picture);
-        tooltip(context, help_of(Action::picture));
+    if (context.layout.bar_has_snapshot) {
+        ImGui::SameLine(snapshot_x);
+        if (text_button(context, "snapshot", "Snapshot")) perform(context, Action::snapshot);
+        tooltip(context, help_of(Action::snapshot));
     }
     ImGui::SameLine(menu_x);
     draw_menu(context);
@@ -111,7 +118,10 @@ void draw_top_bar(const Context& context) {
     const float left = context.layout.bar_has_title ? context.px(312) : context.px(12);
     ImGui::SetCursorPos({left, std::round(0.5f * (bar.height - ImGui::GetFrameHeight()))});
     draw_transport(context);
-    if (context.layout.bar_has_speed) draw_speed(context);
+    if (context.layout.bar_has_speed) {
+        draw_speed(context);
+        draw_rate(context);
+    }
     draw_right_group(context);
     ImGui::PushClipRect({bar.x, bar.y}, {bar.right(), bar.bottom()}, false);
     ImGui::GetWindowDrawList()->AddLine({0, bar.height - 1}, {bar.width, bar.height - 1}, colour::line);

@@ -18,7 +18,7 @@ std::vector<Tick> linear_ticks_of(const Axis& axis, int most) {
     const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
     std::vector<Tick> found;
     for (const double value : linear_ticks(axis.low, axis.high, step)) {
-        // Beside a plot there is no room for all the digits of a step that is tiny beside its values.
+        // There is no room for all the digits of values that differ by a tiny part.
         std::string label = tick_text(value, step, largest);
         found.push_back({value, label.size() <= longest ? std::move(label) : typed(value, 6)});
     }

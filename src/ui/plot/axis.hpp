@@ -7,7 +7,7 @@
 
 namespace steplab::ui {
 
-/// One direction of a plot: maps values to pixels, linearly or by their logarithm.
+/// An axis of a plot: maps values to pixels, linearly or logarithmically.
 struct Axis {
     double low = 0;
     double high = 1;
@@ -34,13 +34,13 @@ struct PlotPoint {
     float y = 0;
 };
 
-/// The line through (x, y) in as many points as its pixels can show: of each column of pixels the first, lowest,
-/// highest and last value, so that no peak is lost. `x` grows; what is not finite, or not positive on a logarithmic
-/// axis, is left out.
+/// The line through (x, y), reduced to what its pixels can show: the first, lowest, highest and last point of each
+/// column of pixels, so that no peak is lost. `x` is ascending. Points that are not finite, or not positive on a
+/// logarithmic axis, are left out.
 std::vector<PlotPoint> decimated(std::span<const double> x, std::span<const double> y, const Axis& across,
                                  const Axis& up);
 
-/// Index of the value in `x` (which grows) nearest to `value`; 0 for an empty one.
+/// Index of the value in `x` (ascending) nearest to `value`; 0 if `x` is empty.
 std::size_t nearest(std::span<const double> x, double value);
 
 }  // namespace steplab::ui

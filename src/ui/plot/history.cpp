@@ -69,7 +69,7 @@ void History::follow(const std::optional<Tracked>& tracked) {
     if (!tracked) return;
     const Vec3 u = tracked->displacement;
     reach_ = {std::max(reach_.x, std::abs(u.x)), std::max(reach_.y, std::abs(u.y)), std::max(reach_.z, std::abs(u.z))};
-    // Another axis must be clearly ahead, so that the plot does not flip between two that are alike.
+    // Another axis must be clearly ahead, so that the plot does not alternate between two of similar size.
     for (int axis = 0; axis < 3; ++axis) {
         if (component(reach_, axis) > 1.2 * component(reach_, direction_)) direction_ = axis;
     }

@@ -9,31 +9,31 @@
 
 namespace steplab::ui {
 
-/// One moment of a run as the plots keep it.
+/// The quantities of one step that the plots show.
 struct Sample {
     double time = 0;
     double energy_error = 0;                 ///< |E - E0|
-    double max_displacement = 0;             ///< of any particle
-    std::optional<Vec3> displacement;        ///< of the followed particle from rest
+    double max_displacement = 0;             ///< largest of all particles
+    std::optional<Vec3> displacement;        ///< of the followed particle from its rest position
     std::optional<Vec3> exact_displacement;  ///< the same in the exact solution
 };
 
-/// What the plots show: moments of one run in the order of time, in bounded memory.
+/// The time series of one run for the plots, in bounded memory.
 class History {
 public:
-    /// Takes a moment of the run. A new run begins anew; a step back, or another followed particle, drops what no
-    /// longer holds.
+    /// Records a view of the run. A new run clears the series; a step back or another followed particle removes what
+    /// is no longer valid.
     void record(const RunView& view);
 
-    /// Samples that span the whole run; when they become too many, every second one goes.
+    /// Samples over the whole run. If there are too many, every second one is dropped.
     std::span<const Sample> whole() const { return whole_; }
-    /// The latest samples, every one that was seen.
+    /// The latest samples, none left out.
     std::span<const Sample> recent() const;
-    /// The particle whose displacement is kept, if one is followed.
+    /// The followed particle, whose displacement is recorded.
     std::optional<std::size_t> particle() const { return particle_; }
-    /// The axis along which it moves most: 0 x, 1 y, 2 z.
+    /// The axis of its largest displacement: 0 x, 1 y, 2 z.
     int direction() const { return direction_; }
-    /// Of any particle, in the whole run.
+    /// Largest displacement of all particles over the whole run.
     double largest_displacement() const;
 
 private:
@@ -52,7 +52,7 @@ private:
     std::vector<Sample> recent_;
 };
 
-/// The part of a vector along an axis: 0 x, 1 y, 2 z.
+/// The component of a vector along an axis: 0 x, 1 y, 2 z.
 double component(Vec3 vector, int axis);
 
 }  // namespace steplab::ui

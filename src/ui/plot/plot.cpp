@@ -12,7 +12,7 @@
 namespace steplab::ui {
 namespace {
 
-/// Dashes along a line that is given by its points, `length` pixels on and as many off.
+/// A dashed line through the points, with dashes and gaps of `length` pixels.
 void draw_dashed(ImDrawList& list, const std::vector<PlotPoint>& points, ImU32 ink, float thickness, float length) {
     float along = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -33,7 +33,7 @@ void draw_dashed(ImDrawList& list, const std::vector<PlotPoint>& points, ImU32 i
 }
 
 void draw_line(ImDrawList& list, const std::vector<PlotPoint>& points, ImU32 ink, float thickness) {
-    // ImGui's indices have 16 bits; a thick line takes up to 6 corners a point.
+    // ImGui's indices have 16 bits; a thick line takes up to 6 vertices per point.
     constexpr std::size_t most = 8192;
     std::vector<ImVec2> corners;
     corners.reserve(points.size());
@@ -81,7 +81,7 @@ void draw_curves(const Context& context, const Plot& plot, const PlotAxes& axes,
     list.PopClipRect();
 }
 
-/// A short line in the curve's look and its name, from the right.
+/// For each curve a short line in its style and its name, right-aligned.
 void draw_legend(const Context& context, const Plot& plot, float right, float y) {
     if (plot.curves.size() < 2) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -100,7 +100,7 @@ void draw_legend(const Context& context, const Plot& plot, float right, float y)
     }
 }
 
-/// A line at the pointer and the value of each curve there.
+/// A vertical line at the pointer, and the values of the curves there.
 void draw_values_under_pointer(const Context& context, const Plot& plot, const PlotAxes& axes, const Area& frame) {
     const ImVec2 pointer = ImGui::GetIO().MousePos;
     if (!frame.contains(pointer.x, pointer.y) || plot.curves.front().x.empty()) return;
@@ -115,7 +115,7 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const P
         if (!plot.logarithmic || curve.y[i] > 0) {
             list.AddCircleFilled({x, axes.up.pixel(curve.y[i])}, context.theme.scale() * 3, curve.ink);
         }
-        text.append("\n" + curve.name + " " + with_unit(setting_text(curve.y[i], 5), plot.unit));
+        text.append("\n" + curve.name + ": " + with_unit(setting_text(curve.y[i], 5), plot.unit));
     }
     tooltip(context, text);
 }
@@ -130,12 +130,12 @@ void draw_save_menu(const Context& context, const Plot& plot, const Area& area) 
     if (!ImGui::BeginPopup("save")) return;
     if (ImGui::MenuItem("Save as CSV")) save_table(context, plot);
     context.mark(plot.widget + ".csv");
-    if (ImGui::MenuItem("Save as PNG")) save_picture(context, plot, area);
+    if (ImGui::MenuItem("Save as PNG")) save_snapshot(context, plot, area);
     context.mark(plot.widget + ".png");
     ImGui::EndPopup();
 }
 
-/// The plot's frame within its card: room for the title above, the labels at the left and below.
+/// The frame of the plot within its card, with room for the title above and the labels at the left and below.
 Area frame_of(const Context& context, const Area& area) {
     const Area frame{area.x + context.px(52), area.y + context.px(34), area.width - context.px(68),
                      area.height - context.px(34) - context.px(42)};
@@ -164,7 +164,8 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area) {
     draw_title(context, plot, area);
 
     ImGui::SetCursorScreenPos({area.right() - context.px(36), area.y + context.px(3)});
-    const bool save = icon_button(context, plot.widget + ".save", Icon::save, "save as CSV or PNG", ButtonStyle::quiet);
+    const bool save =
+        icon_button(context, plot.widget + ".save", Icon::save, "save the plot as CSV or PNG", ButtonStyle::quiet);
     draw_legend(context, plot, area.right() - context.px(46), area.y + context.px(17));
     ImGui::SetCursorScreenPos({frame.x, frame.y});
     ImGui::InvisibleButton("frame", {std::max(1.0f, frame.width), std::max(1.0f, frame.height)});

@@ -1,7 +1,6 @@
+#include "core/number_text.hpp"
 #include "core/ticks.hpp"
 #include "ui/plot/plot.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +8,7 @@
 namespace steplab::ui {
 namespace {
 
-/// Smallest and largest of what can be drawn; low > high if nothing can.
+/// Smallest and largest value that can be drawn; low > high if there is none.
 struct Extent {
     double low = INFINITY;
     double high = -INFINITY;
@@ -67,10 +66,10 @@ std::string plot_csv(const Plot& plot) {
     text.append("\n");
     const std::size_t rows = plot.curves.empty() ? 0 : plot.curves.front().x.size();
     for (std::size_t i = 0; i < rows; ++i) {
-        text.append(fmt::format("{}", plot.curves.front().x[i]));
+        text.append(number_text(plot.curves.front().x[i]));
         for (const Curve& curve : plot.curves) {
             text.append(",");
-            if (std::isfinite(curve.y[i])) text.append(fmt::format("{}", curve.y[i]));
+            if (std::isfinite(curve.y[i])) text.append(number_text(curve.y[i]));
         }
         text.append("\n");
     }

@@ -31,8 +31,8 @@ void save_table(const Context& context, const Plot& plot) {
     }
 }
 
-void save_picture(const Context& context, const Plot& plot, const Area& area) {
-    context.request({.kind = Request::Kind::save_picture,
+void save_snapshot(const Context& context, const Plot& plot, const Area& area) {
+    context.request({.kind = Request::Kind::save_snapshot,
                      .file = free_name(std::filesystem::path(), plot.widget, "png"),
                      .part = pixels(area)});
 }

@@ -4,20 +4,21 @@
 
 namespace steplab::ui {
 
-/// A window over the scene that sizes itself to what is in it; begin and end are the life of this object.
+/// A window over the scene that fits its content. It is open while this object lives.
 class Card {
 public:
-    /// `anchor`: the place of the card's point `pivot` (0,0 top left .. 1,1 bottom right). `edge` colours its border.
+    /// `anchor`: position of the point `pivot` of the card (0,0 top left .. 1,1 bottom right); `edge`: colour of the
+    /// border.
     Card(const Context& context, const char* name, ImVec2 anchor, ImVec2 pivot, float width, ImU32 edge);
     ~Card();
     Card(const Card&) = delete;
     Card& operator=(const Card&) = delete;
 };
 
-/// A small cross at the top right corner of the card; true when clicked.
+/// The close button in the top right corner of the card; true when clicked.
 bool close_cross(const Context& context, std::string_view widget);
 
-/// The width of a card that is `units` wide where the scene has room for it.
+/// The width of a card in pixels: `units` of the layout, or less if the scene is narrower.
 float card_width(const Context& context, float units);
 
 }  // namespace steplab::ui

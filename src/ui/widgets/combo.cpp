@@ -6,7 +6,7 @@
 namespace steplab::ui {
 namespace {
 
-/// One line of the open list; true if it was chosen.
+/// An item of the open menu; true if it was clicked.
 bool draw_item(const Context& context, std::string_view widget, const ComboItem& item, bool selected) {
     const WithId id(item.id);
     const float height = ImGui::GetTextLineHeight() + context.px(8);
@@ -27,7 +27,7 @@ struct Box {
     ImVec2 to;
 };
 
-/// The chosen item's name and the arrow, over the box that ImGui has drawn.
+/// The name of the chosen item and the arrow, over the box that ImGui has drawn.
 void draw_box(const Context& context, ImDrawList& list, const Box& box, std::string_view name) {
     const float y = 0.5f * (box.from.y + box.to.y);
     const float x = box.to.x - context.px(16);
@@ -39,7 +39,7 @@ void draw_box(const Context& context, ImDrawList& list, const Box& box, std::str
                  colour::text, name.data(), name.data() + name.size());
 }
 
-/// Width the widest item needs, with the gap between name and remark.
+/// Width of the widest item, including the gap between name and remark.
 float list_width(const Context& context, std::span<const ComboItem> items) {
     float width = 0;
     for (const ComboItem& item : items) {

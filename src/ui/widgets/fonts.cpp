@@ -8,13 +8,13 @@
 namespace steplab::ui {
 namespace {
 
-// Latin with the letters of Europe, Greek, subscripts, punctuation, arrows, mathematics and simple shapes.
+// European Latin, Greek, superscripts and subscripts, punctuation, arrows, mathematics and simple shapes.
 constexpr std::array<ImWchar, 21> letters = {0x0020, 0x002f, 0x003a, 0x017f, 0x0370, 0x03ff, 0x2010,
                                              0x2027, 0x2032, 0x2033, 0x2070, 0x209f, 0x2190, 0x21ff,
                                              0x2200, 0x22ff, 0x25a0, 0x25ff, 0x2713, 0x2713, 0};
 constexpr std::array<ImWchar, 3> digits = {'0', '9', 0};
 
-/// Width of the widest digit at this size, found in an atlas of its own.
+/// Width of the widest digit at this size, measured in a separate atlas.
 float digit_width(const std::string& file, float size) {
     ImFontAtlas scratch;
     const ImFont* font = scratch.AddFontFromFileTTF(file.c_str(), size, nullptr, digits.data());

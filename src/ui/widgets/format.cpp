@@ -37,7 +37,7 @@ std::optional<double> correct_digits(double error, double scale) {
 double rounded_for_slider(double value, double low, double high, bool logarithmic) {
     const double size = logarithmic ? std::abs(value) : high - low;
     if (size == 0) return value;
-    // A slider has some hundred places: three digits of its range, or of the value itself, tell them apart.
+    // A slider has a few hundred positions: three digits distinguish them.
     const double exponent = std::floor(std::log10(size)) - 2;
     const double unit = std::pow(10.0, std::abs(exponent));
     return exponent < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit;

@@ -5,7 +5,7 @@
 namespace steplab::ui {
 namespace {
 
-/// Draws shapes given in parts of the icon's half size about its centre.
+/// Draws shapes around the centre of the icon, in units of half its size.
 struct Pen {
     ImDrawList& list;
     ImVec2 centre;

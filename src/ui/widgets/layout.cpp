@@ -37,10 +37,10 @@ Layout arrange(const Display& display, std::optional<bool> panel) {
         layout.plot_count = std::min(room, 2);
         layout.scene.height -= plots;
     }
-    layout.bar_has_title = width >= px(1000);
-    layout.bar_has_speed = width >= px(730);
+    layout.bar_has_title = width >= px(1120);
+    layout.bar_has_speed = width >= px(820);
     layout.bar_has_precision = width >= px(380);
-    layout.bar_has_picture = width >= px(470);
+    layout.bar_has_snapshot = width >= px(470);
     return layout;
 }
 

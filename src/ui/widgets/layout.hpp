@@ -6,7 +6,7 @@
 
 namespace steplab::ui {
 
-/// A rectangle in pixels that widgets are laid out in.
+/// A rectangle in pixels, for the layout of widgets.
 struct Area {
     float x = 0;
     float y = 0;
@@ -18,24 +18,24 @@ struct Area {
     bool contains(float px, float py) const { return px >= x && px < right() && py >= y && py < bottom(); }
 };
 
-/// Where everything is. Areas that are not shown are empty; none covers another.
+/// The areas of the window. Those that are not shown are empty; none overlaps another.
 struct Layout {
     Area bar;            ///< along the top
     Area panel;          ///< at the left
     Area plots;          ///< at the bottom of the scene
     Area scene;          ///< the rest
-    int plot_count = 0;  ///< plots that have room beside each other
+    int plot_count = 0;  ///< number of plots that fit next to each other
     bool bar_has_title = false;
     bool bar_has_speed = false;
     bool bar_has_precision = false;
-    bool bar_has_picture = false;
+    bool bar_has_snapshot = false;
 };
 
-/// Arranges the panels for a display: what has no room folds away. `panel` is whether a person wants panel and plots;
-/// none: the panel is there where the window is wide enough for it.
+/// Arranges the panels for a display and hides those without room. `panel`: whether the user wants panel and plots;
+/// none: the panel is shown where the window is wide enough.
 Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt);
 
-/// The whole pixels of an area.
+/// The area in whole pixels.
 PixelRect pixels(const Area& area);
 
 }  // namespace steplab::ui

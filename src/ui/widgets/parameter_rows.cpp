@@ -16,7 +16,7 @@ bool is_switch(const ParameterInfo& info) {
     return info.kind == ParameterInfo::Kind::integer && info.minimum == 0 && info.maximum == 1;
 }
 
-/// The values with one changed to a number of the slider, which may offer an end that the parameter excludes.
+/// Sets one value from a slider, whose range may have an end that the parameter excludes.
 void set_value(const ParameterValues& values, const ParameterInfo& info, double value, const Set& set) {
     if (!info.minimum_included && value <= info.minimum) return;
     ParameterValues changed = values;
@@ -66,9 +66,10 @@ void choice_parameter(const Context& context, const std::string& widget, const P
 }  // namespace
 
 std::string parameter_help(const ParameterInfo& info) {
-    return fmt::format("{}\n{} · default {}\n{}", info.what, range_text(info),
-                       with_unit(format_value(info, info.default_value), info.unit),
-                       info.on_change == OnChange::restarts ? "a change restarts the run" : "a change applies at once");
+    return fmt::format(
+        "{}\n{} · default {}\na change {}", info.what, range_text(info),
+        with_unit(format_value(info, info.default_value), info.unit),
+        info.on_change == OnChange::restarts ? "restarts the run" : "takes effect at once; the run continues");
 }
 
 void parameter_rows(const Context& context, std::string_view owner, const ParameterValues& values, const Set& set) {

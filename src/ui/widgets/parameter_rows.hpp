@@ -7,12 +7,12 @@
 
 namespace steplab::ui {
 
-/// A row for each parameter: slider, tick or switch, as its kind asks. `owner` begins the widgets' names: "scene.k".
-/// `set` gets the values with one changed.
+/// A row for each parameter: a slider, a check box or a switch, depending on its kind. The names of the widgets begin
+/// with `owner`: "scene.k". `set` is called with the values of which one has changed.
 void parameter_rows(const Context& context, std::string_view owner, const ParameterValues& values,
                     const std::function<void(const ParameterValues&)>& set);
 
-/// What a tooltip tells of a parameter: what it is, its range, default, and what changing it does.
+/// The tooltip of a parameter: its meaning, range and default, and the effect of a change.
 std::string parameter_help(const ParameterInfo& info);
 
 }  // namespace steplab::ui

@@ -43,7 +43,7 @@ void open_entry(const Context& context, const SliderRow& row) {
     context.session.entry = entry;
 }
 
-/// The entry that stands in place of slider and value while a number is typed.
+/// The text entry that replaces slider and value while a number is typed.
 void draw_entry(const Context& context, const SliderRow& row, float width) {
     Entry& entry = *context.session.entry;
     if (entry.just_opened) ImGui::SetKeyboardFocusHere();
@@ -67,7 +67,7 @@ void draw_entry(const Context& context, const SliderRow& row, float width) {
     }
 }
 
-/// The value at the right end of the row; a click on it opens the entry.
+/// The value at the right end of the row; a click on it opens the text entry.
 void draw_value(const Context& context, const SliderRow& row, float width) {
     const float height = row_height(context);
     if (ImGui::InvisibleButton("value", {width, height})) open_entry(context, row);
@@ -98,8 +98,8 @@ std::optional<double> slider(const Context& context, std::string_view widget, do
     context.mark(widget);
     const bool mark_shown = style.mark && *style.mark >= range.low && *style.mark <= range.high;
     draw_slider(context, range.part(value), style, mark_shown ? std::optional(range.part(*style.mark)) : std::nullopt);
-    // The press of a double or Ctrl click is not a drag: the value changes only once the pointer moves, or on a plain
-    // press.
+    // The press of a double click or a Ctrl + click is not a drag: the value changes on a plain press, or when the
+    // pointer moves.
     if (!ImGui::IsItemActive() || ImGui::GetIO().KeyCtrl || ImGui::GetIO().MouseDoubleClicked[0]) return std::nullopt;
     const bool moved = ImGui::GetIO().MouseDelta.x != 0;
     if (!ImGui::IsItemActivated() && !moved) return std::nullopt;

@@ -9,7 +9,7 @@
 
 namespace steplab::ui {
 
-/// The colours of the interface; everything drawn takes them from here.
+/// The colours of the interface.
 namespace colour {
 inline constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
     return IM_COL32((hex >> 16) & 0xff, (hex >> 8) & 0xff, hex & 0xff, alpha);
@@ -34,24 +34,24 @@ inline constexpr ImU32 bad = rgb(0xe06c6c);
 inline constexpr ImU32 exact = rgb(0xe8b866);  ///< the exact solution in plots
 }  // namespace colour
 
-/// The fonts in the sizes the interface uses; owned by the atlas of the ImGui context.
+/// The fonts in the sizes that the interface uses; owned by the atlas of the ImGui context.
 struct Fonts {
     ImFont* body = nullptr;
     ImFont* strong = nullptr;   ///< titles, chosen values
     ImFont* small = nullptr;    ///< explanations, axes
-    ImFont* tiny = nullptr;     ///< along the foot of the panel
+    ImFont* tiny = nullptr;     ///< footer of the panel
     ImFont* heading = nullptr;  ///< of a section
-    std::string source;         ///< the file they come from; "built in" if none was found
+    std::string source;         ///< their file; "built in" if none was found
 };
 
-/// Sizes, colours and fonts for one scale of the display.
+/// Sizes, colours and fonts at one scale of the display.
 class Theme {
 public:
     /// Sets the style of the current ImGui context and fills its font atlas.
     void apply(float scale);
 
     float scale() const { return scale_; }
-    /// Pixels of a length given in units of the layout, whole so that edges are sharp.
+    /// Pixels of a length in units of the layout, a whole number so that edges are sharp.
     float px(float units) const;
     const Fonts& fonts() const { return fonts_; }
 
@@ -60,8 +60,8 @@ private:
     Fonts fonts_;
 };
 
-/// Fills the atlas from these files, or with ImGui's own font where there are none. Digits are all of one width, so
-/// that numbers that change do not jitter.
+/// Fills the atlas from these files, or with ImGui's own font if there are none. All digits have the same width, so
+/// that changing numbers do not jitter.
 Fonts load_fonts(ImFontAtlas& atlas, float scale, const render::FontFiles& files);
 
 /// Uses a font until the end of the block.

@@ -10,50 +10,50 @@ namespace steplab::ui {
 
 /// The columns of a row of the side panel, in pixels from the left edge of its window.
 struct RowPlaces {
-    float control = 0;  ///< where slider, combo or switch begins
+    float control = 0;  ///< where the slider, menu or switch begins
     float value = 0;    ///< where the value begins
     float right = 0;    ///< where the row ends
 };
 RowPlaces row_places(const Context& context);
-/// The height of a row with a slider or a switch in it.
+/// The height of a row with a slider or a switch.
 float row_height(const Context& context);
 
-/// Shows `text` beside the pointer while it rests on the last item; nothing if it is empty.
+/// Shows `text` next to the pointer while it is over the last item; nothing if it is empty.
 void tooltip(const Context& context, std::string_view text);
 
-/// Draws text that ends at `right` (pixels of the screen), its middle at `y`.
+/// Draws text that ends at `right` (pixels of the display), vertically centred at `y`.
 void text_right(float right, float y, std::string_view text, ImU32 ink);
-/// Draws text that begins at `left`, its middle at `y`.
+/// Draws text that begins at `left`, vertically centred at `y`.
 void text_left(float left, float y, std::string_view text, ImU32 ink);
 
-/// "SCENE", with the distance to what stands above.
+/// The heading of a section, "SCENE", with space above.
 void heading(const Context& context, std::string_view text);
-/// A paragraph in the small font that breaks at the panel's edge.
+/// A paragraph in the small font, wrapped at the edge of the panel.
 void explanation(const Context& context, std::string_view text, ImU32 ink = colour::text_dim);
-/// The label of a row, centred on its height: that of a slider if none is given.
+/// The label of a row, vertically centred; `height` 0: that of a row with a slider.
 void row_label(const Context& context, std::string_view label, std::string_view tooltip, float height = 0);
 /// "kinetic          0.213 J"
 void reading_row(const Context& context, std::string_view label, std::string_view value, std::string_view tooltip = {});
 
-/// A box with a tick and its label; true when clicked, `on` then has the new state.
+/// A check box with a label. True when clicked; `on` then has the new state.
 bool check_row(const Context& context, std::string_view widget, std::string_view label, bool& on);
 
-/// One of several choices as a switch that shows all of them; true when another was chosen.
+/// A switch that shows all choices. True if another one was chosen.
 bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
                std::size_t& chosen, float width, float height);
 
-/// An item of a menu of choices: its name and, dim and to the right, what tells it from the others.
+/// An item of a drop-down menu: its name and, dimmed at the right, a remark.
 struct ComboItem {
     std::string_view id;  ///< also the name of its widget: "method/rk4"
     std::string_view name;
     std::string remark = {};
     std::string tooltip = {};
 };
-/// A box that shows the chosen item and opens a list of all; true when another was chosen.
+/// A box that shows the chosen item and opens a menu of all items. True if another one was chosen.
 bool combo(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t& chosen,
            float width);
 
-/// A button with a text; `accent` for the one that is meant to be pressed.
+/// A button with a text; `accent` highlights it.
 bool text_button(const Context& context, std::string_view widget, std::string_view text, bool accent = false,
                  float width = 0);
 

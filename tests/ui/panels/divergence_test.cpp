@@ -44,7 +44,7 @@ TEST_F(Diverged, card_appears_with_its_remedies) {
     EXPECT_TRUE(desk.has("remedy.method"));
 }
 
-// ImGui knows the size of a new card one frame later: it must come, though nobody touches anything.
+// ImGui knows the size of a new card one frame later: it must be drawn without any input.
 TEST(Divergence, card_asks_for_frames_until_it_stands) {
     Desk desk(describe("chain", "euler"));
     for (int i = 0; i < 5; ++i) desk.frame();

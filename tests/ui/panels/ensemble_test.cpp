@@ -13,7 +13,7 @@ using testing::Contains;
 using testing::IsEmpty;
 using testing::Not;
 
-/// The panel beside a run that has this ensemble.
+/// The panel of a run with an ensemble.
 class EnsemblePanel : public testing::Test {
 protected:
     void show(const LiveEnsembleOptions& ensemble) {
@@ -32,7 +32,7 @@ protected:
     Desk desk{describe("morse")};
 };
 
-TEST_F(EnsemblePanel, is_one_row_until_there_is_a_ensemble) {
+TEST_F(EnsemblePanel, is_one_row_until_there_is_an_ensemble) {
     EXPECT_TRUE(desk.has("ensemble/off"));
     EXPECT_FALSE(desk.has("ensemble spread"));
     EXPECT_FALSE(desk.has("ensemble width"));
@@ -53,7 +53,7 @@ TEST_F(EnsemblePanel, switches_it_on_and_off) {
     EXPECT_EQ(asked().runs, 0u);
 }
 
-TEST_F(EnsemblePanel, chooses_what_differs) {
+TEST_F(EnsemblePanel, chooses_the_perturbed_parameter) {
     show({.runs = 16, .spread = "v0"});
     desk.click("ensemble spread");
     desk.click("ensemble spread/spacing");
@@ -77,21 +77,21 @@ TEST_F(EnsemblePanel, takes_its_width_typed_and_dragged) {
     EXPECT_LT(asked().width, 1e-9);
 }
 
-TEST_F(EnsemblePanel, shows_what_there_is_once_a_ensemble_is_refused) {
+TEST_F(EnsemblePanel, shows_the_state_of_the_run_once_an_ensemble_is_refused) {
     for (int attempt = 0; attempt < 2; ++attempt) {
         desk.click("ensemble/64");
         desk.frame();
         EXPECT_TRUE(desk.has("ensemble spread")) << "it was asked for, no answer yet";
-        // A run that stands sends the one view that tells why.
+        // A paused run sends only one view, with the reason.
         desk.view.error = "an ensemble of 64 runs is too large";
         desk.interface.record(desk.view);
         desk.frame();
         desk.frame();
-        EXPECT_FALSE(desk.has("ensemble spread")) << "the run goes on without";
+        EXPECT_FALSE(desk.has("ensemble spread")) << "the run continues without it";
     }
 }
 
-TEST_F(EnsemblePanel, tells_nothing_of_a_spread_that_it_could_not_be_asked_for) {
+TEST_F(EnsemblePanel, does_not_offer_to_change_a_perturbation_set_elsewhere) {
     show({.runs = 16, .otherwise = true});
     EXPECT_TRUE(desk.has("ensemble/off"));
     EXPECT_FALSE(desk.has("ensemble spread"));

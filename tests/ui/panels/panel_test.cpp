@@ -184,7 +184,7 @@ TEST(panel, what_the_run_refused_is_shown_and_taken_back) {
     EXPECT_EQ(desk.wanted().dt, 0.1);
 }
 
-TEST(panel, speed_has_a_slider_and_a_button_for_no_limit) {
+TEST(panel, speed_has_a_slider_and_a_button_for_unlimited) {
     Desk desk;
     desk.drag("speed", 0.5f, 0.9f);
     ASSERT_FALSE(desk.recorder.rates.empty());
@@ -223,12 +223,12 @@ TEST(panel, menu_copies_command_and_view) {
     EXPECT_EQ(requests[0].text.find("steplab"), std::string::npos);
 }
 
-TEST(panel, picture_button_asks_for_a_picture) {
+TEST(panel, snapshot_button_requests_a_snapshot) {
     Desk desk;
-    desk.click("picture");
+    desk.click("snapshot");
     const auto requests = desk.interface.take_requests();
     ASSERT_EQ(requests.size(), 1u);
-    EXPECT_EQ(requests[0].kind, Request::Kind::save_picture);
+    EXPECT_EQ(requests[0].kind, Request::Kind::save_snapshot);
 }
 
 }  // namespace

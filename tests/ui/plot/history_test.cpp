@@ -85,7 +85,7 @@ TEST(history, the_plotted_direction_is_the_one_that_moves_most) {
     history.record(moment(0, {0, 0.1, 0}));
     EXPECT_EQ(history.direction(), 1);
     history.record(moment(1, {0.11, 0.1, 0}));
-    EXPECT_EQ(history.direction(), 1) << "directions that are alike do not alternate";
+    EXPECT_EQ(history.direction(), 1) << "directions of similar size do not alternate";
     history.record(moment(2, {-3, 0.1, 0}));
     EXPECT_EQ(history.direction(), 0);
     history.record(moment(3, {0, 0, 9}));

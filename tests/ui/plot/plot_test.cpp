@@ -13,7 +13,7 @@
 namespace steplab::ui {
 namespace {
 
-/// A folder of its own to save into, left and removed at the end.
+/// An empty working directory, removed at the end.
 class OwnFolder {
 public:
     OwnFolder() : before_(std::filesystem::current_path()) {
@@ -47,9 +47,9 @@ Plot two_curves() {
     return plot;
 }
 
-/// A desk on which a run of some steps was seen.
-struct Lived {
-    explicit Lived(const std::string& model) : desk(describe(model)) {
+/// A desk with 50 recorded steps of a run.
+struct Recorded {
+    explicit Recorded(const std::string& model) : desk(describe(model)) {
         Simulation simulation(describe(model));
         for (int i = 0; i < 50; ++i) {
             desk.view = view_of(simulation, simulation.particles() - 1);
@@ -91,40 +91,40 @@ TEST(plot, names_that_are_taken_are_not_used_again) {
 
 TEST(plot, saves_its_numbers_from_button_and_right_click) {
     const OwnFolder folder;
-    Lived lived("oscillator");
-    lived.desk.click("displacement.save");
-    lived.desk.click("displacement.csv");
-    lived.desk.point_at("energy error");
-    lived.desk.press(1);
-    lived.desk.release(1);
-    lived.desk.frame();
-    lived.desk.click("energy error.csv");
+    Recorded recorded("oscillator");
+    recorded.desk.click("displacement.save");
+    recorded.desk.click("displacement.csv");
+    recorded.desk.point_at("energy error");
+    recorded.desk.press(1);
+    recorded.desk.release(1);
+    recorded.desk.frame();
+    recorded.desk.click("energy error.csv");
     std::stringstream text;
     text << std::ifstream("steplab-displacement-1.csv").rdbuf();
     EXPECT_EQ(text.str().substr(0, text.str().find('\n')), "time,run,exact");
     EXPECT_TRUE(std::filesystem::exists("steplab-energy-error-1.csv"));
 }
 
-TEST(plot, a_folder_that_cannot_be_written_is_told) {
+TEST(plot, a_folder_that_cannot_be_written_is_reported) {
     const OwnFolder folder;
-    Lived lived("oscillator");
+    Recorded recorded("oscillator");
     const auto gone = std::filesystem::current_path();
     std::filesystem::remove_all(gone);
-    lived.desk.click("displacement.save");
-    lived.desk.click("displacement.csv");
-    lived.desk.frame();
-    EXPECT_TRUE(lived.desk.has("refusal"));
+    recorded.desk.click("displacement.save");
+    recorded.desk.click("displacement.csv");
+    recorded.desk.frame();
+    EXPECT_TRUE(recorded.desk.has("refusal"));
     std::filesystem::create_directory(gone);
 }
 
-TEST(plot, picture_is_asked_for_with_the_plots_place) {
-    Lived lived("oscillator");
-    lived.desk.click("displacement.save");
-    lived.desk.click("displacement.png");
-    const auto requests = lived.desk.interface.take_requests();
+TEST(plot, a_snapshot_is_requested_of_the_place_of_the_plot) {
+    Recorded recorded("oscillator");
+    recorded.desk.click("displacement.save");
+    recorded.desk.click("displacement.png");
+    const auto requests = recorded.desk.interface.take_requests();
     ASSERT_EQ(requests.size(), 1u);
-    EXPECT_EQ(requests[0].kind, Request::Kind::save_picture);
-    const WidgetRect frame = lived.desk.widget("displacement");
+    EXPECT_EQ(requests[0].kind, Request::Kind::save_snapshot);
+    const WidgetRect frame = recorded.desk.widget("displacement");
     EXPECT_LE(static_cast<float>(requests[0].part.x), frame.left);
     EXPECT_GE(static_cast<float>(requests[0].part.x + requests[0].part.width), frame.right);
 }

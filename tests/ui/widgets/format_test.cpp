@@ -37,7 +37,7 @@ TEST(format, dragged_values_are_short_to_write) {
     EXPECT_EQ(rounded_for_slider(0, 0, 10, false), 0);
 }
 
-TEST(rate, keys_go_through_1_2_5) {
+TEST(rate, keys_step_through_nice_numbers) {
     Rate rate;
     std::vector<double> up;
     for (int i = 0; i < 4; ++i) {
@@ -49,7 +49,7 @@ TEST(rate, keys_go_through_1_2_5) {
     EXPECT_DOUBLE_EQ(rate.seconds_per_second, 0.5);
 }
 
-TEST(rate, beyond_the_fastest_comes_no_limit_and_back) {
+TEST(rate, above_the_fastest_is_unlimited_and_back) {
     Rate rate{false, fastest};
     rate = faster(rate);
     EXPECT_TRUE(rate.as_fast_as_possible);
@@ -61,7 +61,13 @@ TEST(rate, beyond_the_fastest_comes_no_limit_and_back) {
     EXPECT_EQ(rate.seconds_per_second, slowest);
 }
 
-TEST(rate, a_speed_between_goes_to_the_next) {
+TEST(rate, is_written_as_a_multiple_of_real_time) {
+    EXPECT_EQ(rate_text(1), "1.0x real time");
+    EXPECT_EQ(rate_text(0.02), "0.02x real time");
+    EXPECT_EQ(rate_text(fastest), "1000x real time");
+}
+
+TEST(rate, a_speed_in_between_moves_to_the_next) {
     EXPECT_EQ(faster({false, 3}).seconds_per_second, 5);
     EXPECT_EQ(slower({false, 3}).seconds_per_second, 2);
 }

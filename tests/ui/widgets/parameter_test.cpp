@@ -128,7 +128,7 @@ TEST(parameters, choices_and_switches_are_clicked) {
     }
 }
 
-TEST(parameters, help_tells_range_default_and_effect) {
+TEST(parameters, help_has_range_default_and_effect) {
     for (const Place& place : all_parameters()) {
         const std::string help = parameter_help(place.info);
         EXPECT_NE(help.find(place.info.what), std::string::npos) << help;
