@@ -28,19 +28,20 @@ nlohmann::ordered_json collisions_json(const CollisionRecord& collisions) {
 
 /// What may differ between runs of an ensemble, which have no wall time of their own.
 void add_course(nlohmann::ordered_json& json, const RunSummary& summary, bool timed) {
-    json["dt"] = shortest(summary.precision, summary.dt);
-    json["steps"] = summary.steps;
-    json["time"] = summary.time;
-    json["particles"] = summary.particles;
-    json["evaluations"] = summary.evaluations;
-    json["energy_start"] = summary.energy_start;
-    json["energy_end"] = summary.energy_end;
-    json["energy_error"] = summary.energy_error;
+    const RunResult& result = summary.result;
+    json["dt"] = shortest(summary.run.precision, result.dt);
+    json["steps"] = result.steps;
+    json["time"] = result.time;
+    json["particles"] = result.particles;
+    json["evaluations"] = result.evaluations;
+    json["energy_start"] = result.energy_start;
+    json["energy_end"] = result.energy_end;
+    json["energy_error"] = result.energy_error;
     if (timed) json["wall_seconds"] = summary.wall_seconds;
-    json["hash"] = summary.hash;
-    json["status"] = summary.diverged_step ? "diverged" : "ok";
-    if (summary.diverged_step) json["diverged_step"] = *summary.diverged_step;
-    if (summary.collisions.count() > 0) json["collisions"] = collisions_json(summary.collisions);
+    json["hash"] = result.hash;
+    json["status"] = result.divergence ? "diverged" : "ok";
+    if (result.divergence) json["diverged_step"] = *result.diverged_step();
+    if (result.collisions.count() > 0) json["collisions"] = collisions_json(result.collisions);
 }
 
 /// "6: particles 6 and 18 at t = 0.937855, 8 and 20 at 0.938226, ..."
@@ -59,39 +60,40 @@ std::string collisions_text(const CollisionRecord& collisions) {
 
 std::string summary_json(const RunSummary& summary) {
     nlohmann::ordered_json json{
-        {"model", summary.model}, {"method", summary.method}, {"precision", id(summary.precision)}};
+        {"model", summary.run.model}, {"method", summary.run.method}, {"precision", id(summary.run.precision)}};
     add_course(json, summary, true);
     return json.dump(2) + "\n";
 }
 
-std::string summary_text(const RunSummary& s) {
-    const std::string dt = number_text(shortest(s.precision, s.dt));
-    const std::string status = s.diverged_step ? fmt::format("diverged in step {}", *s.diverged_step) : "ok";
-    std::string text = fmt::format("{} with {}, {}, dt {}\n", s.model, s.method, id(s.precision), dt);
+std::string summary_text(const RunSummary& summary) {
+    const RunDescription& run = summary.run;
+    const RunResult& result = summary.result;
+    const std::string dt = number_text(shortest(run.precision, result.dt));
+    std::string text = fmt::format("{} with {}, {}, dt {}\n", run.model, run.method, id(run.precision), dt);
     const auto line = [&text](std::string_view what, const std::string& value) {
         text += fmt::format("  {:<14}{}\n", what, value);
     };
-    line("particles", fmt::format("{}", s.particles));
-    line("steps", fmt::format("{}", s.steps));
-    line("time", number_text(s.time));
-    line("evaluations", fmt::format("{}", s.evaluations));
-    line("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", s.energy_start, s.energy_end));
-    line(s.drag ? "energy change" : "energy error",
-         fmt::format("{:.3g} at most, over the steps looked at (--every)", s.energy_error));
-    if (s.collisions.count() > 0) line("collisions", collisions_text(s.collisions));
-    line("wall time", duration_text(s.wall_seconds));
-    line("hash", s.hash);
-    line("status", status);
+    line("particles", fmt::format("{}", result.particles));
+    line("steps", fmt::format("{}", result.steps));
+    line("time", number_text(result.time));
+    line("evaluations", fmt::format("{}", result.evaluations));
+    line("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", result.energy_start, result.energy_end));
+    line(has_drag(run) ? "energy change" : "energy error",
+         fmt::format("{:.3g} at most, over the steps looked at (--every)", result.energy_error));
+    if (result.collisions.count() > 0) line("collisions", collisions_text(result.collisions));
+    line("wall time", duration_text(summary.wall_seconds));
+    line("hash", result.hash);
+    line("status", result.divergence ? fmt::format("diverged in step {}", *result.diverged_step()) : "ok");
     return text;
 }
 
 std::size_t EnsembleSummary::diverged() const {
-    return static_cast<std::size_t>(
-        std::count_if(runs.begin(), runs.end(), [](const Run& run) { return run.summary.diverged_step.has_value(); }));
+    return static_cast<std::size_t>(std::count_if(
+        runs.begin(), runs.end(), [](const Run& run) { return run.summary.result.divergence.has_value(); }));
 }
 
 std::string summary_json(const EnsembleSummary& summary) {
-    const RunSummary& first = summary.runs.front().summary;
+    const RunDescription& first = summary.runs.front().summary.run;
     nlohmann::ordered_json spread = nlohmann::ordered_json::array(), runs = nlohmann::ordered_json::array();
     for (const auto& [name, from, to] : summary.ranges) spread.push_back({{"name", name}, {"from", from}, {"to", to}});
     for (std::size_t i = 0; i < summary.runs.size(); ++i) {
@@ -113,7 +115,7 @@ std::string summary_json(const EnsembleSummary& summary) {
 }
 
 std::string summary_text(const EnsembleSummary& s) {
-    const RunSummary& first = s.runs.front().summary;
+    const RunDescription& first = s.runs.front().summary.run;
     std::string text =
         fmt::format("{} runs of {} with {}, {}\n", s.runs.size(), first.model, first.method, id(first.precision));
     const auto line = [&text](std::string_view what, const std::string& value) {
@@ -123,9 +125,12 @@ std::string summary_text(const EnsembleSummary& s) {
         line(name, fmt::format("{} to {}", number_text(from), number_text(to)));
     std::uint64_t steps = 0;
     double error = 0;
-    for (const auto& run : s.runs) steps += run.summary.steps, error = std::max(error, run.summary.energy_error);
+    for (const auto& run : s.runs) {
+        steps += run.summary.result.steps;
+        error = std::max(error, run.summary.result.energy_error);
+    }
     line("steps", fmt::format("{} in all", steps));
-    line(first.drag ? "energy change" : "energy error",
+    line(has_drag(first) ? "energy change" : "energy error",
          fmt::format("{:.3g} at most, over all runs and the steps looked at (--every)", error));
     line("wall time", duration_text(s.wall_seconds));
     line("status",

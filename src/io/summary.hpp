@@ -1,34 +1,19 @@
 #pragma once
 
-#include "core/collision.hpp"
-#include "core/precision.hpp"
+#include "sim/run/run_description.hpp"
+#include "sim/run/run_result.hpp"
 
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace steplab {
 
-/// What came of a run.
+/// A run and its result.
 struct RunSummary {
-    std::string model;
-    std::string method;
-    Precision precision = Precision::double_;
-    double dt = 0;            ///< as the precision holds it
-    std::uint64_t steps = 0;  ///< taken; up to the last good one
-    double time = 0;          ///< reached
-    std::size_t particles = 0;
-    std::uint64_t evaluations = 0;
-    double energy_start = 0;
-    double energy_end = 0;
-    double energy_error = 0;  ///< largest |E - E0| over the written steps
-    bool drag = false;        ///< takes energy: it then changes without any error
+    RunDescription run;
+    RunResult result;  ///< energy_error over the written steps
     double wall_seconds = 0;
-    std::string hash;
-    std::optional<std::uint64_t> diverged_step;
-    CollisionRecord collisions;  ///< that an adaptive method found and restarted from
 };
 
 /// One JSON object with exactly these fields; numbers that are not finite are null. Collisions stand in it if there

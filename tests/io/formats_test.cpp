@@ -111,9 +111,10 @@ TEST(Series, line_has_a_field_for_each_name) {
 
 TEST(Summary, numbers_that_are_not_finite_are_null) {
     RunSummary summary;
-    summary.energy_start = std::numeric_limits<double>::infinity();
-    summary.energy_end = std::numeric_limits<double>::quiet_NaN();
-    summary.diverged_step = 5;
+    summary.result.energy_start = std::numeric_limits<double>::infinity();
+    summary.result.energy_end = std::numeric_limits<double>::quiet_NaN();
+    summary.result.steps = 4;
+    summary.result.divergence.emplace();
     const auto json = nlohmann::json::parse(summary_json(summary));
     EXPECT_TRUE(json.at("energy_start").is_null());
     EXPECT_TRUE(json.at("energy_end").is_null());
@@ -132,8 +133,8 @@ struct CommaNumbers : std::numpunct<char> {
 
 TEST(Formats, do_not_depend_on_the_locale) {
     RunSummary summary;
-    summary.dt = 0.1;
-    summary.steps = 1234567;
+    summary.result.dt = 0.1;
+    summary.result.steps = 1234567;
     const Frame frame = sample_frame(Precision::double_);
     const auto texts = [&] {
         return written(frame, TrajectoryFormat::csv) + written(frame, TrajectoryFormat::xyz) + summary_json(summary) +
@@ -151,7 +152,7 @@ TEST(Summary, names_collisions_where_there_were_any) {
     RunSummary summary;
     EXPECT_EQ(summary_json(summary).find("collisions"), std::string::npos);
     EXPECT_EQ(summary_text(summary).find("collisions"), std::string::npos);
-    for (std::uint32_t i = 0; i < 150; ++i) summary.collisions.add({0.5 * i, i, i + 1});
+    for (std::uint32_t i = 0; i < 150; ++i) summary.result.collisions.add({0.5 * i, i, i + 1});
     const nlohmann::json json = nlohmann::json::parse(summary_json(summary)).at("collisions");
     EXPECT_EQ(json.at("count"), 150);
     ASSERT_EQ(json.at("first").size(), 100u);

@@ -61,7 +61,8 @@ std::string advice_text(const StudyPlan& plan, double error, const Reference& re
         fmt::format("{} to t = {} with an error of at most {}: {}, {}, {}\n\n", plan.scene.model,
                     number_text(plan.time), typed(error), best.run.method, step_text(best.run), id(best.run.precision));
     text += fmt::format("  steplab run {} --steps {}\n\n", command_line(best.run), best.steps);
-    text += fmt::format("  takes about {} ({} evaluations)\n", duration_text(*best.wall_seconds), best.evaluations);
+    text +=
+        fmt::format("  takes about {} ({} evaluations)\n", duration_text(*best.wall_seconds), best.result.evaluations);
     text += fmt::format("  verified: run once more, its error is {} (judged by: {}, known to {})\n", typed(best.error),
                         reference.how, typed(reference.moments.back().error));
     return text + against_rk4(advice) + others_table(advice);

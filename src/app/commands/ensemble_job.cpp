@@ -23,26 +23,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-RunSummary summary_of(const RunDescription& description, const EnsembleResult& result) {
-    RunSummary summary;
-    summary.model = description.model;
-    summary.method = description.method;
-    summary.precision = description.precision;
-    summary.dt = result.dt;
-    summary.steps = result.steps;
-    summary.time = result.time;
-    summary.particles = result.particles;
-    summary.evaluations = result.evaluations;
-    summary.energy_start = result.energy_start;
-    summary.energy_end = result.energy_end;
-    summary.energy_error = result.energy_error;
-    summary.drag = has_drag(description);
-    summary.hash = result.hash;
-    if (result.divergence) summary.diverged_step = result.steps + 1;
-    summary.collisions = result.collisions;
-    return summary;
-}
-
 /// The runs without rows: side by side.
 std::vector<RunSummary> computed(const EnsembleJob& job) {
     const std::uint64_t steps =
@@ -55,7 +35,7 @@ std::vector<RunSummary> computed(const EnsembleJob& job) {
     });
     std::vector<RunSummary> summaries;
     for (std::size_t i = 0; i < results.size(); ++i)
-        summaries.push_back(summary_of(job.runs[i].description, results[i]));
+        summaries.push_back({.run = job.runs[i].description, .result = results[i].result});
     return summaries;
 }
 
@@ -99,9 +79,9 @@ void show(const EnsembleJob& job, const EnsembleSummary& summary) {
 
 std::string divergence_message(const EnsembleSummary& summary) {
     std::size_t first = 0;
-    while (!summary.runs[first].summary.diverged_step) ++first;
+    while (!summary.runs[first].summary.result.divergence) ++first;
     return fmt::format("{} of {} runs diverged, the first of them run {} in step {}", summary.diverged(),
-                       summary.runs.size(), first, *summary.runs[first].summary.diverged_step);
+                       summary.runs.size(), first, *summary.runs[first].summary.result.diverged_step());
 }
 
 }  // namespace
