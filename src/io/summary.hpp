@@ -16,32 +16,34 @@ struct RunSummary {
     double wall_seconds = 0;
 };
 
-/// One JSON object with exactly these fields; numbers that are not finite are null. Collisions stand in it if there
-/// were any: their number, and time and particles of the first hundred.
+/// One JSON object; numbers that are not finite are null. Collisions are in it if there were any: their number, and the
+/// times and particles of the first hundred.
 std::string summary_json(const RunSummary& summary);
-/// A few aligned lines for a person.
+/// A few aligned lines for people: at most 4 significant digits, with units.
 std::string summary_text(const RunSummary& summary);
 
-/// What came of several runs of a scene that differ in some numbers.
+/// The runs of an ensemble and their results.
 struct EnsembleSummary {
     struct ParameterRange {
         std::string name;
         double from = 0, to = 0;
     };
     struct Run {
-        std::vector<double> values;  ///< of the spread numbers, in their order
+        std::vector<double> values;  ///< of the numbers that are varied, in the order of `ranges`
         RunSummary summary;
     };
     std::vector<ParameterRange> ranges;
     std::vector<Run> runs;  ///< one at least
     double wall_seconds = 0;
 
+    /// The number of runs that diverged.
     std::size_t diverged() const;
 };
 
-/// One JSON object: what the runs have in common, and `runs`, a list with an object for each in their order: its number
-/// `run`, what is `set` for it, and the fields that summary_json() has for a run, but for those in common.
+/// One JSON object: what the runs have in common, and `runs`, a list of objects in the order of the runs: the number
+/// `run`, the values `set` for it, and the fields of a single run's summary_json() that are not common to all.
 std::string summary_json(const EnsembleSummary& summary);
+/// A few aligned lines for people.
 std::string summary_text(const EnsembleSummary& summary);
 
 }  // namespace steplab

@@ -53,14 +53,14 @@ TEST(Trajectory, csv_holds_the_shortest_text_of_each_number) {
               "3,0.30000000000000004,0,0.1,-0,0,1e-07,0,12345679\n");
 }
 
-TEST(Trajectory, xyz_is_what_ovito_reads) {
+TEST(Trajectory, xyz_has_the_form_that_ovito_reads) {
     EXPECT_EQ(written(sample_frame(Precision::double_), TrajectoryFormat::xyz, {1}),
               "1\n"
               "Properties=type:S:1:pos:R:3:velo:R:3 Time=0.30000000000000004 Step=3 pbc=\"F F F\"\n"
               "kicked 1 2 3 0 0 0\n");
 }
 
-TEST(Trajectory, xyz_tells_how_space_repeats_itself) {
+TEST(Trajectory, xyz_has_the_periodic_box) {
     Frame frame = sample_frame(Precision::double_);
     Shape shape = *frame.shape;
     shape.period = 6.5;
@@ -73,7 +73,7 @@ TEST(Trajectory, xyz_tells_how_space_repeats_itself) {
               "kicked 1 2 3 0 0 0\n");
 }
 
-TEST(Trajectory, format_follows_the_ending) {
+TEST(Trajectory, format_follows_the_extension) {
     EXPECT_EQ(trajectory_format_of("a.csv"), TrajectoryFormat::csv);
     EXPECT_EQ(trajectory_format_of("b/a.XYZ"), TrajectoryFormat::xyz);
     EXPECT_EQ(trajectory_format_of("a.trajectory"), TrajectoryFormat::trajectory);
@@ -158,7 +158,7 @@ TEST(Summary, names_collisions_where_there_were_any) {
     ASSERT_EQ(json.at("first").size(), 100u);
     EXPECT_EQ(json["first"][3]["time"], 1.5);
     EXPECT_EQ(json["first"][3]["particles"], nlohmann::json({3, 4}));
-    EXPECT_NE(summary_text(summary).find("150: particles 0 and 1 at t = 0, 1 and 2 at 0.5"), std::string::npos);
+    EXPECT_NE(summary_text(summary).find("150: particles 0 and 1 at t = 0 s, 1 and 2 at 0.5 s"), std::string::npos);
 }
 
 }  // namespace
