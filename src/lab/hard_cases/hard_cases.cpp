@@ -1,10 +1,9 @@
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "lab/hard_cases/digits.hpp"
 #include "lab/hard_cases/hits.hpp"
 #include "lab/hard_cases/ropes.hpp"
 #include "lab/hard_cases/steps.hpp"
-
-#include <fmt/format.h>
 
 namespace steplab {
 
@@ -28,10 +27,12 @@ std::vector<HardCase> hard_cases() {
 }
 
 HardCase hard_case(std::string_view id) {
+    std::vector<std::string_view> known;
     for (const HardCase& each : hard_cases()) {
         if (each.id == id) return each;
+        known.push_back(each.id);
     }
-    throw UsageError(fmt::format("there is no hard case '{}'", id));
+    throw UsageError(unknown_word("hard case", id, known));
 }
 
 }  // namespace steplab

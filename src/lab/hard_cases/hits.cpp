@@ -234,37 +234,79 @@ Table coincident_table() {
 }  // namespace
 
 HardCase passing_neighbours() {
-    return {"passing", "A chain of three, kicked hard: energy error; the neighbours pass each other at t = 4.9 and 6.0",
-            passing_table, [] { return energy_figure(passing(0.01)); }};
+    return {"passing",
+            "Neighbours that pass through each other",
+            "A chain of three particles, kicked with v0 = 5 m/s: where neighbours meet at distance 0, the direction of "
+            "their force jumps. Adaptive methods find these collisions and restart behind them, fixed steps do not. "
+            "Largest energy error [J], and the collisions found with their first time [s].",
+            "A chain of three, kicked hard: energy error; the neighbours pass each other at t = 4.9 and 6.0",
+            passing_table,
+            [] { return energy_figure(passing(0.01)); }};
 }
 
 HardCase folding_mesh() {
-    return {"folding", "A mesh that folds: energy error", folding_table, [] { return energy_figure(folding()); }};
+    return {"folding",
+            "A mesh that folds",
+            "A mesh whose centre is kicked across it with v0 = 40 m/s: springs turn over, some through distance 0. The "
+            "largest number of springs turned over, and the largest energy error [J] (energy: 800 J).",
+            "A mesh that folds: energy error",
+            folding_table,
+            [] { return energy_figure(folding()); }};
 }
 
 HardCase grazing_hits() {
-    return {"grazing", "Two particles that pass each other at t = 9: energy error against how closely", grazing_table,
-            grazing_figure};
+    return {
+        "grazing",
+        "Grazing and head-on collisions",
+        "A bullet passes a Morse particle at some distance aside [m], dt 0.01 s: the closer, the shorter the time in "
+        "which the force turns. Largest energy error [J].",
+        "Two particles that pass each other at t = 9: energy error against how closely",
+        grazing_table,
+        grazing_figure};
 }
 
 HardCase escape_threshold() {
-    return {"escape", "Distance of two particles with exactly the energy of escape (dashed: float)", escape_table,
-            escape_figure};
+    return {
+        "escape",
+        "The escape threshold",
+        "Two Morse particles with exactly the energy of escape separate ever more slowly, dt 0.1 s. An energy error "
+        "of 1e-5 D is enough to turn them back. Distances and errors in m.",
+        "Distance of two particles with exactly the energy of escape (dashed: float)",
+        escape_table,
+        escape_figure};
 }
 
 HardCase deep_repulsion() {
-    return {"deep", "Error of a collision with a thousand times the well's depth, dt 0.0005", deep_table,
-            [] { return error_figure(deep_hit(5e-4)); }};
+    return {
+        "deep",
+        "A collision at 1000 times the well depth",
+        "Two particles with hard cores (b = 5 1/m) collide with 1000 D; the force turns them within 0.003 s. Energy "
+        "error relative to 1000 D, and error of the position [m] against the exact solution.",
+        "Error of a collision with a thousand times the well's depth, dt 0.0005",
+        deep_table,
+        [] { return error_figure(deep_hit(5e-4)); }};
 }
 
 HardCase colliding_cube() {
-    return {"cube", "The Morse cube of spacing 0.5, whose particles collide from t = 0.94 on: energy error", cube_table,
-            [] { return energy_figure(cube()); }};
+    return {
+        "cube",
+        "A cube whose particles collide",
+        "27 Morse particles in a cube of spacing 0.5 m: mirror pairs meet head-on, first at t = 0.938 s. To t = 2.5 "
+        "s, dt 0.01 s or tolerance 1e-10: largest energy error [J], evaluations, and the collisions found.",
+        "The Morse cube of spacing 0.5, whose particles collide from t = 0.94 on: energy error",
+        cube_table,
+        [] { return energy_figure(cube()); }};
 }
 
 HardCase coincident_particles() {
-    return {"coincident", "Eight Morse particles that start 1e-9 apart: energy error", coincident_table,
-            [] { return energy_figure(nearly_coincident(1e-9)); }};
+    return {
+        "coincident",
+        "Coincident particles",
+        "Particles at one place exert no force on each other. Two Morse particles that start at one place, and eight "
+        "so close together that only the last digits tell them apart: largest energy error [J].",
+        "Eight Morse particles that start 1e-9 apart: energy error",
+        coincident_table,
+        [] { return energy_figure(nearly_coincident(1e-9)); }};
 }
 
 }  // namespace steplab

@@ -37,7 +37,7 @@ Trial marginal(const Method& method, double factor) {
 /// Looks at steps that are evenly spaced on a logarithmic axis. False if the run diverged.
 bool swing_for_long(Simulation& simulation, std::uint64_t most, const Observer& observe) {
     for (double steps = 1; steps <= static_cast<double>(most); steps = std::ceil(steps * 1.05)) {
-        simulation.advance(static_cast<std::uint64_t>(steps) - simulation.step());
+        advance_to(simulation, static_cast<std::uint64_t>(steps));
         if (simulation.divergence()) return false;
         observe(simulation);
     }
@@ -255,22 +255,47 @@ Figure drag_figure() {
 }  // namespace
 
 HardCase marginal_steps() {
-    return {"marginal-dt", "Swing of an oscillator at 0.999 (full) and 1.001 (dashed) of the stability limit",
-            marginal_table, marginal_figure};
+    return {
+        "marginal-dt",
+        "At the edge of stability",
+        "An oscillator over 10⁶ steps just below and just above each method's stability limit: below it the motion "
+        "stays bounded, above it it grows without bound, however slowly. Largest displacement [m]; the exact motion "
+        "has 1 m.",
+        "Swing of an oscillator at 0.999 (full) and 1.001 (dashed) of the stability limit",
+        marginal_table,
+        marginal_figure};
 }
 
 HardCase changed_steps() {
-    return {"changed-dt", "Energy error of an oscillator with dt kept (dashed) and changed at every quarter period",
-            change_table, change_figure};
+    return {"changed-dt",
+            "dt changed during the run",
+            "An oscillator over 100 periods. A symplectic method conserves a modified energy that depends on dt: one "
+            "change of dt does no harm, changes in phase with the motion add up. Largest energy error, relative to the "
+            "energy.",
+            "Energy error of an oscillator with dt kept (dashed) and changed at every quarter period",
+            change_table,
+            change_figure};
 }
 
 HardCase step_resonances() {
-    return {"step-resonance", "What an oscillator grows by in a step, beyond the stability limits", resonance_table,
-            resonance_figure};
+    return {
+        "step-resonance",
+        "Step resonances",
+        "Bands of ω dt in which the motion of an oscillator grows, from the eigenvalues of the matrix of one step: a "
+        "method can be unstable in a narrow band below the dt at which it finally fails.",
+        "What an oscillator grows by in a step, beyond the stability limits",
+        resonance_table,
+        resonance_figure};
 }
 
 HardCase backward_steps_with_drag() {
-    return {"drag", "Stability limit of ω dt against damping", drag_table, drag_figure};
+    return {"drag",
+            "Backward substeps with drag",
+            "Splitting methods of order above 2 have substeps backward in time, in which drag makes the motion grow. "
+            "Stability limit of ω dt of a damped oscillator for damping γ/ω.",
+            "Stability limit of ω dt against damping",
+            drag_table,
+            drag_figure};
 }
 
 }  // namespace steplab
