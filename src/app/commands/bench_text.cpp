@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "12.3 ns", "4.56 ms": three digits.
+/// "12.3 ns", "4.56 ms": three significant digits.
 std::string time_text(double seconds) {
     std::string_view unit = "s";
     double value = seconds;
@@ -27,14 +27,15 @@ std::string time_text(double seconds) {
     return fmt::format("{:.3g} {}", value, unit);
 }
 
-std::string rate_text(double a_second) {
-    if (a_second >= 1e6) return fmt::format("{:.3g} million", a_second / 1e6);
-    if (a_second >= 1000) return fmt::format("{:.3g} thousand", a_second / 1e3);
-    return fmt::format("{:.3g}", a_second);
+std::string rate_text(double per_second) {
+    if (per_second >= 1e6) return fmt::format("{:.3g} million", per_second / 1e6);
+    if (per_second >= 1000) return fmt::format("{:.3g} thousand", per_second / 1e3);
+    return fmt::format("{:.3g}", per_second);
 }
 
 std::string scenes_text(const std::vector<Speed>& scenes) {
-    std::vector<Row> rows{{"SCENE", "PARTICLES", "PRECISION", "A STEP", "A PARTICLE", "STEPS A SECOND", "BOUND BY"}};
+    std::vector<Row> rows{
+        {"SCENE", "PARTICLES", "PRECISION", "TIME PER STEP", "PER PARTICLE", "STEPS PER SECOND", "BOUND BY"}};
     for (const Speed& speed : scenes) {
         rows.push_back({speed.run.model, grouped(speed.particles), std::string(id(speed.run.precision)),
                         time_text(speed.seconds), time_text(speed.seconds / static_cast<double>(speed.particles)),
@@ -44,7 +45,7 @@ std::string scenes_text(const std::vector<Speed>& scenes) {
 }
 
 std::string comparison_text(std::string_view by, const Comparison& comparison) {
-    std::vector<Row> rows{{std::string(by), "A STEP", "TIMES AS FAST"}};
+    std::vector<Row> rows{{std::string(by), "TIME PER STEP", "SPEEDUP"}};
     for (const auto& [way, seconds] : comparison.seconds)
         rows.push_back({way, time_text(seconds), fmt::format("{:.2f}", comparison.seconds.front().second / seconds)});
     return fmt::format("{} of {} particles:\n{}", comparison.run.model, grouped(comparison.particles),
@@ -61,10 +62,9 @@ Json json_of(const Comparison& comparison) {
 
 std::string bench_text(const MachineSpeed& speed) {
     return fmt::format(
-        "{} by one thread:\n\n{}\n"
-        "latency: few particles, each step waits for the one before; arithmetic: square roots, divisions, "
-        "exponentials;\n"
-        "memory: positions and velocities that no cache holds.\n\n{}\n{}",
+        "{} on one thread:\n\n{}\n"
+        "latency: few particles, each step waits for the previous one; arithmetic: square roots, divisions,\n"
+        "exponentials; memory: positions and velocities do not fit into the caches.\n\n{}\n{}",
         speed.scenes.front().run.method, scenes_text(speed.scenes),
         comparison_text("INSTRUCTION SET", speed.instructions), comparison_text("THREADS", speed.threads));
 }

@@ -29,7 +29,7 @@ RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t
     record(simulation);
     for (std::uint64_t recorded = 0; recorded < steps && !simulation.divergence();) {
         stepping.advance(simulation, std::min(steps, recorded + every));
-        if (simulation.step() == recorded) break;  // no step more was good
+        if (simulation.step() == recorded) break;  // no further step was valid
         recorded = simulation.step();
         energy_error = std::max(energy_error, std::abs(simulation.energy_error()));
         record(simulation);
