@@ -76,6 +76,7 @@ TEST(Program, help_shows_every_command_and_each_has_its_own) {
         const Outcome own = run_program({std::string(command->name()), "--help"});
         EXPECT_EQ(own.code, 0);
         EXPECT_THAT(own.out, HasSubstr("Usage: steplab " + std::string(command->name())));
+        EXPECT_THAT(own.out, testing::Not(testing::EndsWith("\n\n")));
         EXPECT_EQ(run_program({"help", std::string(command->name())}).out, own.out);
     }
 }

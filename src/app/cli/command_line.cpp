@@ -64,8 +64,10 @@ void refuse_empty_values(const CLI::App& app) {
     }
 }
 
-std::string without_double_gaps(std::string text) {
+/// Without the parser's double empty lines, and those at the end.
+std::string tidy(std::string text) {
     for (auto gap = text.find("\n\n\n"); gap != std::string::npos; gap = text.find("\n\n\n")) text.erase(gap, 1);
+    while (text.ends_with("\n\n")) text.pop_back();
     return text;
 }
 
@@ -126,7 +128,7 @@ std::optional<std::string> parse(CLI::App& app, std::vector<std::string> argumen
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
-        return without_double_gaps(app.help());
+        return tidy(app.help());
     } catch (const CLI::CallForVersion& version) {
         return std::string(version.what()) + "\n";
     } catch (const CLI::ArgumentMismatch& error) {
