@@ -1,5 +1,5 @@
 # What `cmake --install` puts where, and the target `programs`: everything a user runs, without the tests.
-# Programs and run-time modules are those that the folders under src/ declare; nobody lists them a second time.
+# Programs and run-time modules are those that the folders under src/ declare; they are not listed a second time.
 
 # steplab_targets_below(directory result): all targets declared in a source folder and the folders it adds.
 function(steplab_targets_below directory result)
@@ -31,4 +31,8 @@ if(STEPLAB_GRAPHICS)
   install(FILES assets/steplab.desktop DESTINATION share/applications)
   install(FILES assets/steplab.svg DESTINATION share/icons/hicolor/scalable/apps)
 endif()
+# README.md links to the pages and pictures: they are installed beside it, in the same folders.
+file(GLOB pages CONFIGURE_DEPENDS docs/*.md)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/steplab)
+install(FILES ${pages} DESTINATION share/doc/steplab/docs)
+install(DIRECTORY docs/images DESTINATION share/doc/steplab/docs)

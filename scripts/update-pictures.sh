@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Draws the pictures of README.md and docs/ anew, into docs/images/.
+# Draws the pictures of README.md and docs/ into docs/images/.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
 
-readonly diverged=4 # the exit code of a run that blew up; its last good moment is drawn
+readonly diverged=4 # the exit code of a run that blew up; its last valid step is drawn
 images=$root/docs/images
 
 # picture NAME [arguments of steplab snapshot]
@@ -29,7 +29,7 @@ picture mesh --model mesh --set dim=30 --set v0=8 --steps 130 --colour displacem
 picture rope --model rope --steps 9 --colour strain --size 800x500
 picture morse --model morse --set edge=4 --set v0=2 --dt 0.01 --steps 480 --colour speed --size 800x500 \
     --view 30,20,8,0.7,0.9,0.7
-picture cloud --model morse --method velocity-verlet --dt 0.01 --until 30 --ensemble 256 --spread v0=0.999999:1.000001 \
+picture ensemble --model morse --method velocity-verlet --dt 0.01 --until 30 --ensemble 256 --spread v0=0.999999:1.000001 \
     --size 800x500 --view 30,20,5,1.9,0.5,0.5
 picture crystal --model crystal --steps 300 --colour speed --size 800x500
 picture diverged --model mesh --set dim=13 --method verlet --dt 0.74 --steps 1000 --ui on --size 1280x800

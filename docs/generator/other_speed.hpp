@@ -6,10 +6,11 @@
 
 namespace steplab::docs {
 
-/// The time of a whole run to an error, beside the best of the libraries, with the goal; empty if none was measured.
+/// The wall time of whole runs to a given error, of steplab and of the fastest library, with the goal; empty if none
+/// was measured.
 std::string error_section(const Results& results);
 
-/// Pictures, watching, files and processes, with the goals; empty if none were measured.
+/// Rendering, the cost of a window's views, file output and processes, with the goals; empty if none was measured.
 std::string others_section(const Results& results);
 
 }  // namespace steplab::docs

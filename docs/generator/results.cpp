@@ -34,7 +34,8 @@ Results read(const std::filesystem::path& path) {
             results.about += fmt::format("- {}\n", line.substr(2));
         } else if (!line.starts_with("row,")) {
             const auto cells = cells_of(line);
-            if (cells.size() < 7) throw std::runtime_error(path.string() + " has a line that is no result: " + line);
+            if (cells.size() < 7)
+                throw std::runtime_error(path.string() + " has a line with fewer than 7 cells: " + line);
             add(results, cells);
         }
     }
@@ -63,12 +64,21 @@ std::string ratio_text(const Time* ours, const Time* theirs) {
     return ours && theirs ? fmt::format("{:.2f}", theirs->step / ours->step) : "-";
 }
 
+std::string goal_text(std::string_view goal, bool reached) {
+    return fmt::format("{}{}", goal, reached ? "" : " (missed)");
+}
+
+std::string goal_text(double goal, const Time* ours, const Time* theirs) {
+    if (goal <= 0) return "";
+    return goal_text(fmt::format("{:.1f}", goal), theirs->step >= goal * ours->step);
+}
+
 const Time* own(const Row& row, const std::string& precision) {
     return fastest(row, precision, [](const Time& time) { return time.who == "steplab"; });
 }
 
 const Time* own_with(const Row& row, const std::string& precision) {
-    const Time* last = nullptr;  // threads come in the order of their threads
+    const Time* last = nullptr;  // rows are sorted by the number of threads
     if (!row.times.contains(precision)) return nullptr;
     for (const Time& time : row.times.at(precision)) {
         if (time.who.starts_with("steplab ")) last = &time;
@@ -78,13 +88,13 @@ const Time* own_with(const Row& row, const std::string& precision) {
 
 double machine_time(const Row& row, const std::string& precision) {
     const Time* time = fastest(row, precision, [](const Time&) { return true; });
-    if (!time) throw std::runtime_error("no " + precision + " in the results' row " + row.id);
+    if (!time) throw std::runtime_error("the results' row " + row.id + " has no time in " + precision);
     return time->particle;
 }
 
 std::vector<Bandwidth> bandwidths(const Results& results) {
     std::vector<Bandwidth> all;
-    for (const Row* row : rows_of(results, "machine-memory"))  // y += c x: two numbers are read, one is written
+    for (const Row* row : rows_of(results, "machine-memory"))  // y += c x: two reads, one write
         all.push_back({2 * sizeof(double) * row->particles, 3 * sizeof(double) / machine_time(*row, "double") * 1e9});
     return all;
 }

@@ -8,10 +8,10 @@
 
 namespace steplab::docs {
 
-/// Who took how long for a step.
+/// The time of a step of one program, or of another quantity that a row measures.
 struct Time {
-    std::string who;
-    double step = 0, particle = 0;  ///< ns a step; ns a step and particle
+    std::string who;                ///< the program: "steplab", "odeint gather"
+    double step = 0, particle = 0;  ///< ns per step; ns per step and particle
 };
 
 struct Row {
@@ -20,17 +20,17 @@ struct Row {
     std::map<std::string, std::vector<Time>> times;  ///< by precision
 };
 
-/// A file that scripts/benchmark.sh wrote.
+/// The contents of a file that scripts/benchmark.sh wrote.
 struct Results {
-    std::string name;   ///< of the processor
-    std::string about;  ///< lines "- key: value"
+    std::string name;   ///< of the processor: the file's name without its ending
+    std::string about;  ///< processor, compiler, commit: lines "- key: value"
     std::vector<Row> rows;
 };
 
-/// All in the folder, by name. Throws std::runtime_error if a file is none.
+/// All results in the folder, sorted by name. Throws std::runtime_error if a line of a file has too few cells.
 std::vector<Results> read_results(const std::filesystem::path& folder);
 
-/// The fastest of those that are wanted; null if there is none.
+/// The fastest of the times for which `wanted` is true; null if there is none.
 template <class Wanted>
 const Time* fastest(const Row& row, const std::string& precision, Wanted wanted) {
     const Time* best = nullptr;
@@ -41,28 +41,36 @@ const Time* fastest(const Row& row, const std::string& precision, Wanted wanted)
     return best;
 }
 
-/// Whether it is somebody else's: neither steplab, nor a limit of the machine, nor a picture of bare points.
+/// Whether the time is that of a peer: not of steplab, of a limit of the machine, of a bare draw of points or of an
+/// empty process.
 bool is_peer(const Time& time);
 
-/// "2.50": how many times as fast as them we are; "-" if either is null.
+/// "2.50": the speed-up of `ours` over `theirs`; "-" if either is null.
 std::string ratio_text(const Time* ours, const Time* theirs);
 
-/// steplab itself, by one thread.
+/// "2.0", or "2.0 (missed)": a goal and whether it is reached.
+std::string goal_text(std::string_view goal, bool reached);
+/// The same for a goal for the speed-up of `ours` over `theirs`; empty if the goal is 0 (none was set). Neither may be
+/// null where there is a goal.
+std::string goal_text(double goal, const Time* ours, const Time* theirs);
+
+/// steplab on one thread.
 const Time* own(const Row& row, const std::string& precision);
-/// steplab in another way, whose name goes on: by the most threads that were tried, in an ensemble, by a method; null
-/// if there is none.
+/// steplab in a variant, "steplab 2 threads": on the largest number of threads measured, in an ensemble, by a named
+/// method; null if there is none.
 const Time* own_with(const Row& row, const std::string& precision);
 
-/// ns that the machine takes at most for a number, in a row of its limits.
+/// ns per number in a row that measures a limit of the machine.
 double machine_time(const Row& row, const std::string& precision);
 
-/// What a core reads and writes, of so many bytes that it goes over again and again.
+/// The memory bandwidth of one core in repeated passes over a working set.
 struct Bandwidth {
-    double size = 0, bytes_a_second = 0;
+    double size = 0;              ///< of the working set, bytes
+    double bytes_per_second = 0;  ///< read and written
 };
 std::vector<Bandwidth> bandwidths(const Results& results);
 
-/// The rows whose id begins so, as the scene grows.
+/// The rows whose id begins with `id`, in the order of the file.
 std::vector<const Row*> rows_of(const Results& results, std::string_view id);
 
 }  // namespace steplab::docs

@@ -8,10 +8,10 @@
 namespace steplab::docs {
 namespace {
 
-/// A scene that grows, in one precision.
+/// A scene of increasing size, in one precision.
 struct Series {
     std::string_view row, name, precision;
-    double springs;  ///< of a particle
+    double springs;  ///< per particle
     double axes;     ///< along which it moves
     int colour;
 };
@@ -24,7 +24,7 @@ Curve curve_of(const Series& series, std::string name) {
     return {.name = std::move(name), .points = {}, .colour = series.colour};
 }
 
-/// ns a step and particle; dashed with threads.
+/// Time per particle and step: one thread, and dashed the largest number of threads.
 void add_growing(const Results& results, const Series& series, std::vector<Curve>& curves) {
     const std::string precision(series.precision);
     Curve one = curve_of(series, fmt::format("{}, {}", series.name, precision));
@@ -43,31 +43,31 @@ void add_growing(const Results& results, const Series& series, std::vector<Curve
 
 Figure growing(const Results& results) {
     Figure figure{.x = {.label = "particles", .quantity = Quantity::count},
-                  .y = {.label = "time [ns a step and particle]"},
+                  .y = {.label = "time per particle and step [ns]"},
                   .curves = {}};
     for (const Series& series : all_series) add_growing(results, series, figure.curves);
     return figure;
 }
 
 /// Of velocity-verlet: a sweep reads and writes positions and velocities.
-double springs_a_byte(const Series& series) {
+double springs_per_byte(const Series& series) {
     const double number = series.precision == "double" ? sizeof(double) : sizeof(float);
     return series.springs / (4 * series.axes * number);
 }
 
-/// Springs a second of scenes too large to be bound by latency, one mark each.
+/// Springs per second of scenes too large to be bound by latency, one mark each.
 void add_reached(const Results& results, const Series& series, std::vector<Curve>& curves) {
     constexpr double many = 1e4;
     Curve curve = curve_of(series, fmt::format("{}, {}", series.name, series.precision));
     for (const Row* row : rows_of(results, series.row)) {
         const Time* time = own(*row, std::string(series.precision));
         if (time && row->particles > 0.9 * many)
-            curve.points.emplace_back(springs_a_byte(series), series.springs / time->particle * 1e9);
+            curve.points.emplace_back(springs_per_byte(series), series.springs / time->particle * 1e9);
     }
     curves.push_back(curve);
 }
 
-/// A roof: springs a second at both ends of the diagram.
+/// A roof: springs per second at both ends of the diagram.
 template <class Height>
 void add_roof(std::string name, int colour, bool dashed, Height height, std::vector<Curve>& curves) {
     constexpr double from = 0.005, to = 0.2;
@@ -77,13 +77,14 @@ void add_roof(std::string name, int colour, bool dashed, Height height, std::vec
 }
 
 Figure roofline(const Results& results) {
-    Figure figure{.x = {.label = "springs a byte read or written"}, .y = {.label = "springs a second"}, .curves = {}};
+    Figure figure{
+        .x = {.label = "springs per byte read or written"}, .y = {.label = "springs per second"}, .curves = {}};
     for (const Series& series : all_series) add_reached(results, series, figure.curves);
     int colour = 4;
     for (const Bandwidth& each : bandwidths(results)) {
         add_roof(
-            fmt::format("{} ({:.0f} GB/s)", size_text(each.size), each.bytes_a_second / 1e9), colour++, false,
-            [&](double x) { return x * each.bytes_a_second; }, figure.curves);
+            fmt::format("{} ({:.0f} GB/s)", size_text(each.size), each.bytes_per_second / 1e9), colour++, false,
+            [&](double x) { return x * each.bytes_per_second; }, figure.curves);
     }
     for (const Row* row : rows_of(results, "machine-springs")) {
         for (const std::string precision : {"double", "float"}) {
@@ -110,8 +111,8 @@ std::string speed_picture_name(const Results& results, std::string_view of) {
 
 std::string size_text(double bytes) {
     constexpr double kilo = 1024;
-    return bytes < kilo * kilo ? fmt::format("{:.0f} KB", bytes / kilo)
-                               : fmt::format("{:.0f} MB", bytes / (kilo * kilo));
+    return bytes < kilo * kilo ? fmt::format("{:.0f} KiB", bytes / kilo)
+                               : fmt::format("{:.0f} MiB", bytes / (kilo * kilo));
 }
 
 }  // namespace steplab::docs

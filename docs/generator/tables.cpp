@@ -30,25 +30,26 @@ std::string defaults_text(std::span<const ParameterInfo> parameters) {
 
 std::string parameter_table(std::span<const ParameterInfo> parameters) {
     if (parameters.empty()) return "It has no parameters.\n";
-    std::string table = "| parameter | what it is | unit | range | default | a change |\n|---|---|---|---|---|---|\n";
+    std::string table = "| parameter | meaning | unit | range | default | when changed |\n|---|---|---|---|---|---|\n";
     for (const ParameterInfo& info : parameters) {
         table += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", info.name, info.what, info.unit, range_text(info),
                              format_value(info, info.default_value),
-                             info.on_change == OnChange::applies_live ? "applies at once" : "restarts the run");
+                             info.on_change == OnChange::applies_live ? "takes effect at once" : "restarts the run");
     }
     return table;
 }
 
 std::string order_text(const MethodInfo& info) {
     if (info.order == info.order_with_drag) return fmt::format("{}", info.order);
-    if (info.order_with_drag == 0) return fmt::format("{} (none with drag)", info.order);
+    if (info.order_with_drag == 0) return fmt::format("{} (does not converge with drag)", info.order);
     return fmt::format("{} ({} with drag)", info.order, info.order_with_drag);
 }
 
 std::string limit_text(const MethodInfo& info) {
+    if (info.adaptive) return "chooses its own steps";
     const double limit = linear_limit(info, ParameterValues(info.parameters));
-    if (limit == 0) return "none: grows at any dt";
-    return std::isinf(limit) ? "any dt" : fmt::format("ω dt < {:.5g}", limit);
+    if (limit == 0) return "unstable at any dt";
+    return std::isinf(limit) ? "stable at any dt" : fmt::format("ω dt < {:.5g}", limit);
 }
 
 std::string evaluations_text(const MethodInfo& info) {
@@ -57,11 +58,11 @@ std::string evaluations_text(const MethodInfo& info) {
 
 std::string method_in_full(const MethodInfo& info) {
     std::string text = fmt::format("### `{}`: {}\n\n{}\n\n", info.id, info.name, info.what);
-    text += fmt::format("- order: {}\n- evaluations a step: {}\n- stable on x'' = -ω²x for: {}\n", order_text(info),
-                        evaluations_text(info), limit_text(info));
+    text += fmt::format("- order: {}\n- force evaluations per step: {}\n- stability limit on x'' = -ω²x: {}\n",
+                        order_text(info), evaluations_text(info), limit_text(info));
     text += fmt::format("- symplectic: {}; reversible: {}\n", info.symplectic ? "yes" : "no",
                         info.reversible ? "yes" : "no");
-    if (!info.conserves.empty()) text += fmt::format("- keeps: {}\n", info.conserves);
+    if (!info.conserves.empty()) text += fmt::format("- conservation: {}\n", info.conserves);
     text += fmt::format("- source: {}\n", info.source);
     if (!info.parameters.empty()) text += fmt::format("\n{}", parameter_table(info.parameters));
     return text + "\n";
@@ -70,7 +71,7 @@ std::string method_in_full(const MethodInfo& info) {
 }  // namespace
 
 std::string models_table() {
-    std::string table = "| model | what it is | parameters and their defaults |\n|---|---|---|\n";
+    std::string table = "| model | description | parameters and their defaults |\n|---|---|---|\n";
     for (const Model& model : models()) {
         table +=
             fmt::format("| `{}` | {} | {} |\n", model.info.id, model.info.what, defaults_text(model.info.parameters));
@@ -80,7 +81,7 @@ std::string models_table() {
 
 std::string methods_table() {
     std::string table =
-        "| method | name | order | evaluations a step | stable on x'' = -ω²x for | keeps "
+        "| method | name | order | evaluations per step | stability limit on x'' = -ω²x | conservation "
         "|\n|---|---|---|---|---|---|\n";
     for (const Method& method : methods()) {
         const MethodInfo& info = method.info;
@@ -105,7 +106,7 @@ std::string methods_in_full() {
     return text;
 }
 
-/// Blanks at the ends of lines, where a long one was folded, are nothing to look at.
+/// Without the blanks that folding leaves at the ends of lines.
 std::string without_blanks_before_ends(std::string text) {
     for (std::size_t at; (at = text.find(" \n")) != std::string::npos;) text.erase(at, 1);
     return text;
@@ -145,7 +146,7 @@ std::string section(const std::string& name, const std::string& folder) {
     if (name == "help") return help_of("", folder);
     if (name.starts_with("help ")) return help_of(name.substr(5), folder);
     if (name.starts_with("$ ")) return command_and_output(name.substr(2), folder);
-    throw std::runtime_error("the documentation has a section that nobody makes: " + name);
+    throw std::runtime_error("unknown made section of a page: " + name);
 }
 
 }  // namespace steplab::docs

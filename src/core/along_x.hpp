@@ -7,10 +7,10 @@
 
 namespace steplab {
 
-// Code once for vectors and, where all moves along x, for their components along x alone. Numbers of their own, not
-// vectors whose other components nobody reads: compilers keep those in memory.
+// The same code for vectors and, where all motion is along x, for x components alone. The latter are plain numbers
+// rather than vectors with unused components, which compilers would keep in memory.
 
-/// What moves along 1 axis or 3.
+/// A quantity with 1 or 3 components: a number or a vector.
 template <class N, std::size_t Axes>
 using Moving = std::conditional_t<Axes == 1, N, Vector<N>>;
 
@@ -32,7 +32,7 @@ template <class N>
     return all;
 }
 
-/// f of numbers, or of the components of vectors one by one.
+/// f applied to numbers, or to vectors component by component.
 template <class F, class N, class... More>
 [[gnu::always_inline]] inline N each_component(F f, const N& number, const More&... more) {
     return f(number, more...);

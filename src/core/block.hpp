@@ -7,7 +7,7 @@
 
 namespace steplab {
 
-/// A 3 x 3 matrix: how the acceleration of one particle changes with the position of another.
+/// A 3 x 3 matrix: the derivative of the acceleration of one particle with respect to the position of another.
 template <class T>
 struct Block {
     std::array<std::array<T, 3>, 3> at{};  ///< at[row][column]

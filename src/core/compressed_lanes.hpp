@@ -16,13 +16,13 @@
 
 namespace steplab {
 
-// Some lanes of a register brought together in memory, and back from there into their places: whoever needs a root of
-// only one lane in four takes a quarter of the roots. T is float or double.
+// Compression of selected lanes of a register into contiguous memory, and expansion back into their places: if only one
+// lane in four needs a square root, a quarter of the roots is computed. T is float or double.
 
 /// A set of lanes: bit l stands for lane l.
 using LaneSet = std::uint32_t;
 
-/// The first so many lanes, or all.
+/// The first `count` lanes, or all.
 inline constexpr LaneSet first_lanes(std::size_t count) { return count < 32 ? (LaneSet{1} << count) - 1 : ~LaneSet{0}; }
 
 namespace detail {
@@ -66,14 +66,14 @@ inline __m512d expanded(LaneSet set, __m512d lanes) {
 }
 inline __m512 expanded(LaneSet set, __m512 lanes) { return _mm512_maskz_expand_ps(static_cast<__mmask16>(set), lanes); }
 
-/// Lanes that are compressed at a time; 0 where the machine cannot.
+/// Lanes compressed by one instruction; 0 where the instruction set has no such instruction.
 template <class T>
 inline constexpr std::size_t compressed_at_once = 64 / sizeof(T);
 
 #elif defined(__AVX2__)
 
-/// For every set of four lanes, a number for each 32-bit word of them, of which a double has two: what permutations go
-/// by.
+/// For every subset of four lanes, the index of each 32-bit word (a double has two), as permutation instructions take
+/// it.
 template <std::size_t Words>
 using FourLanesTable = std::array<std::array<std::int32_t, 4 * Words>, 16>;
 template <std::size_t Words, class F>
@@ -102,7 +102,7 @@ alignas(32) inline constexpr FourLanesTable<Words> from_front =
         const auto before = static_cast<std::size_t>(std::popcount(set & first_lanes(lane)));
         return static_cast<std::int32_t>(before % 4 * Words + word);
     });
-/// Leaves them as they are, and all others 0.
+/// Mask that keeps them and sets all others to 0.
 template <std::size_t Words>
 alignas(32) inline constexpr FourLanesTable<Words> itself = table_of_four_lanes<Words>([](LaneSet set, std::size_t lane,
                                                                                           std::size_t) {
@@ -135,7 +135,7 @@ inline constexpr std::size_t compressed_at_once = 4;
 #else
 
 template <class Register>
-Register compressed(LaneSet set, Register lanes);  // there are none
+Register compressed(LaneSet set, Register lanes);  // not available
 template <class Register>
 Register expanded(LaneSet set, Register lanes);
 
@@ -156,8 +156,8 @@ template <class T, std::size_t Count>
     return set;
 }
 
-/// Stores the lanes of the set one after another and returns where the next may be stored; up to Count numbers from
-/// `to` on are overwritten. A machine without instructions for it stores all lanes, unless the set is empty.
+/// Stores the lanes of the set contiguously at `to` and returns the end of what was stored; up to Count numbers from
+/// `to` may be overwritten. Without suitable instructions all lanes are stored, unless the set is empty.
 template <class T, std::size_t Count>
 [[gnu::always_inline]] inline T* store_compressed(LaneSet set, const RegisterLanes<T, Count>& lanes, T* to) {
     using N = RegisterLanes<T, Count>;
@@ -187,8 +187,8 @@ template <class T, std::size_t Count>
     }
 }
 
-/// The opposite: in the lanes of the set what was stored for them from `from` on, which goes on to what was stored
-/// next. The other lanes are 0, or hold what was stored for them where all were.
+/// The inverse of store_compressed(): loads the lanes of the set from `from` and advances `from` past them. The other
+/// lanes are 0, or hold their stored values where all lanes were stored.
 template <class N, class T>
 [[gnu::always_inline]] inline N load_expanded(LaneSet set, const T*& from) {
     constexpr std::size_t at_once = detail::compressed_at_once<T>;

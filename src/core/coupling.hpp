@@ -4,7 +4,7 @@
 
 namespace steplab {
 
-/// Which particles act on which: what a method that solves linear systems needs to know of a scene before it runs.
+/// Which particles act on which: what a method that solves linear systems needs to know about a scene before it runs.
 struct Coupling {
     enum class Kind {
         none,   ///< no particle acts on another

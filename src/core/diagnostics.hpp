@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// Sums over all particles of one frame, computed in double when somebody asks.
+/// Sums over all particles of one frame, computed in double on request.
 struct Diagnostics {
     double kinetic = 0;
     double potential = 0;

@@ -4,9 +4,8 @@
 
 namespace steplab {
 
-/// A span of time as a person reads it, to three digits in the unit that suits it: "420 ns", "62 µs", "3.05 ms",
-/// "1.2 s", from a minute on "9 min 05 s", from an hour on "2 h 45 min". "days" from 100 hours on and for what is no
-/// number.
+/// A duration for people, with three significant digits in a suitable unit: "420 ns", "62 µs", "3.05 ms", "1.2 s"; from
+/// one minute "9 min 05 s", from one hour "2 h 45 min"; "days" for 100 hours or more, and for NaN.
 std::string duration_text(double seconds);
 
 }  // namespace steplab

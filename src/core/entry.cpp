@@ -13,20 +13,19 @@ namespace steplab {
 
 namespace {
 
-/// Whole numbers beyond this are not all doubles.
-constexpr double largest_whole = 9007199254740992.0;
+/// Beyond this not every integer is a double.
+constexpr double largest_integer = 9007199254740992.0;
 
 [[noreturn]] void refuse(const ParameterInfo& info, std::string_view text) {
-    throw UsageError(
-        fmt::format("{} = '{}' is not possible: {} must be {}", info.name, text, info.name, range_text(info)));
+    throw UsageError(fmt::format("{} must be {} (got \"{}\")", info.name, range_text(info), text));
 }
 
 bool is_allowed(const ParameterInfo& info, double value) {
     using Kind = ParameterInfo::Kind;
     const bool low = info.minimum_included ? value < info.minimum : value <= info.minimum;
-    const bool whole = info.kind == Kind::real || (value == std::floor(value) && value <= largest_whole);
+    const bool integer = info.kind == Kind::real || (value == std::floor(value) && value <= largest_integer);
     const double maximum = info.kind == Kind::choice ? static_cast<double>(info.choices.size()) - 1 : info.maximum;
-    return std::isfinite(value) && !low && value <= maximum && whole;
+    return std::isfinite(value) && !low && value <= maximum && integer;
 }
 
 }  // namespace
@@ -34,12 +33,18 @@ bool is_allowed(const ParameterInfo& info, double value) {
 std::string range_text(const ParameterInfo& info) {
     using Kind = ParameterInfo::Kind;
     if (info.kind == Kind::choice) return joined(info.choices, " or ");
-    const std::string_view what = info.kind == Kind::integer ? "a whole number" : "a number";
-    const bool bounded = std::isfinite(info.maximum);
-    if (info.minimum == -infinity && !bounded) return std::string(what == "a number" ? "any finite number" : what);
-    if (bounded) return fmt::format("{} from {} to {}", what, number_text(info.minimum), number_text(info.maximum));
-    if (info.kind == Kind::integer) return fmt::format("{} from {} upwards", what, number_text(info.minimum));
-    return fmt::format("{} {} {}", what, info.minimum_included ? ">=" : ">", number_text(info.minimum));
+    const bool integer = info.kind == Kind::integer;
+    const std::string_view what = integer ? "an integer" : "a number";
+    const auto bound = [&](double value) { return integer ? fmt::format("{:.0f}", value) : number_text(value); };
+    const std::string_view least = info.minimum_included ? ">=" : ">";
+    if (std::isfinite(info.maximum)) {
+        if (integer && info.minimum == 0 && info.maximum == 1) return "0 or 1";
+        if (info.minimum_included)
+            return fmt::format("{} from {} to {}", what, bound(info.minimum), bound(info.maximum));
+        return fmt::format("{} {} {} and <= {}", what, least, bound(info.minimum), bound(info.maximum));
+    }
+    if (info.minimum == -infinity) return integer ? "an integer" : "a finite number";
+    return fmt::format("{} {} {}", what, least, bound(info.minimum));
 }
 
 void check_value(const ParameterInfo& info, double value) {
@@ -92,6 +97,20 @@ void ParameterValues::set_text(std::string_view name, std::string_view text) {
     assert(contains(name));
     const std::size_t index = index_of(name);
     values_[index] = parse_value(infos_[index], text);
+}
+
+namespace {
+
+bool same_parameter(const ParameterInfo& a, const ParameterInfo& b) {
+    return a.name == b.name && a.kind == b.kind &&
+           std::equal(a.choices.begin(), a.choices.end(), b.choices.begin(), b.choices.end());
+}
+
+}  // namespace
+
+bool operator==(const ParameterValues& a, const ParameterValues& b) {
+    return a.values_ == b.values_ &&
+           std::equal(a.infos_.begin(), a.infos_.end(), b.infos_.begin(), b.infos_.end(), same_parameter);
 }
 
 namespace {

@@ -13,10 +13,10 @@ namespace steplab {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What a change of a parameter does to a run that is under way.
+/// What changing a parameter does to a running simulation.
 enum class OnChange { applies_live, restarts };
 
-/// One parameter of a model or method: everything menus, sliders, help, docs and checks need to know.
+/// A parameter of a model or method, with everything that menus, sliders, help texts, docs and checks need.
 struct ParameterInfo {
     enum class Kind { real, integer, choice };
 
@@ -29,22 +29,22 @@ struct ParameterInfo {
     double default_value = 0;  ///< for a choice: the index of the default
     OnChange on_change = OnChange::applies_live;
     std::string_view what = {};  ///< a phrase: "rest length of a spring"
-    double slider_low = 0;       ///< the range a slider offers; exact entry goes beyond it
+    double slider_low = 0;       ///< range of the slider; typed values may lie outside it
     double slider_high = 1;
     bool slider_logarithmic = false;
     std::span<const std::string_view> choices = {};
 };
 
-/// The number that `text` stands for. Throws UsageError naming the parameter, the text and the range.
+/// The value written as `text`. Throws UsageError naming the parameter, the text and the range.
 double parse_value(const ParameterInfo& info, std::string_view text);
 /// Shortest text that parse_value reads back as the same value.
 std::string format_value(const ParameterInfo& info, double value);
-/// "> 0", "0 .. 1", "a whole number from 2", "centre, corner".
+/// "a number > 0", "an integer >= 2", "0 or 1", "centre or corner": what follows "must be".
 std::string range_text(const ParameterInfo& info);
-/// Throws UsageError if `value` is not allowed (range, whole number, finite).
+/// Throws UsageError if `value` is out of range, not finite, or not an integer where one is required.
 void check_value(const ParameterInfo& info, double value);
 
-/// The parameters of one model or method with their values: integers as whole doubles, choices as indices.
+/// The parameters of one model or method with their values: integers as doubles, choices as indices.
 class ParameterValues {
 public:
     ParameterValues() = default;
@@ -53,7 +53,7 @@ public:
 
     std::span<const ParameterInfo> infos() const { return infos_; }
     bool contains(std::string_view name) const;
-    /// The value of a parameter this entry has (asserted).
+    /// The value of a parameter that this entry has (asserted).
     double operator[](std::string_view name) const;
     /// The value as a count; for integers.
     std::size_t count(std::string_view name) const;
@@ -61,9 +61,8 @@ public:
     void set(std::string_view name, double value);
     void set_text(std::string_view name, std::string_view text);
 
-    friend bool operator==(const ParameterValues& a, const ParameterValues& b) {
-        return a.infos_.data() == b.infos_.data() && a.values_ == b.values_;
-    }
+    /// The same parameters in the same order with the same values, wherever their descriptions are stored.
+    friend bool operator==(const ParameterValues& a, const ParameterValues& b);
 
 private:
     std::size_t index_of(std::string_view name) const;
@@ -72,37 +71,38 @@ private:
     std::vector<double> values_;
 };
 
-/// A method as it describes itself. Menus, help, docs and the tests over all methods come from this.
+/// The description of a method, from which menus, help texts, docs and the tests over all methods are made.
 struct MethodInfo {
     std::string_view id = {};
     std::string_view name = {};
-    std::string_view what = {};  ///< one sentence for a person who chooses
+    std::string_view what = {};  ///< one sentence that helps to choose a method
     int order = 1;
     int order_with_drag = 1;
-    int evaluations = 1;        ///< a step; a substep if it has the parameter `substeps`
-    int start_evaluations = 0;  ///< once, at the start of each segment
+    int evaluations = 1;        ///< of the force per step, or per substep if there is a parameter `substeps`
+    int start_evaluations = 0;  ///< at the start of each segment
     /// Largest stable omega dt on x'' = -omega^2 x (of one substep): 0 = unstable at any dt.
     double linear_limit = 0;
     bool symplectic = false;
     bool reversible = false;
     bool adaptive = false;
-    bool implicit = false;            ///< solves equations: `evaluations` is what a step usually takes
-    bool curiosity = false;           ///< kept to show a mistake; not for work, its velocities least of all
-    std::string_view conserves = {};  ///< what it keeps, in words
+    bool implicit = false;            ///< solves equations in each step: `evaluations` is typical
+    bool curiosity = false;           ///< kept to demonstrate a mistake; not for production runs
+    std::string_view conserves = {};  ///< conserved quantities, in words
     std::string_view source = {};
     std::span<const ParameterInfo> parameters = {};
-    /// Why the method cannot run scenes of this coupling, none if it can; null for methods that run any.
+    /// Why the method cannot run scenes with this coupling, nullopt if it can; null for methods that run every scene.
     std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
-    /// Bytes it holds for a scene's interactions, given the number of pairs that interact; an upper bound. Null: none.
+    /// Upper bound of the bytes it stores for a scene's interactions, given the number of interacting pairs. Null:
+    /// none.
     double (*bytes_of_interactions)(const Coupling&, double pairs) = nullptr;
 };
 
-/// Evaluations a step of the method with these parameters, start-up not counted.
+/// Force evaluations per step with these parameters, start-up excluded.
 double evaluations_per_step(const MethodInfo& info, const ParameterValues& values);
 /// Largest stable omega dt with these parameters, without drag: 0 = unstable at any dt.
 double linear_limit(const MethodInfo& info, const ParameterValues& values);
 
-/// A model as it describes itself.
+/// The description of a model.
 struct ModelInfo {
     std::string_view id = {};
     std::string_view name = {};

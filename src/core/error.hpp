@@ -7,7 +7,7 @@ namespace steplab {
 /// The exit codes of the programs (README, "Exit codes").
 enum class ExitCode : int { done = 0, usage = 2, file = 3, diverged = 4, no_opengl = 5, replay = 6 };
 
-/// Head of the one family of exceptions. what() is one message for a person: what was wrong, where, what would be
+/// Base class of the project's exceptions. what() is one message for the user: what is wrong, where, and what would be
 /// right.
 class Error : public std::runtime_error {
 public:
@@ -18,7 +18,7 @@ private:
     ExitCode code_;
 };
 
-/// The request cannot be meant: unknown id, option or parameter, a value that does not parse or is out of range.
+/// The request is invalid: unknown id, option or parameter, a value that does not parse or is out of range.
 class UsageError : public Error {
 public:
     explicit UsageError(const std::string& message) : Error(ExitCode::usage, message) {}

@@ -12,7 +12,7 @@
 
 namespace steplab {
 
-/// Memory that starts on a cache line, so that vector loads of a field never straddle two.
+/// Memory that starts on a cache line, so that vector loads of a field never straddle two lines.
 template <class T>
 struct CacheLineAllocator {
     using value_type = T;
@@ -26,9 +26,9 @@ struct CacheLineAllocator {
     friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
 };
 
-/// A vector quantity of n particles as a structure of arrays: n x, padding, n y, padding, n z, padding.
-/// The padding is zero and stays zero under the elementwise steps that run over flat(). A granule more can be read
-/// behind it, so that a register may begin at any number of flat().
+/// A vector quantity of n particles as a structure of arrays: n x, padding, n y, padding, n z, padding. The padding is
+/// zero and stays zero under elementwise operations over flat(). One more granule behind it may be read, so that a
+/// register may begin at any number of flat().
 template <class T>
 class Field {
 public:
@@ -60,8 +60,8 @@ public:
     static constexpr std::size_t granule = 16;
 
 private:
-    /// The same for every number type. The components of float and double are far from each other modulo 4096 bytes, or
-    /// loads would wait for what was just stored at a place that only looks the same.
+    /// The same for every number type. The components of float and double are kept apart modulo 4096 bytes: otherwise
+    /// loads would wait for recent stores to addresses that differ only in their high bits (4K aliasing).
     static std::size_t padded(std::size_t count) {
         const auto meet = [](std::size_t bytes) {
             constexpr std::size_t near = 384;
@@ -77,7 +77,7 @@ private:
     std::vector<T, CacheLineAllocator<T>> values_;
 };
 
-/// Copies some vectors to another place; to a lower one within the same field, too.
+/// Copies `count` vectors from index `first` to index `place`; within the same field only to a lower index.
 template <class T>
 void copy(const Field<T>& from, std::size_t first, std::size_t count, Field<T>& to, std::size_t place) {
     std::copy_n(from.x() + first, count, to.x() + place);

@@ -9,9 +9,9 @@
 
 namespace steplab {
 
-/// A field as vectors of a register of particles each: the r-th are those from particle r * width on. Refers to it. Of
-/// a constant T, a field that is not changed. N is what a register of numbers is. With `Axes` 1 the components along y
-/// and z are zero, and neither read nor written.
+/// A view of a field in registers of particles: register r holds particles r * width, r * width + 1, ... With a
+/// constant T it is read-only. N is the type of a register of numbers. With `Axes` 1 the components along y and z are
+/// zero, and neither read nor written.
 template <class T, class N, std::size_t Axes = 3>
 class BasicFieldLanes {
 public:
@@ -31,7 +31,7 @@ public:
         vector.y.store(y_ + r * width);
         vector.z.store(z_ + r * width);
     }
-    /// Of the particles from this one on.
+    /// The register that begins with this particle.
     [[gnu::always_inline]] Vector<N> get_from(std::size_t particle) const {
         return of_each([=](const T* component) { return N::load_anywhere(component + particle); });
     }
@@ -47,7 +47,7 @@ private:
     T *x_ = nullptr, *y_ = nullptr, *z_ = nullptr;
 };
 
-/// By registers of the machine.
+/// With the vector registers of the machine.
 template <class T, std::size_t Axes = 3>
 using FieldLanes = BasicFieldLanes<T, Lanes<std::remove_const_t<T>>, Axes>;
 

@@ -8,8 +8,8 @@
 
 namespace steplab {
 
-/// While it lives, the thread takes subnormal numbers for zero, as operands and as results: part of the definition of a
-/// run's bits, and free of the hundredfold slowness of subnormals on many processors.
+/// During its lifetime the thread treats subnormal numbers as zero, as operands and as results. This is part of the
+/// definition of a run's bits, and avoids subnormals being a hundred times slower on many processors.
 class FlushSubnormals {
 public:
     FlushSubnormals() : before_(control()) { control(before_ | flush_bits); }
@@ -31,7 +31,7 @@ private:
     }
     static void control(std::uint64_t bits) { asm volatile("msr fpcr, %0" : : "r"(bits)); }
 #else
-#error "say here how this processor flushes subnormal numbers"
+#error "flushing of subnormal numbers is not implemented for this processor"
 #endif
 
     std::uint64_t before_;

@@ -11,27 +11,26 @@
 
 namespace steplab {
 
-/// What a layout of forces has beyond what every layout must have. Each names the members that come with it;
-/// ForceLayout holds only where exactly the capabilities whose members are there are declared.
+/// The optional members of a layout of forces. Each capability names its members; ForceLayout is satisfied only if
+/// exactly the capabilities whose members exist are declared.
 struct ForceCapabilities {
     /// `Sweep`, registers_ahead(), sweeps_together, registers_a_turn, bytes_alone: accelerations register by register,
     /// of positions that are read once (methods/engines/sweeps.hpp).
     bool sweeps = false;
-    /// sweep<Registers>(positions, sink), most_registers: whole sweeps over so few particles that they stay in
-    /// registers.
+    /// sweep<Registers>(positions, sink), most_registers: whole sweeps over scenes small enough to stay in registers.
     bool sweeps_in_registers = false;
-    /// sweep_in_turn(positions, sink): whole sweeps particle by particle, for numbers that have SIMD lanes.
+    /// sweep_in_turn(positions, sink): whole sweeps particle by particle, for number types with SIMD lanes.
     bool sweeps_in_turn = false;
     /// accelerations_along_x(u, a), and sweeps of positions whose `axes` is 1: where all motion is along x.
     bool along_x = false;
-    /// each_acceleration(u, sink): accelerations of all particles, handed out by several threads. A sink touches its
-    /// register alone and does not throw.
+    /// each_acceleration(u, sink): accelerations of all particles, passed to the sink by several threads. The sink
+    /// accesses only its own register and does not throw.
     bool hands_out = false;
-    /// history(), history(made_at), uncounted_accelerations(u, a): rounding depends on the course of the run, too.
+    /// history(), history(made_at), uncounted_accelerations(u, a): rounding also depends on the history of the run.
     bool history = false;
     /// difference(u, i, j): u_j - u_i to the nearest image, where space is periodic.
     bool periodic = false;
-    /// elastic_bound(u): no less than the elastic energy over a particle's mass.
+    /// elastic_bound(u): an upper bound of the elastic energy divided by a particle's mass.
     bool bounds_energy = false;
 };
 
@@ -53,7 +52,7 @@ concept HasMostRegisters = requires {
     { Force::most_registers } -> std::convertible_to<std::size_t>;
 };
 
-/// Positions and a sink that fit every sweep, to ask for its signature.
+/// Positions and a sink that every sweep accepts, to test its signature.
 struct AnyPositions {};
 struct AnySink {
     template <class A>
@@ -100,25 +99,25 @@ struct AnyVisitor {
 
 }  // namespace detail
 
-/// Forces that a method computes with: their accelerations, and which further members there are.
+/// The forces as a method sees them: accelerations, and the declared capabilities.
 template <class Force, class T>
 concept ForceEngine = requires(Force& force, const Field<T>& u, Field<T>& a) {
     { Force::capabilities } -> std::convertible_to<ForceCapabilities>;
     force.accelerations(u, a);
 };
 
-/// A layout of forces in number type T (models/forces/layouts.hpp). It describes what its forces are made of, for
-/// methods that need more than their sum:
+/// A layout of forces in number type T (models/forces/layouts.hpp). It describes its individual forces, for methods
+/// that need more than their sum:
 ///   coupling()                    which particles act on which
 ///   formulas()                    the kinds of interaction: each computes from e = u_j - u_i, in any number type, the
 ///                                 acceleration of i; that of j is its opposite
 ///   each_interaction(u, f)        f(i, j, kind) once for every pair that interacts at the displacements u, kind after
 ///                                 kind, always in the same order
-///   external(i)                   the acceleration that no other particle causes
+///   external(i)                   the acceleration that is not caused by other particles
 ///   moves(i)                      false for fixed particles
 ///   passing_pairs(from, to, f)    f(i, j) for pairs that pass each other between two positions, where forces jump
 ///   separation(u, i, j)           the vector from particle i to particle j
-/// and declares its capabilities, exactly.
+/// and declares exactly its capabilities.
 template <class Force, class T>
 concept ForceLayout = ForceEngine<Force, T> && requires(Force& force, const Force& same, const Field<T>& u) {
     { same.coupling() } -> std::same_as<Coupling>;

@@ -10,19 +10,18 @@
 
 namespace steplab {
 
-/// What one moment of a run looks like from outside. Plain data: the drawing, the files and the panels see nothing
-/// else.
+/// The state of a run at one step, as plain data: all that drawing, files and panels use.
 struct Frame {
     std::uint64_t step = 0;
     double time = 0;
     Precision precision = Precision::double_;
-    std::vector<Vec3> positions;   ///< absolute; each number is one the run's precision holds
-    std::vector<Vec3> velocities;  ///< of the same moment
-    /// Where the particles are in runs that go beside this one, at the same step: run after run. None: there are none.
+    std::vector<Vec3> positions;   ///< absolute; numbers of the run's precision
+    std::vector<Vec3> velocities;  ///< at the same time
+    /// Positions in the runs of the ensemble at the same step, run after run; empty without an ensemble.
     std::vector<Vec3> ensemble;
     std::shared_ptr<const Shape> shape;
 
-    /// Where a particle is seen.
+    /// The position at which a particle is drawn (Shape::seen).
     Vec3 seen(std::size_t particle) const { return shape->seen(positions[particle]); }
 };
 

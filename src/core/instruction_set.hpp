@@ -1,7 +1,7 @@
 #pragma once
 
-// STEPLAB_INSTRUCTION_SET: the namespace of what a source defines that is compiled once for each instruction set. The
-// build defines it for all but the first of them, the baseline.
+// STEPLAB_INSTRUCTION_SET: the namespace of the definitions in sources that are compiled once per instruction set. The
+// build defines it for all sets but the first, the baseline.
 
 #ifndef STEPLAB_INSTRUCTION_SET
 #define STEPLAB_INSTRUCTION_SET baseline

@@ -34,7 +34,7 @@ std::span<const Instructions> instructions_here() {
 Instructions fastest_instructions() {
     if (instructions_here().empty())
         throw UsageError(
-            "this steplab was built for the processor of another machine alone; build it here, or for all "
+            "this steplab was built only for the processor of another machine; build it on this machine, or for all "
             "processors:  cmake --preset release && cmake --build --preset release");
     return instructions_here().back();
 }

@@ -7,14 +7,13 @@
 
 namespace steplab {
 
-/// Those that this program was compiled for and this processor has, the slowest first.
+/// The instruction sets that this program was compiled for and this processor supports, slowest first.
 std::span<const Instructions> instructions_here();
-/// The fastest of them. Throws UsageError if there is none: the program was built for the instruction set of another
-/// processor alone.
+/// The fastest of them. Throws UsageError if there is none: the program was built only for another processor.
 Instructions fastest_instructions();
 
 std::string_view id(Instructions instructions);
-/// Of those here. Throws UsageError that names them.
+/// The instruction set with this id among instructions_here(). Throws UsageError naming them.
 Instructions parse_instructions(std::string_view id);
 
 }  // namespace steplab

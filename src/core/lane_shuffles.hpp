@@ -15,7 +15,7 @@ template <std::size_t Shift, class Register, std::size_t... I>
     return __builtin_shufflevector(a, b, static_cast<int>(I + Shift)...);
 }
 
-/// Groups of `Half` lanes, every other one of a and b from the one that begins with lane `Begin` on.
+/// Every other group of `Half` lanes of a and b, starting with the group at lane `Begin`.
 template <std::size_t Half, std::size_t Begin, class Register, std::size_t... I>
 [[gnu::always_inline]] inline Register every_other(Register a, Register b, std::index_sequence<I...>) {
     return __builtin_shufflevector(a, b, static_cast<int>(I / Half * 2 * Half + I % Half + Begin)...);
@@ -23,7 +23,7 @@ template <std::size_t Half, std::size_t Begin, class Register, std::size_t... I>
 
 }  // namespace detail
 
-/// Lane l of the result is lane l + Shift, counted in a circle.
+/// Lane l of the result is lane l + Shift, cyclically.
 template <std::size_t Shift, class T, std::size_t Count>
 [[gnu::always_inline]] inline RegisterLanes<T, Count> rotated(const RegisterLanes<T, Count>& lanes) {
     using N = RegisterLanes<T, Count>;

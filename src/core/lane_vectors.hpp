@@ -11,7 +11,7 @@
 
 namespace steplab {
 
-// Lanes taken apart. T is float or double.
+// Rearrangement of lanes. T is float or double.
 
 namespace detail {
 
@@ -34,13 +34,13 @@ template <class T, class Register, class F, std::size_t... E>
      ...);
 }
 
-/// In place I that number of two registers after one another which F names.
+/// Lane I of the result is lane F(I) of a followed by b.
 template <class Vectors, class F, std::size_t... I>
 [[gnu::always_inline]] inline auto picked(Vectors a, Vectors b, F, std::index_sequence<I...>) {
     return __builtin_shufflevector(a, b, static_cast<int>(std::integral_constant<std::size_t, F{}(I)>::value)...);
 }
 
-/// Numbers one after another, `Width` of them, each four of which start at address(E), E = First, First + 1, ...
+/// `Width` numbers in groups of four, loaded from address(E), E = First, First + 1, ...
 template <class T, std::size_t Width, std::size_t First, class F>
 [[gnu::always_inline]] inline auto fours(F address) {
     using Lanes = RegisterLanes<T, Width>;
@@ -55,8 +55,8 @@ template <class T, std::size_t Width, std::size_t First, class F>
 
 }  // namespace detail
 
-/// x, y and z of Count / 4 vectors, each in four lanes; vector j is three numbers and one without meaning that start at
-/// address(j), aligned as four numbers are.
+/// x, y and z of Count / 4 vectors, each in four lanes; vector j is stored at address(j) as three numbers and an unused
+/// one, aligned to four numbers.
 template <class T, std::size_t Count, class F>
 [[gnu::always_inline]] inline Vector<RegisterLanes<T, Count>> repeated_vectors(F address) {
     using N = RegisterLanes<T, Count>;
@@ -82,7 +82,7 @@ template <class T, std::size_t Count, class F>
     }
 }
 
-/// Four numbers, aligned as four are, in every four of the lanes.
+/// Four numbers, aligned to four numbers, repeated in every group of four lanes.
 template <class T, std::size_t Count>
 [[gnu::always_inline]] inline RegisterLanes<T, Count> repeated_four(const T* four) {
     using N = RegisterLanes<T, Count>;
@@ -95,8 +95,8 @@ template <class T, std::size_t Count>
     }
 }
 
-/// Calls f(j, four) for every four lanes in turn, with their sums along x, y and z and a number without meaning: of
-/// lanes 0 to 3, (0 + 1) + (2 + 3).
+/// Calls f(j, four) for every group j of four lanes with its sums of x, y and z and an unused number. The sum of lanes
+/// 0 to 3 is (0 + 1) + (2 + 3).
 template <class T, std::size_t Count, class F>
 [[gnu::always_inline]] inline void each_sum_of_four(const Vector<RegisterLanes<T, Count>>& v, F f) {
     using N = RegisterLanes<T, Count>;
@@ -108,7 +108,7 @@ template <class T, std::size_t Count, class F>
         }
     } else {
         constexpr std::make_index_sequence<N::width> places{};
-        // of every four lanes, 0 and 2 of both registers in turn; then 1 and 3
+        // of every four lanes, 0 and 2 of both registers alternately; then 1 and 3
         constexpr auto even = [](std::size_t i) { return i / 2 * 2 + i % 2 * N::width; };
         constexpr auto odd = [](std::size_t i) { return i / 2 * 2 + 1 + i % 2 * N::width; };
         // the first two of both; then the second two

@@ -54,8 +54,8 @@ inline constexpr std::size_t register_bytes = 16;
 
 }  // namespace detail
 
-/// One number for itself where there are no registers of them (long double, dual numbers), so that an engine written
-/// with lanes serves every number type.
+/// A single lane, for number types without vector registers (long double, dual numbers), so that code written with
+/// lanes serves every number type.
 template <class T>
 class SingleLane {
 public:
@@ -86,7 +86,7 @@ public:
     friend SingleLane where(bool condition, SingleLane then, SingleLane otherwise) {
         return condition ? then : otherwise;
     }
-    /// Of a number that has lanes itself.
+    /// For a number type that itself has lanes.
     template <class Mask>
     friend SingleLane where(Mask condition, SingleLane then, SingleLane otherwise) {
         return where(condition, then.number_, otherwise.number_);
@@ -98,8 +98,8 @@ private:
     T number_;
 };
 
-/// Numbers side by side, by default as many as a vector register of the machine holds, in as many registers as they
-/// need: a number type for formulas, each lane computed exactly as a number by itself would be.
+/// A number type of `Count` SIMD lanes, by default those of one vector register of the machine, else in as many
+/// registers as needed. Each lane is computed exactly as a single number would be.
 template <class T, std::size_t Count = detail::register_bytes / sizeof(T)>
 class RegisterLanes {
     static constexpr std::size_t bytes = std::min(Count * sizeof(T), detail::register_bytes);
@@ -121,7 +121,7 @@ public:
     requires std::is_arithmetic_v<U>
     explicit RegisterLanes(U number) : RegisterLanes(static_cast<T>(number)) {}
 
-    /// From and to memory that is aligned as 64 bytes are (fields start on a cache line).
+    /// From and to memory that is aligned to 64 bytes (fields start on a cache line).
     [[gnu::always_inline]] static RegisterLanes load(const T* aligned) {
         return of_each([=](std::size_t p) {
             return *static_cast<const Register*>(__builtin_assume_aligned(aligned + p * width, bytes));
@@ -132,7 +132,7 @@ public:
             *static_cast<Register*>(__builtin_assume_aligned(aligned + p * width, bytes)) = registers_[p];
         });
     }
-    /// The same from and to any place.
+    /// The same for unaligned memory.
     [[gnu::always_inline]] static RegisterLanes load_anywhere(const T* from) {
         return of_each([=](std::size_t p) {
             Register lanes;
@@ -268,7 +268,7 @@ private:
     std::array<Register, parts> registers_;
 };
 
-/// The same without registers: for numbers that none holds, and to compare with.
+/// The same without vector registers: for number types that no register holds, and for comparison.
 template <class T, std::size_t Count>
 class PlainLanes {
 public:
@@ -335,13 +335,14 @@ template <class T>
 using Lanes =
     std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>, RegisterLanes<T>, SingleLane<T>>;
 
-/// As many numbers as a cache line holds, on every machine: for sums, whose order must not depend on registers.
+/// As many numbers as a cache line holds, on every machine: for sums, whose order must not depend on the width of
+/// registers.
 template <class T>
 using CacheLineLanes = std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>,
                                           RegisterLanes<T, 64 / sizeof(T)>, SingleLane<T>>;
 
-/// Calls f(k) for the places k = 0, Lanes<T>::count, ... of a field's numbers where its registers begin. The step
-/// written with them is in vector registers even where the compiler would not find the way there itself.
+/// Calls f(k) for the indices k = 0, Lanes<T>::count, ... at which the registers of a field begin. Code written with
+/// lanes is vectorised even where the compiler would not do so by itself.
 template <class T, class F>
 inline void lanewise(std::size_t size, F f) {
     for (std::size_t k = 0; k < size; k += Lanes<T>::count) f(k);

@@ -18,12 +18,12 @@ struct Lattice {
         return static_cast<double>(column) * along_row + static_cast<double>(row) * between_rows;
     }
 
-    /// Calls visit(i, at(i)) for `some` points from `first` on, in their order.
+    /// Calls visit(i, at(i)) for `points` points from index `first` on, in order.
     template <class Visit>
-    void each(std::size_t first, std::size_t some, const Visit& visit) const {
-        if (some == 0) return;
+    void each(std::size_t first, std::size_t points, const Visit& visit) const {
+        if (points == 0) return;
         std::size_t row = first / columns, column = first % columns;
-        for (std::size_t i = first; i < first + some; ++i) {
+        for (std::size_t i = first; i < first + points; ++i) {
             visit(i, at(row, column));
             if (++column < columns) continue;
             column = 0;

@@ -10,15 +10,15 @@
 
 namespace steplab {
 
-// What the formulas of forces ask of a number type beside + - * /: square_root, exponential, where, value_of. Types
-// with parts of their own (dual numbers, lanes, power series) overload these beside their class.
+// What the force formulas require of a number type besides + - * /: square_root, exponential, where, value_of. Types
+// with further components (dual numbers, lanes, power series) overload these next to their class.
 
 template <std::floating_point T>
 T square_root(T x) {
     return std::sqrt(x);
 }
 
-/// The number without derivatives or other parts.
+/// The number without derivatives or other components.
 template <std::floating_point T>
 T value_of(T number) {
     return number;
@@ -30,7 +30,7 @@ T where(bool condition, T then, T otherwise) {
     return condition ? then : otherwise;
 }
 
-/// The size of a number, or of each lane.
+/// The absolute value of a number, or of each lane.
 template <class N>
 N magnitude(N x) {
     return where(x < N(0), N(0) - x, x);
@@ -38,7 +38,8 @@ N magnitude(N x) {
 
 namespace detail {
 
-/// How exponential() takes a number type apart. ln 2 is split so that n * ln2_high is exact for every exponent n.
+/// The constants of exponential() for each number type. ln 2 is split so that n * ln2_high is exact for every exponent
+/// n.
 template <class T>
 struct ExponentialTraits;
 
@@ -47,7 +48,7 @@ struct ExponentialTraits<float> {
     using Bits = std::int32_t;
     static constexpr std::size_t degree = 6;  // of a polynomial with errors below 2e-9
     static constexpr float ln2_high = 0x1.62ep-1f, ln2_low = 0x1.0bfbe8p-15f;
-    static constexpr float shift = 0x1.8p23f;  // adding it rounds to a whole number
+    static constexpr float shift = 0x1.8p23f;  // adding it rounds to an integer
     static constexpr int mantissa = 23, bias = 127;
 };
 
@@ -66,9 +67,9 @@ struct ExponentialTraits<long double> {
     static constexpr long double ln2_high = 0x1.62e42fefa3p-1L, ln2_low = 0x0.9ef35793c7673007e5ed5e81e68p-41L;
 };
 
-/// Coefficients of a polynomial that is e^r for |r| <= ln(2)/2: the Taylor series of six terms more, whose last powers
-/// are replaced one by one by what Chebyshev polynomials, the smallest of their degree, leave of them (economisation of
-/// power series; Lanczos, Applied Analysis (1956), VII). The first two coefficients are 1.
+/// Coefficients of a polynomial that is e^r for |r| <= ln(2)/2: the Taylor series with six more terms, whose highest
+/// powers are replaced one by one by means of Chebyshev polynomials (economisation of power series; Lanczos, Applied
+/// Analysis (1956), VII). The first two coefficients are 1.
 template <class T>
 inline constexpr auto exponential_coefficients = [] {
     constexpr std::size_t degree = ExponentialTraits<T>::degree, most = degree + 6;
@@ -89,7 +90,7 @@ inline constexpr auto exponential_coefficients = [] {
     return coefficients;
 }();
 
-/// c[First] + c[First + 1] r + ... of Count coefficients, in halves, which do not wait for each other (Estrin's
+/// c[First] + c[First + 1] r + ... with Count coefficients, in halves that do not depend on each other (Estrin's
 /// scheme). `powers` are r, r^2, r^4, ...
 template <class T, std::size_t First, std::size_t Count, class N, std::size_t M>
 [[gnu::always_inline]] inline N exponential_terms(const std::array<N, M>& powers) {
@@ -110,8 +111,8 @@ template <class T, class N>
     return N(T(1)) + (r + rest * r2);
 }
 
-/// exponential() of any type of numbers, or lanes, of type T, whose bits are whole numbers of type Bits. e^x is 2^n
-/// times the polynomial; for the n at which it stops, the bits of 2^n are those of 0 and of infinity.
+/// exponential() for numbers or lanes N of type T, whose bits are integers of type Bits. e^x is 2^n times the
+/// polynomial; for the smallest and the largest n, the bits of 2^n are those of 0 and of infinity.
 template <class T, class Bits, class N>
 [[gnu::always_inline]] inline N exponential_of(N x) {
     using Traits = ExponentialTraits<T>;
@@ -128,15 +129,15 @@ template <class T, class Bits, class N>
 
 }  // namespace detail
 
-/// e^x, within 1.5 ulp, the same bits on every system (libm's differ) and in plain code that vectorises: of a double
-/// from -1022.5 to 1023.5 ln 2, of a float from -126.5 to 127.5 ln 2. Below it is 0, above it infinite.
+/// e^x within 1.5 ulp, bit-identical on every system (libm's results differ), in plain code that vectorises. The range
+/// is -1022.5 to 1023.5 ln 2 for double, -126.5 to 127.5 ln 2 for float; below it the result is 0, above it infinite.
 template <std::floating_point T>
 T exponential(T x) {
     return detail::exponential_of<T, typename detail::ExponentialTraits<T>::Bits>(x);
 }
 
-/// The same for references, within 1.5 ulp of the 64 bits that x86-64 has. libm's takes instructions of the processor,
-/// whose last bits differ from maker to maker. Below the range of normal numbers it is subnormal.
+/// The same for reference solutions, within 1.5 ulp of the 64-bit significand of x86-64. libm uses x87 instructions,
+/// whose last bits differ between manufacturers. Below the range of normal numbers the result is subnormal.
 inline long double exponential(long double x) {
     using Traits = detail::ExponentialTraits<long double>;
     constexpr long double beyond = 12000;  // the range of e^x, and of n

@@ -8,9 +8,9 @@
 
 namespace steplab {
 
-/// (e^z - 1) / z, 1 at z = 0: what a step of an equation with linear decay is made of (phi_1 of exponential
-/// integrators: Hochbruck, Ostermann, Acta Numerica 19 (2010) 209). Near 0 from its series, so that no digits cancel;
-/// float is computed in double. The same bits on every system.
+/// (e^z - 1) / z, 1 at z = 0: the function phi_1 of exponential integrators, for equations with linear decay (
+/// Hochbruck, Ostermann, Acta Numerica 19 (2010) 209). Near 0 it is computed from its series, to avoid cancellation;
+/// float is computed in double. Bit-identical on every system.
 template <class T>
 T phi_1(T z) {
     using Wide = std::conditional_t<std::is_same_v<T, float>, double, T>;
@@ -21,7 +21,7 @@ T phi_1(T z) {
     return static_cast<T>(Wide(1) + sum);
 }
 
-/// In every lane that of a number by itself.
+/// The same in every lane, bit-identical to a single number.
 template <HasLanes N>
 N phi_1(N z) {
     return N::each([&](std::size_t lane) { return phi_1(z[lane]); });

@@ -7,8 +7,8 @@
 
 namespace steplab {
 
-/// ln x for normal x > 0, within 2 ulp, the same bits on every system (libm's differ): x = 2^n m with m near 1, and
-/// ln m = 2 artanh((m - 1) / (m + 1)) from its series.
+/// ln x for normal x > 0, within 2 ulp, bit-identical on every system (libm's results differ): x = 2^n m with m near 1,
+/// and ln m = 2 artanh((m - 1) / (m + 1)) from its series.
 inline double logarithm(double x) {
     constexpr std::int64_t half_root_of_2 = 0x3FE6A09E667F3BCD;  // the bits of sqrt(1/2)
     const std::int64_t bits = __builtin_bit_cast(std::int64_t, x);
@@ -22,7 +22,8 @@ inline double logarithm(double x) {
     return high + (2 * s * sum + low);
 }
 
-/// base^exponent for base >= 0, the same bits on every system. Bases outside the normal numbers count as the nearest.
+/// base^exponent for base >= 0, bit-identical on every system. A base outside the range of normal numbers is replaced
+/// by the nearest normal number.
 inline double power(double base, double exponent) {
     constexpr double least = std::numeric_limits<double>::min(), most = std::numeric_limits<double>::max();
     const double inside = base > least ? (base < most ? base : most) : least;

@@ -11,7 +11,7 @@
 
 namespace steplab {
 
-/// A quotient that has not been divided yet: whoever divides anyway does it once.
+/// A quotient before its division: a caller that divides anyway then needs only one division.
 template <class N>
 struct Fraction {
     N numerator, denominator;
@@ -19,8 +19,8 @@ struct Fraction {
 
 namespace detail {
 
-/// 2^f = (q + f p) / (q - f p) for |f| <= 1/2, with polynomials p and q of f^2: f p / q is tanh(f ln(2) / 2), met at
-/// the Chebyshev nodes of f^2.
+/// 2^f = (q + f p) / (q - f p) for |f| <= 1/2, with polynomials p and q of f^2: f p / q is tanh(f ln(2) / 2),
+/// interpolated at the Chebyshev nodes of f^2.
 template <class T>
 struct PowerOfTwoTraits;
 
@@ -38,7 +38,7 @@ struct PowerOfTwoTraits<double> : ExponentialTraits<double> {
     static constexpr std::array q{0x1.110142bebb5f8p+12};  // errors below 2e-17
 };
 
-/// 2^n, whose n a shift has moved into the last bits of a number.
+/// 2^n, where adding a shift has moved n into the last bits of a number.
 template <std::floating_point T>
 T two_to_the(T shifted) {
     using Traits = ExponentialTraits<T>;
@@ -70,7 +70,7 @@ template <class T, class N>
 [[gnu::always_inline]] inline Fraction<N> power_of_two_of(const N& x) {
     using Traits = PowerOfTwoTraits<T>;
     const N lowest(T(-Traits::bias)), highest(T(Traits::bias + 1)), shift(Traits::shift);
-    const N inside = where(x < lowest, lowest, x);  // what is too large need not wait for this
+    const N inside = where(x < lowest, lowest, x);  // x above the range is handled below, off this path
     const N shifted = inside + shift;
     const N f = inside - (shifted - shift), f2 = f * f;
     const N odd = f * polynomial(Traits::p, f2, N(Traits::p_last));
@@ -84,10 +84,10 @@ concept InRegisters = std::is_same_v<T, float> || std::is_same_v<T, double>;
 
 }  // namespace detail
 
-/// 2^x as a fraction whose quotient is within 2.5 ulp, the same bits on every system. x is taken apart without
-/// rounding; whoever makes it of the exponent of another power by a product, the logarithm of a base, has the error of
-/// that product beside: |x| ln 2 / 2 ulp. Below the range of normal numbers it is 0; 11 binary digits below its end
-/// (float: 5) it becomes infinite, of any x but an infinite one, of which it is not a number.
+/// 2^x as a fraction whose quotient is within 2.5 ulp, bit-identical on every system. x is split without rounding; if x
+/// is itself a rounded product, an exponent times the logarithm of a base, that rounding adds |x| ln 2 / 2 ulp. Below
+/// the range of normal numbers the result is 0. It becomes infinite 11 binary digits below the end of the range (float:
+/// 5), and is not a number for infinite x.
 template <detail::InRegisters T>
 Fraction<T> power_of_two(T x) {
     return detail::power_of_two_of<T>(x);

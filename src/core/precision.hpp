@@ -18,8 +18,8 @@ constexpr std::optional<Precision> parse_precision(std::string_view text) {
     return std::nullopt;
 }
 
-/// The number a run of this precision holds for `value`: unchanged in double, the nearest float in float.
-/// A value too large for float becomes infinite.
+/// `value` rounded to this precision: unchanged in double, the nearest float in float. A value too large for float
+/// becomes infinite.
 double rounded_to(Precision precision, double value);
 
 }  // namespace steplab

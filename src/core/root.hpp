@@ -5,8 +5,8 @@
 
 namespace steplab {
 
-/// The n-th root of x >= 0 within some ulp, n >= 1, by Newton's iteration from above: the same bits on every system,
-/// which pow of libm is not. 0 for 0; what is not finite stays as it is.
+/// The n-th root of x >= 0 within a few ulp, n >= 1, by Newton's iteration from above: bit-identical on every system,
+/// unlike pow of libm. 0 for 0; infinity and NaN are returned unchanged.
 template <std::floating_point T>
 T root(T x, int n) {
     if (!(x > T(0)) || !std::isfinite(x)) return x;

@@ -9,7 +9,7 @@
 
 namespace steplab {
 
-/// What a particle is in its scene; drawn apart by colour and shape.
+/// The role of a particle in its scene; each has its own colour and shape when drawn.
 enum class Role : std::uint8_t { moving, fixed, kicked, bullet };
 
 constexpr std::string_view id(Role role) {
@@ -24,17 +24,18 @@ struct Spring {
     double rest_length = 0;
 };
 
-/// What of a scene never changes while it runs: shared by all frames of a run, plain data.
+/// The part of a scene that does not change during a run: plain data, shared by all frames of the run.
 struct Shape {
-    std::vector<Vec3> rest;       ///< rest position of each particle; where there is none (free, morse) its start
+    std::vector<Vec3> rest;  ///< rest position of each particle; its initial position where there is none (free, morse)
     std::vector<Role> roles;      ///< one per particle
-    std::vector<Spring> springs;  ///< empty where particles act on each other without springs
-    double spacing = 1;           ///< typical distance of neighbours, > 0; sizes of drawn things follow it
-    std::vector<Vec3> expected;   ///< places it is expected to reach; the first camera and the axes take them in
-    double period = 0;            ///< not 0: space repeats itself after this length along each axis
-    Vec3 corner;                  ///< then the least corner of the box in which everything is seen
+    std::vector<Spring> springs;  ///< empty where there are no springs
+    double spacing = 1;           ///< typical distance between neighbours, > 0; sets the size of drawn objects
+    std::vector<Vec3>
+        expected;       ///< positions the motion is expected to reach: the initial view and the axes include them
+    double period = 0;  ///< side of the periodic box; 0: no periodic boundary conditions
+    Vec3 corner;        ///< corner of that box with the smallest coordinates
 
-    /// Where a position is seen: with a period, the image of it that is in the box.
+    /// The position as drawn: with periodic boundary conditions, its image inside the box.
     Vec3 seen(Vec3 position) const {
         if (period == 0) return position;
         const auto within = [this](double at, double least) { return at - period * std::floor((at - least) / period); };

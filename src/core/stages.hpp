@@ -9,20 +9,20 @@ namespace steplab {
 
 inline constexpr std::size_t stage_count = 8;
 
-/// One quantity at the eight stages of a step, side by side: a number type for the formulas of forces, in one vector
-/// register where the machine has such registers.
+/// One quantity at the eight stages of a step, in SIMD lanes: a number type for the force formulas, one vector register
+/// where the machine has registers of that width.
 template <class T>
 using Stages = std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>, RegisterLanes<T, stage_count>,
                                   PlainLanes<T, stage_count>>;
 
-/// A number type that is several numbers side by side.
+/// A number type with SIMD lanes.
 template <class N>
 concept HasLanes = requires(const N& n) {
     N::count;
     n[0];
 };
 
-/// e^x in every lane, each as exponential() of a number by itself.
+/// e^x in every lane, bit-identical to exponential() of a single number.
 template <HasLanes N>
 N exponential(const N& x) {
     using T = std::remove_cvref_t<decltype(x[0])>;
@@ -32,7 +32,7 @@ N exponential(const N& x) {
     return N::load(numbers);
 }
 
-/// True if the condition holds in a lane.
+/// True if the condition holds in any lane.
 template <class Mask>
 bool any(const Mask& condition, std::size_t lanes) {
     bool found = false;

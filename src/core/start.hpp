@@ -10,7 +10,7 @@
 
 namespace steplab {
 
-/// Displacement and velocity of every particle where a scene starts. They may be told by a rule, so that a large scene
+/// The initial displacement and velocity of every particle. They may be given by a function, so that a large scene
 /// needs no memory for them.
 class Start {
 public:
@@ -22,7 +22,7 @@ public:
     Start(std::size_t count, std::function<Particle(std::size_t)> rule) : count_(count), rule_(std::move(rule)) {}
     explicit(false) Start(State<double> state)
         : count_(state.displacement.count()), held_(std::make_shared<const State<double>>(std::move(state))) {}
-    /// At rest in the reference positions, but for one particle.
+    /// At rest in the reference positions, except for one particle.
     static Start kick(std::size_t count, std::size_t kicked, Vec3 velocity) {
         return {count, [=](std::size_t i) { return Particle{{}, i == kicked ? velocity : Vec3{}}; }};
     }
@@ -33,7 +33,7 @@ public:
         return rule_(first_ + i);
     }
 
-    /// Particles first, first + 1, ... as a start of their own.
+    /// The start of the `count` particles from `first`.
     Start part(std::size_t first, std::size_t count) const {
         Start part = *this;
         part.first_ += first;
@@ -41,7 +41,7 @@ public:
         return part;
     }
 
-    /// All of it in this number type, each number rounded once.
+    /// The whole start in this number type, each number rounded once.
     template <class T = double>
     State<T> state() const {
         if (held_ && count_ == held_->displacement.count())
@@ -57,7 +57,7 @@ public:
 
 private:
     std::size_t count_ = 0;
-    std::size_t first_ = 0;  ///< the particle of the rule, or of the state, that is the first here
+    std::size_t first_ = 0;  ///< index of particle 0 in the function or the state
     std::function<Particle(std::size_t)> rule_;
     std::shared_ptr<const State<double>> held_;
 };

@@ -5,8 +5,8 @@
 
 namespace steplab {
 
-/// Adds doubles and carries what rounding drops along (Neumaier, Z. Angew. Math. Mech. 54 (1974) 39), so that energies
-/// of a million particles keep their digits. Numbers are added in the order given.
+/// Compensated summation of doubles (Neumaier, Z. Angew. Math. Mech. 54 (1974) 39), so that energies of a million
+/// particles keep their digits. Numbers are added in the order given.
 class CompensatedSum {
 public:
     void add(double term) {
@@ -14,7 +14,7 @@ public:
         correction_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
         sum_ = next;
     }
-    /// Not finite if a term was not.
+    /// Not finite if any term was not.
     double value() const { return std::isfinite(correction_) ? sum_ + correction_ : sum_; }
 
 private:
@@ -22,8 +22,9 @@ private:
     double correction_ = 0;
 };
 
-/// The same for terms side by side: each lane has its sum, with the error of a sum after Knuth (The Art of Computer
-/// Programming 2, 4.2.2, theorem B), and the lanes are added up in turn. As many lanes on every machine.
+/// The same for terms in SIMD lanes: each lane has its own sum, with its rounding error after Knuth (The Art of
+/// Computer Programming 2, 4.2.2, theorem B); the lanes are then added in order. Use the same number of lanes on every
+/// machine.
 template <class N>
 class LanesSum {
 public:

@@ -11,14 +11,14 @@ std::size_t processors() { return std::max(1U, std::thread::hardware_concurrency
 
 void Rendezvous::wait() {
     using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::microseconds awake{100};  // about what it takes to be woken
+    constexpr std::chrono::microseconds awake{100};  // about as long as waking a thread takes
     const std::uint32_t round = round_;
     if (++arrived_ == members_) {
         arrived_ = 0;
         ++round_;
         return round_.notify_all();
     }
-    // a thread that others have to wait for may need this processor
+    // a thread that the others wait for may need this processor
     for (const auto end = Clock::now() + awake; round_ == round && Clock::now() < end;) std::this_thread::yield();
     round_.wait(round);
 }

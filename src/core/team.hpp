@@ -10,17 +10,17 @@
 
 namespace steplab {
 
-/// Threads that work side by side on this machine; at least one.
+/// Number of threads that this machine runs in parallel; at least 1.
 std::size_t processors();
 
-/// Where so many threads wait for each other, over and over: awake for a moment, as to be woken takes longer than some
-/// steps of a large scene (std::barrier sleeps at once), then asleep.
+/// A reusable barrier for a number of threads. A waiting thread stays awake for a moment, because waking it takes
+/// longer than some steps of a large scene, and then sleeps (std::barrier sleeps at once).
 class Rendezvous {
 public:
     explicit Rendezvous(std::size_t members) : members_(members) {}
-    /// So many come from now on, not fewer than are here.
+    /// Changes the number of threads to wait for; not to fewer than are waiting already.
     void expect(std::size_t members) { members_ = members; }
-    /// Nobody goes on before all are here.
+    /// Returns when all threads have called it.
     void wait();
 
 private:
@@ -29,22 +29,22 @@ private:
     std::atomic<std::uint32_t> round_ = 0;
 };
 
-/// Some threads, the caller's among them, that do the same work side by side. They sleep between.
+/// A team of threads, including the caller's, that do the same work in parallel. They sleep between two runs.
 class Team {
 public:
-    /// The caller alone where fewer than two are asked for. Throws std::system_error if there are no threads to be had.
+    /// The caller alone if `members` is less than 2. Throws std::system_error if a thread cannot be started.
     explicit Team(std::size_t members);
     ~Team();
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
-    /// work(i) for every member i, which must not throw; back when all are done. All compute in the floating-point mode
-    /// of the caller (FlushSubnormals).
+    /// Runs work(i) for every member i, which must not throw, and returns when all have finished. All compute in the
+    /// caller's floating-point mode (FlushSubnormals).
     void run(const std::function<void(std::size_t)>& work);
-    /// Called by all members within their work: nobody goes on before all are here.
+    /// A barrier, called by all members within their work.
     void meet();
     std::size_t members() const { return members_; }
-    /// What of `count` things is a member's, if each has as many.
+    /// The share of a member if `count` items are divided evenly.
     struct Part {
         std::size_t begin, end;
     };
@@ -52,8 +52,8 @@ public:
         return {count * member / members_, count * (member + 1) / members_};
     }
 
-    /// f(i) for each i below `count`, by whoever is free. Once one has thrown, no further one is begun, and the first
-    /// exception is thrown on.
+    /// Runs f(i) for each i < `count`, each by the next free thread. After an exception no further call begins, and the
+    /// first exception is rethrown.
     void share(std::size_t count, const std::function<void(std::size_t)>& f);
 
 private:
@@ -63,7 +63,7 @@ private:
     std::size_t members_;
     Rendezvous meeting_;
     std::fenv_t mode_{};
-    const std::function<void(std::size_t)>* work_ = nullptr;  ///< null: it is time to go home
+    const std::function<void(std::size_t)>* work_ = nullptr;  ///< null: the threads end
     std::vector<std::jthread> others_;
 };
 

@@ -19,7 +19,7 @@ std::string shortest(T value) {
     return std::string(buffer, result.ptr);
 }
 
-/// Levenshtein distance: the single-letter changes that turn one word into the other.
+/// Levenshtein distance: the number of single-letter changes that turn one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -33,7 +33,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-/// The known word a typing error away, if there is one.
+/// The known word that differs by a typing error, if there is one.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known) {
     const auto closest = std::min_element(known.begin(), known.end(), [&](std::string_view a, std::string_view b) {
         return edit_distance(word, a) < edit_distance(word, b);

@@ -7,14 +7,13 @@
 
 namespace steplab {
 
-/// Shortest text that reads back as the same number; "nan", "inf", "-inf" for what is not finite. Never the user's
-/// locale.
+/// Shortest text that reads back as the same number; "nan", "inf", "-inf" if it is not finite. Independent of the
+/// user's locale.
 std::string number_text(double value);
 /// The same for a number of a float run: the shortest text that reads back as the same float.
 std::string number_text(float value);
 
-/// The number that the whole of `text` stands for (decimal or scientific, an optional sign); none if it is anything
-/// else.
+/// The number written as `text` (decimal or scientific, with an optional sign); nullopt if it is anything else.
 std::optional<double> parse_number(std::string_view text);
 
 /// "unknown model 'chian' (did you mean 'chain'?); known: free, oscillator, ...": one message for every unknown word.

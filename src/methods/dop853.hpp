@@ -12,7 +12,7 @@ struct Dop853 {
     static constexpr MethodInfo info{
         .id = "dop853",
         .name = "Dormand-Prince 8(5,3)",
-        .what = "Chooses its own steps, of order 8: for middle and high accuracy with any force.",
+        .what = "Adaptive, order 8: for medium and high accuracy with any force.",
         .order = 8,
         .order_with_drag = 8,
         .evaluations = 12,

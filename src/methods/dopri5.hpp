@@ -12,8 +12,7 @@ struct Dopri5 {
     static constexpr MethodInfo info{
         .id = "dopri5",
         .name = "Dormand-Prince 5(4)",
-        .what =
-            "Chooses its own steps: the usual choice where few digits are wanted and nothing is known of the scene.",
+        .what = "Adaptive, order 5: the usual choice for moderate accuracy when little is known about the scene.",
         .order = 5,
         .order_with_drag = 5,
         .evaluations = 6,

@@ -4,20 +4,20 @@
 
 namespace steplab {
 
-/// Euler as the thesis uses it: the new velocity moves the particles (semi-implicit, symplectic).
+/// The Euler method of the thesis: positions advance with the new velocity (semi-implicit, symplectic).
 struct Euler {
     static constexpr ParameterInfo parameters[] = {compensated_sums};
 
     static constexpr MethodInfo info{
         .id = "euler",
-        .name = "Euler, semi-implicit",
-        .what = "The simplest that keeps energy bounded: kick, then drift with the new velocity.",
+        .name = "Semi-implicit Euler",
+        .what = "The simplest method with a bounded energy error: kick, then drift with the new velocity.",
         .order = 1,
         .order_with_drag = 1,
         .evaluations = 1,
         .linear_limit = 2,
         .symplectic = true,
-        .conserves = "momentum, angular momentum, energy within bounds",
+        .conserves = "momentum, angular momentum; bounded energy error",
         .source = "Hairer, Lubich, Wanner, Geometric Numerical Integration, I.1.2",
         .parameters = parameters,
     };

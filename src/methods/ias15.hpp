@@ -6,21 +6,21 @@
 
 namespace steplab {
 
-/// IAS15, with a step rule of the scene as a whole.
+/// IAS15, with one step size for the whole scene.
 struct Ias15 {
     static constexpr ParameterInfo parameters[] = {[] {
         ParameterInfo tolerance = tolerance_parameter;
-        tolerance.what = "error allowed in a step, absolute and relative alike; Rein's epsilon is 265 tolerance^(7/15)";
+        tolerance.what = "allowed error per step, absolute and relative; Rein's epsilon is 265 tolerance^(7/15)";
         return tolerance;
     }()};
 
     static constexpr MethodInfo info{
         .id = "ias15",
         .name = "IAS15",
-        .what = "Gauss-Radau of order 15 that chooses its steps: right to the last digits, for small scenes.",
+        .what = "Adaptive Gauss-Radau method of order 15: accurate to rounding, for small scenes.",
         .order = 15,
         .order_with_drag = 15,
-        .evaluations = 15,  // two passes over seven nodes are usual
+        .evaluations = 15,  // typically two iterations over seven nodes
         .start_evaluations = 1,
         .linear_limit = infinity,  // the step follows the motion
         .adaptive = true,

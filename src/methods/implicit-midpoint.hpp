@@ -19,7 +19,9 @@ struct ImplicitMidpoint {
     static constexpr MethodInfo info{
         .id = "implicit-midpoint",
         .name = "Implicit midpoint",
-        .what = "Keeps the energy of linear scenes exactly at any dt; stiff springs that turn far in a step gain some.",
+        .what =
+            "Conserves the energy of linear scenes exactly at any dt; stiff springs that rotate far in one step gain "
+            "energy.",
         .order = 2,
         .order_with_drag = 2,
         .evaluations = 4,
@@ -27,7 +29,7 @@ struct ImplicitMidpoint {
         .symplectic = true,
         .reversible = true,
         .implicit = true,
-        .conserves = "momentum, angular momentum, on linear scenes energy exactly",
+        .conserves = "momentum, angular momentum; energy exactly on linear scenes",
         .source = "Hairer, Lubich, Wanner, Geometric Numerical Integration, II.1.1, VI.4",
         .parameters = parameters,
         .refusal = refusal,
@@ -77,7 +79,7 @@ struct ImplicitMidpoint {
         }
 
         ImplicitStage<T> stage_;
-        Field<T> w_;  ///< change of velocity to the middle of the step
+        Field<T> w_;  ///< change of velocity up to the middle of the step
     };
 };
 

@@ -11,14 +11,14 @@ struct KahanLi8 {
     static constexpr MethodInfo info{
         .id = "kahan-li-8",
         .name = "Kahan-Li 8",
-        .what = "Order 8 for long runs at high accuracy: 17 evaluations, energy within bounds for ever.",
+        .what = "Order 8, for long runs at high accuracy: 17 force evaluations per step, bounded energy error.",
         .order = 8,
         .order_with_drag = 8,
         .evaluations = 17,
         .linear_limit = 3.0964386800011561,
         .symplectic = true,
         .reversible = true,
-        .conserves = "momentum, angular momentum, energy within bounds",
+        .conserves = "momentum, angular momentum; bounded energy error",
         .source = "Kahan, Li, Math. Comp. 66 (1997) 1089",
         .parameters = parameters,
     };

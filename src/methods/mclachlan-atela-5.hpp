@@ -11,13 +11,13 @@ struct MclachlanAtela5 {
     static constexpr MethodInfo info{
         .id = "mclachlan-atela-5",
         .name = "McLachlan-Atela 5",
-        .what = "Order 5 in six evaluations; symplectic but not reversible, and of order 3 with drag.",
+        .what = "Order 5 with six force evaluations per step; symplectic but not time-reversible; order 3 with drag.",
         .order = 5,
         .order_with_drag = 3,
         .evaluations = 6,
         .linear_limit = 3.0624976839833413,
         .symplectic = true,
-        .conserves = "momentum, angular momentum, energy within bounds",
+        .conserves = "momentum, angular momentum; bounded energy error",
         .source = "McLachlan, Atela, Nonlinearity 5 (1992) 541",
         .parameters = parameters,
     };

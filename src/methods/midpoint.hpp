@@ -11,11 +11,11 @@ struct Midpoint {
     static constexpr MethodInfo info{
         .id = "midpoint",
         .name = "Midpoint (RK2)",
-        .what = "One look ahead to the middle of the step; gains energy at any dt, slowly if dt is small.",
+        .what = "Uses the force at the middle of the step; its energy grows at any dt, slowly if dt is small.",
         .order = 2,
         .order_with_drag = 2,
         .evaluations = 2,
-        .linear_limit = 0,  // grows by sqrt(1 + (omega dt)^4 / 4) a step
+        .linear_limit = 0,  // grows by sqrt(1 + (omega dt)^4 / 4) per step
         .conserves = "momentum",
         .source = "Runge, Math. Ann. 46 (1895) 167; Hairer, Nørsett, Wanner I, II.1",
         .parameters = parameters,

@@ -11,14 +11,16 @@ struct Pefrl {
     static constexpr MethodInfo info{
         .id = "pefrl",
         .name = "PEFRL 4",
-        .what = "Order 4 with small errors for four evaluations: the usual choice where Verlet is too coarse.",
+        .what =
+            "Order 4 with small errors for four force evaluations per step: the usual choice where Verlet is not "
+            "accurate enough.",
         .order = 4,
         .order_with_drag = 4,
         .evaluations = 4,
         .linear_limit = 2.9894495459067786,
         .symplectic = true,
         .reversible = true,
-        .conserves = "momentum, angular momentum, energy within bounds",
+        .conserves = "momentum, angular momentum; bounded energy error",
         .source = "Omelyan, Mryglod, Folk, Comput. Phys. Commun. 146 (2002) 188",
         .parameters = parameters,
     };

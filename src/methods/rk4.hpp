@@ -11,7 +11,7 @@ struct Rk4 {
     static constexpr MethodInfo info{
         .id = "rk4",
         .name = "Runge-Kutta 4",
-        .what = "The classic: accurate for its cost at small dt, loses energy slowly over long times.",
+        .what = "The classic method: accurate for its cost at small dt; slowly loses energy in long runs.",
         .order = 4,
         .order_with_drag = 4,
         .evaluations = 4,

@@ -12,7 +12,7 @@ struct Rkn1210 {
     static constexpr MethodInfo info{
         .id = "rkn-12-10",
         .name = "Runge-Kutta-Nyström 12(10)",
-        .what = "Chooses its own steps, of high order, for forces of position: many digits for little work.",
+        .what = "Adaptive, order 12, for forces that depend on position only: high accuracy at low cost.",
         .order = 12,
         .order_with_drag = 12,
         .evaluations = 17,

@@ -12,14 +12,14 @@ struct Srkn11b {
     static constexpr MethodInfo info{
         .id = "srkn-11b",
         .name = "Blanes-Moan 6",
-        .what = "Order 6 with the smallest errors for its cost among splitting methods; of order 4 with drag.",
+        .what = "Order 6 with the smallest errors for its cost among splitting methods; order 4 with drag.",
         .order = 6,
         .order_with_drag = 4,
         .evaluations = 11,
         .linear_limit = 3.1414310877753386,
         .symplectic = true,
         .reversible = true,
-        .conserves = "momentum, angular momentum, energy within bounds",
+        .conserves = "momentum, angular momentum; bounded energy error",
         .source = "Blanes, Moan, J. Comput. Appl. Math. 142 (2002) 313, SRKN 11b",
         .parameters = parameters,
     };

@@ -10,15 +10,18 @@
 
 namespace steplab {
 
-/// The thesis' Störmer as its program was printed, mistake included (docs/curiosities.md): the velocity at the end of a
-/// step takes the acceleration of the substep before. It works on absolute positions with the plain force loop.
+/// The Störmer method of the thesis as its program was printed, mistake included (docs/curiosities.md): the velocity at
+/// the end of a step uses the acceleration of the previous substep. It works on absolute positions with the plain force
+/// loop.
 struct Stoermer2008 {
     static constexpr ParameterInfo parameters[] = {Stoermer::substeps};
 
     static constexpr MethodInfo info{
         .id = "stoermer-2008",
         .name = "Störmer as printed in 2008",
-        .what = "A curiosity: Störmer with a stale acceleration at the end of each step, gaining energy. Not for work.",
+        .what =
+            "A curiosity: Störmer with an outdated acceleration at the end of each step; it gains energy. Not for "
+            "production runs.",
         .order = 1,
         .order_with_drag = 1,
         .evaluations = 1,

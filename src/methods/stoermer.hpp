@@ -13,7 +13,7 @@ struct Stoermer {
                                             .minimum = 1,
                                             .maximum = 1000000,
                                             .default_value = 10,
-                                            .what = "substeps z of a step",
+                                            .what = "number of substeps z per step",
                                             .slider_low = 1,
                                             .slider_high = 50};
     static constexpr ParameterInfo parameters[] = {substeps, compensated_sums};
@@ -21,14 +21,14 @@ struct Stoermer {
     static constexpr MethodInfo info{
         .id = "stoermer",
         .name = "Störmer",
-        .what = "Verlet in substeps: z times the work, z² times smaller errors, z times the stable dt.",
+        .what = "Verlet with z substeps per step: z times the cost, z² times smaller errors, z times the stable dt.",
         .order = 2,
         .order_with_drag = 2,
         .evaluations = 1,
         .linear_limit = 2,
         .symplectic = true,
         .reversible = true,
-        .conserves = "momentum, angular momentum, energy within bounds",
+        .conserves = "momentum, angular momentum; bounded energy error",
         .source = "Störmer 1907; Press et al., Numerical Recipes, 17.4",
         .parameters = parameters,
     };

@@ -27,8 +27,8 @@
 
 namespace steplab {
 
-/// The motion as its power series in time, summed as far as it converges to the tolerance. A series whose last
-/// coefficient is that of t^K has taken the accelerations in K - 1 orders: it counts as K - 1 evaluations.
+/// The motion as a power series in time, used as far as it converges to the tolerance. A series up to t^K needs the
+/// accelerations in K - 1 orders and counts as K - 1 evaluations.
 struct Taylor {
     static constexpr ParameterInfo parameters[] = {tolerance_parameter};
 
@@ -37,10 +37,10 @@ struct Taylor {
         constexpr std::size_t most_near = 50, most_pairs = 2000;
         const std::string not_for = " particles, not for " + std::to_string(coupling.particles);
         if (coupling.kind == Coupling::Kind::near && coupling.particles > most_near)
-            return "a series ends wherever a pair comes into the cut-off or leaves it, which is bearable for up to " +
+            return "a power series ends whenever a pair crosses the cut-off, which is practical for up to " +
                    std::to_string(most_near) + not_for;
         if (coupling.kind == Coupling::Kind::all && coupling.particles > most_pairs)
-            return "it holds the series of all pairs in memory, which is possible for up to " +
+            return "it stores the power series of all pairs, which is possible for up to " +
                    std::to_string(most_pairs) + not_for;
         return std::nullopt;
     }
@@ -48,13 +48,15 @@ struct Taylor {
     static constexpr MethodInfo info{
         .id = "taylor",
         .name = "Taylor series",
-        .what = "Chooses step and order itself; every moment between two steps is known as exactly as their ends.",
+        .what =
+            "Chooses step size and order from the tolerance; between two steps the motion is as accurate as at the "
+            "steps.",
         .order = 20,
         .order_with_drag = 20,
         .evaluations = 19,
         .linear_limit = infinity,
         .adaptive = true,
-        .conserves = "everything, within the tolerance",
+        .conserves = "all invariants, within the tolerance",
         .source = "Jorba, Zou, Experimental Mathematics 14 (2005) 99",
         .parameters = parameters,
         .refusal = refusal,
@@ -65,11 +67,11 @@ struct Taylor {
     class Integrator;
 };
 
-/// Coefficient k of a displacement is held as x_k unit^k, unit being a power of two near the step's length: exact, and
-/// far from the ends of the range of numbers.
+/// Coefficient k of a displacement is stored as x_k unit^k, where unit is a power of two near the step size: exact, and
+/// safe from overflow and underflow.
 template <class T>
 class Taylor::Integrator {
-    /// Times have the digits of double at least.
+    /// Times have at least double precision.
     using Time = std::conditional_t<std::is_same_v<T, float>, double, T>;
 
 public:
@@ -103,7 +105,7 @@ public:
             advance(system);
             expand(system);
             lengthen(static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon())));
-            // nothing moves by more than rounding: steps need not be shorter, nor can they
+            // below this time nothing moves by more than rounding: shorter steps are neither needed nor possible
             lengthen(
                 time_of_rounding(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_->axes()));
         }
@@ -130,12 +132,12 @@ public:
         f(self.lost_.v);
     }
 
-    /// What of the internal state is no field: plain data.
+    /// The part of the internal state that is not a field: plain data.
     struct Progress {
         std::uint64_t frames = 0;
-        Time begin = 0, begin_lost = 0;  ///< time at which the series begins, and what rounding has cut off it
-        T length = T(0);                 ///< how far the series reaches
-        T across = T(0);                 ///< if it reaches across a collision: the time from its beginning to there
+        Time begin = 0, begin_lost = 0;  ///< time at which the series begins, and its rounding error
+        T length = T(0);                 ///< duration of the series
+        T across = T(0);                 ///< time from its beginning to a collision within it, else 0
         T unit = T(1);
         typename CollisionGuard<T>::State guard{};
     };
@@ -150,9 +152,9 @@ public:
 private:
     using N = Lanes<T>;
 
-    /// -ln(tolerance) / 2 + 1 is best where the work of a step grows with the square of the order (Jorba, Zou,
-    /// proposition 3.1). Here most of it grows with the order itself, up to some 25: the best orders, as measured, are
-    /// higher and nearly the same for all tolerances.
+    /// -ln(tolerance) / 2 + 1 is best where the cost of a step grows with the square of the order (Jorba, Zou,
+    /// proposition 3.1). Here most of it grows linearly with the order up to about 25: the best orders, as measured,
+    /// are higher and nearly the same for all tolerances.
     static std::size_t highest_order(double log_tolerance) {
         return static_cast<std::size_t>(std::ceil(14 - log_tolerance / 4));
     }
@@ -167,7 +169,7 @@ private:
         return static_cast<Time>(progress_.frames) * static_cast<Time>(system.dt());
     }
 
-    /// To the end of the series, which becomes the next one's beginning.
+    /// Advances to the end of the series, where the next one begins.
     template <class System>
     void advance(System& system) {
         if (progress_.across > T(0)) {
@@ -185,16 +187,9 @@ private:
         T *const x = x_[0].flat().data(), *const v = v_.flat().data();
         T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
         each_change(progress_.length, [=](std::size_t p, N change_of_x, N change_of_v) {
-            add_lanes(x + p, lost_x + p, change_of_x);
-            add_lanes(v + p, lost_v + p, change_of_v);
+            add_compensated_at(x + p, lost_x + p, change_of_x);
+            add_compensated_at(v + p, lost_v + p, change_of_v);
         });
-    }
-
-    static void add_lanes(T* to, T* left, N increment) {
-        N sum = N::load(to), lost = N::load(left);
-        add_compensated(sum, lost, increment);
-        sum.store(to);
-        lost.store(left);
     }
 
     template <class F>
@@ -204,13 +199,13 @@ private:
 
     static T number(std::size_t k) { return static_cast<T>(static_cast<int>(k)); }
 
-    /// The series of the motion from x_[0] and v_, in a unit of time that suits how far it reaches.
+    /// The series of the motion from x_[0] and v_, in a unit of time that suits its duration.
     template <class System>
     void expand(System& system) {
         for (int attempt = 0; attempt < 40; ++attempt) {
             compute_series(system);
             const T share = reach();
-            // in too small a unit all coefficients vanish, and the series seems to end
+            // in too small a unit all coefficients underflow, and the series seems to end
             const bool too_small = share >= longest_series<T> && progress_.unit < system.dt() / longest_series<T>;
             const bool fits = share > T(1) / T(64) && share < T(64) && !too_small;
             progress_.length = progress_.unit * (std::isfinite(share) ? share : T(1) / T(4096));
@@ -221,8 +216,9 @@ private:
         if (!forces_->singular()) end_at_collision(system);
     }
 
-    /// On its way to a collision the series ends before it, with the collision at hand as far behind it. A series does
-    /// not reach far beyond the moment when a distance is zero: collisions are foreseen at several times its length.
+    /// When a collision approaches, the series ends before it; close to the collision it ends as far behind it. Because
+    /// a series does not reach far beyond the time at which a distance is zero, collisions are predicted at several
+    /// times its duration.
     template <class System>
     void end_at_collision(System& system) {
         const MotionOf<T> begin = now(a_);
@@ -265,7 +261,7 @@ private:
         each_change(t, [=](std::size_t p, N change, N) { (N::load(x + p) + change).store(x + p); });
     }
 
-    /// The beginning of the series; its accelerations, drag included, go into `a`.
+    /// The motion at the beginning of the series; its accelerations, drag included, are written to `a`.
     MotionOf<T> now(Field<T>& a) const {
         const T of_x = T(2) / (progress_.unit * progress_.unit);
         const T* const second = x_[2].flat().data();
@@ -278,14 +274,14 @@ private:
     void behind_collision(const System& system, T since, State<T>& out) const {
         Field<T> a(v_.count());
         Motion<T> behind(v_.count());
-        Uncounted<System> looking(system);
+        Uncounted<System> uncounted(system);
         const MotionOf<T> before = now(a);
-        go_across(looking, before, progress_.across, behind);
+        go_across(uncounted, before, progress_.across, behind);
         within_crossing(before, behind, progress_.across, since, out);
     }
 
-    /// Where a pair comes in or goes out of the cut-off the force has a kink: the series ends just behind the first
-    /// such time, looked for in eighths of its length and then by bisection.
+    /// Where a pair crosses the cut-off the force has a kink: the series ends just behind the first such time, found in
+    /// eighths of its duration and then by bisection.
     template <class System>
     void end_at_jump(System& system) {
         const std::uint64_t now = pairs_at(system, T(0));
@@ -302,7 +298,7 @@ private:
         }
     }
 
-    /// A number that tells the set of pairs that interact at time t of the series from others.
+    /// A hash of the set of pairs that interact at time t of the series.
     template <class System>
     std::uint64_t pairs_at(System& system, T t) {
         displacements_at(t, end_);

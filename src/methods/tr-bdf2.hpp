@@ -18,13 +18,13 @@ struct TrBdf2 {
     }
 
     static constexpr double gamma = 0.58578643762690497;   // 2 - sqrt(2)
-    static constexpr double diagonal = gamma / 2;          // weight of a stage's own slope in it
-    static constexpr double before = 0.35355339059327379;  // sqrt(2) / 4: of the two earlier slopes at the end
+    static constexpr double diagonal = gamma / 2;          // weight of a stage's own derivative
+    static constexpr double before = 0.35355339059327379;  // sqrt(2) / 4: weight of the two earlier derivatives
 
     static constexpr MethodInfo info{
         .id = "tr-bdf2",
         .name = "TR-BDF2",
-        .what = "For stiff scenes: stable at any dt, and motion that dt cannot resolve is damped away.",
+        .what = "For stiff scenes: stable at any dt; motion that dt cannot resolve is damped.",
         .order = 2,
         .order_with_drag = 2,
         .evaluations = 8,
@@ -134,8 +134,8 @@ struct TrBdf2 {
 
         ImplicitStage<T> stage_;
         Field<T> slope_;            ///< a - gamma v at x, v
-        Field<T> first_, second_;   ///< changes of velocity that the two stages find
-        Field<T> from_x_, from_v_;  ///< what a stage starts from
+        Field<T> first_, second_;   ///< changes of velocity computed by the two stages
+        Field<T> from_x_, from_v_;  ///< starting values of a stage
     };
 };
 

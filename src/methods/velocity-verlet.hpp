@@ -11,14 +11,14 @@ struct VelocityVerlet {
     static constexpr MethodInfo info{
         .id = "velocity-verlet",
         .name = "Velocity Verlet",
-        .what = "Verlet with positions and velocities of one time: half a kick, a drift, half a kick.",
+        .what = "Verlet with positions and velocities at the same time: half a kick, a drift, half a kick.",
         .order = 2,
         .order_with_drag = 2,
         .evaluations = 1,
         .linear_limit = 2,
         .symplectic = true,
         .reversible = true,
-        .conserves = "momentum, angular momentum, energy within bounds",
+        .conserves = "momentum, angular momentum; bounded energy error",
         .source = "Swope et al., J. Chem. Phys. 76 (1982) 637",
         .parameters = parameters,
     };

@@ -6,14 +6,14 @@
 
 namespace steplab {
 
-/// The thesis' Verlet as its program was printed, mistakes included (docs/curiosities.md): a particle whose last two
-/// positions are equal takes an Euler step with its stored velocity, which the other steps store wrongly as
-/// x(n+1) - x(n) / (2 dt). It works on absolute positions with the plain force loop.
+/// The Verlet method of the thesis as its program was printed, mistakes included (docs/curiosities.md): a particle
+/// whose last two positions are equal takes an Euler step with its stored velocity, which the other steps store wrongly
+/// as x(n+1) - x(n) / (2 dt). It works on absolute positions with the plain force loop.
 struct Verlet2008 {
     static constexpr MethodInfo info{
         .id = "verlet-2008",
         .name = "Verlet as printed in 2008",
-        .what = "A curiosity: Verlet with the slip of a missing bracket, kept to show what it did. Not for work.",
+        .what = "A curiosity: Verlet with a missing bracket, kept to show its effect. Not for production runs.",
         .order = 2,
         .order_with_drag = 0,
         .evaluations = 1,
@@ -78,7 +78,7 @@ struct Verlet2008 {
             x = next;
         }
 
-        Field<T> x_, before_, v_;  ///< absolute positions, those of the step before, stored velocities
+        Field<T> x_, before_, v_;  ///< absolute positions, those of the previous step, stored velocities
         Field<T> a_;
     };
 };

@@ -20,11 +20,11 @@ constexpr ParameterInfo parameters[] = {number_of_particles(2, 10),
                                          .maximum = 1,
                                          .default_value = 1,
                                          .on_change = OnChange::restarts,
-                                         .what = "1: particle 0 is held, 0: nothing is",
+                                         .what = "1: particle 0 is fixed, 0: all particles move",
                                          .slider_high = 1},
-                                        kick_speed(2, "speed of the last particle at the start, along x")};
+                                        kick_speed(2, "initial velocity of the last particle, along x")};
 
-/// A sum over all modes for each particle: beyond this many, it takes longer than a look at it is worth.
+/// The exact solution is a sum over all modes for each particle: with more particles it takes too long to be of use.
 constexpr std::size_t most_exact = 1024;
 
 ChainModes modes(const ParameterValues& values) {
@@ -49,8 +49,8 @@ Shape shape(const ParameterValues& values) {
     return shape;
 }
 
-/// Neighbours cannot pass each other if the kick's energy does not suffice to press one spring to length 0; and with
-/// L = 0 the springs are linear however they lie.
+/// Neighbours cannot pass each other if the energy of the kick is too small to compress one spring to length 0; with L
+/// = 0 the springs are linear in every orientation.
 std::shared_ptr<const ExactSolution> exact(const ParameterValues& values) {
     const bool linear =
         values["L"] == 0 || std::abs(values["v0"]) * std::sqrt(values["m"] / values["k"]) <= values["L"];
@@ -64,7 +64,8 @@ const Model& chain_model() {
     static const Model model{
         .info = {.id = "chain",
                  .name = "Spring chain",
-                 .what = "Particles in a line on springs to both neighbours; the last one is kicked along the line.",
+                 .what = "Particles in a line, each connected to its neighbours by springs; the last one is kicked "
+                         "along the line.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["n"]; },
         .scene = scene,

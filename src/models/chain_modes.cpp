@@ -37,7 +37,7 @@ Real exact_shape(const ChainModes& modes, std::size_t j, std::size_t particle) {
     return (j == 1 ? 1 : 2) / n * std::cos((i + half) * angle) * std::cos((n - half) * angle);
 }
 
-/// In long double, so that the sum is right to the last bits of a double however long the motion goes on.
+/// In long double, so that the sum is accurate to the last bits of a double at any time.
 class ChainSolution final : public ExactSolution {
 public:
     ChainSolution(const ChainModes& modes, double v0) : modes_(modes), v0_(v0) {
@@ -50,7 +50,7 @@ public:
         }
     }
 
-    Vec3 displacement(std::size_t particle, double t) const override { return {sum(particle, answers(t)), 0, 0}; }
+    Vec3 displacement(std::size_t particle, double t) const override { return {sum(particle, responses(t)), 0, 0}; }
 
     Vec3 velocity(std::size_t particle, double t) const override {
         std::vector<Real> rates;
@@ -59,17 +59,17 @@ public:
     }
 
     void displacements(double t, std::span<Vec3> out) const override {
-        const std::vector<Real> all = answers(t);
+        const std::vector<Real> all = responses(t);
         for (std::size_t i = 0; i < out.size(); ++i) out[i] = {sum(i, all), 0, 0};
     }
 
-    /// The answers of the modes are no larger than the slowest one's, and their shapes add up to less than 2.
+    /// The responses of the modes are bounded by that of the slowest one, and their shapes add up to less than 2.
     double rounding(double t) const override {
         return 2 * mode_rounding(v0_, std::sqrt(omega2_.front()), t) + 1e-19 * std::abs(static_cast<double>(v0_)) * t;
     }
 
 private:
-    std::vector<Real> answers(double t) const {
+    std::vector<Real> responses(double t) const {
         std::vector<Real> all;
         all.reserve(omega2_.size());
         for (const Real omega2 : omega2_) all.push_back(v0_ * KickResponse(omega2, modes_.drag, t).g);

@@ -16,9 +16,10 @@ struct ChainModes {
 
     /// Number of modes: moving particles.
     std::size_t modes() const { return first_fixed ? count - 1 : count; }
-    /// Angular frequency of mode j = 1 .. modes(); the free chain's mode 1 is its motion as a whole, frequency 0.
+    /// Angular frequency of mode j = 1 .. modes(); mode 1 of a free chain is its translation, frequency 0.
     double frequency(std::size_t j) const;
-    /// Amplitude of mode j at a particle, times that at the last particle, normalised over the moving particles.
+    /// Product of the amplitudes of mode j at a particle and at the last particle, normalised over the moving
+    /// particles.
     double shape(std::size_t j, std::size_t particle) const;
     double highest_frequency() const { return frequency(modes()); }
 };

@@ -1,6 +1,7 @@
-#include "core/text.hpp"
 #include "models/model.hpp"
 #include "models/parameters.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdint>
@@ -10,50 +11,49 @@ namespace steplab {
 
 namespace {
 
-constexpr ParameterInfo parameters[] = {
-    particles_along_edge(6, 5, 20),
-    start_spacing(1, 0.8, 2),
-    particle_mass(50, 1000),
-    well_depth(1),
-    well_force_constant(50, 5, 500),
-    well_distance(1, 0.5, 2),
-    {.name = "cutoff",
-     .unit = "m",
-     .minimum = 0,
-     .minimum_included = false,
-     .default_value = 2,
-     .what = "distance beyond which pairs do not act on each other, at most edge · spacing / 2.3",
-     .slider_low = 1,
-     .slider_high = 2.6},
-    {.name = "jitter",
-     .unit = "m",
-     .minimum = 0,
-     .default_value = 0.02,
-     .on_change = OnChange::restarts,
-     .what = "largest distance from the lattice at the start, along each axis",
-     .slider_low = 0,
-     .slider_high = 0.1},
-    {.name = "kT",
-     .unit = "J",
-     .minimum = 0,
-     .default_value = 0.1,
-     .on_change = OnChange::restarts,
-     .what = "temperature at the start: each component of a velocity has the variance kT/m",
-     .slider_low = 0,
-     .slider_high = 1},
-    {.name = "seed",
-     .kind = ParameterInfo::Kind::integer,
-     .unit = "",
-     .minimum = 1,
-     .maximum = 16777215,
-     .default_value = 2008,
-     .on_change = OnChange::restarts,
-     .what = "number that chooses the start among those of its kind",
-     .slider_low = 1,
-     .slider_high = 4000}};
+constexpr ParameterInfo parameters[] = {particles_along_edge(6, 5, 20),
+                                        start_spacing(1, 0.8, 2),
+                                        particle_mass(50, 1000),
+                                        well_depth(1),
+                                        well_force_constant(50, 5, 500),
+                                        well_distance(1, 0.5, 2),
+                                        {.name = "cutoff",
+                                         .unit = "m",
+                                         .minimum = 0,
+                                         .minimum_included = false,
+                                         .default_value = 2,
+                                         .what = "cut-off distance of the pair force, at most edge · spacing / 2.3",
+                                         .slider_low = 1,
+                                         .slider_high = 2.6},
+                                        {.name = "jitter",
+                                         .unit = "m",
+                                         .minimum = 0,
+                                         .default_value = 0.02,
+                                         .on_change = OnChange::restarts,
+                                         .what = "largest initial displacement from the lattice along each axis",
+                                         .slider_low = 0,
+                                         .slider_high = 0.1},
+                                        {.name = "kT",
+                                         .unit = "J",
+                                         .minimum = 0,
+                                         .default_value = 0.1,
+                                         .on_change = OnChange::restarts,
+                                         .what = "initial temperature: velocity components have the variance kT/m",
+                                         .slider_low = 0,
+                                         .slider_high = 1},
+                                        {.name = "seed",
+                                         .kind = ParameterInfo::Kind::integer,
+                                         .unit = "",
+                                         .minimum = 1,
+                                         .maximum = 16777215,
+                                         .default_value = 2008,
+                                         .on_change = OnChange::restarts,
+                                         .what = "seed of the random initial state",
+                                         .slider_low = 1,
+                                         .slider_high = 4000}};
 
-/// The n-th of the numbers that a seed stands for, uniform in [0, 1): a counter, mixed as in SplitMix64 (Steele, Lea,
-/// Flood, OOPSLA 2014).
+/// The n-th random number of a seed, uniform in [0, 1): a counter, mixed as in SplitMix64 (Steele, Lea, Flood, OOPSLA
+/// 2014).
 double uniform(std::uint64_t seed, std::uint64_t n) {
     std::uint64_t z = (seed << 40) + (n + 1) * 0x9E3779B97F4A7C15;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
@@ -61,23 +61,23 @@ double uniform(std::uint64_t seed, std::uint64_t n) {
     return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/// A number of mean 0 and variance 1, nearly normal: the sum of twelve uniform ones, less 6.
+/// A nearly normal random number of mean 0 and variance 1: the sum of twelve uniform ones, minus 6.
 double nearly_normal(std::uint64_t seed, std::uint64_t n) {
     double sum = -6;
     for (std::uint64_t k = 0; k < 12; ++k) sum += uniform(seed, 12 * n + k);
     return sum;
 }
 
-/// Numbers before it are for velocities.
+/// Smaller indices are used for velocities.
 constexpr std::uint64_t first_of_jitter = std::uint64_t(1) << 62;
 
-/// How a scene starts, particle by particle.
-struct Lottery {
+/// The random initial state of a scene, particle by particle.
+struct RandomStart {
     std::size_t edge;
     double spacing, jitter, speed;
     std::uint64_t seed;
 
-    explicit Lottery(const ParameterValues& values)
+    explicit RandomStart(const ParameterValues& values)
         : edge(values.count("edge")),
           spacing(values["spacing"]),
           jitter(values["jitter"]),
@@ -110,30 +110,31 @@ double period(const ParameterValues& values) { return values["edge"] * values["s
 double particles(const ParameterValues& values) { return values["edge"] * values["edge"] * values["edge"]; }
 
 std::optional<std::string> refusal(const ParameterValues& values) {
-    const double least = 2.3 * values["cutoff"];  // lists reach 15 % further
+    const double least = 2.3 * values["cutoff"];  // pair lists extend 15 % further
     if (period(values) >= least) return std::nullopt;
-    return "edge * spacing = " + number_text(period(values)) + " is less than 2.3 times the cutoff, " +
-           number_text(least) +
-           ": a particle would meet two images of another; choose a larger edge or a smaller cutoff";
+    return fmt::format(
+        "edge * spacing = {:.6g} is less than 2.3 times the cutoff, {:.6g}: a particle would interact with two images "
+        "of another; choose a larger edge or a smaller cutoff",
+        period(values), least);
 }
 
 Scene scene(const ParameterValues& values) {
-    const Lottery lottery(values);
-    const std::size_t n = lottery.count();
+    const RandomStart random(values);
+    const std::size_t n = random.count();
     const NearPairForces forces{
         {n, values["m"], values["D"], values["k"], values["r0"]}, values["cutoff"], period(values)};
-    const Start start(n, [lottery, mean = lottery.mean_velocity()](std::size_t i) {
-        return Start::Particle{lottery.position(i), lottery.velocity(i) - mean};
+    const Start start(n, [random, mean = random.mean_velocity()](std::size_t i) {
+        return Start::Particle{random.position(i), random.velocity(i) - mean};
     });
     return {.mass = values["m"], .forces = forces, .reference = {.count = n}, .start = start};
 }
 
 Shape shape(const ParameterValues& values) {
-    const Lottery lottery(values);
+    const RandomStart random(values);
     Shape shape;
-    shape.rest.reserve(lottery.count());
-    for (std::size_t i = 0; i < lottery.count(); ++i) shape.rest.push_back(lottery.position(i));
-    shape.roles.assign(lottery.count(), Role::moving);
+    shape.rest.reserve(random.count());
+    for (std::size_t i = 0; i < random.count(); ++i) shape.rest.push_back(random.position(i));
+    shape.roles.assign(random.count(), Role::moving);
     shape.spacing = values["spacing"];
     shape.period = period(values);
     const double half = values["spacing"] / 2, end = shape.period - half;
@@ -146,11 +147,12 @@ Shape shape(const ParameterValues& values) {
 
 const Model& crystal_model() {
     static const Model model{
-        .info = {.id = "crystal",
-                 .name = "Periodic crystal",
-                 .what = "A cube of particles in a space that repeats itself, warm, with Morse forces up to a cut-off: "
-                         "a crystal without surface that falls into a denser order, or a liquid where it is hot.",
-                 .parameters = parameters},
+        .info =
+            {.id = "crystal",
+             .name = "Periodic crystal",
+             .what =
+                 "A periodic Morse crystal at finite temperature; it relaxes into a denser lattice, or melts if hot.",
+             .parameters = parameters},
         .particles = particles,
         .scene = scene,
         .shape = shape,

@@ -22,7 +22,7 @@ public:
         return {0, -0.1 * static_cast<double>(particle) * t, 0};
     }
     double rounding(double t) const override {
-        return 2.3e-16 * static_cast<double>(count_) * (1 + 0.05 * t * t);  // some products of half an ulp each
+        return 2.3e-16 * static_cast<double>(count_) * (1 + 0.05 * t * t);  // a few products of half an ulp each
     }
 
 private:
@@ -44,7 +44,7 @@ Shape shape(const ParameterValues& values) {
     for (std::size_t i = 0; i < n; ++i) shape.rest.push_back({static_cast<double>(i), 0, 0});
     shape.roles.assign(n, Role::moving);
     shape.spacing = 1;
-    // There is no end to the fall; this shows some seconds of it.
+    // The fall has no end; this covers its first seconds.
     shape.expected = {{static_cast<double>(n - 1), -0.5 * static_cast<double>(n), 0}};
     return shape;
 }
@@ -54,9 +54,8 @@ Shape shape(const ParameterValues& values) {
 const Model& free_model() {
     static const Model model{
         .info = {.id = "free",
-                 .name = "Free points",
-                 .what =
-                     "Points that fall without touching each other, particle i with the constant acceleration 0.1 i.",
+                 .name = "Free particles",
+                 .what = "Particles in free fall without interaction; particle i has the constant acceleration 0.1 i.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["n"]; },
         .scene = scene,

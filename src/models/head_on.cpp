@@ -10,9 +10,9 @@ namespace {
 
 using Real = long double;
 
-/// With y = e^(b (r - r0)) and mu = m / 2 the energy of the distance r, mu r'^2 / 2 + D (1/y^2 - 2/y) = E, becomes
-/// y'^2 = (2 b^2 / mu) (E y^2 + 2 D y - D), and so y'' = kappa y + lift: linear, with kappa = 2 b^2 E / mu and
-/// lift = 2 b^2 D / mu.
+/// With y = e^(b (r - r0)) and mu = m / 2 the energy of the relative motion, mu r'^2 / 2 + D (1/y^2 - 2/y) = E, becomes
+/// y'^2 = (2 b^2 / mu) (E y^2 + 2 D y - D), and so y'' = kappa y + lift: linear, with kappa = 2 b^2 E / mu and lift = 2
+/// b^2 D / mu.
 class HeadOn final : public ExactSolution {
 public:
     HeadOn(const PairForces& pair, double start, double v0)
@@ -49,7 +49,7 @@ public:
 
     double valid_until() const override { return touch_; }
 
-    /// Bound, or at the threshold, y is a sum of terms of which y(t) may be a small part; else its phase is rounded.
+    /// For bound motion, or at the threshold, y is a sum of terms that may cancel; otherwise the phase is rounded.
     double rounding(double t) const override {
         const Real s = std::sqrt(std::abs(kappa_));
         const Real terms = std::abs(y0_) + std::abs(y_rate(t)) / b_ + std::abs(rate0_) * std::abs(growth(t));
@@ -70,8 +70,8 @@ private:
         return 2 * half * half;
     }
     bool is_far(Real t) const { return energy_ > 0 && std::sqrt(kappa_) * t > 1; }
-    /// With energy to part, y = nearest + swing (cosh(s (t - turn)) - 1) counted from where they turn: the sum of what
-    /// the start gives would lose as many digits as cosh has grown by.
+    /// For unbound motion, y = nearest + swing (cosh(s (t - turn)) - 1), relative to the turning point: the sum of
+    /// terms of the initial values would lose as many digits as cosh has gained.
     Real y(Real t) const {
         if (is_far(t)) return nearest_ + swing_ * kappa_ * lifted(t - turn_);
         return y0_ + rate0_ * growth(t) + (kappa_ * y0_ + lift_) * lifted(t);
@@ -81,8 +81,8 @@ private:
         return rate0_ * (1 + kappa_ * lifted(t)) + (kappa_ * y0_ + lift_) * growth(t);
     }
 
-    /// Infinite if they never touch. y falls towards its value at r = 0 while it is convex, so that Newton's steps
-    /// approach that moment from before.
+    /// Infinite if they never touch. y decreases towards its value at r = 0 and is convex, so that Newton's iteration
+    /// approaches that time from below.
     double time_of_touch() const {
         const Real there = std::exp(-b_ * r0_);
         const Real nearest = depth_ / (depth_ + std::sqrt(depth_ * depth_ + energy_ * depth_));
@@ -96,7 +96,7 @@ private:
         return static_cast<double>(t);
     }
 
-    /// Bound particles: y = middle + swing cos(phase), the phase growing evenly from its value at the start.
+    /// Bound particles: y = middle + swing cos(phase), the phase growing linearly from its initial value.
     Real bound_time(Real there) const {
         const Real s = std::sqrt(-kappa_), middle = -depth_ / energy_;
         const Real swing = std::hypot(y0_ - middle, rate0_ / s);
@@ -104,10 +104,10 @@ private:
     }
 
     Real start_, v0_, depth_, b_, r0_;
-    Real y0_, rate0_;  ///< y and y' at the start
-    Real energy_ = 0;  ///< of the distance, E
+    Real y0_, rate0_;  ///< initial y and y'
+    Real energy_ = 0;  ///< E, of the relative motion
     Real kappa_ = 0, lift_ = 0;
-    Real nearest_ = 0, swing_ = 0, turn_ = 0;  ///< with energy > 0: least y, how it swings, and when it is least
+    Real nearest_ = 0, swing_ = 0, turn_ = 0;  ///< for energy > 0: minimum of y, amplitude, time of the minimum
     double touch_ = 0;
 };
 
@@ -115,7 +115,7 @@ private:
 
 std::shared_ptr<const ExactSolution> head_on_solution(const PairForces& pair, double start, double v0) {
     const auto solution = std::make_shared<HeadOn>(pair, start, v0);
-    // a potential so narrow that its exponential is beyond all numbers
+    // none for a potential so narrow that its exponential overflows
     return std::isfinite(solution->rounding(0)) ? solution : nullptr;
 }
 

@@ -15,14 +15,14 @@ constexpr ParameterInfo parameters[] = {{.name = "dim",
                                          .minimum = 3,
                                          .default_value = 10,
                                          .on_change = OnChange::restarts,
-                                         .what = "particles along a side",
+                                         .what = "number of particles along each side",
                                          .slider_low = 3,
                                          .slider_high = 100,
                                          .slider_logarithmic = true},
                                         rest_length(2),
                                         force_constant(1, "N/m", 100),
                                         particle_mass(1),
-                                        kick_speed(1, "speed of the kicked particle at the start, along y"),
+                                        kick_speed(1, "initial velocity of the kicked particle, along y"),
                                         {.name = "kick",
                                          .kind = ParameterInfo::Kind::choice,
                                          .unit = "",
@@ -53,7 +53,7 @@ Scene scene(const ParameterValues& values) {
         .start = Start::kick(n, kicked_particle(values), {0, values["v0"], 0})};
 }
 
-/// To the east, south, south-east and south-west: each spring once, in the order of its first particle.
+/// Springs to the east, south, south-east and south-west: each spring once, in the order of its first particle.
 void add_springs(Shape& shape, const ParameterValues& values) {
     const std::size_t dim = values.count("dim");
     const double length = values["L"], diagonal = std::sqrt(2.0) * length;
@@ -90,8 +90,8 @@ Shape shape(const ParameterValues& values) {
     return shape;
 }
 
-/// Of the endless grid, in its plane at wave vector (pi, 0): omega^2 = 8 k / m. The fixed border lowers it by some
-/// percent in small meshes, so a dt below the limit computed from it is always below the true one.
+/// That of the infinite grid, in its plane at wave vector (pi, 0): omega^2 = 8 k / m. The fixed border lowers it by a
+/// few percent in small meshes, so that a dt below the limit computed from it is always below the true one.
 std::optional<double> omega_max(const ParameterValues& values) { return std::sqrt(8 * values["k"] / values["m"]); }
 
 }  // namespace
@@ -100,8 +100,8 @@ const Model& mesh_model() {
     static const Model model{
         .info = {.id = "mesh",
                  .name = "Mesh",
-                 .what =
-                     "dim × dim particles on springs to 8 neighbours, border fixed; one particle is kicked upwards.",
+                 .what = "dim × dim particles, each connected to its 8 neighbours by springs; the border is fixed, one "
+                         "particle is kicked upwards.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["dim"] * values["dim"]; },
         .scene = scene,

@@ -14,7 +14,7 @@
 
 namespace steplab {
 
-/// The motion of a scene in closed form, from its start.
+/// The motion of a scene in closed form, from its initial state.
 class ExactSolution {
 public:
     virtual ~ExactSolution() = default;
@@ -22,17 +22,18 @@ public:
     virtual Vec3 displacement(std::size_t particle, double t) const = 0;
     /// Velocity of one particle at time t.
     virtual Vec3 velocity(std::size_t particle, double t) const = 0;
-    /// The same for all particles; `out` has one place for each.
+    /// The same for all particles; `out` has one element for each.
     virtual void displacements(double t, std::span<Vec3> out) const {
         for (std::size_t i = 0; i < out.size(); ++i) out[i] = displacement(i, t);
     }
-    /// Until this time it is the motion; not beyond.
+    /// The solution is valid up to this time.
     virtual double valid_until() const { return infinity; }
-    /// Bound of what rounding adds to a displacement at time t beside half an ulp of its largest number.
+    /// Upper bound of the rounding error of a displacement at time t, in addition to half an ulp of its largest
+    /// component.
     virtual double rounding(double t) const = 0;
 };
 
-/// A model with its parameters filled in, ready to be stepped: everything in double.
+/// A model with values for its parameters, ready to be integrated: everything in double.
 struct Scene {
     double mass = 1;  ///< of each particle, > 0
     double drag = 0;  ///< rate gamma = c / m of the drag -c v, >= 0
@@ -41,20 +42,21 @@ struct Scene {
     Start start;
 };
 
-/// A model: how it describes itself and what it makes of its parameters. The functions take checked values.
+/// A model: its description, and what follows from its parameters. The functions take checked values.
 struct Model {
     ModelInfo info;
-    /// Number of particles, as a double because it may be too large to count or to hold.
+    /// Number of particles, as a double because it may be too large for an integer.
     double (*particles)(const ParameterValues&);
     Scene (*scene)(const ParameterValues&);
     Shape (*shape)(const ParameterValues&);
-    /// Largest angular frequency of the scene linearised at its start, 0 if nothing oscillates; none if not known.
+    /// Largest angular frequency of the scene linearised at its start, 0 if nothing oscillates; nullopt if not known.
     std::optional<double> (*omega_max)(const ParameterValues&);
-    /// Null where no exact solution is known (or holds for these values).
+    /// Null if no exact solution is known, or none is valid for these values.
     std::shared_ptr<const ExactSolution> (*exact)(const ParameterValues&);
-    /// Displacements where the scene comes to rest under its drag. Null where it does not, or nobody knows where.
+    /// Displacements of the equilibrium that the scene reaches by drag. Null if there is none, or it is not known.
     Field<double> (*resting)(const ParameterValues&) = nullptr;
-    /// Why these values, each allowed by itself, are no scene together; none if they are. Null: they always are.
+    /// Why these values are not possible together although each of them is allowed; nullopt if they are. Null: they
+    /// always are.
     std::optional<std::string> (*refusal)(const ParameterValues&) = nullptr;
 };
 

@@ -11,13 +11,13 @@ constexpr ParameterInfo parameters[] = {well_depth(1),
                                         well_distance(0.5, 0.1, 3),
                                         start_spacing(0.5, 0.1, 3),
                                         particle_mass(1),
-                                        kick_speed(1, "speed of the bullet at the start, along x"),
+                                        kick_speed(1, "initial velocity of the bullet, along x"),
                                         particles_along_edge(3, 1, 10),
                                         {.name = "cutoff",
                                          .unit = "m",
                                          .minimum = 0,
                                          .default_value = 0,
-                                         .what = "distance beyond which pairs do not act on each other, 0 = none",
+                                         .what = "cut-off distance of the pair force; 0: no cut-off",
                                          .slider_low = 0,
                                          .slider_high = 5}};
 
@@ -75,8 +75,7 @@ const Model& morse_model() {
     static const Model model{
         .info = {.id = "morse",
                  .name = "Morse cluster",
-                 .what = "A cube of particles that attract and repel each other by the Morse potential, and a bullet "
-                         "shot at it.",
+                 .what = "A cube of particles that interact by the Morse potential, and a bullet shot at it.",
                  .parameters = parameters},
         .particles = particles,
         .scene = scene,

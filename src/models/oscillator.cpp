@@ -9,7 +9,7 @@ namespace steplab {
 namespace {
 
 constexpr ParameterInfo parameters[] = {particle_mass(1), force_constant(1, "N/m", 100), drag(0),
-                                        kick_speed(1, "speed of the particle at the start, along x")};
+                                        kick_speed(1, "initial velocity of the particle, along x")};
 
 double omega(const ParameterValues& values) { return std::sqrt(values["k"] / values["m"]); }
 
@@ -36,7 +36,7 @@ private:
     long double omega2_, gamma_, v0_;
 };
 
-/// Particle 0 is the fixed end of the spring, at the origin; particle 1 is the one that swings.
+/// Particle 0 is the fixed end of the spring, at the origin; particle 1 oscillates.
 Scene scene(const ParameterValues& values) {
     return line_scene({.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
                       values["c"] / values["m"], {values["v0"], 0, 0});
@@ -59,7 +59,7 @@ const Model& oscillator_model() {
     static const Model model{
         .info = {.id = "oscillator",
                  .name = "Oscillator",
-                 .what = "One particle on a spring of rest length 0 to the origin, kicked along x.",
+                 .what = "One particle, connected to the origin by a spring of rest length 0 and kicked along x.",
                  .parameters = parameters},
         .particles = [](const ParameterValues&) { return 2.0; },
         .scene = scene,

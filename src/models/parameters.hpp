@@ -73,7 +73,7 @@ constexpr ParameterInfo well_distance(double default_value, double slider_low, d
             .minimum = 0,
             .minimum_included = false,
             .default_value = default_value,
-            .what = "distance of the potential's minimum",
+            .what = "distance at the minimum of the potential",
             .slider_low = slider_low,
             .slider_high = slider_high};
 }
@@ -85,7 +85,7 @@ constexpr ParameterInfo particles_along_edge(double default_value, double slider
             .minimum = 1,
             .default_value = default_value,
             .on_change = OnChange::restarts,
-            .what = "particles along the cube's side",
+            .what = "number of particles along each edge of the cube",
             .slider_low = slider_low,
             .slider_high = slider_high};
 }
@@ -97,7 +97,7 @@ constexpr ParameterInfo start_spacing(double default_value, double slider_low, d
             .minimum_included = false,
             .default_value = default_value,
             .on_change = OnChange::restarts,
-            .what = "distance of neighbours in the cube at the start",
+            .what = "initial distance between neighbours in the cube",
             .slider_low = slider_low,
             .slider_high = slider_high};
 }
@@ -118,7 +118,7 @@ constexpr ParameterInfo drag(double default_value) {
             .unit = "kg/s",
             .minimum = 0,
             .default_value = default_value,
-            .what = "drag, force -c v",
+            .what = "drag coefficient: force -c v",
             .slider_low = 0,
             .slider_high = 2};
 }

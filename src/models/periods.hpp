@@ -12,15 +12,15 @@
 
 namespace steplab {
 
-/// Whole periods of a space that repeats itself: a length and its multiples, in any number type.
+/// Periodic boundary conditions along an axis: the multiples of a length, in any number type.
 template <class N>
 class Periods {
 public:
-    /// 0: nothing repeats itself.
+    /// 0: no periodic boundary conditions.
     explicit Periods(double length)
         : length_(static_cast<Number>(length)), inverse_(length > 0 ? Number(1) / length_ : Number(0)) {}
 
-    /// The multiple of the length that is nearest to a number below 10^6 lengths: a constant, where it has derivatives.
+    /// The multiple of the length that is nearest to x, |x| being below 10^6 lengths: a constant, without derivatives.
     [[gnu::always_inline]] N nearest(const N& x) const {
         if constexpr (HasLanes<N>) {
             return N(length_) * ((x * N(inverse_) + N(rounding)) - N(rounding));
@@ -29,7 +29,7 @@ public:
         }
     }
 
-    /// What is left of a number: the number where nothing repeats itself.
+    /// x minus that multiple (minimum image); x itself without periodic boundary conditions.
     N within(const N& x) const { return length_ > Number(0) ? x - nearest(x) : x; }
 
 private:
@@ -43,13 +43,13 @@ private:
     };
     using Number = typename NumberOf<N>::Type;
 
-    /// Adding and subtracting it rounds to a whole number.
+    /// Adding and subtracting it rounds to an integer.
     static constexpr Number rounding = Number(1.5) / std::numeric_limits<Number>::epsilon();
 
     Number length_, inverse_;
 };
 
-/// Where particle i is, or that of its images which is within half a period of the origin.
+/// The position of particle i, or of its image within half a period of the origin.
 template <class T>
 Vec3 within_period(const Periods<T>& periods, const Field<T>& positions, std::size_t i) {
     const auto within = [&](T x) { return static_cast<double>(periods.within(x)); };

@@ -14,12 +14,12 @@ constexpr ParameterInfo parameters[] = {number_of_particles(2, 10),
                                          .unit = "m/s²",
                                          .minimum = 0,
                                          .default_value = 9.81,
-                                         .what = "gravity, along -y",
+                                         .what = "gravitational acceleration, along -y",
                                          .slider_low = 0,
                                          .slider_high = 30},
                                         particle_mass(0.3)};
 
-/// The springs' force constant is k m, so that the rope hangs the same whatever its mass.
+/// The springs' force constant is k m, so that the shape of the hanging rope does not depend on its mass.
 Scene scene(const ParameterValues& values) {
     return line_scene({.count = values.count("n"),
                        .first_fixed = true,
@@ -30,7 +30,7 @@ Scene scene(const ParameterValues& values) {
                       values["c"] / values["m"]);
 }
 
-/// How far the end hangs below the fixed particle at rest: (n - 1) L + (g / k) n (n - 1) / 2.
+/// The distance of the end below the fixed particle at rest: (n - 1) L + (g / k) n (n - 1) / 2.
 double hanging_length(const ParameterValues& values) {
     const double n = values["n"];
     return (n - 1) * values["L"] + values["g"] / values["k"] * n * (n - 1) / 2;
@@ -38,7 +38,7 @@ double hanging_length(const ParameterValues& values) {
 
 Shape shape(const ParameterValues& values) {
     Shape shape = line_shape(values.count("n"), values["L"], true);
-    // Falling, it stretches beyond the length it hangs with, and swings a little to the other side.
+    // While falling, it stretches beyond its length at rest, and swings a little to the other side.
     const double hanging = hanging_length(values);
     shape.expected = {{0, -1.15 * hanging, 0}, {-0.2 * hanging, -hanging, 0}};
     return shape;
@@ -62,8 +62,8 @@ const Model& rope_model() {
     static const Model model{
         .info = {.id = "rope",
                  .name = "Rope",
-                 .what = "Particles on stiff springs, the first one fixed; the rope starts level, falls and swings "
-                         "against drag.",
+                 .what = "Particles connected by stiff springs, the first one fixed; the rope starts horizontal, falls "
+                         "and swings with drag.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["n"]; },
         .scene = scene,

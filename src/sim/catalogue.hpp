@@ -17,13 +17,13 @@ struct Method {
     MethodInfo info;
     /// Its integrator for each of the instruction sets that were compiled, null for the others.
     std::array<std::unique_ptr<Stepper> (*)(const StepperSetup&), 3> makers;
-    /// The same for runs side by side; null for methods that do not go so.
+    /// The same for the runs of an ensemble in SIMD lanes; null for methods that have none.
     std::array<MakeEnsembleStepper, 3> ensemble_makers;
 
     std::unique_ptr<Stepper> make(const StepperSetup& setup) const {
         return makers[static_cast<std::size_t>(setup.instructions)](setup);
     }
-    /// Whether the method can compute runs side by side.
+    /// Whether the method can compute runs in SIMD lanes.
     bool runs_in_lanes(Instructions instructions) const {
         return ensemble_makers[static_cast<std::size_t>(instructions)] != nullptr;
     }

@@ -14,7 +14,7 @@ class CompressedLanes : public testing::Test {};
 using Numbers = testing::Types<float, double>;
 TYPED_TEST_SUITE(CompressedLanes, Numbers);
 
-/// Numbers of lanes tell their lane, from 1 on.
+/// The number in each lane is its index plus 1.
 template <class T, std::size_t Count>
 RegisterLanes<T, Count> numbered() {
     return RegisterLanes<T, Count>::each([](std::size_t lane) { return static_cast<T>(lane + 1); });
@@ -40,7 +40,7 @@ TYPED_TEST(CompressedLanes, are_those_below_a_bound) {
     expect_set_below<TypeParam, 16>();
 }
 
-/// All sets of lanes one behind the other, as whoever compresses has them.
+/// Every set of lanes and its complement, stored one behind the other.
 template <class T, std::size_t Count>
 void expect_back_in_their_places() {
     constexpr T untouched = T(-1);
@@ -70,7 +70,7 @@ TYPED_TEST(CompressedLanes, come_back_into_their_places) {
     expect_back_in_their_places<TypeParam, cache_line>();
 }
 
-TYPED_TEST(CompressedLanes, of_no_lane_take_no_room) {
+TYPED_TEST(CompressedLanes, of_an_empty_set_take_no_memory) {
     std::array<TypeParam, 64> memory{};
     const auto lanes = numbered<TypeParam, 64 / sizeof(TypeParam)>();
     EXPECT_EQ(store_compressed(0, lanes, memory.data()), memory.data());

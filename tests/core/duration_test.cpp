@@ -26,7 +26,7 @@ TEST(Duration, goes_to_the_next_unit_where_rounding_leads_there) {
     EXPECT_EQ(duration_text(3599.6), "1 h 00 min");
 }
 
-TEST(Duration, is_never_a_number_nobody_reads) {
+TEST(Duration, is_readable_for_zero_tiny_and_infinite_values) {
     EXPECT_EQ(duration_text(0), "0 s");
     EXPECT_EQ(duration_text(1e-12), "0.001 ns");
     EXPECT_EQ(duration_text(infinity), "days");

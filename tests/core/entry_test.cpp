@@ -37,15 +37,25 @@ TEST(Entry, values_start_at_their_defaults) {
 }
 
 TEST(Entry, a_refusal_names_parameter_text_and_range) {
-    EXPECT_EQ(refusal("n", "1"), "n = '1' is not possible: n must be a whole number from 2 upwards");
-    EXPECT_EQ(refusal("m", "0"), "m = '0' is not possible: m must be a number > 0");
-    EXPECT_EQ(refusal("L", "-1"), "L = '-1' is not possible: L must be a number >= 0");
-    EXPECT_EQ(refusal("kick", "side"), "kick = 'side' is not possible: kick must be centre or corner");
-    EXPECT_EQ(refusal("fixed", "2"), "fixed = '2' is not possible: fixed must be a whole number from 0 to 1");
-    EXPECT_EQ(refusal("v0", "fast"), "v0 = 'fast' is not possible: v0 must be any finite number");
+    EXPECT_EQ(refusal("n", "1"), "n must be an integer >= 2 (got \"1\")");
+    EXPECT_EQ(refusal("m", "0"), "m must be a number > 0 (got \"0\")");
+    EXPECT_EQ(refusal("L", "-1"), "L must be a number >= 0 (got \"-1\")");
+    EXPECT_EQ(refusal("kick", "side"), "kick must be centre or corner (got \"side\")");
+    EXPECT_EQ(refusal("fixed", "2"), "fixed must be 0 or 1 (got \"2\")");
+    EXPECT_EQ(refusal("v0", "fast"), "v0 must be a finite number (got \"fast\")");
 }
 
-TEST(Entry, what_is_no_number_of_the_kind_is_refused) {
+TEST(Entry, ranges_are_written_without_exponents_and_with_their_ends) {
+    using Kind = ParameterInfo::Kind;
+    EXPECT_EQ(range_text({.name = "substeps", .kind = Kind::integer, .minimum = 1, .maximum = 1e6}),
+              "an integer from 1 to 1000000");
+    EXPECT_EQ(range_text({.name = "part", .minimum = 0, .maximum = 0.5}), "a number from 0 to 0.5");
+    EXPECT_EQ(range_text({.name = "part", .minimum = 0, .minimum_included = false, .maximum = 0.5}),
+              "a number > 0 and <= 0.5");
+    EXPECT_EQ(range_text({.name = "shift", .kind = Kind::integer, .minimum = -infinity}), "an integer");
+}
+
+TEST(Entry, text_that_is_not_a_number_of_the_kind_is_refused) {
     for (const char* text : {"", "nan", "inf", "-inf", "2.5", "1e300", "ten", "10 "})
         EXPECT_NE(refusal("n", text), "") << text;
     for (const char* text : {"nan", "inf", "1e999", "1.0x"}) EXPECT_NE(refusal("v0", text), "") << text;
@@ -63,6 +73,28 @@ TEST(Entry, a_refused_value_leaves_the_old_one) {
     ParameterValues values(infos);
     EXPECT_THROW(values.set("m", -1), UsageError);
     EXPECT_EQ(values["m"], 1);
+}
+
+TEST(Entry, values_are_compared_by_content_not_by_the_place_of_their_descriptions) {
+    constexpr ParameterInfo count{.name = "n", .kind = ParameterInfo::Kind::integer, .default_value = 3};
+    constexpr ParameterInfo mass{.name = "m", .default_value = 3};
+    const ParameterInfo one[] = {count}, same[] = {count}, other_name[] = {mass}, longer[] = {count, mass};
+    const ParameterValues values(one);
+    EXPECT_EQ(values, ParameterValues(same));
+    EXPECT_NE(values, ParameterValues(other_name));
+    EXPECT_NE(values, ParameterValues(longer));
+    EXPECT_NE(values, ParameterValues());
+    ParameterValues changed(same);
+    changed.set("n", 4);
+    EXPECT_NE(values, changed);
+}
+
+TEST(Entry, an_equal_index_of_another_choice_is_another_value) {
+    constexpr std::string_view sides[] = {"left", "right"};
+    const ParameterInfo place[] = {{.name = "at", .kind = ParameterInfo::Kind::choice, .choices = places}};
+    const ParameterInfo side[] = {{.name = "at", .kind = ParameterInfo::Kind::choice, .choices = sides}};
+    EXPECT_EQ(ParameterValues(place), ParameterValues(place));
+    EXPECT_NE(ParameterValues(place), ParameterValues(side));
 }
 
 TEST(Entry, choices_are_written_as_their_words) {

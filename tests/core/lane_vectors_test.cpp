@@ -13,7 +13,7 @@ class LaneVectors : public testing::Test {};
 using Numbers = testing::Types<float, double>;
 TYPED_TEST_SUITE(LaneVectors, Numbers);
 
-/// Vectors of four numbers; each number tells its vector and its place there.
+/// Vectors of four numbers; each number encodes its vector and its place in it.
 template <class T>
 struct Vectors {
     alignas(64) std::array<T, 64> numbers{};
@@ -43,7 +43,7 @@ TYPED_TEST(LaneVectors, come_from_memory_each_in_four_lanes) {
     expect_vectors_four_times<TypeParam, 16>();
 }
 
-/// Numbers whose sum hangs on the order: (big + 1) - big + 1 is not (big - big) + (1 + 1).
+/// Numbers whose sum depends on the order: (big + 1) - big + 1 is not (big - big) + (1 + 1).
 template <class T, std::size_t Count>
 void expect_sums_in_their_order() {
     using N = RegisterLanes<T, Count>;

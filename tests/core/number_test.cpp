@@ -35,7 +35,7 @@ double worst_error_in_ulp(T low, T high) {
 }
 
 // The reduction and the polynomial round a few times: less than 1.5 ulp in all is what number.hpp promises.
-TEST(Exponential, is_right_within_one_and_a_half_ulp) {
+TEST(Exponential, is_accurate_within_one_and_a_half_ulp) {
     EXPECT_LT(worst_error_in_ulp<double>(-708.739, 709.436), 1.5);
     EXPECT_LT(worst_error_in_ulp<float>(-87.68f, 88.37f), 1.5);
     EXPECT_LT(worst_error_in_ulp<double>(-1, 1), 1.5);
@@ -45,7 +45,7 @@ TEST(Exponential, is_right_within_one_and_a_half_ulp) {
 }
 
 // 1022.5 ln 2 = 708.7430, 1023.5 ln 2 = 709.4361; 126.5 ln 2 = 87.6831, 127.5 ln 2 = 88.3763.
-TEST(Exponential, ends_where_it_says) {
+TEST(Exponential, has_the_documented_range) {
     EXPECT_GT(exponential(-708.7429), 0.0);
     EXPECT_EQ(exponential(-708.7431), 0.0);
     EXPECT_LT(exponential(709.4361), std::numeric_limits<double>::infinity());
@@ -57,7 +57,7 @@ TEST(Exponential, ends_where_it_says) {
 }
 
 // libm's is within 1.1 ulp of x87's numbers, ours within 1.5. A degree less is 11 ulp off.
-TEST(Exponential, of_references_is_right_within_one_and_a_half_ulp) {
+TEST(Exponential, of_references_is_accurate_within_one_and_a_half_ulp) {
     EXPECT_LT(worst_error_in_ulp<long double>(-11300, 11300), 2.6);
     EXPECT_LT(worst_error_in_ulp<long double>(-1, 1), 2.6);
 }
@@ -80,7 +80,7 @@ TEST(Exponential, ends_in_zero_infinity_and_not_a_number) {
     EXPECT_TRUE(std::isnan(exponential(std::numeric_limits<long double>::quiet_NaN())));
 }
 
-// Bits computed once: they must come out of every compiler, level of optimisation and processor.
+// Bits computed once: every compiler, optimisation level and processor must reproduce them.
 TEST(Exponential, gives_the_same_bits_everywhere) {
     EXPECT_EQ(__builtin_bit_cast(std::uint64_t, exponential(0.7)), 0x40001c2a61268987u);
     if constexpr (std::numeric_limits<long double>::digits == 64) {
@@ -112,7 +112,7 @@ class LanesTest : public testing::Test {};
 using LaneNumbers = testing::Types<float, double>;
 TYPED_TEST_SUITE(LanesTest, LaneNumbers);
 
-TYPED_TEST(LanesTest, compute_each_lane_as_a_number_by_itself) {
+TYPED_TEST(LanesTest, compute_each_lane_as_a_single_number) {
     using T = TypeParam;
     using N = Lanes<T>;
     alignas(64) T a[N::count], b[N::count];
@@ -126,7 +126,7 @@ TYPED_TEST(LanesTest, compute_each_lane_as_a_number_by_itself) {
     }
 }
 
-TYPED_TEST(LanesTest, raise_e_to_each_lane_as_to_a_number_by_itself) {
+TYPED_TEST(LanesTest, raise_e_to_each_lane_as_to_a_single_number) {
     using T = TypeParam;
     using N = Lanes<T>;
     alignas(64) T x[N::count];
@@ -165,7 +165,7 @@ TYPED_TEST(LanesTest, shift_through_neighbouring_registers) {
 }
 
 // A plain sum loses every one of the small terms, each far below half an ulp of 1.
-TEST(CompensatedSum, keeps_what_rounding_drops) {
+TEST(CompensatedSum, keeps_terms_far_below_an_ulp) {
     CompensatedSum sum;
     double plain = 1;
     sum.add(1);
@@ -185,7 +185,7 @@ TEST(CompensatedSum, is_not_finite_if_a_term_is_not) {
     EXPECT_FALSE(std::isfinite(sum.value()));
 }
 
-TEST(FlushSubnormals, makes_subnormals_zero_while_it_lives) {
+TEST(FlushSubnormals, makes_subnormals_zero_during_its_lifetime) {
     volatile double small = std::numeric_limits<double>::min();
     EXPECT_GT(small / 4, 0);
     {

@@ -22,7 +22,7 @@ T quotient(const Fraction<T>& fraction) {
     return fraction.numerator / fraction.denominator;
 }
 
-/// Where 2^x and what makes it are neither too small nor too large.
+/// The range in which 2^x and its intermediate results neither underflow nor overflow.
 template <class T>
 constexpr T lowest = std::numeric_limits<T>::min_exponent;
 template <class T>
@@ -37,14 +37,14 @@ double worst_error_in_ulp(T low, T high, T off = 0) {
         const long double right = std::exp2(static_cast<long double>(x + off));
         const T result = quotient(power_of_two(x)), ulp = std::nextafter(result, T(INFINITY)) - result;
         const long double error = std::abs(static_cast<long double>(result) - right) / static_cast<long double>(ulp);
-        if (!(error <= worst)) worst = static_cast<double>(error);  // not a number: as it is
+        if (!(error <= worst)) worst = static_cast<double>(error);  // also if it is not a number
     }
     return worst;
 }
 
 // Numerator and denominator round the last step of a sum and the terms before, much smaller ones, then the quotient is
 // rounded: 2.5 ulp in all is what power_of_two.hpp promises.
-TYPED_TEST(PowerOfTwo, is_right_within_two_and_a_half_ulp_over_the_whole_range) {
+TYPED_TEST(PowerOfTwo, is_accurate_within_two_and_a_half_ulp_over_the_whole_range) {
     using T = TypeParam;
     EXPECT_LT(worst_error_in_ulp<T>(lowest<T>, highest<T>), 2.5);
     EXPECT_LT(worst_error_in_ulp<T>(T(-2), T(2)), 2.5);
@@ -55,7 +55,7 @@ TYPED_TEST(PowerOfTwo, of_an_exponent_four_roundings_away_is_another_number) {
     EXPECT_GT(worst_error_in_ulp<T>(T(1), T(2), 4 * std::numeric_limits<T>::epsilon()), 2.5);
 }
 
-TYPED_TEST(PowerOfTwo, of_a_whole_number_is_exact) {
+TYPED_TEST(PowerOfTwo, of_an_integer_is_exact) {
     using T = TypeParam;
     for (T n = lowest<T>; n <= highest<T>; ++n)
         ASSERT_EQ(quotient(power_of_two(n)), std::ldexp(T(1), static_cast<int>(n))) << n;
@@ -86,7 +86,7 @@ void expect_each_lane_as_by_itself() {
     }
 }
 
-TYPED_TEST(PowerOfTwo, of_lanes_is_that_of_each_number_by_itself) {
+TYPED_TEST(PowerOfTwo, of_lanes_is_that_of_each_single_number) {
     using T = TypeParam;
     expect_each_lane_as_by_itself<Lanes<T>, T>();
     expect_each_lane_as_by_itself<CacheLineLanes<T>, T>();

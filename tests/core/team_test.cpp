@@ -14,22 +14,22 @@
 namespace steplab::test {
 namespace {
 
-TEST(RendezvousOf, fewer_than_were_expected_goes_on) {
+TEST(RendezvousOf, fewer_members_than_expected_continues) {
     Rendezvous meeting(5);
-    std::atomic<int> gone_on = 0;
+    std::atomic<int> released = 0;
     {
         std::vector<std::jthread> others;
         others.reserve(2);
         for (int i = 0; i < 2; ++i) {
             others.emplace_back([&] {
                 meeting.wait();
-                ++gone_on;
+                ++released;
             });
         }
         meeting.expect(3);
         meeting.wait();
     }
-    EXPECT_EQ(gone_on, 2);
+    EXPECT_EQ(released, 2);
 }
 
 class TeamOf : public testing::TestWithParam<std::size_t> {};
@@ -54,10 +54,10 @@ TEST_P(TeamOf, throws_on_the_first_exception_and_begins_nothing_after_it) {
     EXPECT_LE(begun, GetParam());
     begun = 0;
     team.share(10, [&](std::size_t) { ++begun; });
-    EXPECT_EQ(begun, 10u);  // it goes on working
+    EXPECT_EQ(begun, 10u);  // the team still works
 }
 
-// More than could ever be done: a member that went on after another's exception would not come back.
+// Too many calls to complete: a member that continued after another's exception would never return.
 TEST_P(TeamOf, ends_for_all_on_the_exception_of_one) {
     const auto first_fails = [](std::size_t i) {
         if (i == 0) throw std::runtime_error("enough");
@@ -65,7 +65,7 @@ TEST_P(TeamOf, ends_for_all_on_the_exception_of_one) {
     EXPECT_THROW(Team(GetParam()).share(std::numeric_limits<std::size_t>::max() / 2, first_fails), std::runtime_error);
 }
 
-TEST_P(TeamOf, meets_before_anybody_goes_on) {
+TEST_P(TeamOf, waits_at_the_barrier_for_all_members) {
     Team team(GetParam());
     std::atomic<std::size_t> here = 0;
     std::atomic<bool> early = false;
@@ -83,12 +83,12 @@ TEST_P(TeamOf, meets_before_anybody_goes_on) {
 TEST_P(TeamOf, computes_in_the_mode_of_the_caller) {
     Team team(GetParam());
     const auto subnormals = [&] {
-        std::atomic<std::size_t> kept = 0;
+        std::atomic<std::size_t> nonzero = 0;
         team.run([&](std::size_t) {
             volatile double least = std::numeric_limits<double>::min();
-            kept += least / 2 > 0 ? 1 : 0;
+            nonzero += least / 2 > 0 ? 1 : 0;
         });
-        return kept.load();
+        return nonzero.load();
     };
     EXPECT_EQ(subnormals(), team.members());
     {

@@ -8,8 +8,8 @@
 
 namespace steplab::test {
 
-/// A chain over a short time, in double, with runs so short that a test stays quick. Steps end a series, not a clock: a
-/// machine that is busy with something else changes nothing.
+/// A chain over a short time, in double, with runs short enough for a test. A series is ended by the number of steps,
+/// not by time, so that other load of the machine has no effect.
 inline StudyPlan small_plan(std::vector<std::string> methods) {
     StudyPlan plan{.scene = describe("chain", "rk4"),
                    .time = 5,
@@ -33,7 +33,7 @@ inline Measurement run_with(const char* method, double dt, double error, double 
     return m;
 }
 
-/// It blew up, and in no time.
+/// A run that blew up within a short time.
 inline Measurement diverged(const char* method, double seconds) {
     Measurement m = run_with(method, 5, 0, seconds);
     m.result.divergence.emplace();

@@ -13,7 +13,7 @@
 namespace steplab::test {
 namespace {
 
-/// Largest difference from the plain loop over all pairs, which takes nearest images; in parts of the largest number.
+/// Largest difference from the plain loop over all pairs with nearest images, relative to the largest component.
 template <class T>
 double worst(const NearPairForces& forces, const NearPairForces& plain, const Field<T>& u) {
     Field<T> a(u.count()), expected(u.count());
@@ -27,8 +27,8 @@ double worst(const NearPairForces& forces, const NearPairForces& plain, const Fi
     return difference / largest;
 }
 
-/// Positions up to 20 leave a distance an error of 20 eps, which b = 5 and the slope of the force multiply, in some
-/// forty pairs.
+/// Positions up to 20 give a distance an error of 20 eps, which is amplified by b = 5 and the slope of the force, in
+/// about forty pairs.
 template <class T>
 constexpr double tolerance = 5000 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
@@ -58,7 +58,7 @@ TYPED_TEST(CrystalForces, are_not_those_of_a_period_or_cut_off_slightly_differen
     EXPECT_GT(worst(forces_of(scene), other, u), tolerance<TypeParam>);
 }
 
-TYPED_TEST(CrystalForces, add_up_to_nothing) {
+TYPED_TEST(CrystalForces, sum_to_zero) {
     const Scene scene = crystal();
     Field<TypeParam> a(forces_of(scene).count);
     NearPairs<TypeParam>(forces_of(scene)).accelerations(scattered<TypeParam>(scene, 0.1), a);
@@ -68,7 +68,7 @@ TYPED_TEST(CrystalForces, add_up_to_nothing) {
             sum += static_cast<double>(along[i]);
             sizes += static_cast<double>(std::abs(along[i]));
         }
-        // a rounding of each of some forty pulls at a particle
+        // one rounding for each of about forty pulls at a particle
         EXPECT_LT(std::abs(sum), 40 * static_cast<double>(std::numeric_limits<TypeParam>::epsilon()) * sizes);
     }
 }
@@ -86,8 +86,8 @@ TYPED_TEST(CrystalForces, of_a_balanced_state_are_zero) {
     for (const TypeParam number : a.flat()) ASSERT_EQ(number, TypeParam(0));
 }
 
-// Lengths and energies times the same power of two: the same numbers. Squares of the lengths are beyond or below the
-// floats that lists are made with, or near there; runs flush subnormal numbers.
+// Lengths and energies times the same power of two: the same numbers. The squared lengths overflow or underflow the
+// floats that lists are made with, or nearly do; runs flush subnormal numbers.
 TYPED_TEST(CrystalForces, are_the_same_at_every_scale) {
     const FlushSubnormals flush;
     const Scene scene = crystal();
@@ -109,7 +109,7 @@ TYPED_TEST(CrystalForces, are_the_same_at_every_scale) {
     }
 }
 
-// Whenever its lists are made anew, a run finds all pairs: as many as lists made at each step.
+// With lists renewed from time to time, a run finds all pairs: as many as with lists made at each step.
 TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
     const Scene scene = crystal({{"m", 1}});
     State<TypeParam> state = scene.start.state<TypeParam>();
@@ -122,7 +122,7 @@ TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
         renewed += last.count() == 0 || followed.history().x()[0] != last.x()[0] ? 1 : 0;
         last = followed.history();
         for (std::size_t k = 0; k < a.flat().size(); ++k) {
-            // the same pulls in another order: forty below 100
+            // the same pulls in another order: forty numbers below 100
             ASSERT_NEAR(a.flat()[k], fresh.flat()[k],
                         4000 * static_cast<double>(std::numeric_limits<TypeParam>::epsilon()))
                 << step;
@@ -134,12 +134,12 @@ TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
     EXPECT_LT(renewed, 100);
 }
 
-// Before the first evaluation, where lists hold, and where they do not.
-TYPED_TEST(CrystalForces, are_seen_without_renewing_lists) {
+// Before the first evaluation, where the lists are valid, and where they are not.
+TYPED_TEST(CrystalForces, are_observed_without_renewing_lists) {
     const Scene scene = crystal();
     const Field<TypeParam> u = scattered<TypeParam>(scene, 0.1), further = scattered<TypeParam>(scene, 0.4);
     NearPairs<TypeParam> forces(forces_of(scene));
-    const auto look = [&](const Field<TypeParam>& at) {
+    const auto observe = [&](const Field<TypeParam>& at) {
         Field<TypeParam> a(at.count()), expected(at.count());
         const Field<TypeParam> made_at = forces.history();
         forces.uncounted_accelerations(at, a);
@@ -148,14 +148,14 @@ TYPED_TEST(CrystalForces, are_seen_without_renewing_lists) {
         fresh.accelerations(at, expected);
         EXPECT_TRUE(std::ranges::equal(a.flat(), expected.flat()));
     };
-    look(u);
+    observe(u);
     Field<TypeParam> a(u.count());
     forces.accelerations(u, a);
-    look(u);
-    look(further);
+    observe(u);
+    observe(further);
 }
 
-TEST(Crystal, starts_without_momentum_and_as_warm_as_it_says) {
+TEST(Crystal, starts_without_momentum_and_at_the_given_temperature) {
     const Scene scene = crystal({{"edge", 10}, {"kT", 0.3}, {"m", 2}});
     const State<double> state = scene.start.state();
     Vec3 sum;
@@ -169,14 +169,14 @@ TEST(Crystal, starts_without_momentum_and_as_warm_as_it_says) {
     EXPECT_NEAR(squares / 3000, 0.15, 0.015);
 }
 
-TEST(Crystal, starts_otherwise_with_another_seed) {
+TEST(Crystal, starts_differently_with_another_seed) {
     EXPECT_FALSE(crystal({{"seed", 1}}).start[5].displacement == crystal({{"seed", 2}}).start[5].displacement);
     EXPECT_FALSE(crystal({{"seed", 1}}).start[5].velocity == crystal({{"seed", 2}}).start[5].velocity);
     EXPECT_FALSE(crystal({{"seed", 1}}).start[5].displacement == crystal({{"seed", 16777215}}).start[5].displacement);
     EXPECT_EQ(crystal({{"jitter", 0}}).start[5].displacement, (Vec3{5, 0, 0}));
 }
 
-TEST(Crystal, is_refused_where_a_particle_would_meet_two_images_of_another) {
+TEST(Crystal, is_refused_where_a_particle_would_interact_with_two_images_of_another) {
     const auto refused = [](Settings settings) { return model("crystal").refusal(values(settings)); };
     EXPECT_FALSE(refused({}));
     EXPECT_FALSE(refused({{"edge", 5}}));
@@ -184,20 +184,19 @@ TEST(Crystal, is_refused_where_a_particle_would_meet_two_images_of_another) {
     EXPECT_NE(refused({{"cutoff", 3.01}})->find("2.3 times the cutoff"), std::string::npos);
 }
 
-// Lists are part of the state: kept and brought back in the middle of a run, or looked at, it goes on with the same
-// bits.
-TEST(NearPairsRun, goes_on_with_the_same_bits_whoever_looks_or_comes_back) {
+// Lists are part of the state: a run that is saved and restored, or observed, continues with the same bits.
+TEST(NearPairsRun, continues_with_the_same_bits_after_observation_and_restoring) {
     for (const Precision precision : precisions) {
         const RunDescription description =
             run_of("morse", "velocity-verlet", precision, 0.02, {{"cutoff", 1}, {"edge", 5}, {"v0", 5}});
-        Simulation undisturbed(description), looked(description), back(description);
+        Simulation undisturbed(description), observed(description), back(description);
         undisturbed.advance(200);
         for (int step = 0; step < 200; ++step) {
-            looked.advance(1);
-            looked.frame();
-            looked.diagnostics();
+            observed.advance(1);
+            observed.frame();
+            observed.diagnostics();
         }
-        EXPECT_EQ(looked.hash(), undisturbed.hash());
+        EXPECT_EQ(observed.hash(), undisturbed.hash());
         back.advance(77);
         const auto kept = back.save();
         back.advance(60);

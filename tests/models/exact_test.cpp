@@ -50,7 +50,7 @@ TEST(ChainModes, add_up_to_the_kick) {
 TEST(ChainModes, agree_with_the_published_position) {
     const auto solution = chain_solution({.count = 10}, 1);
     EXPECT_NEAR(27 + solution->displacement(9, 68.1).x, 25.78620,
-                2e-4);  // 25.78620 stands for the same moment of float time
+                2e-4);  // 25.78620 is the same time in float
 }
 
 TEST(ExactSolution, of_all_particles_is_that_of_each) {
@@ -91,8 +91,8 @@ TEST(Morse, has_its_minimum_at_r0) {
     const MorseConstants<double> morse{2, 0.7, 2, 2 * 0.7 * 2};
     EXPECT_EQ(morse_energy(morse, 2.0), -2);
     EXPECT_EQ(morse_pull(morse, Vector<double>{2, 0, 0}).x, 0);
-    EXPECT_LT(morse_pull(morse, Vector<double>{3, 0, 0}).x, 0);  // drawn back
-    EXPECT_GT(morse_pull(morse, Vector<double>{1, 0, 0}).x, 0);  // pushed off
+    EXPECT_LT(morse_pull(morse, Vector<double>{3, 0, 0}).x, 0);  // attracted
+    EXPECT_GT(morse_pull(morse, Vector<double>{1, 0, 0}).x, 0);  // repelled
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(Scenes, have_a_shape_that_agrees_with_their_start) {
 
 TEST(Scenes, kick_one_particle_only_and_mark_it) {
     for (const Model& model : models()) {
-        if (model.info.id == "crystal") continue;  // warm: all move
+        if (model.info.id == "crystal") continue;  // finite temperature: all particles move
         const ParameterValues defaults(model.info.parameters);
         const Shape shape = model.shape(defaults);
         const Scene scene = model.scene(defaults);
@@ -61,7 +61,7 @@ TEST(Scenes, are_laid_out_as_documented) {
     EXPECT_EQ(shape_of("free").rest[9], (Vec3{9, 0, 0}));
 }
 
-TEST(Scenes, hold_the_border_of_a_mesh_and_the_first_of_a_line) {
+TEST(Scenes, fix_the_border_of_a_mesh_and_the_first_particle_of_a_line) {
     const Shape mesh = shape_of("mesh", {{"dim", 4}});
     for (std::size_t i = 0; i < 16; ++i) {
         const bool border = i / 4 == 0 || i / 4 == 3 || i % 4 == 0 || i % 4 == 3;

@@ -12,7 +12,7 @@
 namespace steplab {
 namespace {
 
-// Particles are computed a register at a time: scenes of every size leave another remainder.
+// Particles are computed a register at a time: each size of a scene leaves a different remainder.
 
 template <class T>
 Field<T> scattered(std::size_t count, double size) {
@@ -30,7 +30,7 @@ Field<T> engine_accelerations(const Forces& forces, const Field<T>& u) {
     return a;
 }
 
-/// By the plain loop, on absolute positions.
+/// The accelerations by the plain loop, on absolute positions.
 template <class T, class Forces>
 Field<T> plain_accelerations(const Forces& forces, const Field<T>& positions) {
     Field<T> a(positions.count());
@@ -49,7 +49,7 @@ double largest_difference(const Field<T>& a, const Field<T>& b) {
 template <class T>
 class SizesTest : public testing::Test {
 protected:
-    /// Rounding of some ten operations on numbers up to 50, the positions of the largest grid.
+    /// Rounding of about ten operations on numbers up to 50, the positions of the largest grid.
     static constexpr double tolerance = 1000 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
     static double worst_of_grid(std::size_t dim, double k) {
@@ -79,7 +79,7 @@ TYPED_TEST_SUITE(SizesTest, Numbers);
 
 TYPED_TEST(SizesTest, of_grids_agree_with_the_plain_loop) {
     for (std::size_t dim = 3; dim <= 20; ++dim) EXPECT_LT(this->worst_of_grid(dim, 3), this->tolerance) << dim;
-    // in several chunks, the last of them not full
+    // several chunks, the last of them incomplete
     for (const std::size_t dim : {40u, 45u, 71u}) EXPECT_LT(this->worst_of_grid(dim, 3), 3 * this->tolerance) << dim;
 }
 
@@ -97,7 +97,7 @@ TYPED_TEST(SizesTest, of_clusters_one_per_cent_deeper_do_not) {
         EXPECT_GT(this->worst_of_pairs(count, 1.01), this->tolerance) << count;
 }
 
-// Far away, where the force is exactly nothing, a particle more may change the order of sums, and nothing else.
+// An additional particle so far away that its force is exactly zero may change the order of sums, and nothing else.
 TYPED_TEST(SizesTest, of_clusters_do_not_matter_beyond_the_order_of_sums) {
     using T = TypeParam;
     for (std::size_t count = 2; count <= 33; ++count) {
@@ -122,7 +122,7 @@ TYPED_TEST(SizesTest, of_clusters_with_coincident_particles_stay_finite) {
         const Field<T> a = engine_accelerations(PairForces{.count = count}, u);
         for (const T number : a.flat()) ASSERT_TRUE(std::isfinite(number)) << count;
         const double apart = length(a.at(0) - a.at(count - 1));
-        EXPECT_LT(apart, this->tolerance) << count;  // the others pull both alike
+        EXPECT_LT(apart, this->tolerance) << count;  // the others pull both equally
     }
 }
 

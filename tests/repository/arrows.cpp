@@ -19,7 +19,7 @@ const std::map<std::string, Folders>& arrows() {
         {"models", {"core"}},
         {"sim", {"core", "methods", "models"}},
         {"io", {"core", "sim"}},
-        {"lab", {"core", "sim", "io"}},
+        {"lab", {"core", "methods", "models", "sim", "io"}},
         {"render", {"core"}},
         {"ui", {"core", "sim", "io", "lab", "render"}},
         {"app", {"core", "methods", "models", "sim", "io", "lab", "render", "ui"}},

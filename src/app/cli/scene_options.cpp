@@ -20,7 +20,11 @@ constexpr std::string_view all_methods = "all";
 /// Up to this number every integer is exactly a double.
 constexpr double most_steps = 9007199254740992.0;
 
-constexpr ParameterInfo dt_info{.name = "--dt", .unit = "", .minimum_included = false, .what = "time step"};
+constexpr ParameterInfo dt_option = [] {
+    ParameterInfo option = dt_parameter;
+    option.name = "--dt";
+    return option;
+}();
 constexpr ParameterInfo until_info{.name = "--until", .unit = "", .what = "end time"};
 constexpr ParameterInfo steps_info{.name = "--steps",
                                    .kind = ParameterInfo::Kind::integer,
@@ -101,7 +105,7 @@ bool SceneOptions::names_precision() const { return is_given(*app_, "--precision
 RunDescription SceneOptions::description() const {
     RunDescription description = describe(model_, method_);
     description.precision = precision_of(precision_);
-    description.dt = parse_value(dt_info, dt_);
+    description.dt = parse_value(dt_option, dt_);
     for (const Setting& setting : parse_settings(settings_)) set_parameter(description, setting.name, setting.text);
     check(description);
     return description;
@@ -115,7 +119,7 @@ std::vector<RunDescription> SceneOptions::descriptions() const {
     check_known(settings, runs);
     for (RunDescription& run : runs) {
         run.precision = precision_of(precision_);
-        run.dt = parse_value(dt_info, dt_);
+        run.dt = parse_value(dt_option, dt_);
         for (const Setting& setting : settings) {
             if (has_parameter(run, setting.name)) set_parameter(run, setting.name, setting.text);
         }

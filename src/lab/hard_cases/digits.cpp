@@ -12,7 +12,7 @@ namespace {
 
 // ---- long time
 
-/// dt as float holds it, for both precisions: what is left between them is rounding.
+/// dt rounded to float for both precisions: their difference is then rounding error.
 Trial swing(Precision precision, bool compensated, double time) {
     Trial trial = steplab::trial("oscillator", {}, static_cast<double>(0.1f), time);
     trial.run.precision = precision;
@@ -23,7 +23,7 @@ Trial swing(Precision precision, bool compensated, double time) {
 
 constexpr double long_enough = 2e3;  // 2 10^4 steps
 
-/// Radians by which x = sin, v = cos is ahead of time t.
+/// Radians by which x = sin, v = cos is ahead of the exact phase at time t.
 double phase_ahead(const State<double>& state, double t) {
     const double x = state.displacement.x()[1], v = state.velocity.x()[1];
     return std::atan2(x * std::cos(t) - v * std::sin(t), v * std::cos(t) + x * std::sin(t));
@@ -35,7 +35,7 @@ double phase_after(const Trial& trial, const Method& method) {
     return phase_ahead(simulation.state(), simulation.time());
 }
 
-/// What rounding adds, as float shows it beside double.
+/// The rounding error of the phase: the difference between float and double.
 std::string float_phase_cell(const Method& method, bool compensated) {
     if (compensated && !ParameterValues(method.info.parameters).contains("compensated")) return "–";
     const double apart = phase_after(swing(Precision::float_, compensated, long_enough), method) -
@@ -47,14 +47,15 @@ Table long_table() {
     const auto in_double = [](const Method& method) {
         return number_cell(phase_after(swing(Precision::double_, false, long_enough), method), 1e-10);
     };
-    const Column columns[] = {{"double: phase ahead [rad]", in_double},
-                              energy_column("energy error", swing(Precision::double_, false, long_enough), 0.5, 1e-10),
-                              {"float, from double [rad]", [](const Method& m) { return float_phase_cell(m, false); }},
-                              {"compensated", [](const Method& m) { return float_phase_cell(m, true); }}};
+    const Column columns[] = {
+        {"double: phase error [rad]", in_double},
+        energy_column("relative energy error", swing(Precision::double_, false, long_enough), 0.5, 1e-10),
+        {"float: difference from double [rad]", [](const Method& m) { return float_phase_cell(m, false); }},
+        {"float, compensated [rad]", [](const Method& m) { return float_phase_cell(m, true); }}};
     return over_methods(columns);
 }
 
-/// The phase that float is off double, at times on a logarithmic axis.
+/// The phase difference between float and double, at logarithmically spaced times.
 Curve float_phase_curve(std::string_view method, bool compensated, int colour) {
     Curve curve{.name = std::string(method) + (compensated ? ", comp." : ""),
                 .points = {},
@@ -75,7 +76,7 @@ Curve float_phase_curve(std::string_view method, bool compensated, int colour) {
 
 Figure long_figure() {
     Figure figure{.x = {.label = "steps"},
-                  .y = {.label = "phase of float, from double [rad]", .range = {{1e-8, 1}}},
+                  .y = {.label = "phase difference of float from double [rad]", .range = {{1e-8, 1}}},
                   .curves = {}};
     int colour = 0;
     for (const char* method : {"velocity-verlet", "rk4", "pefrl", "stoermer"}) {
@@ -91,7 +92,7 @@ Figure long_figure() {
 
 constexpr double crawl = 1e-3, crawl_dt = 1e-4, crawl_time = 2;
 
-/// A bullet at x = -10, where half an ulp of float is 4.8e-7, that moves by 1e-7 a step and feels nothing yet.
+/// A bullet at x = -10, where half an ulp of float is 4.8e-7, that moves by 1e-7 per step, with negligible force.
 Trial crawling(Precision precision, bool compensated, double dt = crawl_dt) {
     Trial trial = steplab::trial("morse", {{"edge", 1}, {"k", 50}, {"v0", crawl}}, dt, crawl_time);
     trial.run.precision = precision;
@@ -100,13 +101,13 @@ Trial crawling(Precision precision, bool compensated, double dt = crawl_dt) {
     return trial;
 }
 
-/// The part of its way that the bullet has gone.
-double part_gone(const Simulation& simulation) {
+/// The fraction of its distance that the bullet has covered.
+double fraction_covered(const Simulation& simulation) {
     return (simulation.state().displacement.at(1).x + 10) / (crawl * crawl_time);
 }
 
 Table stagnation_table() {
-    const auto found = [](Simulation& simulation) { return fmt::format("{:.3f}", part_gone(simulation)); };
+    const auto found = [](Simulation& simulation) { return fmt::format("{:.3f}", fraction_covered(simulation)); };
     const Column columns[] = {end_column("float", crawling(Precision::float_, false), found),
                               {"float, compensated",
                                [found](const Method& method) -> std::string {
@@ -117,9 +118,11 @@ Table stagnation_table() {
     return over_methods(columns);
 }
 
-/// Where the bullet is after two seconds in steps of every dt.
+/// The distance covered in two seconds, for every dt.
 Figure stagnation_figure() {
-    Figure figure{.x = {.label = "dt [s]"}, .y = linear_axis("part of the way gone", std::pair(0, 2.2)), .curves = {}};
+    Figure figure{.x = {.label = "dt [s]"},
+                  .y = linear_axis("fraction of the distance covered", std::pair(0, 2.2)),
+                  .curves = {}};
     const auto add = [&](const char* method, bool compensated) {
         Curve curve{.name = std::string(method) + (compensated ? ", comp." : ""),
                     .points = {},
@@ -130,7 +133,7 @@ Figure stagnation_figure() {
             const Trial trial = crawling(Precision::float_, compensated, dt);
             Simulation simulation = trial.with(method);
             advance_to(simulation, trial.steps());
-            curve.points.emplace_back(dt, part_gone(simulation) * crawl_time / simulation.time());
+            curve.points.emplace_back(dt, fraction_covered(simulation) * crawl_time / simulation.time());
         }
         figure.curves.push_back(std::move(curve));
     };
@@ -158,13 +161,13 @@ std::string decay_cell(const Method& method, Precision precision) {
     Simulation simulation = trial.with(method.info.id);
     std::size_t subnormal = 0;
     double left = 0;
-    const bool whole = watched(simulation, trial.steps(), trial.steps(), [&](Simulation& s) {
+    const bool whole = observed(simulation, trial.steps(), trial.steps(), [&](Simulation& s) {
         const double x = std::abs(s.state().displacement.x()[1]), v = std::abs(s.state().velocity.x()[1]);
         for (const double number : {x, v}) subnormal += number > 0 && number < smallest_normal(precision) ? 1 : 0;
         left = std::max(x, v);
     });
     if (!whole) return divergence_cell(simulation);
-    return fmt::format("{} subnormal, at last {:.0e}", subnormal, left);
+    return fmt::format("{} subnormal, finally {:.0e}", subnormal, left);
 }
 
 Table decay_table() {
@@ -175,7 +178,7 @@ Table decay_table() {
 
 Figure decay_figure() {
     Figure figure{.x = linear_axis("time [s]"),
-                  .y = {.label = "size of the motion, |(x, v)| [m, m/s]", .range = {{1e-320, 1}}},
+                  .y = {.label = "amplitude |(x, v)| [m, m/s]", .range = {{1e-320, 1}}},
                   .curves = {}};
     for (const char* method : {"velocity-verlet", "rk4", "tr-bdf2", "dopri5", "gauss-16"}) {
         figure.curves.push_back(curve_over_time(
@@ -188,33 +191,31 @@ Figure decay_figure() {
 }  // namespace
 
 HardCase long_time() {
-    return {
-        "long-time",
-        "Long runs",
-        "An oscillator over 2·10⁴ steps: the phase error and the energy error of a run in double, and what rounding "
-        "in float adds to the phase, with plain and with compensated sums.",
-        "What rounding adds to an oscillator's phase in float (dashed: compensated sums)",
-        long_table,
-        long_figure};
+    return {"long-time",
+            "Long-time phase errors",
+            "An oscillator over 2·10⁴ steps of 0.1 s: phase error and energy error in double, and what "
+            "rounding in float adds to the phase, with plain and with compensated summation.",
+            "Rounding error of an oscillator's phase in float (dashed: compensated summation)",
+            long_table,
+            long_figure};
 }
 
 HardCase stagnation() {
-    return {
-        "stagnation",
-        "Stagnation in float",
-        "A bullet at x = -10 m moves by less than half the distance of two floats in each step: the part of its way "
-        "that it covers in 2 s (1 is right), with plain and with compensated sums and in double.",
-        "Part of its way that a slow bullet goes in float, against dt (dashed: compensated sums)",
-        stagnation_table,
-        stagnation_figure};
+    return {"stagnation",
+            "Stagnation in float",
+            "A bullet at x = -10 m moves by less than half an ulp of its position in each step: the fraction "
+            "of its path that it covers in 2 s (1 is correct).",
+            "Fraction of its distance that a slow bullet covers in float, against dt (dashed: compensated summation)",
+            stagnation_table,
+            stagnation_figure};
 }
 
 HardCase decay_to_zero() {
     return {"subnormal",
             "Subnormal numbers",
-            "A damped oscillator decays to zero: how many of its numbers are subnormal on the way, and how large the "
-            "motion is at the end [m, m/s].",
-            "A damped oscillator in double: from the smallest normal number, 2e-308, to zero",
+            "A damped oscillator decays to the smallest normal numbers: the subnormal numbers found on the "
+            "way, and the amplitude at the end.",
+            "A damped oscillator in double: decay beyond the smallest normal number, 2e-308, to zero",
             decay_table,
             decay_figure};
 }

@@ -4,9 +4,9 @@
 
 namespace steplab {
 
-// Where digits run out.
+// Limits of precision.
 
-/// Many steps of an oscillator: the phase that its method loses, and what rounding adds.
+/// Many steps of an oscillator: the phase errors of the method and of rounding.
 HardCase long_time();
 /// Float steps shorter than half an ulp of the position.
 HardCase stagnation();

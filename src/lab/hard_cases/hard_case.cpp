@@ -35,7 +35,7 @@ void advance_to(Simulation& simulation, std::uint64_t step) {
     }
 }
 
-bool watched(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Observer& observe) {
+bool observed(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Observer& observe) {
     const std::uint64_t count = std::min(moments, steps);
     for (std::uint64_t moment = 1; moment <= count && !simulation.divergence(); ++moment) {
         advance_to(simulation, steps * moment / count);
@@ -62,7 +62,7 @@ Table over_methods(std::span<const Column> columns) {
             try {
                 row.push_back(column.cell(method));
             } catch (const UsageError&) {
-                row.emplace_back("refuses the scene");
+                row.emplace_back("cannot run this scene");
             }
         }
         table.rows.push_back(std::move(row));
@@ -71,7 +71,7 @@ Table over_methods(std::span<const Column> columns) {
 }
 
 std::string number_cell(double value, double least) {
-    if (!std::isfinite(value)) return "no number";
+    if (!std::isfinite(value)) return "not finite";
     if (std::abs(value) < least) return fmt::format("< {:.0e}", least);
     return std::abs(value) >= 0.01 && std::abs(value) < 100 ? fmt::format("{:.2g}", value)
                                                             : fmt::format("{:.1e}", value);
@@ -84,8 +84,8 @@ std::string divergence_cell(const Simulation& simulation) {
 std::string energy_cell(const Trial& trial, const Method& method, double scale, double least) {
     Simulation simulation = trial.with(method.info.id);
     double worst = 0;
-    const bool whole = watched(simulation, trial.steps(), 64,
-                               [&](Simulation& s) { worst = std::max(worst, std::abs(s.energy_error()) / scale); });
+    const bool whole = observed(simulation, trial.steps(), 64,
+                                [&](Simulation& s) { worst = std::max(worst, std::abs(s.energy_error()) / scale); });
     return whole ? number_cell(worst, least) : divergence_cell(simulation);
 }
 
@@ -96,7 +96,7 @@ Column energy_column(std::string head, const Trial& trial, double scale, double 
 Column end_column(std::string head, const Trial& trial, const std::function<std::string(Simulation&)>& found) {
     return {std::move(head), [=](const Method& method) {
                 Simulation simulation = trial.with(method.info.id);
-                const bool whole = watched(simulation, trial.steps(), 1, [](Simulation&) {});
+                const bool whole = observed(simulation, trial.steps(), 1, [](Simulation&) {});
                 return whole ? found(simulation) : divergence_cell(simulation);
             }};
 }
@@ -105,8 +105,8 @@ Curve curve_over_time(const Trial& trial, std::string_view method, int colour,
                       const std::function<double(const Simulation&)>& y, std::uint64_t moments) {
     Curve curve{.name = std::string(method), .points = {}, .colour = colour, .marks = false};
     Simulation simulation = trial.with(method);
-    watched(simulation, trial.steps(), moments,
-            [&](const Simulation& s) { curve.points.emplace_back(s.time(), y(s)); });
+    observed(simulation, trial.steps(), moments,
+             [&](const Simulation& s) { curve.points.emplace_back(s.time(), y(s)); });
     return curve;
 }
 

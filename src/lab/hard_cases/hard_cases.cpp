@@ -5,6 +5,9 @@
 #include "lab/hard_cases/ropes.hpp"
 #include "lab/hard_cases/steps.hpp"
 
+#include <string_view>
+#include <vector>
+
 namespace steplab {
 
 std::vector<HardCase> hard_cases() {
@@ -27,11 +30,11 @@ std::vector<HardCase> hard_cases() {
 }
 
 HardCase hard_case(std::string_view id) {
-    std::vector<std::string_view> known;
     for (const HardCase& each : hard_cases()) {
         if (each.id == id) return each;
-        known.push_back(each.id);
     }
+    std::vector<std::string_view> known;
+    for (const HardCase& each : hard_cases()) known.push_back(each.id);
     throw UsageError(unknown_word("hard case", id, known));
 }
 

@@ -14,14 +14,14 @@ constexpr std::string_view of_each_kind[] = {"velocity-verlet", "pefrl",  "srkn-
 
 Figure energy_figure(const Trial& trial, double scale = 1) {
     return {.x = linear_axis("time [s]"),
-            .y = {.label = "largest |energy error| so far [J]"},
+            .y = {.label = "maximum |energy error| up to this time [J]"},
             .curves = energy_curves_of(trial, of_each_kind, scale)};
 }
 
 std::string collisions_cell(Simulation& simulation) {
     const CollisionRecord record = simulation.collisions();
     if (record.count() == 0) return "–";
-    return fmt::format("{}, the first at {:.4g}", record.count(), record.kept().front().time);
+    return fmt::format("{}, first at t = {:.4g}", record.count(), record.kept().front().time);
 }
 
 std::string evaluations_cell(Simulation& simulation) {
@@ -30,7 +30,7 @@ std::string evaluations_cell(Simulation& simulation) {
 
 std::string error_cell(Simulation& simulation) {
     const auto error = simulation.diagnostics().error;
-    return error ? number_cell(*error) : "not known";
+    return error ? number_cell(*error) : "unknown";
 }
 
 Curve error_curve(const Trial& trial, std::string_view method, int colour) {
@@ -40,7 +40,7 @@ Curve error_curve(const Trial& trial, std::string_view method, int colour) {
 }
 
 Figure error_figure(const Trial& trial) {
-    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "error of a position [m]"}, .curves = {}};
+    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "position error [m]"}, .curves = {}};
     for (const std::string_view method : of_each_kind)
         figure.curves.push_back(error_curve(trial, method, static_cast<int>(figure.curves.size())));
     return figure;
@@ -51,8 +51,8 @@ Figure error_figure(const Trial& trial) {
 Trial passing(double dt) { return trial("chain", {{"n", 3}, {"L", 1}, {"v0", 5}}, dt, 10); }
 
 Table passing_table() {
-    const Column columns[] = {energy_column("dt 0.01: energy error", passing(0.01)),
-                              energy_column("dt 0.001", passing(0.001)),
+    const Column columns[] = {energy_column("dt = 0.01: energy error [J]", passing(0.01)),
+                              energy_column("dt = 0.001", passing(0.001)),
                               end_column("collisions found", passing(0.01), collisions_cell)};
     return over_methods(columns);
 }
@@ -61,8 +61,8 @@ Table passing_table() {
 
 Trial folding() { return trial("mesh", {{"v0", 40}}, 0.02, 7); }
 
-/// Springs of the mesh that point backwards.
-std::size_t turned_over(const Simulation& simulation) {
+/// Number of reversed springs of the mesh.
+std::size_t reversed_springs(const Simulation& simulation) {
     const Frame frame = simulation.frame();
     const auto& springs = frame.shape->springs;
     return static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), [&](const auto& spring) {
@@ -72,19 +72,19 @@ std::size_t turned_over(const Simulation& simulation) {
 }
 
 Table folding_table() {
-    const auto most_turned = [](const Method& method) {
+    const auto most_reversed = [](const Method& method) {
         const Trial trial = folding();
         Simulation simulation = trial.with(method.info.id);
         std::size_t most = 0;
-        watched(simulation, trial.steps(), 100, [&](Simulation& s) { most = std::max(most, turned_over(s)); });
+        observed(simulation, trial.steps(), 100, [&](Simulation& s) { most = std::max(most, reversed_springs(s)); });
         return std::to_string(most);
     };
     Trial fine = folding();
     fine.run.dt /= 4;
     fine.tolerance = 1e-12;
-    const Column columns[] = {{"springs turned over at most", most_turned},
-                              energy_column("dt 0.02, tolerance 1e-9: energy error", folding()),
-                              energy_column("dt 0.005, tolerance 1e-12", fine)};
+    const Column columns[] = {{"largest number of reversed springs", most_reversed},
+                              energy_column("dt = 0.02, tolerance 1e-9: energy error [J]", folding()),
+                              energy_column("dt = 0.005, tolerance 1e-12", fine)};
     return over_methods(columns);
 }
 
@@ -101,16 +101,14 @@ Trial grazing(double aside) {
 Table grazing_table() {
     std::vector<Column> columns;
     for (const double aside : {0.3, 1e-2, 1e-4, 1e-9, 0.0}) {
-        columns.push_back(
-            energy_column(aside > 0 ? fmt::format("aside {:g}: energy error", aside) : "head on", grazing(aside)));
+        columns.push_back(energy_column(
+            aside > 0 ? fmt::format("impact parameter {:g}: energy error [J]", aside) : "head on", grazing(aside)));
     }
     return over_methods(columns);
 }
 
 Figure grazing_figure() {
-    Figure figure{.x = {.label = "how far the bullet aims aside [m]"},
-                  .y = {.label = "largest |energy error| [J]"},
-                  .curves = {}};
+    Figure figure{.x = {.label = "impact parameter [m]"}, .y = {.label = "largest |energy error| [J]"}, .curves = {}};
     for (const std::string_view method : of_each_kind) {
         Curve curve{.name = std::string(method), .points = {}, .colour = static_cast<int>(figure.curves.size())};
         for (double aside = 1; aside > 1e-7; aside /= 10) {
@@ -124,8 +122,8 @@ Figure grazing_figure() {
 
 // ---- the threshold of escape
 
-/// Kinetic energy equal to the depth of the potential where it starts: the particles repel each other and part, slower
-/// and slower, for ever.
+/// Kinetic energy equal to the depth of the potential at the start: the particles repel each other and separate for
+/// ever, with velocities that tend to zero.
 Trial escape(Precision precision) {
     constexpr double r0 = 4, b = 0.5;  // k = 0.5, D = 1
     const double e = std::exp(-b * (10 - r0));
@@ -140,12 +138,12 @@ double separation(const Simulation& simulation) {
     return length(state.displacement.at(0) - state.displacement.at(1));
 }
 
-/// Where they are at the end, and whether they have come nearer again.
+/// Their final distance, and whether they have turned back.
 Column fate_column(std::string head, const Trial& trial) {
     return {std::move(head), [trial](const Method& method) {
                 Simulation simulation = trial.with(method.info.id);
                 double farthest = 0;
-                const bool whole = watched(simulation, trial.steps(), 500, [&](const Simulation& s) {
+                const bool whole = observed(simulation, trial.steps(), 500, [&](const Simulation& s) {
                     if (s.time() > 20) farthest = std::max(farthest, separation(s));
                 });
                 if (!whole) return divergence_cell(simulation);
@@ -156,9 +154,9 @@ Column fate_column(std::string head, const Trial& trial) {
 
 Table escape_table() {
     const Trial in_double = escape(Precision::double_);
-    const Column columns[] = {fate_column("distance at t = 2000", in_double),
-                              end_column("error", in_double, error_cell), energy_column("energy error / D", in_double),
-                              fate_column("distance in float", escape(Precision::float_))};
+    const Column columns[] = {
+        fate_column("distance at t = 2000", in_double), end_column("error [m]", in_double, error_cell),
+        energy_column("energy error / D", in_double), fate_column("distance in float", escape(Precision::float_))};
     return over_methods(columns);
 }
 
@@ -184,16 +182,16 @@ Figure escape_figure() {
 
 constexpr double deep = 1000;
 
-/// Two hard cores (b = 5) that run into each other with a thousand times the well's depth.
+/// Two hard cores (b = 5) that collide with 1000 times the depth of the well.
 Trial deep_hit(double dt) {
     return trial("morse", {{"edge", 1}, {"k", 50}, {"r0", 2}, {"v0", std::sqrt(4 * deep)}}, dt, 0.3);
 }
 
 Table deep_table() {
-    const Column columns[] = {energy_column("dt 0.0005: energy error / 1000 D", deep_hit(5e-4), deep),
-                              end_column("error at the end", deep_hit(5e-4), error_cell),
-                              energy_column("dt 0.01: energy error / 1000 D", deep_hit(0.01), deep),
-                              end_column("error at the end", deep_hit(0.01), error_cell)};
+    const Column columns[] = {energy_column("dt = 0.0005: energy error / 1000 D", deep_hit(5e-4), deep),
+                              end_column("error at the end [m]", deep_hit(5e-4), error_cell),
+                              energy_column("dt = 0.01: energy error / 1000 D", deep_hit(0.01), deep),
+                              end_column("error at the end [m]", deep_hit(0.01), error_cell)};
     return over_methods(columns);
 }
 
@@ -206,16 +204,17 @@ Trial cube() {
 }
 
 Table cube_table() {
-    const Column columns[] = {energy_column("energy error", cube()),
-                              end_column("evaluations", cube(), evaluations_cell),
+    const Column columns[] = {energy_column("energy error [J]", cube()),
+                              end_column("force evaluations", cube(), evaluations_cell),
                               end_column("collisions found", cube(), collisions_cell)};
     return over_methods(columns);
 }
 
-// ---- at one place
+// ---- at the same position
 
-/// Two particles that part from one place; or all eight of a cube so near that only the last digits tell them apart.
-Trial parting() {
+/// Two particles that start at the same position; or the eight of a cube, so close that they differ only in the last
+/// digits.
+Trial same_position() {
     Trial trial = steplab::trial("morse", {{"edge", 1}}, 0.01, 2);
     trial.prepare = [](Simulation& simulation) { simulation.pull(0, simulation.frame().positions[1]); };
     return trial;
@@ -225,7 +224,7 @@ Trial nearly_coincident(double spacing) {
 }
 
 Table coincident_table() {
-    const Column columns[] = {energy_column("two that part from one place: energy error", parting()),
+    const Column columns[] = {energy_column("two at the same position: energy error [J]", same_position()),
                               energy_column("eight 1e-3 apart", nearly_coincident(1e-3)),
                               energy_column("eight 1e-9 apart", nearly_coincident(1e-9))};
     return over_methods(columns);
@@ -235,78 +234,73 @@ Table coincident_table() {
 
 HardCase passing_neighbours() {
     return {"passing",
-            "Neighbours that pass through each other",
-            "A chain of three particles, kicked with v0 = 5 m/s: where neighbours meet at distance 0, the direction of "
-            "their force jumps. Adaptive methods find these collisions and restart behind them, fixed steps do not. "
-            "Largest energy error [J], and the collisions found with their first time [s].",
-            "A chain of three, kicked hard: energy error; the neighbours pass each other at t = 4.9 and 6.0",
+            "Passing neighbours",
+            "A chain of three particles, kicked with v0 = 5 m/s: where neighbours meet at distance 0, the "
+            "direction of their force jumps. Adaptive methods locate these collisions and restart behind "
+            "them, fixed steps do not.",
+            "A chain of three particles with a hard kick: energy error; neighbours pass each other at t = 4.9 and 6.0",
             passing_table,
             [] { return energy_figure(passing(0.01)); }};
 }
 
 HardCase folding_mesh() {
     return {"folding",
-            "A mesh that folds",
-            "A mesh whose centre is kicked across it with v0 = 40 m/s: springs turn over, some through distance 0. The "
-            "largest number of springs turned over, and the largest energy error [J] (energy: 800 J).",
+            "Folding mesh",
+            "A mesh whose centre is kicked across it with v0 = 40 m/s, an energy of 800 J: springs turn "
+            "over, some through distance 0.",
             "A mesh that folds: energy error",
             folding_table,
             [] { return energy_figure(folding()); }};
 }
 
 HardCase grazing_hits() {
-    return {
-        "grazing",
-        "Grazing and head-on collisions",
-        "A bullet passes a Morse particle at some distance aside [m], dt 0.01 s: the closer, the shorter the time in "
-        "which the force turns. Largest energy error [J].",
-        "Two particles that pass each other at t = 9: energy error against how closely",
-        grazing_table,
-        grazing_figure};
+    return {"grazing",
+            "Grazing and head-on collisions",
+            "A bullet passes a Morse particle at some distance aside, dt 0.01 s: the closer it passes, the "
+            "shorter the time in which the force turns.",
+            "Two particles that pass each other at t = 9: energy error against impact parameter",
+            grazing_table,
+            grazing_figure};
 }
 
 HardCase escape_threshold() {
-    return {
-        "escape",
-        "The escape threshold",
-        "Two Morse particles with exactly the energy of escape separate ever more slowly, dt 0.1 s. An energy error "
-        "of 1e-5 D is enough to turn them back. Distances and errors in m.",
-        "Distance of two particles with exactly the energy of escape (dashed: float)",
-        escape_table,
-        escape_figure};
+    return {"escape",
+            "Escape threshold",
+            "Two Morse particles with exactly the escape energy separate ever more slowly, dt 0.1 s. An "
+            "energy error of 1e-5 D is enough to make them return.",
+            "Distance of two particles with exactly the escape energy (dashed: float)",
+            escape_table,
+            escape_figure};
 }
 
 HardCase deep_repulsion() {
-    return {
-        "deep",
-        "A collision at 1000 times the well depth",
-        "Two particles with hard cores (b = 5 1/m) collide with 1000 D; the force turns them within 0.003 s. Energy "
-        "error relative to 1000 D, and error of the position [m] against the exact solution.",
-        "Error of a collision with a thousand times the well's depth, dt 0.0005",
-        deep_table,
-        [] { return error_figure(deep_hit(5e-4)); }};
+    return {"deep",
+            "Hard collision",
+            "Two particles with hard cores (b = 5 1/m) collide with an energy of 1000 D; the force turns "
+            "them within 0.003 s.",
+            "Position error in a collision with 1000 times the depth of the well, dt = 0.0005",
+            deep_table,
+            [] { return error_figure(deep_hit(5e-4)); }};
 }
 
 HardCase colliding_cube() {
-    return {
-        "cube",
-        "A cube whose particles collide",
-        "27 Morse particles in a cube of spacing 0.5 m: mirror pairs meet head-on, first at t = 0.938 s. To t = 2.5 "
-        "s, dt 0.01 s or tolerance 1e-10: largest energy error [J], evaluations, and the collisions found.",
-        "The Morse cube of spacing 0.5, whose particles collide from t = 0.94 on: energy error",
-        cube_table,
-        [] { return energy_figure(cube()); }};
+    return {"cube",
+            "Colliding cube",
+            "27 Morse particles in a cube of spacing 0.5 m: mirror-image pairs meet head-on, first at t = "
+            "0.938 s. Until t = 2.5 s, dt 0.01 s or tolerance 1e-10.",
+            "The Morse cube with spacing 0.5, in which particles collide from t = 0.94 on: energy error",
+            cube_table,
+            [] { return energy_figure(cube()); }};
 }
 
 HardCase coincident_particles() {
-    return {
-        "coincident",
-        "Coincident particles",
-        "Particles at one place exert no force on each other. Two Morse particles that start at one place, and eight "
-        "so close together that only the last digits tell them apart: largest energy error [J].",
-        "Eight Morse particles that start 1e-9 apart: energy error",
-        coincident_table,
-        [] { return energy_figure(nearly_coincident(1e-9)); }};
+    return {"coincident",
+            "Coincident particles",
+            "The force between coincident particles is zero. Two Morse particles that start at the same "
+            "position, and eight so close together that only their last digits differ.",
+            "Eight Morse particles that start 1e-9 apart: energy error",
+            coincident_table,
+            [] { return energy_figure(nearly_coincident(1e-9)); }};
 }
 
 }  // namespace steplab

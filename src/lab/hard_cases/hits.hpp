@@ -4,21 +4,21 @@
 
 namespace steplab {
 
-// Particles that meet, pass each other or part for good.
+// Particles that collide, pass each other or escape.
 
 /// A short chain kicked so hard that neighbours pass each other.
 HardCase passing_neighbours();
 /// A mesh kicked so hard that it folds.
 HardCase folding_mesh();
-/// Two Morse particles that pass each other closely, and head on.
+/// Two Morse particles that pass each other closely, or head on.
 HardCase grazing_hits();
-/// Two Morse particles whose energy is exactly that of escape.
+/// Two Morse particles with exactly the escape energy.
 HardCase escape_threshold();
-/// Two Morse particles pressed together to a thousand times the well's depth.
+/// Two Morse particles that collide with 1000 times the depth of the well.
 HardCase deep_repulsion();
-/// The Morse cube of spacing 0.5, whose mirror pairs collide head on.
+/// The Morse cube with spacing 0.5, in which symmetric pairs collide head on.
 HardCase colliding_cube();
-/// Particles at one place, and a billionth apart.
+/// Particles at the same position, and 1e-9 apart.
 HardCase coincident_particles();
 
 }  // namespace steplab

@@ -18,16 +18,16 @@ namespace {
 
 constexpr double stiff = 2e7;
 
-/// Without drag, for long enough that the end whips round once.
+/// Without drag, long enough for the end to whip round once.
 Trial whip() { return trial("rope", {{"k", stiff}, {"c", 0}}, 0.01, 1.5); }
-/// A heavy rope with drag, until e^-27 of its slowest motion is left.
+/// A heavy rope with drag, until its slowest motion has decayed to e^-27.
 Trial settling() { return trial("rope", {{"k", stiff}, {"m", 30}, {"c", 90}}, 0.01, 18); }
-/// A light rope in strong drag: its springs settle in a tenth of a millisecond, it sinks in a minute.
+/// A light rope with strong drag: its springs relax in a tenth of a millisecond, it sinks in a minute.
 Trial sinking() { return trial("rope", {{"k", stiff}, {"m", 0.003}, {"c", 3}}, 0.01, 0.5); }
 
-constexpr double whip_energy = 60;  // what gravity gives the rope when it falls by its length
+constexpr double whip_energy = 60;  // the energy that the rope gains from gravity when it falls by its length
 
-/// The whip at 0.9 of the method's own limit.
+/// The whip at 0.9 of the method's stability limit.
 std::string own_step_cell(const Method& method) {
     if (!has_limit(method)) return "–";
     Trial trial = whip();
@@ -39,7 +39,7 @@ double distance_from_rest(const Simulation& simulation) {
     return error_against(*resting_reference(simulation.description()), simulation.state().displacement);
 }
 
-/// The far end of the sinking rope, as a run of high order in short steps has it.
+/// The position of the free end of the rope.
 Vec3 end_of(const Simulation& simulation) {
     const State<double>& state = simulation.state();
     return state.displacement.at(state.displacement.count() - 1);
@@ -48,25 +48,26 @@ Vec3 end_of(const Simulation& simulation) {
 Column sinking_column() {
     Trial fine = sinking();
     fine.tolerance = 1e-13;
-    Simulation right = fine.with("rkn-12-10");
-    advance_to(right, fine.steps());
-    return end_column(
-        "overdamped, t = 0.5: error of its end", sinking(),
-        [end = end_of(right)](Simulation& simulation) { return number_cell(length(end_of(simulation) - end), 1e-11); });
+    Simulation accurate = fine.with("rkn-12-10");
+    advance_to(accurate, fine.steps());
+    return end_column("overdamped, t = 0.5: error of the end [m]", sinking(),
+                      [end = end_of(accurate)](Simulation& simulation) {
+                          return number_cell(length(end_of(simulation) - end), 1e-11);
+                      });
 }
 
 Table stiff_table() {
     const Column columns[] = {
-        energy_column("whip without drag, dt 0.01: energy error", whip(), whip_energy, 1e-12),
-        {"at 0.9 of its own limit", own_step_cell},
-        end_column("with drag, t = 18: distance from rest", settling(),
+        energy_column("whip without drag, dt = 0.01: relative energy error", whip(), whip_energy, 1e-12),
+        {"at 0.9 of the stability limit", own_step_cell},
+        end_column("with drag, t = 18: distance from equilibrium [m]", settling(),
                    [](Simulation& simulation) { return number_cell(distance_from_rest(simulation), 1e-10); }),
         sinking_column()};
     return over_methods(columns);
 }
 
 Figure stiff_figure() {
-    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "distance from rest [m]"}, .curves = {}};
+    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "distance from equilibrium [m]"}, .curves = {}};
     for (const char* method : {"dop853", "tr-bdf2", "implicit-midpoint"})
         figure.curves.push_back(
             curve_over_time(settling(), method, static_cast<int>(figure.curves.size()), distance_from_rest));
@@ -87,7 +88,7 @@ Reference chaos_reference(const std::vector<double>& times) {
     return reference(chaotic().run, times, {.most_particle_evaluations = 1e7});
 }
 
-/// A row of errors at the times asked for.
+/// The errors at the times of the reference.
 std::vector<double> errors_at(const Method& method, const Reference& reference) {
     const Trial trial = chaotic();
     Simulation simulation = trial.with(method.info.id);
@@ -106,7 +107,7 @@ Table chaos_table() {
     for (const Method& method : methods()) errors[method.info.id] = errors_at(method, right);
     std::vector<Column> columns;
     for (std::size_t i = 0; i < chaos_times.size(); ++i) {
-        columns.push_back({fmt::format("error at t = {:g}", chaos_times[i]), [i, &errors](const Method& method) {
+        columns.push_back({fmt::format("error at t = {:g} [m]", chaos_times[i]), [i, &errors](const Method& method) {
                                const std::vector<double>& all = errors.at(method.info.id);
                                return i < all.size() ? number_cell(all[i], 1e-12) : "blew up";
                            }});
@@ -119,7 +120,7 @@ Figure chaos_figure() {
     for (int i = 1; i <= 30; ++i) times.push_back(0.6 * i);
     const Reference right = chaos_reference(times);
     Figure figure{
-        .x = linear_axis("time [s]"), .y = {.label = "error of a position [m]", .range = {{1e-16, 100}}}, .curves = {}};
+        .x = linear_axis("time [s]"), .y = {.label = "position error [m]", .range = {{1e-16, 100}}}, .curves = {}};
     const auto add = [&](std::string name, const std::vector<double>& values) {
         Curve curve{
             .name = std::move(name), .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
@@ -137,7 +138,7 @@ Figure chaos_figure() {
     }
     add(fmt::format("e^({:.1f} t)", exponent), growth);
     figure.curves.back().dashed = true;
-    add("the reference", certain);
+    add("error of the reference", certain);
     figure.curves.back().dashed = true;
     return figure;
 }
@@ -145,22 +146,21 @@ Figure chaos_figure() {
 }  // namespace
 
 HardCase stiff_rope() {
-    return {
-        "stiff-rope",
-        "Stiff ropes",
-        "A rope of k = 2·10⁷ 1/s², whose fastest period is 0.7 ms, in steps of 10 ms, forty times the explicit limit: "
-        "its end whips without drag; heavy and damped, it comes to rest; light and overdamped, it sinks. Energy "
-        "errors relative to 60 J, distances in m.",
-        "A rope of k = 2e7 1/s² comes to rest: distance from the exact place",
-        stiff_table,
-        stiff_figure};
+    return {"stiff-rope",
+            "Stiff ropes",
+            "A rope of k = 2·10⁷ 1/s², whose fastest period is 0.7 ms, in steps of 10 ms, forty times "
+            "the explicit limit: without drag, its end whipping; heavy, with drag, until it hangs at rest; "
+            "light, and so overdamped that it sinks.",
+            "A rope with k = 2e7 1/s² comes to rest: distance from the exact equilibrium",
+            stiff_table,
+            stiff_figure};
 }
 
 HardCase chaos() {
     return {"chaos",
             "Chaos",
-            "A rope whips without drag: errors grow as e^(λt) until they are as large as the rope. Largest error of a "
-            "position [m] against a reference solution, dt 0.005 or tolerance 1e-11.",
+            "A rope that whips without drag: errors grow as e^(λt) until they are as large as the motion. "
+            "Errors of positions against a reference solution, dt 0.005 s or tolerance 1e-11.",
             "A rope that whips without drag: errors grow as e^(λt)",
             chaos_table,
             chaos_figure};

@@ -15,7 +15,7 @@ namespace {
 
 /// The limit, or that there is none.
 std::string limit_cell(const Method& method, double limit) {
-    if (method.info.adaptive) return "none: own steps";
+    if (method.info.adaptive) return "none (adaptive)";
     return std::isinf(limit) ? "none" : fmt::format("{:.4g}", limit);
 }
 
@@ -23,8 +23,8 @@ std::string limit_cell(const Method& method, double limit) {
 
 constexpr double marginal_number = 1e6;
 
-/// At this part of the limit. Methods without one are shown far beyond those of all others, or, if they grow at any dt,
-/// in steps that others think nothing of.
+/// A run at this fraction of the limit. Methods without a limit are run far beyond the limits of all others, or, if
+/// they are unstable at any dt, at a dt that is small for the others.
 Trial marginal(const Method& method, double factor) {
     if (has_limit(method)) {
         const double dt = factor * limit_of(method);
@@ -34,8 +34,8 @@ Trial marginal(const Method& method, double factor) {
                                  : trial("oscillator", {}, 100, 1e4);
 }
 
-/// Looks at steps that are evenly spaced on a logarithmic axis. False if the run diverged.
-bool swing_for_long(Simulation& simulation, std::uint64_t most, const Observer& observe) {
+/// Calls `observe` at logarithmically spaced steps. False if the run diverged.
+bool run_observed(Simulation& simulation, std::uint64_t most, const Observer& observe) {
     for (double steps = 1; steps <= static_cast<double>(most); steps = std::ceil(steps * 1.05)) {
         advance_to(simulation, static_cast<std::uint64_t>(steps));
         if (simulation.divergence()) return false;
@@ -44,31 +44,31 @@ bool swing_for_long(Simulation& simulation, std::uint64_t most, const Observer& 
     return true;
 }
 
-/// The largest |x| met, in units of the exact motion's, and whether it is left at the end.
+/// The largest |x|, in units of the exact amplitude, and whether the motion decays.
 std::string swing_cell(const Method& method, double factor) {
     const Trial trial = marginal(method, factor);
     Simulation simulation = trial.with(method.info.id);
     double largest = 0, late = 0;
-    const bool whole = swing_for_long(simulation, trial.steps(), [&](Simulation& s) {
+    const bool whole = run_observed(simulation, trial.steps(), [&](Simulation& s) {
         const double swing = s.diagnostics().max_displacement;
         largest = std::max(largest, swing);
         if (s.step() > trial.steps() / 2) late = std::max(late, swing);
     });
     const std::string where = has_limit(method) ? "" : fmt::format(" (at ω dt = {:g})", trial.run.dt);
     if (!whole) return fmt::format("blows up in step {}{}", simulation.step() + 1, where);
-    return fmt::format("{:.2g}{}{}", largest, late < 0.1 * largest ? ", dies out" : "", where);
+    return fmt::format("{:.2g}{}{}", largest, late < 0.1 * largest ? ", decays" : "", where);
 }
 
 Table marginal_table() {
     const Column columns[] = {
-        {"limit of ω dt", [](const Method& method) { return limit_cell(method, limit_of(method)); }},
-        {"largest swing at 0.999 of it", [](const Method& method) { return swing_cell(method, 0.999); }},
-        {"at 1.001 of it",
+        {"stability limit of ω dt", [](const Method& method) { return limit_cell(method, limit_of(method)); }},
+        {"largest amplitude at 0.999 of the limit", [](const Method& method) { return swing_cell(method, 0.999); }},
+        {"at 1.001 of the limit",
          [](const Method& method) { return has_limit(method) ? swing_cell(method, 1.001) : std::string("–"); }}};
     return over_methods(columns);
 }
 
-/// How far it swings at each of these steps: the largest |x| of the last few looks.
+/// The amplitude at each of these steps: the largest |x| of the last three observations.
 Curve swing_curve(const std::string& id, double factor, int colour) {
     Curve curve{.name = fmt::format("{}, {}", id, factor),
                 .points = {},
@@ -77,7 +77,7 @@ Curve swing_curve(const std::string& id, double factor, int colour) {
                 .marks = false};
     Simulation simulation = marginal(method(id), factor).with(id);
     double last = 0, one_before = 0;
-    swing_for_long(simulation, static_cast<std::uint64_t>(marginal_number), [&](Simulation& s) {
+    run_observed(simulation, static_cast<std::uint64_t>(marginal_number), [&](Simulation& s) {
         const double now = s.diagnostics().max_displacement;
         curve.points.emplace_back(static_cast<double>(s.step()), std::max({now, last, one_before}));
         one_before = std::exchange(last, now);
@@ -97,7 +97,7 @@ Figure marginal_figure() {
     return figure;
 }
 
-// ---- dt changed on the way
+// ---- dt changed during the run
 
 constexpr int quarter_steps = 8;
 constexpr double quarter = std::numbers::pi / 2;
@@ -105,8 +105,8 @@ constexpr int quarters = 400;
 
 enum class Changes { none, once, always };
 
-/// An oscillator over a hundred periods in steps of 1/8 of a quarter period, or half as long where changed; look()
-/// after every quarter.
+/// An oscillator over a hundred periods in steps of 1/8 of a quarter period, or half as long where changed; `observe`
+/// is called after every quarter.
 void swing(std::string_view method, Changes changes, const Observer& observe) {
     const double dt = quarter / quarter_steps;
     Simulation simulation = trial("oscillator", {}, dt, 0).with(method);
@@ -133,9 +133,9 @@ Column change_column(std::string head, Changes changes) {
 }
 
 Table change_table() {
-    const Column columns[] = {change_column("dt kept", Changes::none),
-                              change_column("halved once, in the middle", Changes::once),
-                              change_column("changed at every quarter period", Changes::always)};
+    const Column columns[] = {change_column("dt constant", Changes::none),
+                              change_column("halved once, after half the time", Changes::once),
+                              change_column("changed every quarter period", Changes::always)};
     return over_methods(columns);
 }
 
@@ -145,7 +145,7 @@ Figure change_figure() {
     for (const char* id : {"velocity-verlet", "pefrl", "srkn-11b", "rk4", "implicit-midpoint"}) {
         for (const Changes changes : {Changes::none, Changes::always}) {
             const bool changed = changes == Changes::always;
-            Curve curve{.name = std::string(id) + (changed ? ", changed" : ", kept"),
+            Curve curve{.name = std::string(id) + (changed ? ", dt changed" : ", dt constant"),
                         .points = {},
                         .colour = colour,
                         .dashed = !changed,
@@ -169,7 +169,7 @@ double growth_at(const Method& method, double phase) {
     return step_growth(method, ParameterValues(method.info.parameters), 1, 0, phase) - 1;
 }
 
-/// A stretch of omega dt in which the motion grows, and by how much at most.
+/// An interval of omega dt in which the motion grows, and the largest growth per step.
 struct Band {
     double from = 0, to = infinity, growth = 0;
 };
@@ -196,25 +196,26 @@ std::string bands_cell(const Method& method) {
     for (const Band& band : bands(method)) {
         if (!text.empty()) text += "; ";
         text += std::isinf(band.to)
-                    ? fmt::format("from {:.4g} on", band.from)
-                    : fmt::format("{:.5g} to {:.5g}, by {:.1e} a step", band.from, band.to, band.growth);
+                    ? fmt::format("above {:.4g}", band.from)
+                    : fmt::format("{:.5g} to {:.5g}, by {:.1e} per step", band.from, band.to, band.growth);
     }
     return text;
 }
 
 Table resonance_table() {
     const auto cell = [](const Method& method) -> std::string {
-        if (method.info.adaptive || std::isinf(limit_of(method))) return "nowhere";
-        if (limit_of(method) == 0) return "at any";
-        return limit_of(method) < scanned_to ? bands_cell(method) : fmt::format("from {:g} on", limit_of(method));
+        if (method.info.adaptive || std::isinf(limit_of(method))) return "none";
+        if (limit_of(method) == 0) return "any";
+        return limit_of(method) < scanned_to ? bands_cell(method) : fmt::format("above {:g}", limit_of(method));
     };
-    const Column columns[] = {{"grows at ω dt", cell}};
+    const Column columns[] = {{"unstable at ω dt", cell}};
     return over_methods(columns);
 }
 
 Figure resonance_figure() {
-    Figure figure{
-        .x = linear_axis("ω dt"), .y = {.label = "growth of the motion in a step", .range = {{1e-5, 1}}}, .curves = {}};
+    Figure figure{.x = linear_axis("ω dt"),
+                  .y = {.label = "growth of the amplitude per step", .range = {{1e-5, 1}}},
+                  .curves = {}};
     for (const char* id : {"pefrl", "mclachlan-atela-5", "kahan-li-8", "srkn-11b"}) {
         Curve curve{.name = id, .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
         for (double phase = 2.95; phase<3.55; phase += phase> 3.14 && phase < 3.144 ? 4e-5 : 2e-3)
@@ -240,7 +241,7 @@ Table drag_table() {
 }
 
 Figure drag_figure() {
-    Figure figure{.x = {.label = "damping γ/ω"}, .y = {.label = "limit of ω dt"}, .curves = {}};
+    Figure figure{.x = {.label = "damping γ/ω"}, .y = {.label = "stability limit of ω dt"}, .curves = {}};
     for (const char* id : {"euler", "rk4", "verlet", "velocity-verlet", "forest-ruth", "pefrl", "mclachlan-atela-5",
                            "srkn-11b", "kahan-li-8"}) {
         Curve curve{.name = id, .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
@@ -255,44 +256,41 @@ Figure drag_figure() {
 }  // namespace
 
 HardCase marginal_steps() {
-    return {
-        "marginal-dt",
-        "At the edge of stability",
-        "An oscillator over 10⁶ steps just below and just above each method's stability limit: below it the motion "
-        "stays bounded, above it it grows without bound, however slowly. Largest displacement [m]; the exact motion "
-        "has 1 m.",
-        "Swing of an oscillator at 0.999 (full) and 1.001 (dashed) of the stability limit",
-        marginal_table,
-        marginal_figure};
+    return {"marginal-dt",
+            "Stability limit",
+            "An oscillator over 10⁶ steps just below and just above each method's stability limit: below "
+            "it the motion stays bounded, above it it grows without bound, however slowly. The exact motion "
+            "has an amplitude of 1 m.",
+            "Amplitude of an oscillator at 0.999 (solid) and 1.001 (dashed) of the stability limit",
+            marginal_table,
+            marginal_figure};
 }
 
 HardCase changed_steps() {
     return {"changed-dt",
-            "dt changed during the run",
-            "An oscillator over 100 periods. A symplectic method conserves a modified energy that depends on dt: one "
-            "change of dt does no harm, changes in phase with the motion add up. Largest energy error, relative to the "
-            "energy.",
-            "Energy error of an oscillator with dt kept (dashed) and changed at every quarter period",
+            "Changing dt during a run",
+            "An oscillator over 100 periods. A symplectic method conserves a modified energy that depends on "
+            "dt: one change of dt has no visible effect, changes in phase with the motion add up.",
+            "Energy error of an oscillator with dt constant (dashed) and changed every quarter period",
             change_table,
             change_figure};
 }
 
 HardCase step_resonances() {
-    return {
-        "step-resonance",
-        "Step resonances",
-        "Bands of ω dt in which the motion of an oscillator grows, from the eigenvalues of the matrix of one step: a "
-        "method can be unstable in a narrow band below the dt at which it finally fails.",
-        "What an oscillator grows by in a step, beyond the stability limits",
-        resonance_table,
-        resonance_figure};
+    return {"step-resonance",
+            "Step-size resonances",
+            "Bands of ω dt in which the motion of an oscillator grows, from the eigenvalues of the matrix "
+            "of one step: a method can be unstable in a narrow band below the dt at which it finally fails.",
+            "Growth of an oscillator's amplitude per step, beyond the stability limits",
+            resonance_table,
+            resonance_figure};
 }
 
 HardCase backward_steps_with_drag() {
     return {"drag",
-            "Backward substeps with drag",
-            "Splitting methods of order above 2 have substeps backward in time, in which drag makes the motion grow. "
-            "Stability limit of ω dt of a damped oscillator for damping γ/ω.",
+            "Negative substeps with drag",
+            "Splitting methods of order above 2 have negative substeps, in which drag amplifies the "
+            "velocity. Stability limit of ω dt of an oscillator with damping γ.",
             "Stability limit of ω dt against damping",
             drag_table,
             drag_figure};

@@ -20,7 +20,7 @@ Limit limit_or_refusal(const StabilityLab& lab, const RunDescription& run) {
     }
 }
 
-/// Of as many runs as go side by side; of a run that is refused none.
+/// Memory of the runs in SIMD lanes of one search; 0 for a run that is not possible.
 double bytes_of_search(const RunDescription& run) {
     try {
         return static_cast<double>(most_lanes) * bytes_of_run(run);
@@ -34,7 +34,7 @@ double bytes_of_search(const RunDescription& run) {
 std::vector<Limit> all_limits(const StabilityLab& lab, std::span<const RunDescription> methods,
                               const std::function<void(std::size_t)>& done) {
     std::vector<Limit> limits(methods.size());
-    std::mutex mutex;  // of what follows
+    std::mutex mutex;  // protects found and the calls of done
     std::size_t found = 0;
     double bytes = 0;
     for (const RunDescription& run : methods) bytes = std::max(bytes, bytes_of_search(run));

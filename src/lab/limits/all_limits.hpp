@@ -9,9 +9,9 @@
 
 namespace steplab {
 
-/// The limits of these methods on the scene of `lab`, several at a time on as many processors. A method that cannot run
-/// the scene is no reason to tell nothing of the others: its note says why. `done` hears, from any of the threads but
-/// one at a time, how many are found; what it throws ends the search. Throws Interrupted.
+/// The limits of these methods on the scene of `lab`, computed in parallel. For a method that cannot run the scene, the
+/// note says why. `done` is called with the number found so far, by any thread, but one at a time; an exception it
+/// throws ends the search. Throws Interrupted.
 std::vector<Limit> all_limits(const StabilityLab& lab, std::span<const RunDescription> methods,
                               const std::function<void(std::size_t)>& done);
 

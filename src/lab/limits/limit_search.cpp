@@ -12,11 +12,11 @@ namespace steplab {
 
 namespace {
 
-constexpr double resolution = 3e-5;  // of the bisection, relative
+constexpr double resolution = 3e-5;  // relative, of the bisection
 
 using Grows = std::function<bool(const GrowthQuestion&)>;
 
-/// Bisection on runs, begun at what theory expects.
+/// Bisection on runs, starting at the limit of theory.
 class Bisection {
 public:
     Bisection(const LimitSearch& search, Grows grows) : search_(search), grows_(std::move(grows)) {}
@@ -24,10 +24,12 @@ public:
     double limit() const {
         double expected = search_.expected;
         if (!(expected >= 0))
-            throw UsageError("no frequency is known that dt could be tried from: choose a scene nearer to rest");
+            throw UsageError(
+                "the search for a stability limit needs a frequency of the scene, and none is known: choose a scene "
+                "closer to equilibrium");
         if (expected == infinity) return beyond_all();
         if (expected == 0) {
-            // seen soonest far below the steps that methods allow: midpoint grows by (omega dt)^4 / 8 a step
+            // detected soonest at dt far below the usual ones: midpoint grows by (omega dt)^4 / 8 per step
             if (grows_({.dt = 0.1 * search_.time_scale, .steps = 8192, .allowed = 0.01})) return 0;
             expected = search_.time_scale;
         }
@@ -51,7 +53,7 @@ private:
         return infinity;
     }
 
-    /// Of a method that is said to be stable at any dt: tried at some, far beyond all explicit methods.
+    /// For a method that should be stable at any dt: tests some values far beyond the limits of explicit methods.
     double beyond_all() const {
         double stable = 0.1 * search_.time_scale;
         for (const double tried : {1.0, 3.0, 10.0, 100.0, 1000.0}) {
@@ -74,28 +76,29 @@ private:
     Grows grows_;
 };
 
-/// How likely a vibration grows at dt if theory is about right, where it is known to be stable at `stable` and to grow
-/// at `unstable`.
+/// Probability that a vibration grows at dt if theory is approximately right, given that it is stable at `stable` and
+/// grows at `unstable`.
 double likelihood_of_growth(double dt, double expected, double stable, double unstable) {
-    constexpr double sure = 0.95, about = 1e-4;  // so near the limit a bounded vibration may look like a growing one
+    constexpr double sure = 0.95,
+                     about = 1e-4;  // this close to the limit a bounded vibration may be mistaken for a growing one
     if (expected <= stable || expected >= unstable || std::abs(dt - expected) < about * expected) return 0.5;
     return dt > expected ? sure : 1 - sure;
 }
 
-/// A way that the search may take from what is known: the answers to questions that are open.
+/// A possible continuation of the search: supposed answers to open questions.
 struct Branch {
     std::vector<bool> answers;
     double likelihood = 1;
 };
 
-/// The search as far as it is known, and the ways it may take.
+/// The search so far, and its possible continuations.
 class Outlook {
 public:
     explicit Outlook(const LimitSearch& search) : search_(search) {}
 
     void add(const GrowthQuestion& answered) { known_.push_back(answered); }
 
-    /// The likeliest of the questions that may come, the next one first; none if the limit is known.
+    /// The most likely of the next questions, the very next one first; empty if the limit is known.
     std::vector<GrowthQuestion> questions(std::size_t most) {
         std::vector<GrowthQuestion> likeliest;
         std::vector<Branch> branches{{}};
@@ -118,9 +121,9 @@ public:
 
 private:
     struct Next {
-        double limit;  ///< if there is no question
+        double limit;  ///< valid if there is no question
         std::optional<GrowthQuestion> question;
-        double growth;  ///< how likely it is the answer
+        double growth;  ///< probability that it grows
     };
 
     static Branch take_likeliest(std::vector<Branch>& branches) {
@@ -138,13 +141,13 @@ private:
         return found == among.end() ? nullptr : &*found;
     }
 
-    /// The first question without an answer on this way.
+    /// The first question without an answer in this continuation.
     Next follow(const Branch& branch) const {
         Next next{};
         double stable = 0, unstable = infinity;
         std::size_t supposed = 0;
         next.limit = Bisection(search_, [&](const GrowthQuestion& question) {
-                         if (next.question) return true;  // a short way to the end
+                         if (next.question) return true;  // ends the bisection quickly
                          const GrowthQuestion* const known = find(known_, question);
                          if (!known && supposed == branch.answers.size()) {
                              next.question = question;

@@ -15,18 +15,19 @@ namespace steplab {
 
 namespace {
 
-/// Frequencies of a damped scene that are asked; a scene with more of them is sampled.
+/// Number of frequencies of a damped scene that are examined; if there are more, they are sampled.
 constexpr std::size_t most_frequencies = 64;
-/// Steps of a run: enough to see the growth just above theory's limit, if a scene of so many particles allows.
+/// Steps of a run: enough to detect growth just above the limit of theory, as far as the number of particles allows.
 constexpr double fewest_steps = 1024, most_particle_steps = 4e8;
-/// Where theory and measurement agree no better, the note says why.
+/// If theory and measurement differ by more, the note says why.
 constexpr double agreement = 1e-3;
 
-/// What theory says of a method in one mode, just above its limit: the dt at which to look, and how fast the mode grows
-/// there. A resonance may be narrow, so the best of several is taken, all as near as runs and theory are to agree.
+/// Linear theory of a method in one mode just above its limit: the dt to test, and the growth of the mode there. A
+/// resonance may be narrow, so the best of several values is taken, all as close to the limit as runs and theory should
+/// agree.
 struct Above {
     double dt = 0;
-    double log_growth = 0;  ///< logarithm of a step's factor
+    double log_growth = 0;  ///< logarithm of the growth factor per step
 };
 
 Above just_above(const Method& method, const ParameterValues& parameters, double omega, double gamma, double limit) {
@@ -39,7 +40,7 @@ Above just_above(const Method& method, const ParameterValues& parameters, double
     return best;
 }
 
-/// Enough to see growth a quarter as fast.
+/// Enough steps to detect growth at a quarter of this rate.
 std::uint64_t steps_of_a_run(const Above& above, double evaluations, std::size_t particles) {
     const double most = most_particle_steps / (static_cast<double>(particles) * std::max(1.0, evaluations));
     const double wanted = above.log_growth > 0 ? 0.8 / above.log_growth : fewest_steps;
@@ -57,18 +58,19 @@ bool agree(double theory, double measured) {
 
 std::string percent(double ratio) { return fmt::format("{:+.2g} %", 100 * (ratio - 1)); }
 
-/// Why the two differ, as far as the run can tell.
+/// Why the two differ, as far as the run shows.
 std::string disagreement(const ModeRun& run, Precision precision, double theory, double measured) {
     if (const double nonlinear = run.nonlinearity(); nonlinear > 0.01) {
         return fmt::format(
-            "the force is not smooth at the start (off its derivative by {:.2g} %): theory does not hold",
+            "the force is not smooth at the initial positions (it deviates from its linearisation by {:.2g} %): linear "
+            "theory does not apply",
             100 * nonlinear);
     }
     const std::string far = theory > 0 && measured > 0 && std::isfinite(measured) && std::isfinite(theory)
                                 ? percent(measured / theory) + " from theory"
-                                : "not what theory says";
-    if (precision == Precision::float_) return far + ": float's rounding is no small part of the vibration";
-    return far + ": the method's steps are not those of its linear theory";
+                                : "not the limit of theory";
+    if (precision == Precision::float_) return far + ": rounding in float is not small compared with the vibration";
+    return far + ": the steps of the method are not those of its linear theory";
 }
 
 }  // namespace
@@ -95,13 +97,13 @@ std::vector<StabilityLab::Oscillation> StabilityLab::oscillations() const {
     for (Eigen::Index sample = 0; sample < samples; ++sample) {
         const Eigen::Index mode = samples == 1 ? count - 1 : sample * (count - 1) / (samples - 1);
         const double omega2 = modes_.values[mode];
-        if (omega2 < -zero) continue;  // departs by itself, whatever the method
+        if (omega2 < -zero) continue;  // unstable equilibrium: departs with any method
         all.push_back({omega2 < zero ? 0 : std::sqrt(omega2), mode, infinity});
     }
     return all;
 }
 
-/// The oscillation that grows at the smallest dt. Without drag that is the fastest.
+/// The oscillation that grows at the smallest dt. Without drag it is the fastest one.
 StabilityLab::Oscillation StabilityLab::first_to_grow(const Method& method, const ParameterValues& parameters) const {
     const std::vector<Oscillation> all = oscillations();
     Oscillation first{};
@@ -122,7 +124,7 @@ Limit StabilityLab::limit(const RunDescription& description) const {
     const Method& method = steplab::method(held.method);
     Limit limit{.description = held, .omega_max = omega_max(), .theory = infinity, .measured = infinity, .note = {}};
     if (method.info.adaptive) {
-        limit.note = "chooses its steps";
+        limit.note = "adaptive: chooses its own steps";
     } else if (omega_max() == 0 && scene_.drag == 0) {
         limit.note = "nothing oscillates";
     } else {
@@ -137,16 +139,16 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
     limit.theory = first.limit;
     limit.measured.reset();
     if (method.info.curiosity) {
-        limit.note = "kept to show a mistake: not measured";
+        limit.note = "demonstrates a mistake: not measured";
         return;
     }
     if (std::isinf(first.limit) &&
         (held.precision == Precision::float_ || held.method_parameters.contains("tolerance"))) {
-        limit.note = held.precision == Precision::float_ ? "stable at any dt: in float not measured"
-                                                         : "cuts its steps where it must: not measured";
+        limit.note = held.precision == Precision::float_ ? "stable at any dt: not measured in float"
+                                                         : "shortens its steps where necessary: not measured";
         return;
     }
-    // float keeps 7 digits of a pair's distance: its vibrations are larger
+    // float has 7 digits for the distance of a pair: vibrations must be larger
     const double size = (held.precision == Precision::float_ ? 1e-3 : 1e-6) * spacing_;
     const ModeRun run(method, held.method_parameters, held.precision, scene_,
                       linearised_.field(modes_.vectors.col(first.mode)), first.omega, size, departure());

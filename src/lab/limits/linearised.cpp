@@ -11,11 +11,11 @@ namespace steplab {
 
 namespace {
 
-constexpr Eigen::Index followed_to_the_end = 300;
-constexpr Eigen::Index most_numbers = 100'000'000;  // that a basis may hold
+constexpr Eigen::Index complete_up_to = 300;
+constexpr Eigen::Index most_numbers = 100'000'000;  // largest size of a basis
 constexpr double converged = 1e-9;                  // residual, relative to the eigenvalue
 
-/// Numbers between -1 and 1 that are the same everywhere (Knuth's linear congruential generator, MMIX).
+/// Numbers between -1 and 1, the same on every machine (Knuth's linear congruential generator, MMIX).
 Eigen::VectorXd arbitrary_vector(Eigen::Index size) {
     Eigen::VectorXd v(size);
     std::uint64_t state = 1;
@@ -26,9 +26,9 @@ Eigen::VectorXd arbitrary_vector(Eigen::Index size) {
     return v.normalized();
 }
 
-/// The tridiagonal matrix that Lanczos' method builds, and the vectors it is the matrix in.
+/// The tridiagonal matrix of the Lanczos method, and its basis vectors.
 struct Krylov {
-    std::vector<double> alpha, beta;  ///< diagonal, and beside it; the last beta leads out of the space
+    std::vector<double> alpha, beta;  ///< diagonal and off-diagonal elements; the last beta leads out of the space
     Eigen::MatrixXd basis;
     Eigen::Index steps = 0;
 
@@ -39,7 +39,7 @@ struct Krylov {
         return solver;
     }
 
-    /// One vector more; false if the space is closed: the matrix leads no further.
+    /// Adds a vector; false if the space is closed under the matrix.
     bool step(const LinearMap& matrix) {
         Eigen::VectorXd next = matrix(basis.col(steps));
         alpha.push_back(basis.col(steps).dot(next));
@@ -55,14 +55,14 @@ struct Krylov {
         return true;
     }
 
-    double largest = 0;  ///< of what the matrix made of a unit vector
+    double largest = 0;  ///< norm of the matrix times a unit vector
 };
 
 }  // namespace
 
 Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size) {
     if (size == 0) return {.values = {}, .vectors = {}, .complete = true};
-    const Eigen::Index most = std::min(size, std::clamp<Eigen::Index>(most_numbers / size, 30, followed_to_the_end));
+    const Eigen::Index most = std::min(size, std::clamp<Eigen::Index>(most_numbers / size, 30, complete_up_to));
     Krylov krylov{.alpha = {}, .beta = {}, .basis = Eigen::MatrixXd(size, most)};
     krylov.basis.col(0) = arbitrary_vector(size);
     bool closed = false;
@@ -71,8 +71,8 @@ Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size) {
     };
     while (!closed && krylov.steps < most) {
         closed = !krylov.step(matrix);
-        const bool look = size > followed_to_the_end && krylov.steps % 10 == 0;
-        if (!look || closed) continue;
+        const bool test = size > complete_up_to && krylov.steps % 10 == 0;
+        if (!test || closed) continue;
         const auto solver = krylov.solve();
         if (residual(solver) < converged * std::abs(solver.eigenvalues()(krylov.steps - 1))) break;
     }

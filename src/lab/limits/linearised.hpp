@@ -12,20 +12,21 @@
 
 namespace steplab {
 
-/// A symmetric matrix as what it makes of a vector.
+/// A symmetric matrix, given by its product with a vector.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 /// Eigenvalues and eigenvectors of a symmetric matrix.
 struct Eigenpairs {
     Eigen::VectorXd values;   ///< ascending
-    Eigen::MatrixXd vectors;  ///< a column each, of length 1
-    /// Every distinct eigenvalue is among them. If not, the largest is one, and the others stand for what lies between.
+    Eigen::MatrixXd vectors;  ///< columns of length 1
+    /// True if every distinct eigenvalue is included. If not, the largest is, and the others represent the spectrum
+    /// below it.
     bool complete = false;
-    double residual = 0;  ///< |A v - lambda v| of the last one: lambda is an eigenvalue within so much
+    double residual = 0;  ///< |A v - lambda v| of the last one, a bound of the error of lambda
 };
 
 /// The method of Lanczos with full reorthogonalisation (Golub, Van Loan, Matrix Computations, 10.1 and 10.3), from a
-/// fixed start. A matrix of up to 300 rows is followed to the end.
+/// fixed start vector. For a matrix of up to 300 rows the iteration is completed.
 Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size);
 
 /// A scene linearised at its start: u'' = -K u - gamma u' for small displacements u of its moving particles. -K is the
@@ -34,7 +35,7 @@ class LinearisedScene {
 public:
     LinearisedScene(const Scene& scene, const Shape& shape);
 
-    /// Numbers in u: three for each moving particle.
+    /// Number of elements of u: three for each moving particle.
     Eigen::Index size() const { return static_cast<Eigen::Index>(moving_.size()); }
     /// K u.
     Eigen::VectorXd stiffness(const Eigen::VectorXd& u) const;
@@ -50,7 +51,7 @@ private:
     std::function<void(const Field<Number>&, Field<Number>&)> accelerations_;
 };
 
-/// The modes of a linearised scene: eigenvalues omega^2 of K. Where one is negative the scene departs by itself.
+/// The modes of a linearised scene: eigenvalues omega^2 of K. A negative one means an unstable equilibrium.
 Eigenpairs modes(const LinearisedScene& scene);
 /// The largest angular frequency, 0 if nothing oscillates.
 double highest_frequency(const Eigenpairs& modes);

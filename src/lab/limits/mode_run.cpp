@@ -17,19 +17,19 @@ namespace steplab {
 
 namespace {
 
-/// Steps between two looks at the vibration, at most.
+/// Largest number of steps between two measurements of the vibration.
 constexpr std::uint64_t longest_block = 32;
-/// What departs by itself may grow by e^3 between two looks.
+/// An unstable departure may grow by e^3 between two measurements.
 constexpr double departed = 3;
-/// Logarithms of sizes: a hundredfold is unstable. (Just below a limit a bounded vibration swells too, by
-/// (8 (1 - dt / limit))^(-1/2): a hundredfold only within 2e-5 of it.)
+/// Logarithm of the amplitude ratio that counts as unstable: a factor of 100. (Just below a limit a bounded vibration
+/// grows too, by (8 (1 - dt / limit))^(-1/2): by a factor of 100 only within 2e-5 of the limit.)
 constexpr double grown = 4.6;
 
 double dot(const Field<double>& a, const Field<double>& b) {
     return std::inner_product(a.flat().begin(), a.flat().end(), b.flat().begin(), 0.0);
 }
 
-/// a(x), computed by the layout's own engine.
+/// a(x), computed by the engine of the layout.
 Field<double> accelerations(const Forces& forces, const Field<double>& x) {
     Field<double> a(x.count());
     std::visit([&](const auto& layout) { engine<double>(layout).accelerations(x, a); }, forces);
@@ -41,7 +41,7 @@ struct Balancer {
 
     void operator()(ConstantForces& forces) const { forces.step = 0; }
     void operator()(LineForces& forces) const { forces.gravity = 0; }
-    void operator()(GridForces&) const {}  // starts relaxed
+    void operator()(GridForces&) const {}  // starts in equilibrium
     void operator()(PairForces& forces) const { balance(forces); }
     void operator()(NearPairForces& forces) const { balance(forces); }
 
@@ -66,7 +66,7 @@ struct ModeRun::Motion {
     double size(double rate) const { return std::hypot(x, v / rate); }
 };
 
-/// The way of a vibration in one run. Sizes are logarithms.
+/// The course of a vibration in one run. Sizes are logarithms.
 class ModeRun::Course {
 public:
     Course(const GrowthQuestion& question, double rate) : question_(question), rate_(rate), motion_{1, rate} {}
@@ -75,12 +75,12 @@ public:
     bool grew() const { return !(size_ < infinity) || size_ >= grown || late_ > early_ + question_.allowed; }
     double dt() const { return question_.dt; }
 
-    /// Where to go on from: the motion, made small.
+    /// The motion scaled back to its initial size, from which the next block starts.
     Motion shrunk() const {
         const double before = motion_.size(rate_);
         return {motion_.x / before, motion_.v / before};
     }
-    /// The motion after one more step, in units of that at the start of the block.
+    /// Adds the motion after one more step, in units of that at the start of the block.
     void measure(const Motion& motion) {
         motion_ = motion;
         factor_ = std::log(motion.size(rate_));
@@ -134,7 +134,7 @@ StepperSetup ModeRun::setup(State<double> start, double dt) const {
     return {scene_, std::move(start), parameters_, precision_, dt};
 }
 
-/// One block.
+/// Runs one block.
 void ModeRun::take(Course& course) const {
     State<double> state = this->state(course.shrunk());
     const auto stepper = method_.make(setup(state, course.dt()));
@@ -147,7 +147,7 @@ void ModeRun::take(Course& course) const {
     course.end_block();
 }
 
-/// The same of those that are open, whose blocks are of the same length.
+/// Runs one block of those that are open, whose blocks have the same length.
 void ModeRun::take(std::span<Course> courses, EnsembleStepper& group) const {
     std::vector<State<double>> starts;
     std::vector<std::size_t> open;

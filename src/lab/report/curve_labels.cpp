@@ -42,7 +42,7 @@ std::vector<Pixel> pixels(const Curve& curve, const Figure& figure, std::pair<do
     return found;
 }
 
-/// A text of the figures' small letters beside a point: right, left, above, below of it.
+/// Possible positions of a text next to a point: right, left, above and below.
 std::vector<Box> places_beside(Pixel p, const std::string& text) {
     const double width = 6.4 * static_cast<double>(text.size()) + 4;
     constexpr double height = 13, gap = 6;
@@ -76,7 +76,7 @@ std::vector<CurveLabel> curve_labels(const Figure& figure, std::pair<double, dou
         const Curve& curve = figure.curves[c];
         Box best{};
         double least = 1e9;
-        double from_end = 0;  // a name at the end of its line is found first
+        double from_end = 0;  // names at the end of a line are preferred
         for (auto point = marks[c].rbegin(); point != marks[c].rend(); ++point, from_end += 0.2) {
             for (const Box& box : places_beside(*point, curve.name)) {
                 const double sum = cost(box) + from_end;

@@ -33,20 +33,20 @@ std::string file_text(const std::string& name) {
     return text.str();
 }
 
-/// A figure on its way through gnuplot.
+/// A figure as input of gnuplot.
 class Drawing {
 public:
     Drawing(const Figure& figure, std::size_t number) : figure_(figure), number_(number) {
         x_range_ = figure.x.range ? figure.x.range : range_of(figure.curves, true, figure.x.logarithmic);
         y_range_ = figure.y.range ? figure.y.range : range_of(figure.curves, false, figure.y.logarithmic);
-        for (const bool coloured : {false, true}) {  // the coloured curves in front
+        for (const bool coloured : {false, true}) {  // coloured curves are drawn last, in front
             for (const Curve& curve : figure.curves) {
                 if (curve.colour.has_value() == coloured && has_points(curve)) curves_.push_back(&curve);
             }
         }
     }
 
-    /// Gnuplot refuses to draw a diagram without a point.
+    /// Gnuplot fails on a diagram without a point.
     bool drawable() const { return x_range_ && y_range_ && !curves_.empty(); }
 
     std::string commands(const std::string& file) const {
@@ -102,7 +102,7 @@ private:
     }
 
     std::string labels() const {
-        // the label of the vertical axis, which gnuplot would place by what it believes of the widths of our numbers
+        // the label of the vertical axis, because gnuplot would place it by its own estimate of the width of numbers
         std::string text =
             fmt::format("unset label\nset label '{}' at screen {:.4f},{:.4f} center rotate by 90 tc rgb '{}'\n",
                         figure_.y.label, 14 / FigureArea::width,
@@ -136,13 +136,13 @@ std::string style() {
                        placeholder(grid), placeholder(ink));
 }
 
-/// What gnuplot says is kept from the person's terminal: warnings are nobody's business, an error is quoted.
-void run_gnuplot(const std::string& script, const std::string& said) {
+/// Gnuplot's messages are not shown on the terminal: warnings are dropped, an error is quoted.
+void run_gnuplot(const std::string& script, const std::string& messages) {
     const std::array<const char*, 3> arguments{"gnuplot", script.c_str(), nullptr};
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT, 0600);
     pid_t child = 0;
     const int error =
         posix_spawnp(&child, arguments[0], &files, nullptr, const_cast<char**>(arguments.data()), environ);
@@ -150,11 +150,11 @@ void run_gnuplot(const std::string& script, const std::string& said) {
     int status = 0;
     while (error == 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    check_interruption();  // a key that interrupts reaches gnuplot too
+    check_interruption();  // Ctrl+C interrupts gnuplot too
     if (error == 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
     const bool missing = error != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127);
-    throw FileError(missing ? "gnuplot, which draws the diagrams, cannot be run: install the package gnuplot-nox"
-                            : fmt::format("gnuplot, which draws the diagrams, failed: {}", file_text(said)));
+    throw FileError(missing ? "cannot run gnuplot, which draws the diagrams: install the package gnuplot-nox"
+                            : fmt::format("gnuplot, which draws the diagrams, failed: {}", file_text(messages)));
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ std::vector<std::string> svg_figures(std::span<const Figure> figures) {
         if (drawings[i].drawable()) script += drawings[i].commands(picture(i));
     }
     std::ofstream(folder.file("figures.gp")) << script;
-    run_gnuplot(folder.file("figures.gp"), folder.file("said"));
+    run_gnuplot(folder.file("figures.gp"), folder.file("messages"));
     std::vector<std::string> elements;
     for (std::size_t i = 0; i < figures.size(); ++i)
         elements.push_back(page_svg(file_text(picture(i)), drawings[i].names()));

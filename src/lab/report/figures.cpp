@@ -43,10 +43,9 @@ std::optional<int> colour_of(const std::string& method, const std::vector<std::s
 }
 
 Figure work_precision(const Study& study, Precision precision, Against against, const MethodColours& colours) {
-    Figure figure{.x = against == Against::time
-                           ? Axis{.label = "time the run takes", .quantity = Quantity::seconds}
-                           : Axis{.label = "evaluations of the force", .quantity = Quantity::count},
-                  .y = {.label = "error at the end"},
+    Figure figure{.x = against == Against::time ? Axis{.label = "wall time", .quantity = Quantity::seconds}
+                                                : Axis{.label = "force evaluations", .quantity = Quantity::count},
+                  .y = {.label = "error at the end [m]"},
                   .curves = {}};
     const std::vector<std::string> coloured = coloured_methods(study);
     for (const std::string& method : study.plan.methods) {
@@ -61,7 +60,7 @@ Figure work_precision(const Study& study, Precision precision, Against against, 
     return figure;
 }
 
-/// The figures of all precisions against one kind of cost start and end at the same cost.
+/// The figures of all precisions against one kind of cost have the same range of it.
 void give_common_cost(std::vector<Figure>& figures, std::size_t first, std::size_t second) {
     std::vector<Curve> all;
     for (const std::size_t i : {first, second})
@@ -69,7 +68,7 @@ void give_common_cost(std::vector<Figure>& figures, std::size_t first, std::size
     for (const std::size_t i : {first, second}) figures[i].x.range = range_of(all, true, true);
 }
 
-double middling_cost(const Study& study) {
+double median_cost(const Study& study) {
     std::vector<std::uint64_t> costs;
     for (const Measurement& run : study.runs) {
         if (!run.diverged()) costs.push_back(run.result.evaluations);
@@ -80,9 +79,9 @@ double middling_cost(const Study& study) {
 }
 
 Figure energy_figure(const Study& study, const MethodColours& colours) {
-    Figure figure{.x = {.label = "time in the scene", .logarithmic = false},
-                  .y = {.label = "energy error"},
-                  .curves = energy_curves(study, middling_cost(study))};
+    Figure figure{.x = {.label = "simulated time [s]", .logarithmic = false},
+                  .y = {.label = "energy error [J]"},
+                  .curves = energy_curves(study, median_cost(study))};
     const std::vector<std::string> coloured = coloured_methods(study);
     for (Curve& curve : figure.curves) curve.colour = colour_of(curve.name, coloured, colours);
     if (!figure.curves.empty()) figure.x.range = std::pair(0.0, study.plan.time);

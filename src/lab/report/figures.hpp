@@ -9,8 +9,8 @@
 
 namespace steplab {
 
-/// The colours of methods on one page. Only those that are the fastest at some error anywhere have one, and rk4 to
-/// compare with, the same in all diagrams: of twenty coloured lines nobody tells which is which.
+/// The colours of methods on one page, the same in all diagrams. Only methods that are the fastest at some error have
+/// one, and rk4 for comparison: twenty coloured lines could not be distinguished.
 using MethodColours = std::map<std::string, int>;
 MethodColours method_colours(const std::vector<Study>& studies);
 
@@ -18,8 +18,8 @@ MethodColours method_colours(const std::vector<Study>& studies);
 /// rk4.
 std::vector<std::string> coloured_methods(const Study& study);
 
-/// Error against time and against evaluations for each precision of the plan, then the energy error over time. Those
-/// against one kind of cost have the same axis of it. Throws Interrupted.
+/// Error against time and against evaluations for each precision of the plan, then the energy error over time. Diagrams
+/// against the same kind of cost have the same axis. Throws Interrupted.
 struct StudyFigures {
     std::vector<Figure> figures;
     std::vector<std::string> captions;

@@ -54,7 +54,7 @@ span.on { color: var(--hot); }
 @media print { figure { break-inside: avoid; } nav { display: none; } }
 )";
 
-/// Pointing at a method's name or curve brings its curves forward.
+/// Moving the mouse over a method's name or curve highlights its curves.
 constexpr const char* script = R"(<script>
 addEventListener('pointerover', event => {
   const method = event.target.closest?.('[data-method]')?.dataset.method;
@@ -77,7 +77,7 @@ constexpr std::array shades{
     Shades{"tint", "#f0f2f3", "#22272e"},  Shades{"link", "#2457a6", "#7db0ff"}, Shades{"hot", "#e0457b", "#ff77a8"},
 };
 
-/// rk4 first, then colours that stay apart on paper and in the dark.
+/// rk4 first, then colours that can be distinguished in light and dark mode.
 constexpr std::array palette{
     Shades{"", "#1d2329", "#e4e7ea"}, Shades{"", "#2f6fbb", "#6ea8ff"}, Shades{"", "#c8433f", "#ff8078"},
     Shades{"", "#2a8c4a", "#5fd082"}, Shades{"", "#a87400", "#e8b93a"}, Shades{"", "#8a4fb0", "#c79af0"},
@@ -85,7 +85,7 @@ constexpr std::array palette{
     Shades{"", "#6b7a12", "#bccb55"}, Shades{"", "#44509c", "#a0acff"}, Shades{"", "#d9691e", "#ff9c55"},
 };
 
-/// Of a colour of figures (lab/report/svg.hpp).
+/// The shades of a colour of figures (lab/report/svg.hpp).
 Shades shades_of(int colour) {
     switch (colour) {
         case ink:

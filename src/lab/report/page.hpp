@@ -6,16 +6,16 @@
 
 namespace steplab {
 
-// What every page of the lab is made of: one file of HTML that needs nothing else, light or dark as its reader has it.
+// The common parts of all pages: one self-contained HTML file, in the reader's light or dark mode.
 
-/// From the doctype to the title, what it is in a sentence, and what it was made with.
+/// From the doctype to the title, a sentence on the contents, and the circumstances of the measurement.
 std::string page_head(const std::string& title, const std::string& what, const Circumstances& made);
 /// A diagram with its caption.
 std::string captioned(const std::string& caption, const std::string& svg);
-/// A diagram as a file of its own, in the light colours on white.
+/// A diagram as a separate file, in light colours on white.
 std::string svg_file(std::string svg);
-/// The name of a method; pointing at it brings its curves forward. `colour`: its number in the page's palette, for a
-/// dot before it.
+/// The name of a method; moving the mouse over it highlights its curves. `colour`: its number in the page's palette,
+/// for a dot before it.
 std::string method_name(const std::string& id, std::optional<int> colour = {});
 extern const char* const page_end;
 

@@ -29,7 +29,7 @@ bool is_short_decimal(double value) {
     return value == 0 || !std::isfinite(value) || (size >= 9.995e-4 && size < 9999.5);
 }
 
-/// All digits before the point, `digits` significant ones after it.
+/// All digits before the decimal point; after it up to `digits` significant ones.
 std::string decimal(double value, int digits) {
     const double rounded = std::abs(value) >= std::pow(10, digits) ? std::round(value) : value;
     return fmt::format("{:.{}g}", rounded, std::abs(rounded) >= std::pow(10, digits) ? 4 : digits);

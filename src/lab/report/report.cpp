@@ -14,10 +14,10 @@ namespace steplab {
 
 namespace {
 
-/// The part of a study's time that its series take; the limits take the rest.
+/// The share of the series in the time of a study; the limits take the rest.
 constexpr double share_of_series = 0.85;
 
-/// The limits of all methods of the plan, in its first precision; of one that refuses the scene, why.
+/// The limits of all methods of the plan, in its first precision; for a method that cannot run the scene, the reason.
 std::vector<Limit> limits_of(const StudyPlan& plan, const StudyProgress& progress) {
     const Precision precision = plan.precisions.front();
     const StabilityLab lab(run_over(plan, "rk4", precision, 1));
@@ -31,18 +31,18 @@ std::vector<Limit> limits_of(const StudyPlan& plan, const StudyProgress& progres
     });
 }
 
-Study measured(const StudyPlan& plan, const KeptStudies& kept, const StudyProgress& progress) {
-    StudyState state = kept.find(plan).value_or(StudyState{});
-    const auto keep = [&] { kept.keep(plan, state); };
+Study measured(const StudyPlan& plan, const SavedStudies& saved, const StudyProgress& progress) {
+    StudyState state = saved.find(plan).value_or(StudyState{});
+    const auto save = [&] { saved.save(plan, state); };
     if (!state.series.timed) {
         const Reference reference = reference_for(plan);
         state.reference = reference.how;
         state.reference_error = reference.moments.back().error;
-        go_on_with_series(plan, reference, state.series, keep, [&](double part) { progress(share_of_series * part); });
+        continue_series(plan, reference, state.series, save, [&](double part) { progress(share_of_series * part); });
     }
     if (!state.limits) {
         state.limits = limits_of(plan, [&](double part) { progress(share_of_series + (1 - share_of_series) * part); });
-        keep();
+        save();
     }
     return {.plan = plan,
             .reference = state.reference,
@@ -61,22 +61,22 @@ void write_file(const std::string& folder, const char* name, const std::string& 
 }  // namespace
 
 void write_report(const ReportRequest& request, const ReportProgress& progress) {
-    const KeptStudies kept(request.folder);
+    const SavedStudies saved(request.folder);
     std::vector<Study> studies;
     std::vector<Measurement> all;
     double work = 0, done = 0;
     for (const StudyPlan& plan : request.plans) work += share_of_work(plan);
     for (const StudyPlan& plan : request.plans) {
         const double share = share_of_work(plan);
-        const auto tell = [&](double part) { progress((done + share * part) / work, plan.scene.model); };
-        tell(0);
-        studies.push_back(measured(plan, kept, tell));
+        const auto report_progress = [&](double part) { progress((done + share * part) / work, plan.scene.model); };
+        report_progress(0);
+        studies.push_back(measured(plan, saved, report_progress));
         all.insert(all.end(), studies.back().runs.begin(), studies.back().runs.end());
         done += share;
     }
     write_file(request.folder, "speed_error.csv", speed_error_csv(all));
     write_file(request.folder, "report.html", report_page(studies, request.errors, circumstances()));
-    kept.forget();
+    saved.remove();
 }
 
 void write_thesis_page(const std::string& folder) {

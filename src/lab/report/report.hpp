@@ -7,21 +7,22 @@
 
 namespace steplab {
 
-/// What a report is to hold and where it goes.
+/// The contents of a report and its folder.
 struct ReportRequest {
-    std::string folder;  ///< made if it is not there
+    std::string folder;  ///< created if it does not exist
     std::vector<StudyPlan> plans;
-    std::vector<double> errors{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};  ///< accuracies it answers for
+    std::vector<double> errors{1e-2, 1e-4,  1e-6,
+                               1e-8, 1e-10, 1e-12};  ///< accuracies for which it names the fastest run
 };
 
-/// The part of a report that is done, 0 .. 1, and what is being measured; may throw to end it.
+/// Called with the fraction of a report that is done, 0 .. 1, and what is being measured; may throw to end it.
 using ReportProgress = std::function<void(double, const std::string&)>;
 
-/// Measures every plan and writes speed_error.csv and report.html into the folder. What is measured is kept there scene
-/// by scene: a report that was interrupted and is asked for again goes on where it was. Throws FileError.
+/// Measures every plan and writes speed_error.csv and report.html into the folder. Measurements are saved there during
+/// the work: an interrupted report is resumed when it is requested again. Throws FileError.
 void write_report(const ReportRequest& request, const ReportProgress& progress);
 
-/// Writes thesis.html into the folder: the thesis' tables and charts, recomputed. Throws FileError.
+/// Writes thesis.html into the folder: the tables and charts of the thesis, recomputed. Throws FileError.
 void write_thesis_page(const std::string& folder);
 
 }  // namespace steplab

@@ -18,42 +18,38 @@ namespace steplab {
 
 namespace {
 
-constexpr const char* what_it_is =
-    "Which method, at which step, in which precision, gives an accuracy in the least time? Every method ran every "
-    "scene "
-    "with ever smaller steps; each run was compared with a reference and timed.";
+constexpr const char* contents =
+    "Which method, step size and precision reach a given accuracy in the least time? Every method ran every scene with "
+    "decreasing step sizes; each run was compared with a reference solution and timed.";
 
 constexpr const char* answers_explained =
-    "<p>The fastest run whose error at the end was no larger: its method, step (<em>dt</em>, or the <em>tolerance</em> "
-    "of "
-    "a method that chooses its own steps), precision and time. The error is the largest distance of a particle from "
-    "where it should be. A dash: no run was that accurate.</p>\n";
+    "<p>For each error, the fastest run that was at least this accurate at the end: method, step size (<em>dt</em>, or "
+    "the <em>tolerance</em> of an adaptive method), precision and wall time. The error is the largest distance of a "
+    "particle from the reference solution. Dash: no run was that accurate.</p>\n";
 
 constexpr const char* times_explained =
-    "<p class=\"quiet\">Times are of the stepping alone, the least of several rounds in which all runs take turns, on "
-    "one "
-    "core. Compare them with each other, not with those of another machine. Runs that blew up are counted, but never "
-    "drawn or ranked.</p>\n";
+    "<p class=\"quiet\">Times are those of the stepping alone, on one core: the minimum over several interleaved "
+    "rounds of all runs. Compare them with each other, not with those of another machine. Runs that blew up are "
+    "counted, but not plotted or ranked.</p>\n";
 
 constexpr const char* diagrams_explained =
-    "<p>Each dot is a run. Further down is more accurate, further left is faster: the best methods run along the lower "
-    "left edge. A line that flattens at the bottom has reached the last digits of its precision, or of the reference. "
-    "Coloured are the methods that are fastest at some error, and rk4 to compare with; point at a grey line or at a "
-    "name "
-    "to bring it forward.</p>\n";
+    "<p>Each dot is a run. Lower is more accurate, further left is faster: the best methods lie along the lower left "
+    "edge. A curve that flattens at the bottom is limited by rounding, or by the error of the reference. Methods that "
+    "are fastest at some error are coloured, and rk4 for comparison; move the mouse over a grey curve or a name to "
+    "highlight it.</p>\n";
 
 constexpr const char* energy_explained =
-    "<p>Methods of fixed steps, each at the run whose cost is nearest to the middle of all: the largest energy error "
-    "within each sixtieth of the time. A level line keeps the energy within bounds for ever, a rising one does "
-    "not.</p>\n";
+    "<p>Methods with fixed steps, each for the run whose cost is closest to the median: the largest energy error in "
+    "each sixtieth of the time. A level curve is a bounded energy error, a rising one an energy drift.</p>\n";
 
 constexpr const char* orders_explained =
-    "<p>Halving dt makes the error 2<sup>order</sup> times smaller: by theory, and by the slope between the two finest "
-    "runs that are clear of rounding. A dash: no two such runs.</p>\n";
+    "<p>Halving dt reduces the error by a factor of 2<sup>order</sup>: by theory, and as measured between the two "
+    "finest runs that are not limited by rounding. Dash: there are no two such runs.</p>\n";
 
 constexpr const char* limits_explained =
-    "<p>The largest dt at which a small vibration does not grow: by theory, from the scene's highest frequency, and by "
-    "bisection on runs. Above it every error grows without bound.</p>\n";
+    "<p>The stability limit: the largest dt at which a small vibration does not grow, by linear theory from the "
+    "highest frequency of the scene, and measured by bisection on runs. Above it every error grows without "
+    "bound.</p>\n";
 
 std::string scene_text(const RunDescription& scene) {
     std::string text;
@@ -88,11 +84,11 @@ std::string diagrams(const StudyFigures& figures, std::span<const std::string> s
 }
 
 std::string reference_text(const Study& study) {
-    return fmt::format("<p class=\"quiet\">Judged by: {}, known to {}. No error is given below that.</p>\n",
+    return fmt::format("<p class=\"quiet\">Reference: {}, accurate to {} m. No smaller error is reported.</p>\n",
                        escaped(study.reference), readable(study.reference_error));
 }
 
-/// The methods whose series in this precision was cut, in words; empty if none was.
+/// The methods whose series in this precision was cut by time, in words; empty if there are none.
 std::string cut_in(const Study& study, Precision precision) {
     std::string names;
     for (const CutSeries& series : study.cut) {
@@ -105,7 +101,7 @@ std::string cut_text(const Study& study) {
     if (study.cut.empty()) return "";
     std::string text = fmt::format(
         "<p class=\"quiet\">Some curves end because their next run would have taken more than {}, not because smaller "
-        "steps gain no more.",
+        "steps bring no further gain.",
         duration_text(study.plan.most_seconds_a_run));
     for (const Precision precision : study.plan.precisions) text += cut_in(study, precision);
     return text + "</p>\n";
@@ -115,17 +111,15 @@ std::string study_section(const Study& study, std::span<const double> errors, co
                           std::span<const std::string> svg, const MethodColours& colours) {
     const RunDescription& scene = study.plan.scene;
     std::string text =
-        fmt::format("<section>\n<h2 id=\"{0}\">{0}</h2>\n<p>{1} To t = {2}{3}.</p>\n", scene.model,
+        fmt::format("<section>\n<h2 id=\"{0}\">{0}</h2>\n<p>{1} Simulated until t = {2} s{3}.</p>\n", scene.model,
                     escaped(model(scene.model).info.what), number_text(study.plan.time), scene_text(scene));
     text += answers_in_words(study, errors) + reference_text(study);
     if (const std::string chaos = chaos_note(scene, study.plan.time, study.reference_error); !chaos.empty())
         text += fmt::format("<p><strong>{}</strong></p>\n", chaos);
     text += std::string("<h3>Error against cost</h3>\n") + diagrams_explained + diagrams(figures, svg) +
             legend(study, colours) + cut_text(study);
-    text +=
-        "<h3>The best that can be had</h3>\n<p>No other run is both faster and more accurate than one of these (the "
-        "Pareto front).</p>\n" +
-        pareto_table(study, colours);
+    text += "<h3>Pareto front</h3>\n<p>No other run is both faster and more accurate than any of these.</p>\n" +
+            pareto_table(study, colours);
     text += std::string("<h3>Energy</h3>\n") + energy_explained + "<div class=\"diagrams\">\n" +
             captioned(figures.captions.back(), svg.back()) + "</div>\n";
     text += std::string("<div class=\"columns\"><div><h3>Orders</h3>\n") + orders_explained + orders_table(study);
@@ -144,7 +138,7 @@ std::string report_page(const std::vector<Study>& studies, std::span<const doubl
         figures.insert(figures.end(), of_study.back().figures.begin(), of_study.back().figures.end());
     }
     const std::vector<std::string> svg = svg_figures(figures);
-    std::string page = page_head("Speed against error", what_it_is, made) + links(studies) + "<h2>Answers</h2>\n" +
+    std::string page = page_head("Speed against error", contents, made) + links(studies) + "<h2>Answers</h2>\n" +
                        answers_explained + answers_table(studies, errors, colours) + times_explained;
     std::size_t used = 0;
     for (std::size_t i = 0; i < studies.size(); ++i) {

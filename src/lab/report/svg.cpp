@@ -15,7 +15,7 @@ void remove_between(std::string& text, std::string_view begin, std::string_view 
     if (to != std::string::npos) text.erase(from, to + end.size() - from);
 }
 
-/// Replaces every "<before>...<after>" by what `make` says of the text between.
+/// Replaces every "<before>...<after>" by what `make` returns for the text between.
 template <class Make>
 std::string replaced(const std::string& text, std::string_view before, std::string_view after, Make make) {
     std::string out;

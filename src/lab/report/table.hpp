@@ -13,12 +13,12 @@ struct Table {
 };
 
 std::string markdown(const Table& table);
-/// As HTML, in a box of its own that scrolls where the page is narrower.
+/// As HTML, in a box that scrolls if the page is narrower.
 std::string html(const Table& table);
-/// The same for cells that are HTML already.
+/// The same for cells that are already HTML.
 std::string html_of_markup(const Table& table);
 
-/// Text as it stands in HTML, also within an attribute.
+/// Text escaped for HTML, also within an attribute.
 std::string escaped(std::string_view text);
 
 }  // namespace steplab

@@ -37,11 +37,11 @@ std::string own_order(const Study& study, const MethodInfo& info) {
     return std::to_string(drag ? info.order_with_drag : info.order);
 }
 
-/// "0.71689", "none: grows at any dt", "any dt".
+/// "0.71689", "unstable at any dt", "stable at any dt".
 std::string limit_cell(const std::optional<double>& dt) {
     if (!dt) return "–";
-    if (*dt == 0) return "grows at any dt";
-    return std::isinf(*dt) ? "any dt" : fmt::format("{:.5g}", *dt);
+    if (*dt == 0) return "unstable at any dt";
+    return std::isinf(*dt) ? "stable at any dt" : fmt::format("{:.5g}", *dt);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::string answers_table(std::span<const Study> studies, std::span<const double
     Table table{{"scene"}, {}};
     for (const double error : errors) table.head.push_back("error ≤ " + readable(error));
     for (const Study& study : studies) {
-        std::vector<std::string> row{fmt::format("<a href=\"#{0}\">{0}</a><br><small>to t = {1}</small>",
+        std::vector<std::string> row{fmt::format("<a href=\"#{0}\">{0}</a><br><small>to t = {1} s</small>",
                                                  study.plan.scene.model, readable(study.plan.time, 4))};
         for (const double error : errors) row.push_back(answer_cell(fastest(study.runs, error), colours));
         table.rows.push_back(std::move(row));
@@ -65,7 +65,7 @@ std::string answers_in_words(const Study& study, std::span<const double> errors)
         const std::string said = answer(study.runs, errors[first]);
         std::size_t last = first;
         while (last + 1 < errors.size() && answer(study.runs, errors[last + 1]) == said) ++last;
-        text += fmt::format("<li>For {}{}: {}.</li>\n", typed(errors[first]),
+        text += fmt::format("<li>For an error of {}{}: {}.</li>\n", typed(errors[first]),
                             last > first ? " to " + typed(errors[last]) : "", said);
         first = last + 1;
     }
@@ -73,7 +73,9 @@ std::string answers_in_words(const Study& study, std::span<const double> errors)
 }
 
 std::string pareto_table(const Study& study, const MethodColours& colours) {
-    Table table{{"error", "time", "method", "step", "precision", "evaluations", "RMS error", "energy error"}, {}};
+    Table table{{"error [m]", "wall time", "method", "step size", "precision", "force evaluations", "RMS error [m]",
+                 "energy error [J]"},
+                {}};
     for (const Measurement* run : pareto_front(study.runs)) {
         table.rows.push_back({readable(run->error), duration_text(*run->wall_seconds),
                               method_name(run->run.method, colour_of(run->run.method, colours)), step_text(run->run),
@@ -86,7 +88,7 @@ std::string pareto_table(const Study& study, const MethodColours& colours) {
 std::string orders_table(const Study& study) {
     Table table{{"method", "order"}, {}};
     for (const Precision precision : study.plan.precisions) table.head.push_back(fmt::format("in {}", id(precision)));
-    table.head.insert(table.head.end(), {"runs", "of these failed"});
+    table.head.insert(table.head.end(), {"runs", "of these diverged"});
     for (const std::string& id : study.plan.methods) {
         const auto of_it = [&](const Measurement& run) { return run.run.method == id; };
         const auto failed = [&](const Measurement& run) { return of_it(run) && run.diverged(); };
@@ -94,7 +96,7 @@ std::string orders_table(const Study& study) {
         std::vector<std::string> row{method_name(id), own_order(study, method(id).info)};
         for (const Precision precision : study.plan.precisions)
             row.push_back(order_cell(measured_order(study.runs, id, precision)));
-        row.push_back(runs > 0 ? std::to_string(runs) : "refuses it");
+        row.push_back(runs > 0 ? std::to_string(runs) : "cannot run it");
         row.push_back(std::to_string(std::count_if(study.runs.begin(), study.runs.end(), failed)));
         table.rows.push_back(std::move(row));
     }
@@ -102,7 +104,7 @@ std::string orders_table(const Study& study) {
 }
 
 std::string limits_table(const Study& study) {
-    Table table{{"method", "by theory", "by runs", "note"}, {}};
+    Table table{{"method", "by theory [s]", "measured [s]", "note"}, {}};
     for (const Limit& limit : study.limits) {
         table.rows.push_back({method_name(limit.description.method), limit_cell(limit.theory),
                               limit_cell(limit.measured), escaped(limit.note)});

@@ -9,13 +9,13 @@ namespace steplab {
 
 // The tables of a report, as HTML.
 
-/// The fastest way to each error on each scene.
+/// The fastest run for each error and scene.
 std::string answers_table(std::span<const Study> studies, std::span<const double> errors, const MethodColours& colours);
-/// The same for one scene in sentences.
+/// The same for one scene, in words.
 std::string answers_in_words(const Study& study, std::span<const double> errors);
-/// The runs that no other beats in both time and error.
+/// The Pareto front of time and error.
 std::string pareto_table(const Study& study, const MethodColours& colours);
-/// The order that each method's errors show, beside its own, and how many runs there were of it.
+/// The measured order of each method, its theoretical order, and the number of its runs.
 std::string orders_table(const Study& study);
 /// The stability limits.
 std::string limits_table(const Study& study);

@@ -8,14 +8,14 @@
 
 namespace steplab {
 
-/// A mark on an axis and what is written beside it.
+/// A mark on an axis and its label.
 struct Tick {
     double value;
     std::string text;  ///< empty: only a small mark
 };
 
-/// The decades of a logarithmic axis from `low` to `high`: each has a mark, and as many a text as can stand beside each
-/// other, in the words of the quantity.
+/// The decades of a logarithmic axis over `range`: each has a mark, and as many have a label as there is room for, in
+/// the format of the quantity.
 std::vector<Tick> decades(std::pair<double, double> range, Quantity quantity);
 
 }  // namespace steplab

@@ -26,20 +26,20 @@ namespace steplab {
 
 namespace {
 
-/// Neighbouring dt differ by less than this at the end of a search.
+/// At the end of a search, neighbouring dt differ by less than this factor.
 constexpr double fine_ratio = 1.03;
-/// A search is given up when it costs so many times the evaluations of the best run found so far.
-constexpr double hopeless = 8;
-/// If no short run keeps the error, runs may take so many times as long.
+/// A search is abandoned when it costs this many times the evaluations of the best run found so far.
+constexpr double abandon_factor = 8;
+/// If no short run keeps the error, runs may take this many times as long.
 constexpr double long_run = 8;
 
-/// The method everyone knows: looked for however dear it is, to compare with.
+/// The best-known method: always searched for, whatever its cost, for comparison.
 constexpr std::string_view classic = "rk4";
 
-/// A run that was not worth its end.
+/// Thrown to end a run that takes too long.
 struct Abandoned {};
 
-/// What all searches know of each other.
+/// What the searches share with each other.
 class Found {
 public:
     void measured(const Measurement& run) {
@@ -58,33 +58,33 @@ public:
         any_abandoned_ = true;
     }
 
-    /// By evaluations and by the clock, as an evaluation of one method may be cheaper than another's.
-    bool makes_hopeless(const Measurement& run) const {
+    /// Judged by evaluations and by time, because an evaluation of one method may be cheaper than that of another.
+    bool is_too_costly(const Measurement& run) const {
         const std::lock_guard lock(mutex_);
-        return static_cast<double>(run.result.evaluations) > hopeless * evaluations_ &&
-               run.rough_seconds > hopeless * seconds_;
+        return static_cast<double>(run.result.evaluations) > abandon_factor * evaluations_ &&
+               run.rough_seconds > abandon_factor * seconds_;
     }
-    /// How long a run may take beside the fastest found, of which short ones are measured badly.
-    double patience() const {
+    /// Longest time allowed for a run, relative to the fastest found; times of short runs are inaccurate.
+    double longest_time() const {
         const std::lock_guard lock(mutex_);
-        return hopeless * seconds_ + 0.02;
+        return abandon_factor * seconds_ + 0.02;
     }
 
-    // Once all searches are over.
+    // After all searches have ended.
     double least_error() const { return least_error_; }
     const std::string& most_accurate() const { return most_accurate_; }
-    /// A search ended because of what it cost: a longer one may find more.
+    /// True if a search ended because of its cost: a longer one may find more.
     bool any_abandoned() const { return any_abandoned_; }
 
 private:
     mutable std::mutex mutex_;
-    double evaluations_ = infinity, seconds_ = infinity;  ///< the least that kept the error
+    double evaluations_ = infinity, seconds_ = infinity;  ///< the smallest that kept the error
     double least_error_ = infinity;
     std::string most_accurate_;
     bool any_abandoned_ = false;
 };
 
-/// What all searches look for.
+/// What all searches are to find.
 struct Question {
     const StudyPlan& plan;
     double error;
@@ -93,14 +93,14 @@ struct Question {
     double most_seconds;  ///< no run may take longer
 };
 
-/// Looks for the cheapest runs of one method in one precision that keep the error.
+/// Finds the cheapest runs of one method in one precision that keep the error.
 class Search {
 public:
     Search(const Question& question, const std::string& method, Precision precision, const Execution& execution,
            Found& found)
         : question_(question), method_(method), precision_(precision), execution_(execution), found_(found) {}
 
-    /// By dt, by tolerance.
+    /// The cheapest run by dt, and by tolerance.
     std::vector<Measurement> cheapest() {
         std::vector<Measurement> runs;
         if (takes_tolerance(method_)) add(runs, [&] { return over_tolerance(); });
@@ -127,9 +127,9 @@ private:
         const auto observe = [&] {
             check_interruption();
             const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-            const double patience =
-                is_classic() ? infinity : found_.patience();  // others may find a cheap run meanwhile
-            if (elapsed.count() > std::min(question_.most_seconds, patience)) throw Abandoned();
+            const double longest =
+                is_classic() ? infinity : found_.longest_time();  // other searches may find a cheap run meanwhile
+            if (elapsed.count() > std::min(question_.most_seconds, longest)) throw Abandoned();
         };
         Measurement result = measure(run, steps, question_.reference, observe, execution_);
         found_.measured(result);
@@ -141,10 +141,10 @@ private:
 
     bool too_costly(const Measurement& run) {
         if (run.rough_seconds > question_.most_seconds) throw Abandoned();
-        return !is_classic() && found_.makes_hopeless(run);
+        return !is_classic() && found_.is_too_costly(run);
     }
 
-    /// Halves dt until the error is kept, then closes in on the largest dt that keeps it.
+    /// Halves dt until the error is kept, then finds the largest dt that keeps it by bisection.
     std::optional<Measurement> over_dt() {
         const StudyPlan& plan = question_.plan;
         const auto at = [&](std::uint64_t steps) {
@@ -175,7 +175,7 @@ private:
         }
     }
 
-    /// From a loose tolerance down, 5, 2 and 1 in each decade, until the error is kept.
+    /// Decreases the tolerance, 5, 2 and 1 in each decade, until the error is kept.
     std::optional<Measurement> over_tolerance() {
         const int least = precision_ == Precision::float_ ? -8 : -17;
         const int first = std::min(-2, static_cast<int>(std::ceil(std::log10(question_.error))) + 1);
@@ -199,7 +199,7 @@ private:
     Found& found_;
 };
 
-/// A cheap run found early tells sooner which searches are hopeless.
+/// A cheap run found early allows other searches to be abandoned sooner.
 std::vector<std::string> most_accurate_first(std::vector<std::string> methods) {
     std::stable_sort(methods.begin(), methods.end(), [](const std::string& a, const std::string& b) {
         return method(a).info.order > method(b).info.order;
@@ -207,14 +207,14 @@ std::vector<std::string> most_accurate_first(std::vector<std::string> methods) {
     return methods;
 }
 
-/// The cheapest runs of all methods and precisions, which are looked for side by side.
+/// The cheapest runs of all methods and precisions, searched for in parallel.
 std::vector<Measurement> candidates(const Question& question, Found& found, const StudyProgress& progress) {
     const std::vector<std::string> methods = most_accurate_first(possible_methods(question.plan));
     const std::vector<Precision>& precisions = question.plan.precisions;
     std::vector<std::vector<Measurement>> runs(methods.size() * precisions.size());
     std::mutex mutex;
     std::size_t done = 0;
-    parallel_for_each(runs.size(), dearest_bytes(question.plan), [&](std::size_t i, const Execution& execution) {
+    parallel_for_each(runs.size(), most_bytes(question.plan), [&](std::size_t i, const Execution& execution) {
         const std::string& method = methods[i / precisions.size()];
         runs[i] = Search(question, method, precisions[i % precisions.size()], execution, found).cheapest();
         const std::lock_guard lock(mutex);
@@ -225,7 +225,7 @@ std::vector<Measurement> candidates(const Question& question, Found& found, cons
     return all;
 }
 
-/// Runs that keep the error, looked for first among short ones. Throws UsageError if there are none.
+/// Runs that keep the error; short runs are tried first. Throws UsageError if there are none.
 std::vector<Measurement> found_runs(const StudyPlan& plan, double error, const Reference& reference,
                                     const StudyProgress& progress) {
     const double fastest_motion = frequency(plan);
@@ -236,20 +236,20 @@ std::vector<Measurement> found_runs(const StudyPlan& plan, double error, const R
             candidates({plan, error, reference, fastest_motion, most_seconds}, found, progress);
         if (!runs.empty()) return runs;
         if (found.any_abandoned() && !long_runs) continue;
-        throw UsageError(fmt::format("no method was found to keep an error of {} here: the least was {}, by {}",
-                                     typed(error), typed(found.least_error()), found.most_accurate()));
+        throw UsageError(fmt::format("no method reached an error of {} here: the smallest was {}, by {}", typed(error),
+                                     typed(found.least_error()), found.most_accurate()));
     }
     return {};
 }
 
-/// The fastest of the runs, made once more as its command line says, and the best run of every other method.
+/// The fastest of the runs, repeated as its command line says, and the best run of every other method.
 Advice verified(std::vector<Measurement> runs, double error, const Reference& reference) {
     Advice advice{runs.front(), {}};
     const auto seconds = advice.best.wall_seconds;
     advice.best = measure(advice.best.run, advice.best.steps, reference);
     advice.best.wall_seconds = seconds;
     if (advice.best.diverged() || advice.best.error > error)
-        throw Error(ExitCode::replay, "a run gave another error the second time");
+        throw Error(ExitCode::replay, "a run gave a different error when it was repeated");
     for (Measurement& run : runs) {
         const bool known = run.run.method == advice.best.run.method ||
                            std::any_of(advice.others.begin(), advice.others.end(),
@@ -264,10 +264,10 @@ Advice verified(std::vector<Measurement> runs, double error, const Reference& re
 Advice advise(const StudyPlan& plan, double error, const Reference& reference, const StudyProgress& progress) {
     const double certain = reference.moments.back().error;
     if (error < certain) {
-        const std::string chaos = chaos_note(plan.scene, plan.time, infinity);  // whatever is left
+        const std::string chaos = chaos_note(plan.scene, plan.time, infinity);  // at any error of the reference
         throw UsageError(
-            fmt::format("an error of {} cannot be told here: what runs are judged by ({}) is itself known to {}; "
-                        "take a larger error or a shorter time{}",
+            fmt::format("an error of {} cannot be verified here: the reference solution ({}) is itself accurate to {} "
+                        "only; choose a larger error or a shorter time{}",
                         typed(error), reference.how, typed(certain), chaos.empty() ? "" : ". " + chaos));
     }
     std::vector<Measurement> runs = found_runs(plan, error, reference, progress);

@@ -52,11 +52,11 @@ std::string step_text(const RunDescription& run) {
 
 std::string answer(std::span<const Measurement> runs, double error) {
     const Measurement* best = fastest(runs, error);
-    if (!best) return "no run reached it";
+    if (!best) return "no run reached this error";
     std::string text = fmt::format("{} at {} in {}", best->run.method, step_text(best->run), id(best->run.precision));
     const Measurement* classic = fastest(runs, error, "rk4");
     if (best->run.method == "rk4") return text;
-    if (!classic) return text + "; rk4 does not reach it";
+    if (!classic) return text + "; rk4 does not reach this error";
     return text + fmt::format(", {} times faster than rk4", readable(*classic->wall_seconds / *best->wall_seconds));
 }
 

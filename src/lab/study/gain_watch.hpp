@@ -6,9 +6,10 @@
 
 namespace steplab {
 
-/// Whether a series of dearer and dearer runs still gains: it does not once two that cost more have been no better than
-/// a cheaper one. Then rounding has taken over, or the reference's own error. A run that costs no more than the one
-/// before says nothing: methods that cut a dt which is too large for them give the same run for a while.
+/// Whether a series of increasingly expensive runs still gains accuracy: it does not when two more expensive runs were
+/// no better than a cheaper one. Rounding then dominates, or the error of the reference. A run that costs no more than
+/// the previous one does not count: methods that reduce a dt which is too large for them repeat the same run for a
+/// while.
 class GainWatch {
 public:
     bool gains_no_more(const Measurement& last) {

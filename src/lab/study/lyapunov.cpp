@@ -21,17 +21,17 @@ namespace {
 
 using Number = Dual<double>;
 
-/// omega_max times a step: the reference's coarsest is twice as long.
+/// omega_max times the step size; that of the coarsest reference run is twice as large.
 constexpr double phase_of_a_step = 1;
-constexpr std::uint64_t stretches = 8, skipped = 2;
-/// The reference's error, in units of the scene's spacing, from which on it tells nothing worth a number.
+constexpr std::uint64_t intervals = 8, skipped = 2;
+/// The error of the reference, in units of the scene's spacing, from which on numbers are meaningless.
 constexpr double meaningless = 1e-3;
 
-/// A motion and a tangent to it.
+/// A motion and its tangent vector.
 class TangentRun {
 public:
-    /// The tangent begins in a direction without any symmetry. Distances of positions count `rate` times, so that they
-    /// and those of velocities have one unit.
+    /// The tangent begins in a direction without any symmetry. Position components are weighted by `rate`, so that they
+    /// have the unit of velocities.
     TangentRun(const Scene& scene, const LinearisedScene& linear, double rate)
         : rate_(rate), state_(scene.start.state<Number>()) {
         Eigen::VectorXd direction(linear.size());
@@ -43,7 +43,7 @@ public:
 
     State<Number>& state() { return state_; }
 
-    /// Makes the tangent one of length 1 again; the logarithm of what it was.
+    /// Scales the tangent to length 1 and returns the logarithm of its previous length.
     double normalise() {
         double square = 0;
         for (std::size_t k = 0; k < state_.velocity.flat().size(); ++k) {
@@ -62,7 +62,7 @@ private:
     State<Number> state_;
 };
 
-/// x'' = a(x) - gamma v in dual numbers. (System would have the force in lanes of them ready too.)
+/// x'' = a(x) - gamma v in dual numbers. (System would also instantiate the force for lanes of them.)
 template <class Force>
 struct TangentEquations {
     Force force;
@@ -72,20 +72,20 @@ struct TangentEquations {
     Number drag() const { return gamma; }
 };
 
-/// Logarithms of what the tangent grows by in each of the stretches of the time.
+/// Logarithm of the growth of the tangent in each interval of the time.
 std::vector<double> growths(const Scene& scene, TangentRun run, double time, double step) {
-    std::vector<double> all(stretches, 0.0);
+    std::vector<double> all(intervals, 0.0);
     std::visit(
         [&](const auto& forces) {
-            const double stretch = time / static_cast<double>(stretches);
-            const double steps = std::max(1.0, std::ceil(stretch / step));
+            const double interval = time / static_cast<double>(intervals);
+            const double steps = std::max(1.0, std::ceil(interval / step));
             TangentEquations<decltype(engine<Number>(forces))> system{engine<Number>(forces), scene.drag};
             Extrapolation<Number> method(run.state().displacement.count());
             Lost<Number> lost;
             for (double& growth : all) {
                 for (double i = 0; i < steps; ++i) {
                     check_interruption();
-                    method.step(system, run.state(), lost, stretch / steps);
+                    method.step(system, run.state(), lost, interval / steps);
                     growth += run.normalise();
                 }
             }
@@ -102,15 +102,15 @@ LyapunovExponent lyapunov_exponent(const Scene& scene, const Shape& shape, doubl
     const LinearisedScene linear(scene, shape);
     const double rate = std::max({highest_frequency(modes(linear)), scene.drag, 1 / time});
     const std::vector<double> all = growths(scene, TangentRun(scene, linear, rate), time, phase_of_a_step / rate);
-    const double stretch = time / static_cast<double>(stretches), count = stretches - skipped;
+    const double interval = time / static_cast<double>(intervals), count = intervals - skipped;
     LyapunovExponent result;
     for (std::size_t i = 0; i < all.size(); ++i) {
         result.growth += all[i];
-        if (i >= skipped) result.exponent += all[i] / (stretch * count);
+        if (i >= skipped) result.exponent += all[i] / (interval * count);
     }
     double square = 0;
     for (std::size_t i = skipped; i < all.size(); ++i)
-        square += (all[i] / stretch - result.exponent) * (all[i] / stretch - result.exponent);
+        square += (all[i] / interval - result.exponent) * (all[i] / interval - result.exponent);
     result.spread = std::sqrt(square / (count * (count - 1)));
     return result;
 }
@@ -124,9 +124,9 @@ std::string chaos_note(const RunDescription& description, double time, double er
     if (!lyapunov.chaotic()) return {};
     const double digits = lyapunov.growth / std::log(10.0);
     return fmt::format(
-        "The motion is chaotic: its Lyapunov exponent is {:.2g} +- {:.1g}, motions that begin next to each other part "
-        "tenfold every {:.2g}, and by a factor of 1e{:.0f} until t = {:.4g}. Of double's 16 digits none is left to "
-        "compare at about t = {:.2g}; energy and means still tell methods apart.",
+        "The motion is chaotic: its Lyapunov exponent is {:.2g} ± {:.1g} 1/s. Trajectories that start close together "
+        "diverge by a factor of 10 every {:.2g} s, and by 1e{:.0f} until t = {:.4g} s. At about t = {:.2g} s none of "
+        "the 16 digits of double is left; compare energies and averages instead.",
         lyapunov.exponent, lyapunov.spread, std::log(10.0) / lyapunov.exponent, digits, time, 16 / digits * time);
 }
 

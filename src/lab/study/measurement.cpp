@@ -19,7 +19,7 @@ void compare(Measurement& measurement, const State<double>& end, const Reference
     measurement.rms_error = rms_error_against(reference.moments.back(), end.displacement);
 }
 
-/// Of the stepping, and of the start if the method makes most of its evaluations there.
+/// Measures the time of stepping, and of the start if the method makes most of its evaluations there.
 class SteppingClock {
 public:
     void started(std::uint64_t evaluations) {

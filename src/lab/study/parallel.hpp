@@ -11,12 +11,12 @@
 
 namespace steplab {
 
-/// f(i, execution) for each i below `count`, in their order but side by side on all processors of the machine, as far
-/// as memory allows where each takes so many bytes: runs made by `execution` leave the others theirs. Once one has
-/// thrown, no further one is begun, and the first exception is thrown on.
+/// Calls f(i, execution) for each i < `count`, in order and in parallel on all processors, as far as memory allows if
+/// each call takes this number of bytes; `execution` limits the threads of a run so that all calls get a share. After
+/// an exception no further call begins, and the first exception is rethrown.
 inline void parallel_for_each(std::size_t count, double bytes,
                               const std::function<void(std::size_t, const Execution&)>& f) {
-    const double room = bytes < 1e6 ? infinity : available_memory() / bytes;  // to ask takes longer than small runs
+    const double room = bytes < 1e6 ? infinity : available_memory() / bytes;  // the query takes longer than small runs
     const auto most = static_cast<std::size_t>(std::clamp(room, 1.0, static_cast<double>(processors())));
     const std::size_t members = std::clamp<std::size_t>(count, 1, most);
     const Execution execution{.threads = processors() / members};

@@ -20,7 +20,7 @@ namespace {
 
 using Real = long double;
 
-/// Half an ulp of a double, for what is rounded to one.
+/// Half an ulp of a double near 1, relative: the error of rounding to double.
 constexpr double half_ulp = 1.2e-16;
 
 double largest_number(const Field<double>& field) {
@@ -29,7 +29,7 @@ double largest_number(const Field<double>& field) {
     return largest;
 }
 
-/// Squares of the particles' distances.
+/// Squared distances of the particles.
 std::vector<double> squared_distances(const Field<double>& a, const Field<double>& b) {
     std::vector<double> squares;
     for (std::size_t i = 0; i < a.count(); ++i) {
@@ -48,7 +48,7 @@ double largest_distance(const Field<double>& a, const Field<double>& b) {
     return std::sqrt(largest);
 }
 
-/// A run in long double at the asked times.
+/// A run in long double at the requested times.
 struct ReferenceRun {
     std::vector<State<Real>> states;
     std::uint64_t steps = 0;
@@ -56,20 +56,20 @@ struct ReferenceRun {
     std::uint64_t collisions = 0;
 };
 
-/// How far a run goes in a step: a length, or what the error of a step of its own length may be.
+/// The resolution of a run: a fixed step size, or the tolerance of an adaptive step size.
 struct Fineness {
     double step = 0;
-    double tolerance = 0;  ///< if not 0
+    double tolerance = 0;  ///< 0: fixed steps
 
     Fineness finer() const { return {step / 2, tolerance / 1000}; }
-    /// At the next tolerance the differences of long double that tell a step's error would be rounding.
+    /// At the next tolerance the estimate of a step's error would be rounding of long double.
     bool is_finest() const { return tolerance > 0 && tolerance < 1e-17; }
 };
 
-/// Called within a run with the part of it that is done.
+/// Called during a run with the fraction that is done.
 using Watch = std::function<void(double)>;
 
-/// Steps of one length, every stretch between two times cut into equal ones. Counts those in which particles pass each
+/// Fixed steps: every interval between two times is divided into equal ones. Counts those in which particles pass each
 /// other, where the order is lost.
 template <class Force>
 void equal_steps(System<Real, Force>& system, std::uint64_t steps, State<Real>& state, ReferenceRun& run,
@@ -85,10 +85,10 @@ void equal_steps(System<Real, Force>& system, std::uint64_t steps, State<Real>& 
     run.steps += steps;
 }
 
-/// Times that a stretch in steps of the run's own choice is looked at, for interruptions.
+/// Number of times that an adaptive interval is checked for interruptions.
 constexpr int parts = 64;
 
-/// Steps of the run's own choice over so many dt of the system, with collisions crossed.
+/// Adaptive steps over `parts` dt of the system, with collisions crossed.
 template <class Force>
 void own_steps(System<Real, Force>& system, double tolerance, State<Real>& state, ReferenceRun& run,
                const Watch& watch) {
@@ -112,14 +112,14 @@ ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const do
     State<Real> state = scene.start.state<Real>();
     double now = 0;
     for (const double time : times) {
-        const Real stretch = static_cast<Real>(time) - now;
+        const Real interval = static_cast<Real>(time) - now;
         const auto steps = static_cast<std::uint64_t>(std::ceil((time - now) / fineness.step));
         const bool own = fineness.tolerance > 0;
         const std::uint64_t pieces = own ? parts : std::max<std::uint64_t>(1, steps);
-        System<Real, Force> system(engine<Real>(forces), scene.drag, stretch / static_cast<Real>(pieces));
+        System<Real, Force> system(engine<Real>(forces), scene.drag, interval / static_cast<Real>(pieces));
         const auto within = [&](double part) { watch((now + part * (time - now)) / times.back()); };
         if (!own) equal_steps(system, steps, state, run, within);
-        if (own && stretch > 0) own_steps(system, fineness.tolerance, state, run, within);
+        if (own && interval > 0) own_steps(system, fineness.tolerance, state, run, within);
         run.states.push_back(state);
         run.evaluations += system.evaluations();
         now = time;
@@ -150,7 +150,7 @@ private:
     int count_ = 0;
 };
 
-/// Largest distance between two runs at one time, taken before anything is rounded to double.
+/// Largest distance between two runs at one time, computed before rounding to double.
 double difference(const State<Real>& a, const State<Real>& b) {
     Field<double> between(a.displacement.count());
     for (std::size_t k = 0; k < between.flat().size(); ++k)
@@ -171,12 +171,13 @@ double largest(const std::vector<double>& numbers) {
 std::string description_of(const ReferenceRun& run, const Fineness& fineness) {
     constexpr std::size_t order = Extrapolation<Real>::order;
     if (fineness.tolerance == 0)
-        return fmt::format("extrapolation of order {} in long double, {} steps; its error from half as many", order,
-                           run.steps);
+        return fmt::format(
+            "extrapolation of order {} in long double, {} steps; error estimated by a run with half as many", order,
+            run.steps);
     return fmt::format(
-        "extrapolation of order {} in long double at tolerance {:.0e}, {} collisions crossed; its error from a "
-        "thousand times the tolerance",
-        order, fineness.tolerance, run.collisions);
+        "extrapolation of order {} in long double with tolerance {:.0e}, {} collision{} crossed; error estimated by a "
+        "run with 1000 times the tolerance",
+        order, fineness.tolerance, run.collisions, run.collisions == 1 ? "" : "s");
 }
 
 Reference as_reference(const ReferenceRun& run, const std::vector<double>& errors, std::span<const double> times,
@@ -194,7 +195,7 @@ Reference as_reference(const ReferenceRun& run, const std::vector<double>& error
     return reference;
 }
 
-/// The rate at which things happen, for the coarsest run's steps.
+/// The fastest rate in the scene, which determines the steps of the coarsest run.
 double rate_of(const RunDescription& held, const Scene& scene) {
     const Model& entry = model(held.model);
     const std::optional<double> known = entry.omega_max(held.scene);
@@ -209,8 +210,8 @@ double longest_step(const RunDescription& held, const Scene& scene, std::span<co
     return times.empty() ? step : std::min(step, std::max(times.back(), 1e-300) / 2);
 }
 
-/// Refines until the runs agree, the cost is too high, or nothing is gained any more. None if particles pass each other
-/// in a run of equal steps. `first`: the run of this fineness, where it is known.
+/// Refines until the runs agree, the cost is too high, or accuracy no longer improves. None if particles pass each
+/// other in a run of fixed steps. `first`: the run of this fineness, if it was made already.
 std::optional<Reference> refined(const RunDescription& held, std::span<const double> times,
                                  const ReferenceEffort& effort, Runs& run, Fineness fineness,
                                  std::optional<ReferenceRun> first = {}) {
@@ -231,26 +232,26 @@ std::optional<Reference> refined(const RunDescription& held, std::span<const dou
         const std::vector<double> finer = differences(coarse, fine);
         const bool stalled = largest(errors) < 1e-6 * spacing && largest(finer) > largest(errors) / 2;
         errors = finer;
-        if (stalled) break;  // down to the rounding of long double
+        if (stalled) break;  // limited by rounding of long double
     }
     return as_reference(fine, errors, times, description_of(fine, fineness));
 }
 
-/// In equal steps, shorter ones where only too long ones let particles pass each other, or in steps of its own where
-/// they do.
+/// With fixed steps, shortened if particles pass each other only because steps are too long; with adaptive steps if
+/// particles do pass each other.
 Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
     const Scene scene = model(held.model).scene(held.scene);
     Runs run(scene, times, effort);
     double step = longest_step(held, scene, times, effort);
     if (auto made = refined(held, times, effort, run, {.step = step})) return *made;
     const Fineness own{.step = step, .tolerance = 1e-12};
-    ReferenceRun seeing = run(own);
-    if (seeing.collisions == 0) {
+    ReferenceRun adaptive = run(own);
+    if (adaptive.collisions == 0) {
         for (int halvings = 0; halvings < 8; ++halvings) {
             if (auto made = refined(held, times, effort, run, {.step = step /= 2})) return *made;
         }
     }
-    return refined(held, times, effort, run, own, std::move(seeing)).value();
+    return refined(held, times, effort, run, own, std::move(adaptive)).value();
 }
 
 std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {
@@ -290,7 +291,7 @@ std::optional<ReferenceMoment> resting_reference(const RunDescription& descripti
     const Model& entry = model(held.model);
     if (!entry.resting || !(entry.scene(held.scene).drag > 0)) return std::nullopt;
     Field<double> displacement = entry.resting(held.scene);
-    const double rounding = 4 * half_ulp * largest_number(displacement);  // of the few operations it takes
+    const double rounding = 4 * half_ulp * largest_number(displacement);  // of a few operations
     const std::size_t particles = displacement.count();
     return ReferenceMoment{infinity, {std::move(displacement), Field<double>(particles)}, rounding};
 }

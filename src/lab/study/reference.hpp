@@ -12,45 +12,46 @@
 
 namespace steplab {
 
-/// Where a scene is at one time, as exactly as is known.
+/// The state of a scene at one time, as accurate as known.
 struct ReferenceMoment {
     double time = 0;
     State<double> state;  ///< displacements from the reference positions, and velocities
-    double error = 0;     ///< how far from the truth a particle may be, by the reference's own estimate
+    double error = 0;     ///< largest error of a particle's position, estimated
 };
 
-/// What a run is judged by.
+/// A reference solution, with which runs are compared.
 struct Reference {
-    std::vector<ReferenceMoment> moments;  ///< at the asked times
-    std::string how;                       ///< in words: exact, or which method in which steps
+    std::vector<ReferenceMoment> moments;  ///< at the requested times
+    std::string how;                       ///< in words: exact, or by which method and steps
     bool exact = false;
 };
 
-/// How much a reference run may cost, and how good it is to be.
+/// The accuracy and the largest cost of a reference run.
 struct ReferenceEffort {
-    double error = 1e-16;  ///< refined until the estimate is below; in units of the scene's spacing
+    double error = 1e-16;  ///< refined until the estimated error is below, in units of the scene's spacing
     double most_particle_evaluations = 2e7;
     double first_phase = 2;  ///< omega_max times the step of the coarsest run
     int most_refinements = 12;
-    /// Called on the way with the number of the run, from 1 on, and the part of it that is done; may throw to end it.
+    /// Called during the computation with the number of the run, from 1, and the fraction of it that is done; may throw
+    /// to end it.
     std::function<void(int run, double part)> progress = nullptr;
 };
 
-/// The motion of the described scene, in its precision's parameters, at these ascending times from 0 on. Exact where a
-/// closed form holds until the last of them. Elsewhere a run in long double by extrapolation of order 16, whose family
-/// no method of the catalogue is of, refined by halving its steps; the difference to the run before is the error
-/// estimate. Where particles pass each other the steps are chosen by the errors, collisions located and crossed as
-/// methods/engines/collisions.hpp does it, and the tolerance refined. The description's method and dt do not matter.
+/// The motion of the described scene, with parameters in its precision, at these ascending times >= 0. Exact if a
+/// closed form is valid until the last of them. Otherwise a run in long double by extrapolation of order 16, a family
+/// to which no method of the catalogue belongs, refined by halving its steps; the difference from the previous run is
+/// the error estimate. If particles pass each other, the steps are adaptive, collisions are located and crossed
+/// (methods/engines/collisions.hpp), and the tolerance is refined. The method and dt of the description are ignored.
 /// Throws UsageError, Interrupted.
 Reference reference(const RunDescription& description, std::span<const double> times,
                     const ReferenceEffort& effort = {});
 
-/// The same by a run, even where a closed form is known: each checks the other.
+/// The same by a run, even if a closed form is known: each checks the other.
 Reference reference_run(const RunDescription& description, std::span<const double> times,
                         const ReferenceEffort& effort = {});
 
-/// Where the scene comes to rest, exact for times so long that drag has damped everything; time is infinite. None where
-/// it does not come to rest or nobody knows where.
+/// The equilibrium of the scene, exact for times at which drag has damped all motion; its time is infinite. nullopt if
+/// the scene does not come to rest, or the equilibrium is not known.
 std::optional<ReferenceMoment> resting_reference(const RunDescription& description);
 
 /// Largest distance of a particle from the reference, and never less than the reference's own error.

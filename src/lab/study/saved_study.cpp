@@ -28,7 +28,7 @@ std::string key(const StudyPlan& plan) {
                               plan.ratio, plan.rounds, made.version, made.commit, made.compiler, made.processor);
 }
 
-/// As text: JSON has no infinity.
+/// As text, because JSON has no infinity.
 Json step_json(const std::optional<double>& dt) { return dt ? Json(number_text(*dt)) : Json(nullptr); }
 
 std::optional<double> step_of(const Json& json) {
@@ -45,7 +45,7 @@ std::vector<CutSeries> cut_of(const Json& list) {
     std::vector<CutSeries> cut;
     for (const Json& json : list) {
         const auto precision = parse_precision(json.at(1).get<std::string>());
-        if (!precision) throw FileError("a series is in no precision");
+        if (!precision) throw FileError("a series has an unknown precision");
         cut.push_back({json.at(0), *precision});
     }
     return cut;
@@ -106,21 +106,21 @@ StudyState state_of(const Json& json, const StudyPlan& plan) {
 void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
+    if (error) throw FileError(fmt::format("cannot create the folder '{}': {}", folder.string(), error.message()));
 }
 
-KeptStudies::KeptStudies(const std::string& report_folder)
+SavedStudies::SavedStudies(const std::string& report_folder)
     : folder_(std::filesystem::path(report_folder) / ".measured") {
     make_folder(folder_);
 }
 
-std::string KeptStudies::file_of(const StudyPlan& plan) const {
+std::string SavedStudies::file_of(const StudyPlan& plan) const {
     return (folder_ / (plan.scene.model + ".json")).string();
 }
 
-std::optional<StudyState> KeptStudies::find(const StudyPlan& plan) const {
+std::optional<StudyState> SavedStudies::find(const StudyPlan& plan) const {
     std::ifstream file(file_of(plan));
-    const Json json = Json::parse(file, nullptr, false);  // a part of one is none
+    const Json json = Json::parse(file, nullptr, false);  // a truncated file is discarded
     try {
         if (json.at("key") == key(plan)) return state_of(json, plan);
     } catch (const Json::exception&) {
@@ -129,7 +129,7 @@ std::optional<StudyState> KeptStudies::find(const StudyPlan& plan) const {
     return std::nullopt;
 }
 
-void KeptStudies::keep(const StudyPlan& plan, const StudyState& state) const {
+void SavedStudies::save(const StudyPlan& plan, const StudyState& state) const {
     Json json{{"key", key(plan)},
               {"reference", state.reference},
               {"reference_error", state.reference_error},
@@ -144,7 +144,7 @@ void KeptStudies::keep(const StudyPlan& plan, const StudyState& state) const {
     file.commit();
 }
 
-void KeptStudies::forget() const {
+void SavedStudies::remove() const {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
 }

@@ -8,25 +8,25 @@
 
 namespace steplab {
 
-/// A study under way: what is measured of it so far.
+/// The measurements so far of an unfinished study.
 struct StudyState {
     std::string reference;
     double reference_error = 0;
     SeriesState series;
-    std::optional<std::vector<Limit>> limits;  ///< none: not yet
+    std::optional<std::vector<Limit>> limits;  ///< nullopt: not measured yet
 };
 
-/// Studies under way, a file for each in a folder of their own, so that a report which was interrupted goes on where it
-/// was. What is not whole, or was made by another plan, program or machine, counts for nothing.
-class KeptStudies {
+/// Unfinished studies, one file each in a folder of their own, so that an interrupted report can be resumed. Files that
+/// are incomplete, or were written for another plan, program or machine, are ignored.
+class SavedStudies {
 public:
-    /// In the folder of a report, which is made if it is not there. Throws FileError.
-    explicit KeptStudies(const std::string& report_folder);
+    /// In the folder of a report, which is created if it does not exist. Throws FileError.
+    explicit SavedStudies(const std::string& report_folder);
 
     std::optional<StudyState> find(const StudyPlan& plan) const;
-    void keep(const StudyPlan& plan, const StudyState& state) const;
-    /// The report is complete.
-    void forget() const;
+    void save(const StudyPlan& plan, const StudyState& state) const;
+    /// Removes all of them: the report is complete.
+    void remove() const;
 
 private:
     std::string file_of(const StudyPlan& plan) const;
@@ -34,7 +34,7 @@ private:
     std::filesystem::path folder_;
 };
 
-/// Makes a folder and those it lies in. Throws FileError.
+/// Creates a folder and its parents. Throws FileError.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace steplab

@@ -18,11 +18,11 @@ namespace steplab {
 
 namespace {
 
-/// A batch is long enough for the clock, and there are enough of them for one that nothing disturbed.
+/// A batch is long enough for the clock, and there are enough batches for one to be undisturbed.
 constexpr double seconds_a_batch = 0.004, seconds_a_scene = 0.25;
 
-/// Sizes of a model: the first is small, the second fits into the cache nearest to the processor's own, the last does
-/// not fit into any.
+/// Sizes of a model: the first is small, the second fits into the second-level cache, the last does not fit into any
+/// cache.
 struct Sizes {
     std::string_view model, parameter;
     std::vector<double> values;
@@ -40,7 +40,7 @@ RunDescription run_of(const Sizes& sizes, double value, const std::string& metho
     RunDescription run = describe(sizes.model, method);
     run.scene.set(sizes.parameter, value);
     run.precision = precision;
-    run.dt = 0.001;  // no scene diverges by it
+    run.dt = 0.001;  // small enough that no scene diverges
     return run;
 }
 
@@ -65,14 +65,14 @@ double seconds_a_step(const RunDescription& run, const Execution& execution) {
 
 double seconds_a_particle(const Speed& speed) { return speed.seconds / static_cast<double>(speed.particles); }
 
-/// The least time a particle among some sizes; infinite if there are none.
+/// The smallest time per particle among some sizes; infinite if there are none.
 double least_a_particle(std::span<const Speed> sizes) {
     double least = std::numeric_limits<double>::infinity();
     for (const Speed& size : sizes) least = std::min(least, seconds_a_particle(size));
     return least;
 }
 
-/// Of the cache that one core has to itself; where the system does not tell, the least that processors have today.
+/// Size of the second-level cache of a core; if the system does not report it, the smallest in current processors.
 std::size_t bytes_of_second_cache() {
     const long bytes = sysconf(_SC_LEVEL2_CACHE_SIZE);
     return bytes > 0 ? static_cast<std::size_t>(bytes) : std::size_t{256} << 10;
@@ -85,8 +85,8 @@ Comparison compared(const RunDescription& run) {
 }  // namespace
 
 void find_bounds(std::span<Speed> sizes, std::size_t cache) {
-    constexpr double clearly = 1.25;  // what else runs on a machine moves times by a tenth or two
-    constexpr std::size_t few = 100;  // a dozen of wide registers: too few to hide how long a root takes
+    constexpr double clearly = 1.25;  // other load of the machine changes times by 10 to 20 %
+    constexpr std::size_t few = 100;  // a dozen wide registers: too few to hide the latency of a root
     for (std::size_t i = 0; i < sizes.size(); ++i) {
         Speed& size = sizes[i];
         const double each = seconds_a_particle(size);

@@ -19,11 +19,12 @@ namespace steplab {
 
 namespace {
 
-/// Runs shorter than this are repeated within a round until they have taken as long together, or so many times.
+/// Runs shorter than this are repeated within a round until they have taken this long in total, up to a number of
+/// times.
 constexpr double least_seconds = 2e-4;
 constexpr int most_repeats = 50;
 
-/// What one run costs before it is made, from the one made last.
+/// Estimates the cost of the next run from the last one.
 class CostWatch {
 public:
     explicit CostWatch(double most_seconds) : most_(most_seconds) {}
@@ -54,7 +55,7 @@ public:
     }
 
 private:
-    /// False if only time ended it.
+    /// False if the series was ended only by time.
     bool over_dt() {
         GainWatch gain;
         CostWatch cost(plan_.most_seconds_a_run);
@@ -70,7 +71,7 @@ private:
         return true;
     }
 
-    /// False if only time ended it.
+    /// False if the series was ended only by time.
     bool over_tolerance() {
         GainWatch gain;
         const double least = precision_ == Precision::float_ ? 1e-8 : 1e-16;
@@ -98,15 +99,15 @@ private:
     std::vector<Measurement> runs_;
 };
 
-/// Series measured side by side and gathered in the order of the plan.
+/// Series measured in parallel and collected in the order of the plan.
 class SeriesInOrder {
 public:
-    SeriesInOrder(const StudyPlan& plan, SeriesState& state, const std::function<void()>& keep)
-        : plan_(plan), state_(state), keep_(keep), methods_(possible_methods(plan)) {}
+    SeriesInOrder(const StudyPlan& plan, SeriesState& state, const std::function<void()>& save)
+        : plan_(plan), state_(state), save_(save), methods_(possible_methods(plan)) {}
 
     std::size_t all() const { return methods_.size() * plan_.precisions.size(); }
 
-    /// `progress` hears how many series there are.
+    /// `progress` is called with the number of series that are done.
     void measure(const Reference& reference, const std::function<void(std::size_t)>& progress) {
         std::vector<std::size_t> left;
         for (std::size_t place = state_.series; place < all(); ++place) {
@@ -116,14 +117,14 @@ public:
         const double fastest_motion = frequency(plan_);
         std::size_t done = all() - left.size();
         progress(done);
-        parallel_for_each(left.size(), dearest_bytes(plan_), [&](std::size_t i, const Execution& execution) {
+        parallel_for_each(left.size(), most_bytes(plan_), [&](std::size_t i, const Execution& execution) {
             const std::size_t place = left[i];
             Series series(plan_, reference, fastest_motion, method_of(place), precision_of(place), execution);
             MeasuredSeries measured = series.measured();
             const std::lock_guard lock(mutex_);
             state_.ahead.emplace(place, std::move(measured));
             gather();
-            keep_();
+            save_();
             progress(++done);
         });
     }
@@ -132,7 +133,7 @@ private:
     const std::string& method_of(std::size_t series) const { return methods_[series / plan_.precisions.size()]; }
     Precision precision_of(std::size_t series) const { return plan_.precisions[series % plan_.precisions.size()]; }
 
-    /// What is complete up to the first series that is not.
+    /// Moves what is complete, up to the first incomplete series.
     void gather() {
         for (auto next = state_.ahead.begin(); next != state_.ahead.end() && next->first == state_.series;
              next = state_.ahead.erase(next), ++state_.series) {
@@ -144,7 +145,7 @@ private:
 
     const StudyPlan& plan_;
     SeriesState& state_;
-    const std::function<void()>& keep_;
+    const std::function<void()>& save_;
     std::vector<std::string> methods_;
     std::mutex mutex_;  ///< of the state
 };
@@ -163,10 +164,10 @@ double time_once(const Measurement& run) {
 
 namespace {
 
-/// From so many on an evaluation of a particle is dear.
-constexpr double dear_partners = 140;
+/// With more partners than this an evaluation is expensive.
+constexpr double expensive_partners = 140;
 
-/// Particles that each one acts on, about: what an evaluation of it costs.
+/// Approximate number of particles that each one interacts with: the cost of an evaluation per particle.
 double partners(const RunDescription& scene) {
     const Model& entry = model(scene.model);
     const bool all_pairs = std::holds_alternative<PairForces>(entry.scene(scene.scene).forces);
@@ -181,7 +182,7 @@ Reference reference_for(const StudyPlan& plan, double error, const std::function
     ReferenceEffort effort;
     effort.error = std::max(effort.error, error);
     effort.progress = progress;
-    effort.most_particle_evaluations *= (error > 0 ? 0.2 : 1) * std::min(1.0, dear_partners / partners(scene));
+    effort.most_particle_evaluations *= (error > 0 ? 0.2 : 1) * std::min(1.0, expensive_partners / partners(scene));
     return reference(scene, std::vector{plan.time}, effort);
 }
 
@@ -227,7 +228,7 @@ std::vector<std::string> possible_methods(const StudyPlan& plan) {
     return possible;
 }
 
-double dearest_bytes(const StudyPlan& plan) {
+double most_bytes(const StudyPlan& plan) {
     double most = 0;
     for (const std::string& id : possible_methods(plan))
         most = std::max(most, bytes_of_run(run_over(plan, id, Precision::double_, 1)));
@@ -244,22 +245,22 @@ void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyPro
     }
 }
 
-void go_on_with_series(const StudyPlan& plan, const Reference& reference, SeriesState& state,
-                       const std::function<void()>& keep, const StudyProgress& progress) {
-    const double share = 1.0 / (1 + plan.rounds);  // a run is made once, then once a round
-    SeriesInOrder series(plan, state, keep);
+void continue_series(const StudyPlan& plan, const Reference& reference, SeriesState& state,
+                     const std::function<void()>& save, const StudyProgress& progress) {
+    const double share = 1.0 / (1 + plan.rounds);  // each run is made once, then once per round
+    SeriesInOrder series(plan, state, save);
     const auto all = static_cast<double>(series.all());
     series.measure(reference, [&](std::size_t done) { progress(share * static_cast<double>(done) / all); });
     if (!state.timed)
         time_interleaved(state.runs, plan.rounds, [&](double part) { progress(share + (1 - share) * part); });
     state.timed = true;
-    keep();
+    save();
 }
 
 std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& reference,
                                         const StudyProgress& progress) {
     SeriesState state;
-    go_on_with_series(
+    continue_series(
         plan, reference, state, [] {}, progress);
     return std::move(state.runs);
 }

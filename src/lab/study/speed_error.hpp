@@ -10,81 +10,82 @@
 
 namespace steplab {
 
-/// A scene over a time, and which runs of it are to be measured.
+/// A scene, a time, and the runs of it that are to be measured.
 struct StudyPlan {
-    RunDescription scene;  ///< its method, precision and dt do not matter
+    RunDescription scene;  ///< its method, precision and dt are ignored
     double time = 0;
     std::vector<std::string> methods;
-    std::map<std::string, double> method_settings;  ///< parameters of methods; those that have them take them
+    std::map<std::string, double> method_settings;  ///< parameters for the methods that have them
     std::vector<Precision> precisions;
-    double most_seconds_a_run = 0.02;  ///< by its share of the machine; a series ends before a run takes longer
-    std::uint64_t most_steps_a_run = 1'000'000'000;  ///< nor of more steps
+    double most_seconds_a_run = 0.02;  ///< on its share of the machine; a series ends before a run takes longer
+    std::uint64_t most_steps_a_run = 1'000'000'000;  ///< a series also ends before a run takes more steps
     double ratio = 2;                                ///< of neighbouring dt in a series, > 1
-    int rounds = 3;                                  ///< each run is timed in so many interleaved rounds
+    int rounds = 3;                                  ///< number of interleaved rounds in which each run is timed
 };
 
-/// Called between runs with the part of the work that is done, 0 .. 1, by any thread but one at a time; may throw to
-/// end it.
+/// Called between runs with the fraction of the work that is done, 0 .. 1, by any thread, but one at a time; may throw
+/// to end it.
 using StudyProgress = std::function<void(double)>;
 
-/// A series that ended because its next run would have taken too long, not because it gained no more.
+/// A series that ended because its next run would have taken too long, not because accuracy no longer improved.
 struct CutSeries {
     std::string method;
     Precision precision = Precision::double_;
 };
 
-/// What was measured of one method in one precision.
+/// The measurements of one method in one precision.
 struct MeasuredSeries {
     std::vector<Measurement> runs;
-    bool cut = false;  ///< by time, and by that only
+    bool cut = false;  ///< ended only by time
 };
 
-/// How far the measuring of a plan is: enough to go on from there.
+/// The progress of measuring a plan, sufficient to continue from there.
 struct SeriesState {
     std::vector<Measurement> runs;
     std::vector<CutSeries> cut;
-    std::size_t series = 0;  ///< of a method in a precision, in the plan's order, that are complete in `runs`
-    std::map<std::size_t, MeasuredSeries> ahead;  ///< complete too, by their place, but behind one that is not
+    std::size_t series = 0;  ///< number of series, in the plan's order, that are complete in `runs`
+    std::map<std::size_t, MeasuredSeries>
+        ahead;  ///< series that are complete, by position, but after an incomplete one
     bool timed = false;
 };
 
-/// Measures every method and precision of the plan over a series of dt, largest first, down to where rounding or the
-/// reference ends the gain; adaptive methods over a series of tolerances: side by side on all processors. All runs that
-/// did not diverge are then timed, one at a time and in interleaved rounds, so that a disturbance of the machine hits
-/// all alike, and the least of each is kept.
+/// Measures every method and precision of the plan over a series of decreasing dt, until rounding or the error of the
+/// reference dominates; adaptive methods over a series of tolerances; in parallel on all processors. All runs that did
+/// not diverge are then timed, one at a time and in interleaved rounds, so that other load of the machine affects all
+/// of them equally, and the minimum of each is taken.
 std::vector<Measurement> measure_series(const StudyPlan& plan, const Reference& reference,
                                         const StudyProgress& progress);
 
-/// The same from where `state` is; `keep` is called when there is more of it to keep.
-void go_on_with_series(const StudyPlan& plan, const Reference& reference, SeriesState& state,
-                       const std::function<void()>& keep, const StudyProgress& progress);
+/// The same, continuing from `state`; `save` is called whenever there is more of it to save.
+void continue_series(const StudyPlan& plan, const Reference& reference, SeriesState& state,
+                     const std::function<void()>& save, const StudyProgress& progress);
 
-/// What the runs of a plan are judged by: the scene at its time. Where that is a run, it need not be better than to
-/// `error` spacings of the scene, and takes less time for it; progress: ReferenceEffort's.
+/// The reference solution for the runs of a plan. If it is a run, its error need not be below `error` spacings of the
+/// scene, which saves time; progress: ReferenceEffort's.
 Reference reference_for(const StudyPlan& plan, double error = 0,
                         const std::function<void(int run, double part)>& progress = nullptr);
 
 /// The run of this method with this many steps over the time: dt = time / steps.
 RunDescription run_over(const StudyPlan& plan, const std::string& method, Precision precision, std::uint64_t steps);
 
-/// Whether a method is asked over a series of dt, of tolerances, or (gauss-16) over both.
+/// Whether a method is measured over a series of dt, of tolerances, or (gauss-16) of both.
 bool takes_dt(const std::string& method);
 bool takes_tolerance(const std::string& method);
 
-/// The scene's largest angular frequency, or one that lets a tenth of the time be a quarter of its period. Dear for a
-/// scene of many particles.
+/// The scene's largest angular frequency, or one for which a tenth of the time is a quarter of its period. Expensive
+/// for a scene of many particles.
 double frequency(const StudyPlan& plan);
 
-/// Steps over the time at the method's largest sensible dt: just below the stability limit where there is one.
+/// Number of steps at the method's largest reasonable dt: just below the stability limit if there is one.
 std::uint64_t fewest_steps(const StudyPlan& plan, const std::string& method, double frequency);
 
-/// The methods of the plan that can run its scene: others refuse it by name.
+/// The methods of the plan that can run its scene.
 std::vector<std::string> possible_methods(const StudyPlan& plan);
 
-/// Memory that a run of any of them takes.
-double dearest_bytes(const StudyPlan& plan);
+/// The largest memory that a run of any of them takes, in bytes.
+double most_bytes(const StudyPlan& plan);
 
-/// Times these runs in interleaved rounds and stores the least of each.
+/// Times these runs in interleaved rounds and stores the minimum of each.
 void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyProgress& progress);
 
 }  // namespace steplab

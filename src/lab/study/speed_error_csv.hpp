@@ -12,9 +12,9 @@ namespace steplab {
 /// "model,method,precision,dt,steps,evaluations,wall_s,error,energy_error,status,hash,rms_error,tolerance,settings"
 extern const char* const speed_error_header;
 
-/// One line for each measurement, under the header: numbers in the shortest form that reads back. What a diverged run
-/// has no value for stays empty; tolerance is empty for methods of fixed steps; settings are the parameters that are
-/// not at their defaults, "L=3 v0=1".
+/// One line for each measurement, below the header: numbers in the shortest form that reads back exactly. Cells without
+/// a value in a diverged run are empty; tolerance is empty for methods with fixed steps; settings are the parameters
+/// that differ from their defaults, "L=3 v0=1".
 std::string speed_error_csv(std::span<const Measurement> measurements);
 
 /// Reads them back; those numbers of a result that are not among the columns are 0. Throws FileError naming the line

@@ -23,13 +23,13 @@ namespace {
 struct DefaultScene {
     const char* model;
     double time;
-    double work;  ///< processor seconds of a report in full, as measured once
+    double work;  ///< processor seconds of a full report, as measured once
 };
 
 constexpr DefaultScene default_scenes[] = {{"free", 10, 8},  {"oscillator", 62, 14}, {"chain", 68.1, 20},
                                            {"mesh", 20, 70}, {"rope", 5, 42},        {"morse", 2, 60}};
 
-/// The run of this method in double whose cost comes nearest; null if there is none.
+/// The run of this method in double whose cost is closest; null if there is none.
 const Measurement* at_cost(const Study& study, const std::string& method, double evaluations) {
     const auto away = [&](const Measurement& run) {
         return std::abs(std::log(static_cast<double>(run.result.evaluations) / evaluations));
@@ -42,7 +42,7 @@ const Measurement* at_cost(const Study& study, const std::string& method, double
     return nearest;
 }
 
-/// Moments at which the energy is looked at, and spans of which the largest error is drawn.
+/// Number of samples of the energy, and of intervals whose largest error is plotted.
 constexpr std::uint64_t moments = 600, spans = 60;
 
 Curve energy_curve(const Measurement& run, const Execution& execution) {
@@ -104,7 +104,7 @@ std::vector<Curve> energy_curves(const Study& study, double evaluations) {
         if (run) runs.push_back(run);
     }
     std::vector<Curve> curves(runs.size());
-    parallel_for_each(runs.size(), dearest_bytes(study.plan), [&](std::size_t i, const Execution& execution) {
+    parallel_for_each(runs.size(), most_bytes(study.plan), [&](std::size_t i, const Execution& execution) {
         curves[i] = energy_curve(*runs[i], execution);
     });
     return curves;

@@ -12,26 +12,26 @@ namespace steplab {
 /// One scene of a report, measured.
 struct Study {
     StudyPlan plan;
-    std::string reference;       ///< in words: what the runs are judged by
-    double reference_error = 0;  ///< how far that may be from the truth; no error is given below it
+    std::string reference;       ///< the reference solution, in words
+    double reference_error = 0;  ///< its estimated error; no smaller error is reported
     std::vector<Measurement> runs;
     std::vector<CutSeries> cut;
     std::vector<Limit> limits;  ///< stability limits of the plan's methods, in the plan's first precision
 };
 
-/// The scenes a report takes if nobody names any: the models at their defaults over a time in which they show what they
-/// do; morse with spacing 0.3, because at its default particles pass through each other, where no order holds; not
-/// crystal, where none holds either, at the kinks of its cut-off.
+/// The scenes of a report by default: the models at their defaults over a characteristic time; morse with spacing 0.3,
+/// because at its default particles pass through each other, where methods lose their order; not crystal, where they
+/// lose it at the kinks of the cut-off.
 std::vector<StudyPlan> default_plans(bool quick);
 
-/// The part of a whole report's work that this model takes, about.
+/// Approximate share of this model in the work of a whole report.
 double share_of_work(const StudyPlan& plan);
 
-/// Energy error over time of each method of fixed steps in double, at the run that comes nearest to this cost: the
-/// largest within each of sixty spans of the time, so that a trend shows and not every swing. Throws Interrupted.
+/// Energy error over time of each method with fixed steps in double, for the run closest to this cost: the maximum in
+/// each of sixty intervals of the time, which shows the trend rather than every oscillation. Throws Interrupted.
 std::vector<Curve> energy_curves(const Study& study, double evaluations);
 
-/// What the measurements were made on.
+/// Program and machine of the measurements.
 struct Circumstances {
     std::string version, commit, compiler, processor, date;
 };

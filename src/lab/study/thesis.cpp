@@ -17,9 +17,10 @@ namespace steplab {
 
 namespace {
 
-/// What the thesis printed for a method: table 1; table 2 for one and ten points; table 3 in float and double [ms].
+/// The values printed in the thesis for a method: table 1; table 2 for one and ten points; table 3 in float and double
+/// [ms].
 struct Published {
-    const char *method, *printed_as;  ///< the right formula, and the listing's where it differs
+    const char *method, *printed_as;  ///< the correct formula, and that of the listing where it differs
     const char* table_1;
     double one_point, ten_points;
     double float_ms, double_ms;
@@ -49,12 +50,12 @@ double tenth_particle(std::string_view method, Precision precision) {
     return simulation.frame().positions[9].x;
 }
 
-/// True if 1000 steps stay within twenty times the largest displacement that the exact motion can have. Neighbours keep
-/// apart at any amplitude met, so that the chain stays linear.
+/// True if 1000 steps stay within twenty times the largest displacement of the exact motion. Neighbours stay apart at
+/// all amplitudes that occur, so that the chain stays linear.
 bool seems_stable(RunDescription run) {
     if (run.scene.contains("L")) run.scene.set("L", 1e6);
     Simulation simulation(run);
-    const double largest = by_eye * run.scene["v0"];  // the kick over the slowest spring: v0 / omega of one point
+    const double largest = by_eye * run.scene["v0"];  // amplitude of one point: v0 / omega
     for (int observe = 0; observe < 1000 && !simulation.divergence(); ++observe) {
         simulation.advance(1);
         if (!(simulation.diagnostics().max_displacement < largest)) return false;
@@ -85,7 +86,7 @@ double milliseconds(std::string_view method, Precision precision, double dt) {
     return least;
 }
 
-/// The largest dt at which the method may be used on ten points: 0.95 of its limit, or what the eye allows.
+/// The largest usable dt of the method for ten points: 0.95 of its limit, or the value judged by eye.
 double usable_dt(const Published& row) {
     const auto limit = stability_limit(describe("chain", row.method));
     return limit && limit->limit > 0 ? 0.95 * limit->limit : row.ten_points;
@@ -119,7 +120,7 @@ double largest(const Curve& curve) {
     return value;
 }
 
-/// What blows up leaves the chart, which keeps to the size of the exact motion.
+/// The range of the chart is that of the exact motion: unstable curves leave it.
 ThesisChart displacement_chart(std::string title, std::string_view model_id, Precision precision, double dt,
                                double time) {
     Figure figure{.x = {.label = "time [s]", .logarithmic = false},
@@ -155,29 +156,28 @@ ThesisChart morse_chart() {
 }
 
 constexpr const char* table_1_explained =
-    "<p>Euler, Runge-Kutta 4 and midpoint agree in all printed digits. Verlet's 25.7907 is what float leaves of "
-    "differences of absolute positions; kept as increments, the same formula gives 25.7906. Störmer's 25.7906 is what "
-    "a "
-    "single substep gives; ten, as elsewhere in the thesis, give 25.7862, and its listing, which takes a stale "
-    "acceleration, 25.7890.</p>\n";
+    "<p>Euler, Runge-Kutta 4 and midpoint agree in all printed digits. Verlet's 25.7907 is due to rounding of "
+    "differences of absolute positions in float; with increments the same formula gives 25.7906. Störmer's 25.7906 is "
+    "the result of a single substep; ten substeps, as elsewhere in the thesis, give 25.7862, and its listing, which "
+    "uses an outdated acceleration, 25.7890.</p>\n";
 
 constexpr const char* table_2_explained =
-    "<p>On a grid of 0.1, 1000 steps. By eye: the displacement stays within twenty times that of the exact motion. "
-    "Limit: "
-    "of theory. The thesis stopped before the limits of Euler and Verlet, took Runge-Kutta 4's loss of amplitude for "
-    "failure, and met its own listing's mistake in Störmer. Midpoint grows at any dt; its marks are the eye's.</p>\n";
+    "<p>In multiples of 0.1 s, for 1000 steps. By eye: the displacement stays within twenty times that of the exact "
+    "motion. Limit: the stability limit of linear theory. The thesis stopped below the limits of Euler and Verlet, "
+    "took the loss of amplitude of Runge-Kutta 4 for instability, and was misled by the mistake in its listing of "
+    "Störmer. Midpoint is unstable at any dt; its values are judged by eye.</p>\n";
 
 constexpr const char* table_3_explained =
-    "<p>Milliseconds. The thesis ran on a desktop of 2008; the rest is eighteen years of hardware, compilers that use "
-    "wide "
-    "registers, and a layout that lets them.</p>\n";
+    "<p>The thesis used a desktop computer of 2008; the speed-up is due to eighteen years of hardware, compilers that "
+    "use SIMD registers, and a memory layout that allows it.</p>\n";
 
 constexpr const char* table_4_explained =
-    "<p>With its true limit Störmer, the worst buy of the thesis, is as good as Verlet, of which it is made.</p>\n";
+    "<p>With its true stability limit Störmer, the most expensive method in the thesis, is as efficient as Verlet, of "
+    "which it is composed.</p>\n";
 
 constexpr const char* charts_explained =
-    "<p>Displacement against time, the exact motion dashed. What leaves a chart has blown up. In Morse's, b = "
-    "0.7.</p>\n";
+    "<p>Displacement against time; the exact motion is dashed. A curve that leaves its chart has blown up. In the "
+    "Morse chart, b = 0.7.</p>\n";
 
 std::string section(const char* title, const char* explained, const Table& table) {
     return fmt::format("<h2>{}</h2>\n{}{}", title, explained, html(table));
@@ -211,8 +211,7 @@ Table thesis_table_2() {
 }
 
 Table thesis_table_3() {
-    Table table{{"method", "thesis, float [ms]", "float [ms]", "thesis, double [ms]", "double [ms]", "times as fast"},
-                {}};
+    Table table{{"method", "thesis, float [ms]", "float [ms]", "thesis, double [ms]", "double [ms]", "speed-up"}, {}};
     for (const Published& row : published) {
         const double in_float = milliseconds(row.method, Precision::float_, 0.1);
         const double in_double = milliseconds(row.method, Precision::double_, 0.1);
@@ -224,8 +223,8 @@ Table thesis_table_3() {
 }
 
 Table thesis_table_4() {
-    Table table{{"method", "thesis: seconds in 1000 steps", "thesis: ms a simulated second", "seconds in 1000 steps",
-                 "µs a simulated second"},
+    Table table{{"method", "thesis: simulated time of 1000 steps [s]", "thesis: ms per simulated second",
+                 "simulated time of 1000 steps [s]", "µs per simulated second"},
                 {}};
     for (const Published& row : published) {
         const double dt = usable_dt(row), simulated = 1000 * dt;
@@ -257,14 +256,14 @@ std::string thesis_page() {
     figures.reserve(charts.size());
     for (const ThesisChart& chart : charts) figures.push_back(chart.figure);
     const std::vector<std::string> svg = svg_figures(figures);
-    std::string page =
-        page_head("The thesis, recomputed",
-                  "The tables and charts of the thesis of 2008 beside what the right formulas give.", circumstances());
-    page += section("Table 1: the tenth particle after 681 steps of 0.1; exact 25.78620", table_1_explained,
-                    thesis_table_1());
-    page += section("Table 2: the largest dt", table_2_explained, thesis_table_2());
-    page += section("Table 3: 1000 steps of ten points", table_3_explained, thesis_table_3());
-    page += section("Table 4: at each method's largest dt", table_4_explained, thesis_table_4());
+    std::string page = page_head(
+        "The thesis, recomputed",
+        "The tables and charts of the thesis of 2008, compared with results of the correct formulas.", circumstances());
+    page += section("Table 1: position [m] of the tenth particle after 681 steps of 0.1 s; exact 25.78620",
+                    table_1_explained, thesis_table_1());
+    page += section("Table 2: largest dt [s]", table_2_explained, thesis_table_2());
+    page += section("Table 3: time for 1000 steps of ten points", table_3_explained, thesis_table_3());
+    page += section("Table 4: cost at the largest dt of each method", table_4_explained, thesis_table_4());
     page += std::string("<h2>Charts</h2>\n") + charts_explained + "<div class=\"diagrams\">\n";
     for (std::size_t i = 0; i < charts.size(); ++i) page += captioned(charts[i].title, svg[i]);
     return page + "</div>\n" + page_end;

@@ -23,7 +23,7 @@ void accelerate(System& system, const Field<T>& x, const Field<T>& v, Field<T>& 
     add_drag(system.drag(), v, a);
 }
 
-/// A system for evaluations that do not count because somebody only looks.
+/// A system for evaluations that are not counted because they are for output.
 template <class System>
 class Uncounted {
 public:

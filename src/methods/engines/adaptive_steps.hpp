@@ -53,7 +53,7 @@ private:
 };
 
 /// Runs a method that chooses its own steps, from frame to frame. A step may reach beyond the frame: what is between
-/// its ends is made when somebody looks. The times of frames are their number times dt, the time of the steps is a
+/// its ends is computed for output only. The times of frames are their number times dt, the time of the steps is a
 /// compensated sum. `Rule` does one step:
 ///     static constexpr ControlConstants control
 ///     explicit Rule(std::size_t count)
@@ -105,8 +105,8 @@ public:
         } else if (progress_.across > T(0)) {
             within_crossing(from_, next_, progress_.across, progress_.length - before_end, out);
         } else {
-            Uncounted<System> looking(system);
-            rule_.between(looking, from_, next_, progress_.length, (progress_.length - before_end) / progress_.length,
+            Uncounted<System> uncounted(system);
+            rule_.between(uncounted, from_, next_, progress_.length, (progress_.length - before_end) / progress_.length,
                           out);
         }
     }

@@ -30,7 +30,7 @@ namespace steplab {
 // distance turns by a right angle: the force's size times miss over speed, which the step across leaves out.
 //   - Below a tenth of the tolerance the step across is right within the tolerance, and is taken.
 //   - Above it the force turns in a time that the control of errors sees: it goes through in short steps of its own.
-//   - Either way a pass whose turn is below a millionth of the relative speed is a collision to whoever looks, and is
+//   - Either way a pass whose turn is below a millionth of the relative speed looks like a collision, and is
 //     recorded: whether it was crossed depends on the tolerance, whether it happened does not.
 
 /// When two particles will be abreast of each other, and how far apart: predicted from their present accelerations.
@@ -53,7 +53,7 @@ struct Meeting {
         if (!(distance > T(0) && time > T(0))) return false;
         return miss < T(0.1) * distance || (turn() < negligible_turn && miss < T(0.1) * seen_from);
     }
-    /// Whether the pass is one through each other to whoever looks.
+    /// Whether the pass looks like one through each other.
     bool is_seen_as_collision() const { return closest() * acceleration < T(1e-6) * speed * speed; }
 };
 
@@ -74,7 +74,7 @@ Meeting<T> meeting(const System& system, const Moment& now, std::uint32_t first,
     return {square_root(c), time, miss, square_root(dot(b, b)), square_root(dot(w, w))};
 }
 
-/// Positions, velocities and accelerations, drag included, of one time: by themselves, and those of somebody else.
+/// Positions, velocities and accelerations, drag included, of one time: as values, and as references.
 template <class T>
 struct Motion {
     Field<T> x, v, a;
@@ -153,7 +153,7 @@ public:
     }
 
     /// The length allowed of a step that would have the length h. The direction of the force is wrong by a rounding of
-    /// positions over the distance, which is as the time since the collision: so many times that long, what a step
+    /// positions over the distance, which is as the time since the collision: that many times as long, what a step
     /// makes of it stays within the tolerance. Once for each step.
     T behind(T h) {
         const T allowed = behind_;
@@ -241,7 +241,7 @@ public:
     }
 
 private:
-    /// Of the time to the collision: a longer step, which free flight suggests, tells nothing of what happens near it.
+    /// Of the time to the collision: a longer step, which free flight suggests, would miss what happens near it.
     static constexpr T longest_scale = T(1024);
 
     /// Half of the step that crosses: its error, of second order, is a sixteenth of the rounding unit relative to what

@@ -13,7 +13,7 @@ inline constexpr ParameterInfo compensated_sums{.name = "compensated",
                                                 .minimum = 0,
                                                 .maximum = 1,
                                                 .default_value = 0,
-                                                .what = "1: sums keep what rounding cuts off, 0: it is lost",
+                                                .what = "compensated (Kahan) summation: 1 on, 0 off",
                                                 .slider_high = 1};
 
 inline bool asks_for_compensated_sums(const ParameterValues& values) {
@@ -31,6 +31,15 @@ template <class T>
     const T low = lost + ((sum - (next - added)) + (increment - added));
     sum = next + low;
     lost = low - (sum - next);
+}
+
+/// The same in memory, a register N of numbers from `sum` and `lost` on.
+template <class T, class N>
+void add_compensated_at(T* sum, T* lost, N increment) {
+    N high = N::load(sum), low = N::load(lost);
+    add_compensated(high, low, increment);
+    high.store(sum);
+    low.store(lost);
 }
 
 template <class N>

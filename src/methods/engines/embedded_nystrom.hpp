@@ -206,7 +206,7 @@ private:
     Field<T> v_;                  ///< u' at the beginning
     Field<T> error_x_, error_v_;  ///< relative to what is allowed
     std::array<Field<T>, stages> k_;
-    std::array<Field<T>, together> sums_;  ///< begun for so many stages
+    std::array<Field<T>, together> sums_;  ///< of the stages begun so far
     Moment<T> seen_;
 };
 

@@ -24,8 +24,8 @@ namespace steplab {
 ///
 /// Own steps: the forces of a step are a polynomial in Legendre's form; if they vary as cos(omega t), its coefficient
 /// k is at most (2 k + 1) j_k(z) ~ z^k / (2 k - 1)!! of them, z = omega h / 2. The last two coefficients of all
-/// particles together so tell omega, and the error of order 16 is kept by keeping z at a size that goes with the 16th
-/// root of the tolerance. Collisions are looked for and crossed (collisions.hpp); steps of dt go through them blindly.
+/// particles together so give omega, and the error of order 16 is kept by keeping z at a size that goes with the 16th
+/// root of the tolerance. Collisions are detected and crossed (collisions.hpp); steps of dt go through them blindly.
 template <class T>
 class Gauss {
 public:
@@ -210,10 +210,10 @@ private:
 
     template <class System>
     void synchronised_at_collision(const System& system, T ahead, State<T>& out) const {
-        Uncounted<System> looking(system);
+        Uncounted<System> uncounted(system);
         Field<T> a(end_.x.count()), end_a(end_.x.count());
-        accelerate(looking, begin_.x, begin_.v, a);
-        accelerate(looking, end_.x, end_.v, end_a);
+        accelerate(uncounted, begin_.x, begin_.v, a);
+        accelerate(uncounted, end_.x, end_.v, end_a);
         within_crossing(MotionOf<T>{begin_.x, begin_.v, a}, MotionOf<T>{end_.x, end_.v, end_a}, progress_.across,
                         T(2) * progress_.across - ahead, out);
     }

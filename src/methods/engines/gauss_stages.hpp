@@ -124,7 +124,7 @@ public:
 private:
     using Weights = GaussWeights<T>;
 
-    /// Where half of the digits are right after so many, the step is too long: two halves of it cost less.
+    /// Where only half of the digits are right after this number, the step is too long: two halves of it cost less.
     static constexpr std::size_t most_iterations = 40;
 
     /// Sums over all coordinates and stages of squares.
@@ -184,8 +184,8 @@ private:
         return weights_.reach * v + (lost_x + (low + weights_.reach * lost_v));
     }
 
-    /// True if another iteration would change nothing that matters: its change, told from the last two, is below the
-    /// error; or what changes is rounding alone, which falls no further.
+    /// True if another iteration would change nothing that matters: its change, extrapolated from the last two, is
+    /// below the error; or what changes is rounding alone, which falls no further.
     bool settled(T change, T before, const Sizes& sizes) const {
         constexpr T noise = T(64) * std::numeric_limits<T>::epsilon();
         if (change <= error2_ * sizes.stages) return true;

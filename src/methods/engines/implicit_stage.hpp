@@ -46,8 +46,8 @@ private:
     /// Updates this small are rounding or end in it with the next one, Newton's convergence being quadratic.
     static constexpr T nearly = 4096 * std::numeric_limits<T>::epsilon();
 
-    /// From w = 0, by Newton steps of which so many parts are tried. Ends where a step changes nothing that rounding
-    /// leaves, or where the residual no longer falls because rounding is all that is left.
+    /// From w = 0, by Newton steps of which up to `parts` fractions are tried. Ends where a step changes nothing that
+    /// rounding leaves, or where the residual no longer falls because rounding is all that is left.
     template <class System>
     bool iterate(System& system, const Field<T>& x, const Field<T>& v, T tau, Field<T>& w, int parts) {
         std::fill(w.flat().begin(), w.flat().end(), T(0));

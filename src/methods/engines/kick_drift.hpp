@@ -29,7 +29,7 @@ struct KickDriftStep {
     T lead{};               ///< the drift that begins the first step, with which no other is merged
     KickDrift<T> first;     ///< instead of the first part in the first step
     KickDrift<T> rest;      ///< still to be done after a step: a kick or a drift
-    std::size_t times = 1;  ///< so many of them are a step of the method
+    std::size_t times = 1;  ///< number of them in a step of the method
 };
 
 /// Takes such steps: an integrator once its step is known. Those of methods inherit it and set the step.

@@ -185,7 +185,7 @@ private:
     std::unique_ptr<SparseSymmetric<T>> sparse_;
 };
 
-/// Bytes that NewtonMatrix takes where so many pairs act on each other, no less than it needs: measured for the factor
+/// Bytes that NewtonMatrix takes for a number of interacting pairs, an upper bound: measured for the factor
 /// of a sheet, elsewhere a full triangle; the list of entries may be half empty.
 inline double bytes_of_linear_solver(const Coupling& coupling, double pairs) {
     using Kind = Coupling::Kind;

@@ -15,7 +15,7 @@
 
 namespace steplab {
 
-/// Where the end of an adaptive method's last inner step lies, told from the frame that is to be shown, in two parts:
+/// Where the end of an adaptive method's last inner step lies, relative to the frame that is to be shown, in two parts:
 /// it keeps its digits however many frames and steps there were.
 template <class T>
 class InnerTime {
@@ -29,7 +29,7 @@ public:
     void inner_step(T h) { add_compensated(ahead_, lost_, static_cast<Time>(h)); }
     /// How far the end of the last inner step is after the frame; below zero while another step is needed.
     Time ahead() const { return ahead_ + lost_; }
-    /// The same, told from the start of the segment.
+    /// The same, relative to the start of the segment.
     double since_start(T dt) const {
         return static_cast<double>(frames_) * static_cast<double>(dt) + static_cast<double>(ahead());
     }
@@ -69,7 +69,7 @@ T kept_tolerance(T tolerance) {
 }
 
 /// Square of the accelerations that move nothing in a step of length h: by less than the error allowed, absolute and
-/// relative alike. `x` is the sum of the squares of all displacements. A scene at rest, whose accelerations are
+/// relative. `x` is the sum of the squares of all displacements. A scene at rest, whose accelerations are
 /// rounding alone, so does not shorten the steps.
 template <class T>
 T idle_accelerations(T error, T x, T h) {

@@ -8,7 +8,7 @@
 
 namespace steplab {
 
-/// Memory for the power series in time that a formula of a force needs to go on from order to order (Jorba, Zou,
+/// Memory for the power series in time that a formula of a force needs to continue from order to order (Jorba, Zou,
 /// Experimental Mathematics 14 (2005) 99, section 2). The formula is run once for every order k = 0, 1, ...; its
 /// operations come in the same order each time, and those whose coefficient k needs all earlier ones find these here.
 template <class T>
@@ -38,7 +38,7 @@ public:
         return place;
     }
 
-    /// a_1 b_(k-1) + ... + a_(k-1) b_1, in four sums side by side.
+    /// a_1 b_(k-1) + ... + a_(k-1) b_1, in four independent sums.
     N inner(std::size_t a, std::size_t b) const { return convolution(series(a) + 1, series(b) + order_ - 1); }
 
     /// The same of a series with itself: every product once. Of each series computed once in an order.
@@ -78,8 +78,8 @@ private:
 };
 
 /// A number type for the formulas of forces: a power series in time of which one coefficient after the other is
-/// computed, for the interactions of a register side by side. A formula evaluated with it yields the coefficient of the
-/// order at which its tape is; the rules are those of Knuth, The Art of Computer Programming 2, 4.7.
+/// computed, for the interactions in the SIMD lanes of a register. A formula evaluated with it yields the coefficient
+/// of the order at which its tape is; the rules are those of Knuth, The Art of Computer Programming 2, 4.7.
 template <class T>
 class Series {
 public:

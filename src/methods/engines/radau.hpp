@@ -30,7 +30,7 @@ struct Radau {
         return c;
     }();
 
-    /// shift[j][k]: what b_k adds to b_j of the same polynomial told from s = 1, (k + 1 over j + 1).
+    /// shift[j][k]: what b_k adds to b_j of the same polynomial expanded at s = 1, (k + 1 over j + 1).
     static constexpr auto shift = [] {
         std::array<std::array<long double, terms>, terms> binomial{};
         for (std::size_t k = 0; k < terms; ++k) {

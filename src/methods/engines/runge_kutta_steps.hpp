@@ -24,7 +24,7 @@ struct RungeKuttaStage {
 };
 
 /// Takes the steps of RungeKutta, each number as that computes it, of a table that is known when the program runs: one
-/// piece of code for all such methods, for runs side by side. Slopes are kept until the end of the step: that takes
+/// piece of code for all such methods, for runs in SIMD lanes. Slopes are kept until the end of the step: that takes
 /// fewer stores than sums of them.
 template <class T>
 class RungeKuttaSteps : public Synchronised<T> {

@@ -92,7 +92,7 @@ double log_root(T coefficient, double order) {
 template <class T>
 inline constexpr T longest_series = T(16);
 
-/// The order up to which a series tells how it goes on: the last one, unless four coefficients in a row are zero there
+/// The order up to which a series is known to be good: the last one, unless four coefficients in a row are zero there
 /// (near a collision, where rounding makes the high ones, they can be by chance); 2 if all are from there on.
 template <class T>
 std::size_t last_order(std::span<const Field<T>> x, std::size_t axes) {

@@ -22,7 +22,7 @@ constexpr bool any_before(std::size_t count) {
 
 }  // namespace detail
 
-/// `sum`, the first First terms of w_0 p_0 + w_1 p_1 + ..., goes on by those behind them, from left to right: of the
+/// `sum`, the first First terms of w_0 p_0 + w_1 p_1 + ..., continued by those behind them, from left to right: of the
 /// numbers in the register that begins at place k. `Weights::weights` is known at compile time, so that terms whose
 /// weight is zero are left out.
 template <class Weights, std::size_t First, class T, std::size_t M>

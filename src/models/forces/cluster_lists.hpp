@@ -20,42 +20,43 @@
 
 namespace steplab {
 
-/// For each cluster of four particles the others that at least one of them has within reach; together these lists hold
-/// every such pair once. Particles are numbered by the clusters they are in; behind all clusters is, for each slab, one
-/// whose particles are nowhere, and behind these, slab by slab, one for each image of a cluster, a period away or more,
-/// that somebody of the slab may meet. T is float or double.
+/// For each cluster of four particles, the other particles within reach of at least one of them; together these lists
+/// hold every such pair once. Particles are numbered by cluster. After all clusters there is one cluster of padding
+/// particles for each slab, and after these, slab by slab, one for each periodic image of a cluster that particles of
+/// the slab may interact with. T is float or double.
 template <class T>
 class ClusterLists {
 public:
     static constexpr std::uint32_t size = Clusters::size;
-    /// So far behind its end somebody may look who goes through a list.
+    /// Number of elements that may be read beyond the end of a list.
     static constexpr std::uint32_t spare = 128;
-    /// Numbers of a particle: x, y, z and one that means nothing; and of a cluster.
+    /// Numbers stored for a particle (x, y, z and an unused one) and for a cluster.
     static constexpr std::size_t stride = 4, numbers = size * stride;
 
     /// A cluster and its part of the list: its own particles and then the others.
     struct Row {
-        std::uint32_t own;         ///< the first of its numbers
-        std::uint32_t begin, end;  ///< of the first numbers of the others, in the list
+        std::uint32_t own;         ///< index of its first number
+        std::uint32_t begin, end;  ///< of its other particles, in the list
     };
     struct Image {
         std::uint32_t cluster;
         Vector<T> shift;
     };
 
-    /// What the clusters of a slab need.
+    /// The lists of the clusters of a slab.
     struct Slab {
         std::vector<Row> rows;
-        std::vector<std::uint32_t> list;  ///< first numbers of particles; `spare` more than the rows have
+        std::vector<std::uint32_t> list;  ///< indices of the first numbers of particles; `spare` more than in the rows
         std::vector<Image> images;
-        std::size_t first_image = 0;  ///< the first number of the first of them
-        std::uint32_t nowhere = 0;    ///< the first number of a particle that is nowhere
+        std::size_t first_image = 0;  ///< index of the first number of the first image
+        std::uint32_t nowhere = 0;    ///< index of the first number of a padding particle
     };
 
-    /// Rows are filled up to whole groups of so many others.
+    /// Rows are padded to a multiple of `group` particles.
     explicit ClusterLists(std::uint32_t group) : group_(group) {}
 
-    /// Of particles that Clusters::make() takes. Throws UsageError if there are more pairs than can be numbered.
+    /// Makes the lists; parameters as for Clusters::make(). Throws UsageError if there are more pairs than can be
+    /// numbered.
     void make(std::size_t particles, const Clusters::Position& position, double reach, double period, Team& team) {
         reach_ = reach;
         period_ = period;
@@ -79,19 +80,21 @@ public:
     }
 
     std::span<const Slab> slabs() const { return slabs_; }
-    /// Of each particle, and then some of nobody (Clusters::places()): the first of its numbers is this times `stride`.
+    /// The place of each particle, then some padding (Clusters::places()): its first number has the index place *
+    /// `stride`.
     std::span<const std::uint32_t> places() const { return clusters_.places(); }
-    /// Others in a row, at most.
+    /// Length of the longest row.
     std::size_t longest() const { return longest_; }
     std::size_t clusters() const { return clusters_.count(); }
-    /// All numbers.
+    /// Total number of numbers.
     std::size_t count() const { return count_; }
 
 private:
     using N = CacheLineLanes<T>;
     using Numbers = std::vector<T, CacheLineAllocator<T>>;
 
-    /// Places of images among those of a slab, plus one; 0 where an image has none. Of clusters from `first` on.
+    /// Positions of the images of clusters, from cluster `first`, in a slab's list of images, plus one; 0 if an image
+    /// is not there.
     struct Places {
         std::uint32_t first;
         std::vector<std::uint32_t> of_image;
@@ -100,16 +103,16 @@ private:
     static constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
 
     [[noreturn]] static void refuse() {
-        throw UsageError("the cut-off lets more pairs act than can be listed; choose a smaller one");
+        throw UsageError("there are more pairs within the cut-off than can be listed; choose a smaller cutoff");
     }
 
-    /// Numbers of particles that are nowhere: each slab adds to its own.
+    /// Index of the padding particles: each slab adds to its own.
     std::uint32_t nowhere(std::size_t slab) const {
         return static_cast<std::uint32_t>((clusters_.count() + slab) * numbers);
     }
     std::uint32_t first_image() const { return nowhere(slabs_.size()); }
 
-    /// Of every cluster x of its particles, then y, then z.
+    /// For every cluster x of its particles, then y, then z.
     void gather_coordinates(std::size_t particles, const Clusters::Position& position, Team& team) {
         coordinates_.assign(clusters_.count() * 3 * size, std::numeric_limits<T>::quiet_NaN());
         team.run([&](std::size_t member) {
@@ -125,7 +128,7 @@ private:
         });
     }
 
-    /// Its images are numbered as if there were no other slab.
+    /// Images are numbered as if this were the only slab.
     void make(std::size_t i) {
         const std::span<const Clusters::Slab> all = clusters_.slabs();
         Slab slab = std::move(slabs_[i]);
@@ -144,7 +147,8 @@ private:
         slabs_[i] = std::move(slab);
     }
 
-    /// For so many more in the list: as many as the rows so far let expect, as pages that are not reached cost nothing.
+    /// Reserves room for the expected length of the list, from the rows so far; memory pages that are not reached cost
+    /// nothing.
     static void make_room(std::size_t more, std::size_t rows, Slab& slab) {
         const std::size_t room = slab.list.size() + more;
         if (std::max(room, slab.images.size() * numbers) > most) refuse();
@@ -173,7 +177,7 @@ private:
         slab.rows.push_back({own, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
     }
 
-    /// The particles of a cluster, each four times, in as many registers as there are numbers for.
+    /// The particles of a cluster, each four times, in as many registers as needed.
     using FourByFour = std::array<Vector<N>, size * size / N::count>;
     FourByFour four_by_four(std::uint32_t cluster) const {
         const T* const from = coordinates_.data() + cluster * 3 * size;
@@ -187,7 +191,7 @@ private:
         return result;
     }
 
-    /// Which particles of another cluster are within reach of a particle of this one.
+    /// The particles of another cluster within reach of any particle of this one.
     LaneSet within_reach(const FourByFour& own, Clusters::Other other) const {
         const Vector<T> image = shift_of(other.image());
         const T* const from = coordinates_.data() + other.cluster() * 3 * size;
@@ -203,7 +207,7 @@ private:
         return near & first_lanes(size);
     }
 
-    /// The first number of another cluster, or of its image.
+    /// Index of the first number of another cluster, or of its image.
     std::uint32_t first_of(Clusters::Other other, Slab& slab, Places& places) const {
         if (other.image() == Clusters::own_image) return static_cast<std::uint32_t>(other.cluster() * numbers);
         std::uint32_t& place = places.of_image[(other.cluster() - places.first) * Clusters::images + other.image()];
@@ -214,7 +218,7 @@ private:
         return first_image() + static_cast<std::uint32_t>((place - 1) * numbers);
     }
 
-    /// Behind those of the slabs before.
+    /// Numbers the images after those of the previous slabs.
     void number_images(Slab& slab) const {
         const std::uint32_t first = first_image(), before = static_cast<std::uint32_t>(slab.first_image) - first;
         if (before == 0) return;
@@ -234,7 +238,7 @@ private:
     Clusters clusters_;
     std::vector<Slab> slabs_;
     std::size_t count_ = 0, longest_ = 0;
-    Numbers coordinates_;  ///< only while make() works
+    Numbers coordinates_;  ///< only during make()
 };
 
 }  // namespace steplab

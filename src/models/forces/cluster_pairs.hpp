@@ -13,7 +13,7 @@
 
 namespace steplab {
 
-/// The pairs of clusters that may hold two particles within reach. Refers to the clusters.
+/// The pairs of clusters that may contain two particles within reach of each other. Refers to the clusters.
 class ClusterPairs {
 public:
     using Other = Clusters::Other;
@@ -24,9 +24,9 @@ public:
           reach2_(static_cast<float>(clusters.reach() * clusters.reach())),
           period_(static_cast<float>(clusters.period())) {}
 
-    /// Calls f(cluster, others), others a span of Other, for each cluster of a slab in turn. Each pair of clusters and
-    /// image is among the others of one of them, that whose slab comes first; that of a cluster with itself is not.
-    /// Clusters of particles that are nowhere are left out.
+    /// Calls f(cluster, others), others a span of Other, for each cluster of a slab in turn. Each pair of clusters,
+    /// with its image, is listed once, with the cluster whose slab comes first; a cluster is not paired with itself.
+    /// Clusters of particles without a valid position are left out.
     template <class F>
     void each(const Clusters::Slab& slab, F f) {
         for (std::size_t k = slab.first_column; k < slab.end_column; ++k) {
@@ -43,23 +43,23 @@ public:
     }
 
 private:
-    /// Clusters whose distances are computed side by side.
+    /// Clusters whose distances are computed in SIMD lanes.
     using Lanes = RegisterLanes<float, Clusters::side_by_side>;
 
-    /// A column, or an image of it, that may be within reach, while the clusters of another are gone through.
+    /// A column, or an image of it, that may be within reach of the column being processed.
     struct Adjacent {
         std::uint32_t begin, end;
         int x, y;                            ///< image
-        std::array<std::uint32_t, 3> first;  ///< no cluster before is within reach, by image along z
+        std::array<std::uint32_t, 3> first;  ///< first cluster that may be within reach, for each image along z
     };
-    /// Where the particles of a cluster are, and which images along z may be within their reach.
+    /// Bounding box of a cluster, and the images along z that may be within its reach.
     struct Box {
         std::uint32_t cluster;
         std::array<float, 3> low, high;
         int first_z, last_z;
     };
 
-    /// Columns before this one have listed their pairs with it themselves.
+    /// Columns before this one have already listed their pairs with it.
     void find_adjacent(const Clusters::Column& column) {
         adjacent_.clear();
         const int around = static_cast<int>(clusters_.range()), row = static_cast<int>(clusters_.columns_a_row());
@@ -88,14 +88,14 @@ private:
             box.high[axis] = clusters_.bounds(axis).high[cluster];
         }
         if (period_ == 0) return box;
-        // an image begins and ends half a period from its middle
+        // an image extends half a period from its centre
         const float half = period_ / 2;
         box.first_z = reach_ - box.low[2] >= half ? -1 : 0;
         box.last_z = box.high[2] + reach_ >= half ? 1 : 0;
         return box;
     }
 
-    /// The clusters of a column go from below upwards, and so do those they are within reach of.
+    /// The clusters of a column are ordered by increasing z, and so are those within their reach.
     void append_others(const Box& box, Adjacent& adjacent) {
         const float* const high = clusters_.bounds(2).high.data();
         const float lowest = box.low[2] - reach_;
@@ -116,7 +116,7 @@ private:
         }
     }
 
-    /// What an image is to the cluster, its original is to this.
+    /// The box shifted so that it relates to the original as `box` relates to the image.
     Box moved_back(Box box, std::uint32_t image) const {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float shift = static_cast<float>(Clusters::periods(image, axis)) * period_;
@@ -126,7 +126,7 @@ private:
         return box;
     }
 
-    /// Of a column's clusters. Without branches, as the next of them is near as often as not.
+    /// Appends clusters of one column. Without branches, because about half of the clusters are near.
     void append_within_reach(const Box& box, std::uint32_t from, std::uint32_t to, std::uint32_t image) {
         const float highest = box.high[2] + reach_;
         const float* const low = clusters_.bounds(2).low.data();
@@ -140,7 +140,7 @@ private:
             }
         }
     }
-    /// Squares of the distances to a cluster from this one on.
+    /// Squared distances to the clusters from `other` on.
     [[gnu::always_inline]] Lanes distance2(const Box& box, std::uint32_t other) const {
         Lanes sum(0.0F);
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -157,7 +157,7 @@ private:
     const Clusters& clusters_;
     float reach_, reach2_, period_;
     std::vector<Adjacent> adjacent_;
-    std::vector<Other> others_;  ///< of a cluster: the first count_ of them
+    std::vector<Other> others_;  ///< of the current cluster: the first count_ elements
     std::size_t count_ = 0;
 };
 

@@ -14,10 +14,10 @@
 
 namespace steplab {
 
-/// The Morse pulls of the pairs of a cluster's row (cluster_lists.hpp), as many pairs at a time as a cache line has
-/// numbers, on every machine: four particles side by side with two others (float: four). First it is seen which pairs
-/// are near, then all of their factors are made, which is where roots and divisions are, then the pulls: a processor
-/// has several registers under way in each of these loops, and only one pair in four is near. T is float or double.
+/// The Morse pulls of the pairs of a cluster's row (cluster_lists.hpp), in SIMD lanes, as many pairs at a time as a
+/// cache line has numbers on every machine: four particles with two others (float: four). First the pairs within the
+/// cut-off are found, then their factors are computed, which takes roots and divisions, then the pulls: a processor can
+/// overlap several registers in each of these loops, and only one pair in four is near. T is float or double.
 template <class T>
 class ClusterPulls {
     using N = CacheLineLanes<T>;
@@ -25,22 +25,22 @@ class ClusterPulls {
 
 public:
     using Row = typename Lists::Row;
-    /// Others side by side.
+    /// Other particles per group of lanes.
     static constexpr std::uint32_t group = N::count / Lists::size;
-    /// Each coordinate of somebody who is not there: the square of the distance to it is infinite, beyond any cut-off,
-    /// but no distance along an axis is (Clusters has nobody there).
+    /// Each coordinate of a padding particle: its squared distance is infinite, beyond any cut-off, but no distance
+    /// along an axis is (Clusters places no real particle there).
     static constexpr T nowhere = std::is_same_v<T, float> ? T(0x1p126F) : T(0x1p1021);
 
     explicit ClusterPulls(const CutMorseConstants<T>& morse) : morse_(morse) {}
 
-    /// For rows of so many others.
+    /// Reserves memory for rows of this length.
     void make_room(std::size_t others) {
         near_.resize(others / group + 1);
         squares_.resize(others * Lists::size + 2 * N::count);
     }
 
-    /// Adds those at the particles of the cluster and at the others to `sums`. Of the positions and sums of all; the
-    /// list is that of the row's slab.
+    /// Adds the pulls at the particles of the cluster and at the others to `sums`. `positions` and `sums` are those of
+    /// all particles; `list` is that of the row's slab.
     void add(const Row& row, const std::uint32_t* list, const T* positions, T* sums) {
         const Vector<N> own = four_of(positions + row.own);
         const auto [end, squares_end] = find_near(row, list, own, positions, sums);
@@ -53,22 +53,22 @@ private:
     using Four = RegisterLanes<T, 4>;
     static constexpr std::uint32_t size = Lists::size;
     static constexpr std::size_t stride = Lists::stride;
-    /// So many others ahead of their turn their memory is fetched.
+    /// Memory is prefetched this number of particles ahead.
     static constexpr std::uint32_t ahead = 64;
     static_assert(ahead + group <= Lists::spare);
 
-    /// Others that follow each other in the list, and which pairs with them are near.
+    /// Consecutive particles of the list, and which pairs with them are near.
     struct Group {
         std::uint32_t first;
         LaneSet near;
     };
-    /// Behind what was found.
+    /// The end of what was found.
     struct End {
         Group* near;
         T* squares;
     };
 
-    /// The positions of the particles of a cluster, again for each of the others that go side by side.
+    /// The positions of the particles of a cluster, repeated for each of the other particles in the lanes.
     static Vector<N> four_of(const T* from) {
         const auto along = [=](std::size_t axis) {
             return N::each([=](std::size_t lane) { return from[lane % size * stride + axis]; });
@@ -76,7 +76,7 @@ private:
         return {along(0), along(1), along(2)};
     }
 
-    /// From others to the particles of the cluster.
+    /// Distance vectors from the others to the particles of the cluster.
     [[gnu::always_inline]] static Vector<N> distances(const Vector<N>& own, const std::uint32_t* others,
                                                       const T* positions) {
         return own - repeated_vectors<T, N::count>([=](std::size_t j) __attribute__((always_inline)) {
@@ -85,7 +85,7 @@ private:
     }
     [[gnu::always_inline]] static N square(const Vector<N>& d) { return d.x * d.x + d.y * d.y + d.z * d.z; }
 
-    /// Squares of distances from the particles of the cluster itself, the j-th of them on: no pair twice, none with
+    /// Squared distances within the cluster, to its particles from the j-th on: no pair twice, and no particle with
     /// itself.
     [[gnu::always_inline]] static N once(const N& squares, std::uint32_t j) {
         const N place = N::each([](std::size_t lane) { return static_cast<T>(lane % size); });
@@ -96,8 +96,8 @@ private:
         return where(place < other, squares, N(std::numeric_limits<T>::infinity()));
     }
 
-    /// Tells the processor that the others of a group will be needed: who sorts by columns finds particles of the next
-    /// ones in second-level caches or behind them.
+    /// Prefetches the others of a group: after sorting by columns, particles of the next columns are in the
+    /// second-level cache or beyond.
     [[gnu::always_inline]] static void fetch(const std::uint32_t* others, const T* positions, T* sums) {
         for (std::uint32_t k = 0; k < group; ++k) {
             __builtin_prefetch(positions + others[k]);
@@ -105,7 +105,7 @@ private:
         }
     }
 
-    /// The groups in which somebody is near, and the squares of the distances of these pairs.
+    /// The groups that contain near pairs, and the squared distances of these pairs.
     [[gnu::always_inline]] End find_near(const Row& row, const std::uint32_t* list, const Vector<N>& own,
                                          const T* positions, T* sums) {
         const N cutoff2(morse_.cutoff * morse_.cutoff);
@@ -126,7 +126,7 @@ private:
         return end;
     }
 
-    /// What makes distance vectors pulls, in place of so many squares of distances.
+    /// Replaces `count` squared distances by the factors that turn distance vectors into pulls.
     [[gnu::always_inline]] void make_factors(std::size_t count) {
         using L = Lanes<T>;
         const auto morse = constants_as<L>(morse_);
@@ -137,7 +137,8 @@ private:
         }
     }
 
-    /// Adds to the sums of the others and returns those of the cluster's particles, for each of the others of a group.
+    /// Adds to the sums of the others and returns the pulls at the cluster's particles, separately for each other of a
+    /// group.
     [[gnu::always_inline]] Vector<N> pull(const Group* end, const std::uint32_t* list, const Vector<N>& own,
                                           const T* positions, T* sums) const {
         const N zero(T(0));
@@ -164,7 +165,7 @@ private:
             to[2] += z[i];
         }
     }
-    /// The first half of the lanes plus the second, until four are left.
+    /// Adds the second half of the lanes to the first until four are left.
     template <std::size_t Count>
     [[gnu::always_inline]] static Four halved(const RegisterLanes<T, Count>& lanes) {
         if constexpr (Count > 4) {
@@ -175,8 +176,8 @@ private:
     }
 
     CutMorseConstants<T> morse_;
-    std::vector<Group> near_;                        ///< of a row
-    std::vector<T, CacheLineAllocator<T>> squares_;  ///< then factors
+    std::vector<Group> near_;                        ///< of the current row
+    std::vector<T, CacheLineAllocator<T>> squares_;  ///< later the factors
 };
 
 }  // namespace steplab

@@ -14,26 +14,26 @@ namespace steplab {
 
 namespace {
 
-/// Columns along an axis that a key can tell apart; whoever is farther out shares the outermost column.
+/// Number of columns along an axis that a key can represent; particles farther out share the outermost column.
 constexpr std::uint32_t most_columns = 1 << 16;
-/// From which on there is more than one slab.
+/// From this number of clusters on, there is more than one slab.
 constexpr std::size_t many_clusters = 1024;
-/// In a column of their own: particles that are nowhere.
+/// The column of particles without a valid position.
 constexpr std::uint64_t nowhere = std::numeric_limits<std::uint64_t>::max();
 
-/// Differences of such positions are numbers in both precisions.
+/// True if differences of such positions are finite in both precisions.
 bool somewhere(Vec3 p) {
     constexpr double most = std::numeric_limits<float>::max() / 4;
     return std::abs(p.x) < most && std::abs(p.y) < most && std::abs(p.z) < most;
 }
 
-/// Whole numbers in the order of the numbers.
+/// An integer that is monotonic in the number.
 std::uint32_t ordered(float number) {
     const auto bits = std::bit_cast<std::uint32_t>(number);
     return bits >> 31 ? ~bits : bits | 0x80000000U;
 }
 
-/// The nearest floats on either side, monotonic in the number.
+/// Floats just below and above the number, monotonic in it.
 float below(double number) { return static_cast<float>(number) - std::abs(static_cast<float>(number)) * 0x1p-23F; }
 float above(double number) { return static_cast<float>(number) + std::abs(static_cast<float>(number)) * 0x1p-23F; }
 
@@ -46,10 +46,10 @@ void Clusters::make(std::size_t particles, const Position& position, double reac
     sort(particles, position, team);
     find_bounds(form_clusters(), position, team);
     form_slabs();
-    std::vector<Placed>().swap(placed_);  // to assign {} would keep the memory
+    std::vector<Placed>().swap(placed_);  // assigning {} would keep the memory
 }
 
-/// As wide as a cube that holds a cluster; where particles are few, or crowd together, as pairs ask for.
+/// Columns are as wide as a cube that contains a cluster, but limited by the reach where particles are few or crowded.
 void Clusters::choose_columns(std::size_t particles, const Position& position) {
     double volume = period_ * period_ * period_;
     if (period_ == 0) {
@@ -65,7 +65,7 @@ void Clusters::choose_columns(std::size_t particles, const Position& position) {
     }
     const double count = static_cast<double>(std::max<std::size_t>(1, particles));
     width_ = std::clamp(root(static_cast<double>(size) * volume / count, 3), reach_ / 4, reach_);
-    width_ = std::max(width_, std::numeric_limits<double>::min());  // a reach may be flushed to zero
+    width_ = std::max(width_, std::numeric_limits<double>::min());  // the reach may be flushed to zero
     if (period_ == 0) return;
     columns_a_row_ = static_cast<std::uint32_t>(std::clamp(std::floor(period_ / width_), 1.0, double{most_columns}));
     width_ = period_ / columns_a_row_;
@@ -83,7 +83,7 @@ std::uint64_t Clusters::key_at(Vec3 position) const {
     return x << 48 | y << 32 | ordered(static_cast<float>(position.z));
 }
 
-/// All particles, in the order of the clusters they were in before: most stay near where they were.
+/// All particles in the order of their previous clusters: most of them stay near their place.
 std::vector<std::uint32_t> Clusters::former_order(std::size_t particles) const {
     std::vector<std::uint32_t> order;
     order.reserve(particles);
@@ -98,7 +98,7 @@ std::vector<std::uint32_t> Clusters::former_order(std::size_t particles) const {
     return order;
 }
 
-/// Each of the team sorts a part; then parts are merged two by two.
+/// Each member of the team sorts a part; then parts are merged in pairs.
 void Clusters::sort(std::size_t particles, const Position& position, Team& team) {
     const std::vector<std::uint32_t> former = former_order(particles);
     placed_.resize(particles);
@@ -121,7 +121,7 @@ void Clusters::sort(std::size_t particles, const Position& position, Team& team)
     });
 }
 
-/// Returns the first of the sorted particles of each cluster, and how many they are.
+/// Returns the index of the first sorted particle of each cluster, and at the end the number of particles.
 std::vector<std::uint32_t> Clusters::form_clusters() {
     std::vector<std::uint32_t> firsts;
     places_.reserve(placed_.size() + spare);
@@ -163,7 +163,7 @@ void Clusters::find_bounds(std::span<const std::uint32_t> firsts, const Position
     });
 }
 
-/// In the bounds of a cluster.
+/// Extends the bounds of a cluster.
 void Clusters::include(std::size_t cluster, Vec3 position) {
     const std::array<double, 3> along{position.x, position.y, position.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {

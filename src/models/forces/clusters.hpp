@@ -13,19 +13,19 @@ namespace steplab {
 
 class Team;
 
-/// Particles that are near each other in clusters of four, so that those within reach of each other are found by pairs
-/// of clusters (cluster_pairs.hpp): what a kernel needs that computes 4 x 4 pairs in registers (Pall and Hess, Comput.
-/// Phys. Commun. 184 (2013) 2641). Columns along z have a cross-section about as wide as a cluster; the particles of a
-/// column, from below, four by four, are its clusters. All of it depends on the positions alone.
+/// Groups nearby particles into clusters of four, so that particles within reach of each other are found by pairs of
+/// clusters (cluster_pairs.hpp), for a kernel that computes 4 x 4 pairs in registers (Pall and Hess, Comput. Phys.
+/// Commun. 184 (2013) 2641). Columns along z are about as wide as a cluster; each four consecutive particles of a
+/// column, by increasing z, are a cluster. The result depends on the positions alone.
 ///
-/// With a period, space repeats itself along each axis: a pair of clusters says which image of the second it means.
+/// With periodic boundary conditions, a pair of clusters also names the image of the second one.
 class Clusters {
 public:
     static constexpr std::size_t size = 4;
-    /// Images of space: 9 (x + 1) + 3 (y + 1) + z + 1 for the one x, y, z periods away.
+    /// Periodic images: 9 (x + 1) + 3 (y + 1) + z + 1 for the image x, y, z periods away.
     static constexpr std::uint32_t own_image = 13, images = 27;
     static constexpr std::size_t spare = 64;  ///< of places()
-    /// As many clusters can be told apart.
+    /// Largest number of clusters that can be numbered.
     static constexpr std::size_t most = std::size_t{1} << 27;
 
     /// The second cluster of a pair, and its image.
@@ -40,46 +40,46 @@ public:
         std::uint32_t bits_ = 0;
     };
 
-    /// How far away, in periods, an image is along an axis.
+    /// Distance of an image along an axis, in periods.
     static int periods(std::uint32_t image, std::size_t axis) {
         constexpr std::array<std::uint32_t, 3> weight{9, 3, 1};
         return static_cast<int>(image / weight[axis] % 3) - 1;
     }
 
-    /// Tells where a particle is; with a period, where that of its images is which is within half a period of the
-    /// origin.
+    /// The position of a particle; with periodic boundary conditions, of its image within half a period of the origin.
     using Position = std::function<Vec3(std::size_t)>;
-    /// A period is 0 for none, else at least `reach`. Particles that are nowhere are in clusters without pairs. The
-    /// team shares the sorting.
+    /// `period` is 0 (none) or at least `reach`. Particles without a valid position are put into clusters without
+    /// pairs. The team shares the sorting.
     void make(std::size_t particles, const Position& position, double reach, double period, Team& team);
 
     std::size_t count() const { return count_; }
-    /// Clusters from `begin` to `end`, those of columns side by side. So thick that a pair of clusters is within one
-    /// slab, or in it and the next one, images along x set aside: only the first slab lists pairs with those.
+    /// Clusters from `begin` to `end`, those of adjacent columns. A slab is thick enough that a pair of clusters is
+    /// within one slab or in two consecutive ones, except for images along x: only the first slab lists pairs with
+    /// those.
     struct Slab {
         std::uint32_t begin, end;
         std::size_t first_column, end_column;
     };
-    /// All clusters; few of them are one slab.
+    /// All clusters; a small number of them is one slab.
     std::span<const Slab> slabs() const { return slabs_; }
-    /// Of each particle: the cluster times four, plus its place there. Behind them, for whoever goes through particles
-    /// some at a time and looks ahead, `spare` times the last place of a cluster behind all others.
+    /// For each particle: four times its cluster, plus its place there. After them, `spare` times the last place of a
+    /// cluster beyond all others, for loops that read ahead.
     std::span<const std::uint32_t> places() const { return places_; }
 
-    /// Clusters of one column follow each other, from below upwards.
+    /// The clusters of one column are consecutive, by increasing z.
     struct Column {
         std::uint32_t x, y;
         std::uint32_t begin, end;  ///< its clusters
     };
     std::span<const Column> columns() const { return columns_; }
-    /// Null if nobody is there.
+    /// Null if it has no particles.
     const Column* column(int x, int y) const;
-    /// With a period, 0 without.
+    /// Number of columns along an axis of the periodic box; 0 without.
     std::uint32_t columns_a_row() const { return columns_a_row_; }
-    /// How many columns away somebody may be within reach.
+    /// Largest distance, in columns, at which particles may be within reach.
     std::uint32_t range() const;
-    /// Where the particles of clusters are, along one axis: low above high if they are nowhere. After the last, some
-    /// more that are infinitely far away, so that `side_by_side` can be read from each on.
+    /// Bounds of the clusters along one axis; low is above high if no particle has a valid position. Padded with
+    /// infinitely distant ones, so that `side_by_side` bounds can be read from each index.
     struct Bounds {
         std::vector<float> low, high;
     };
@@ -89,7 +89,7 @@ public:
     double period() const { return period_; }
 
 private:
-    /// Sorts particles by column, then from below.
+    /// Sorts particles by column, then by z.
     struct Placed {
         std::uint64_t key;
         std::uint32_t particle;
@@ -115,8 +115,8 @@ private:
     std::vector<Slab> slabs_;
 };
 
-/// Calls f(squares of distances), some at a time, for all pairs of particles nearer than the cut-off; the rest as for
-/// Clusters::make().
+/// Calls f(squared distances), several at a time, for all pairs of particles nearer than the cut-off; other parameters
+/// as for Clusters::make().
 void each_near_distance2(std::size_t particles, const Clusters::Position& position, double cutoff, double period,
                          Team& team, const std::function<void(std::span<const double>)>& f);
 

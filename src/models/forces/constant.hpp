@@ -12,7 +12,7 @@
 
 namespace steplab {
 
-/// ConstantForces at work: a_i = (0, -step * i, 0).
+/// The engine of ConstantForces: a_i = (0, -step * i, 0).
 template <class T>
 class Constant {
 public:
@@ -33,7 +33,7 @@ public:
                     [=, step = step_](std::size_t i) { ay[i] = -(step * static_cast<T>(static_cast<int>(i))); });
     }
 
-    /// Zero at y = 0 for every particle.
+    /// The potential energy, zero at y = 0 for every particle.
     PotentialEnergy potential(const Field<T>& u) const {
         CompensatedSum sum;
         for (std::size_t i = 0; i < count_; ++i)

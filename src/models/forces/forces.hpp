@@ -9,8 +9,8 @@
 
 namespace steplab {
 
-/// Forces of position, one description per layout, in double: what a model hands to whoever computes with them.
-/// All particles of a scene have the same mass. Each layout has its templated engine in the header of its name.
+/// Forces that depend on position: one description per layout, in double, as models provide it. All particles of a
+/// scene have the same mass. Each layout has a templated engine in the header of its name.
 
 /// Every particle has its own constant acceleration (0, -step * i, 0), i its index.  constant.hpp
 struct ConstantForces {
@@ -25,7 +25,7 @@ struct LineForces {
     bool first_fixed = true;
     double mass = 1;
     double k = 1;            ///< force constant of a spring
-    double rest_length = 1;  ///< L: of a spring, and the distance of neighbours in the reference positions
+    double rest_length = 1;  ///< L: of a spring, and distance between neighbours in the reference positions
     double gravity = 0;      ///< acceleration along -y
 };
 
@@ -35,7 +35,7 @@ struct GridForces {
     std::size_t columns = 0;
     double mass = 1;
     double k = 1;
-    double rest_length = 1;  ///< of the springs along the axes; the diagonal ones have sqrt(2) times it
+    double rest_length = 1;  ///< of the springs along the axes; sqrt(2) times it for the diagonal ones
 };
 
 /// Morse potential between all pairs.  pairs.hpp
@@ -45,17 +45,16 @@ struct PairForces {
     double depth = 1;  ///< D
     double k = 0.5;    ///< force constant at r0: b = sqrt(k / (2 D))
     double r0 = 0.5;
-    /// Taken off the accelerations: those of a state make it one of rest. Null: nothing.
+    /// Subtracted from the accelerations: with those of a state, it becomes an equilibrium. Null: nothing.
     std::shared_ptr<const Field<double>> balance = nullptr;
 };
 
-/// Morse potential between pairs nearer than `cutoff`, brought to zero there with its slope.  near_pairs.hpp
+/// Morse potential between pairs nearer than `cutoff`, shifted to zero there together with its slope.  near_pairs.hpp
 struct NearPairForces : PairForces {
     double cutoff = 1;
-    /// Not 0: space repeats itself after this length along each axis, and a particle acts on the nearest image of
-    /// another. At least twice the cut-off, so that no second image acts.
+    /// Side of the periodic box, at least twice the cut-off (minimum image); 0: no periodic boundary conditions.
     double period = 0;
-    /// That share the work; the sums are the same for any number.
+    /// Number of threads that share the work; the sums do not depend on it.
     std::size_t threads = 1;
 };
 

@@ -19,20 +19,20 @@
 
 namespace steplab {
 
-/// GridForces at work. Particle (row i, column j) has index i * columns + j and reference position (j L, 0, -i L).
-/// Every spring is computed once, with its first particle: to the east (i, j+1), south (i+1, j), south-east and
+/// The engine of GridForces. Particle (row i, column j) has index i * columns + j and reference position (j L, 0, -i
+/// L). Every spring is computed once, with its first particle: to the east (i, j+1), south (i+1, j), south-east and
 /// south-west. The acceleration is k / m times (E - E of west) + ((S + (SE + SW)) - (S of north + (SE of north-west +
-/// SW of north-east))). The particles of the border are fixed. The grid is one run of particles, a register of them at
-/// a time: springs from the end of a row to the beginning of the next are computed too, but pull at the border alone.
+/// SW of north-east))). The particles of the border are fixed. The grid is processed as one sequence of particles, a
+/// register at a time: springs from the end of a row to the beginning of the next are computed too, but act on the
+/// fixed border only.
 template <class T>
 class Grid {
     using N = Lanes<T>;
     using Vec = Vector<N>;
     static constexpr std::size_t width = N::count;
-    /// Registers between computing pulls and adding them up in narrow grids: what has just been stored is slow to load
-    /// in parts.
+    /// Registers between computing pulls and summing them in narrow grids: partial loads of recent stores are slow.
     static constexpr std::size_t behind = 3;
-    /// Columns of such grids, at most; in registers of a cache line they are no faster so.
+    /// Largest number of columns of such grids; with registers of a cache line this brings no gain.
     static constexpr std::size_t narrow = width * sizeof(T) < 64 ? 4 * width - 1 : 0;
 
 public:
@@ -54,7 +54,7 @@ public:
         return Grid<N>(forces_);
     }
 
-    /// Calls f(number) for the numbers that the scene's parameters make.
+    /// Calls f(number) for the constants that depend on the scene's parameters.
     template <class Self, class F>
     static void each_constant(Self& self, F f) {
         f(self.stiffness_), f(self.length_), f(self.diagonal_);
@@ -67,21 +67,21 @@ public:
     }
 
     /// One sweep over all particles (methods/engines/sweeps.hpp). `positions.get_from(p)` are those of a register of
-    /// particles from p on; sink(r, a) is called with the accelerations of the r-th register of particles once their
-    /// positions are needed no more.
+    /// particles from p on; sink(r, a) is called with the accelerations of the r-th register of particles when their
+    /// positions are no longer needed.
     class Sweep {
     public:
         void restart() { at_ = 0; }
-        /// The register to go on with.
+        /// The next register.
         std::size_t at() const { return at_; }
-        /// Goes on up to this register.
+        /// Continues up to this register.
         template <class Positions, class Sink>
         void to(const Grid& grid, std::size_t end, Positions positions, Sink sink) {
             if (at_ >= end) return;
             if (at_ == 0) begin(grid);
             Passed passed = passed_;
             if (grid.forces_.columns > narrow) {
-                // A register's kick comes after the next one's springs: it fills the time they wait for divisions.
+                // The kick of a register follows the springs of the next one: it overlaps with their divisions.
                 std::size_t r = at_;
                 Vec late = sum(grid, r, pass(grid, r, positions, passed));
                 for (++r; r < end; ++r) {
@@ -103,11 +103,11 @@ public:
         }
 
     private:
-        /// Pulls of the springs that begin at a register of particles, at these and at their eastern neighbours.
+        /// Pulls of the springs that begin at a register of particles, and at their eastern neighbours.
         struct Passed {
             Vec east, south_east, south_west;
         };
-        /// Of a register of particles: east less west, and south.
+        /// For a register of particles: east minus west, and south.
         struct Own {
             Vec along_row, south;
         };
@@ -122,8 +122,8 @@ public:
             passed_by_ = 0;
         }
 
-        /// Computes the springs that begin at the r-th register of particles, but for the one to the south-west, which
-        /// begins at their eastern neighbours, so that all of them join four places.
+        /// Computes the springs that begin at the r-th register of particles, except those to the south-west, which
+        /// begin at their eastern neighbours, so that all of them connect the same four places.
         template <class Positions>
         [[gnu::always_inline]] Own pass(const Grid& grid, std::size_t r, const Positions& positions, Passed& passed) {
             const std::size_t p = r * width, columns = grid.forces_.columns;
@@ -146,7 +146,7 @@ public:
         }
 
         T* from_north(std::size_t c) { return from_north_.data() + c * (ring_ + width); }
-        /// For the row after this one.
+        /// For the next row.
         [[gnu::always_inline]] void keep(std::size_t p, const Vec& pull) {
             const std::size_t place = p & (ring_ - 1);
             const auto store = [&](std::size_t to) __attribute__((always_inline)) {
@@ -156,7 +156,7 @@ public:
             if (place == 0) store(ring_);
         }
 
-        /// The accelerations of the r-th register of particles: none on the border.
+        /// The accelerations of the r-th register of particles: zero on the border.
         [[gnu::always_inline]] Vec sum(const Grid& grid, std::size_t r, const Own& own) {
             const N zero(T(0));
             const std::size_t columns = grid.forces_.columns, last_row = grid.last_row(), p = r * width;
@@ -174,20 +174,20 @@ public:
                     component(own.along_row.z, own.south.z, 2)};
         }
 
-        std::size_t at_ = 0;         ///< the register whose accelerations come next
-        std::size_t passed_by_ = 0;  ///< the register whose springs come next, if that is ahead of it
+        std::size_t at_ = 0;         ///< register whose accelerations are next
+        std::size_t passed_by_ = 0;  ///< register whose springs are next, if ahead of at_
         Passed passed_{};
         std::array<Own, behind + 1> own_{};
-        std::size_t ring_ = 0;  ///< particles whose sums of pulls by the row before are kept, a power of 2
+        std::size_t ring_ = 0;  ///< number of stored sums of pulls by the previous row, a power of 2
         std::vector<T, CacheLineAllocator<T>> from_north_;
     };
 
-    /// How many registers ahead of its place a sweep reads.
+    /// Number of registers that a sweep reads ahead.
     std::size_t registers_ahead() const { return behind + (forces_.columns + 1) / width + 2; }
     static constexpr std::size_t sweeps_together = 16, registers_a_turn = 1536, bytes_alone = std::size_t{1} << 20;
 
     PotentialEnergy potential(const Field<T>& u) const { return potential(u, forces_.rows); }
-    /// Of the springs that begin at the particles of the first `own` rows.
+    /// The energy of the springs that begin at the particles of the first `own` rows.
     PotentialEnergy potential(const Field<T>& u, std::size_t own) const {
         LanesSum<Many> sum;
         for (std::size_t d = east; d <= south_west; ++d) {
@@ -199,8 +199,8 @@ public:
         return {value, value, 0};
     }
 
-    /// Calls f(first, second) for springs that turn round between two positions. All of a direction are looked at
-    /// first, and with them what joins the end of a row to the next one: its particles are fixed.
+    /// Calls f(first, second) for springs that reverse between two positions. All springs of a direction are tested
+    /// first, including those from the end of a row to the next one, whose particles are fixed.
     template <class F>
     void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
         const std::size_t columns = forces_.columns;
@@ -259,10 +259,10 @@ public:
 
 private:
     std::size_t registers() const { return (forces_.rows * forces_.columns + width - 1) / width; }
-    /// The first particle of the last row; its springs join fixed particles alone.
+    /// The first particle of the last row, whose springs connect fixed particles only.
     std::size_t last_row() const { return (forces_.rows - 1) * forces_.columns; }
 
-    /// The springs a particle is the first particle of.
+    /// The springs that begin at a particle.
     enum : std::size_t { east, south, south_east, south_west };
 
     struct Direction {
@@ -295,7 +295,7 @@ private:
     }
 
     using Many = CacheLineLanes<T>;
-    /// Of `count` springs of one direction from that of this particle on.
+    /// For `count` springs of one direction, starting with that of this particle.
     static void add_energies(const Field<T>& u, const Direction& way, std::size_t first, std::size_t count,
                              LanesSum<Many>& sum) {
         const BasicFieldLanes<const T, Many> at(u);
@@ -311,7 +311,7 @@ private:
     T stiffness_;  ///< k / m
     T length_;
     T diagonal_;
-    std::vector<T> inner_;  ///< 1 for the inner columns of a row and of what follows it, else 0
+    std::vector<T> inner_;  ///< 1 for the inner columns of a row and of its continuation, else 0
     Sweep sweep_;
 };
 

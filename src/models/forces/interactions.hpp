@@ -8,13 +8,13 @@
 
 namespace steplab {
 
-// The formulas of interactions that layouts are made of (core/force_layout.hpp), and their derivatives.
+// The formulas of the interactions in layouts (core/force_layout.hpp), and their derivatives.
 
-/// A spring: its pull over the mass of a particle. With rest length 0 it is linear, which the general formula, there 0
-/// / 0 at distance 0, does not show to a derivative.
+/// A spring: its pull divided by the mass of a particle. With rest length 0 it is linear; the general formula, 0 / 0 at
+/// distance 0, would not give its derivative.
 template <class T>
 struct SpringFormula {
-    Vector<T> rest;  ///< of e = 0
+    Vector<T> rest;  ///< vector along the spring at e = 0
     T length;
     T stiffness;  ///< k / m
 
@@ -25,7 +25,7 @@ struct SpringFormula {
     }
 };
 
-/// A Morse pair. The distance vector of the formula points the other way than e; the pull is odd in it.
+/// A Morse pair. The distance vector of the formula is opposite to e; the pull is an odd function of it.
 template <class T, template <class> class Constants = MorseConstants>
 struct MorseFormula {
     Constants<T> morse;
@@ -54,7 +54,7 @@ Block<T> derivative(const Formula& formula, const Vector<T>& e) {
     return block;
 }
 
-/// The difference e of two particles' displacements that the formulas are given.
+/// The difference e of two particles' displacements, the argument of the formulas.
 template <class Force, class T>
 Vector<T> difference(const Force& force, const Field<T>& u, std::size_t i, std::size_t j) {
     if constexpr (Force::capabilities.periodic) {
@@ -64,8 +64,8 @@ Vector<T> difference(const Force& force, const Field<T>& u, std::size_t i, std::
     }
 }
 
-/// Calls f(i, j, block) for every pair that interacts: how the acceleration of i changes with u_j; that of j changes
-/// with u_i by the same block, both with their own by its opposite.
+/// Calls f(i, j, block) for every interacting pair: block is the derivative of the acceleration of i with respect to
+/// u_j and of that of j with respect to u_i; with respect to their own displacements it is the opposite.
 template <class Force, class T, class F>
 void each_block(Force& force, const Field<T>& u, F f) {
     const auto formulas = force.formulas();

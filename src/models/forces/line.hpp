@@ -19,15 +19,14 @@
 
 namespace steplab {
 
-/// LineForces at work. Every spring is computed once, a register of them at a time; the acceleration of particle i is
-/// (pull of the spring to i + 1) - (pull of the spring from i - 1), in this order, then gravity.
+/// The engine of LineForces. Every spring is computed once, a register of them at a time; the acceleration of particle
+/// i is (pull of the spring to i + 1) - (pull of the spring from i - 1), in this order, then gravity.
 template <class T>
 class Line {
     using N = Lanes<T>;
     using Vec = Vector<N>;
     static constexpr std::size_t width = N::count;
-    /// Registers of springs that a sweep computes before they are needed: their roots and divisions take as long as all
-    /// else that it does for some of them.
+    /// Registers of springs that a sweep computes before they are needed, to hide the latency of roots and divisions.
     static constexpr std::size_t ahead = 3;
 
 public:
@@ -51,7 +50,7 @@ public:
         return Line<N>(forces_);
     }
 
-    /// Calls f(number) for the numbers that the scene's parameters make.
+    /// Calls f(number) for the constants that depend on the scene's parameters.
     template <class Self, class F>
     static void each_constant(Self& self, F f) {
         f(self.stiffness_), f(self.length_), f(self.gravity_);
@@ -59,18 +58,19 @@ public:
 
     void accelerations(const Field<T>& u, Field<T>& a) const { accelerate<3>(u, a); }
 
-    /// The same where all particles move along x alone; where numbers have lanes, no other component of `a` is set.
+    /// The same where all particles move along x alone; for number types with lanes, the other components of `a` are
+    /// not set.
     void accelerations_along_x(const Field<T>& u, Field<T>& a) const { accelerate<1>(u, a); }
 
     /// One sweep over all particles (methods/engines/sweeps.hpp). `positions.get(r)` are those of the r-th register of
-    /// particles; sink(r, a) is called with their accelerations once their positions are needed no more. Where
-    /// `positions.axes` is 1, they and what matters of a are those along x.
+    /// particles; sink(r, a) is called with their accelerations when their positions are no longer needed. Where
+    /// `positions.axes` is 1, only x components are used and computed.
     class Sweep {
     public:
         void restart() { at_ = 0; }
-        /// The register to go on with.
+        /// The next register.
         std::size_t at() const { return at_; }
-        /// Goes on up to this register.
+        /// Continues up to this register.
         template <class Positions, class Sink>
         void to(const Line& line, std::size_t end, Positions positions, Sink sink) {
             const std::size_t registers = line.registers();
@@ -96,10 +96,10 @@ public:
         }
 
     private:
-        /// Registers of springs: 0, 1, ... are in places 0, 1, ... and again 0, 1, ...
+        /// Registers of springs 0, 1, ... are stored in places 0, 1, ... of a ring.
         static constexpr std::size_t places = ahead + 1;
 
-        /// The factor and the vector of each: its pull, but for the product.
+        /// The factor and the vector of each: their product is the pull.
         template <std::size_t Axes>
         [[gnu::always_inline]] void keep(std::size_t r, const Line& line, const SpringGeometry<N>& springs) {
             T* const to = ahead_.data() + r % places * 4 * width;
@@ -118,15 +118,15 @@ public:
         }
 
         std::size_t at_ = 0;
-        Vec here_{}, before_{};  ///< positions to go on with; pulls of the springs before
+        Vec here_{}, before_{};  ///< current positions; pulls of the previous springs
         alignas(64) std::array<T, places * 4 * width> ahead_;
     };
 
-    /// How many registers ahead of its place a sweep reads.
+    /// Number of registers that a sweep reads ahead.
     static constexpr std::size_t registers_ahead() { return ahead + 1; }
     static constexpr std::size_t sweeps_together = 16, registers_a_turn = 128, bytes_alone = 0;
 
-    /// A whole sweep over particles that fill so many registers, known to the compiler.
+    /// A whole sweep over particles that fill `Registers` registers, a number known to the compiler.
     static constexpr std::size_t most_registers = std::max<std::size_t>(2, (10 + width - 1) / width);
     template <std::size_t Registers, class Positions, class Sink>
     [[gnu::always_inline]] void sweep(Positions positions, Sink sink) const {
@@ -138,8 +138,8 @@ public:
         (std::make_index_sequence<Registers>{});
     }
 
-    /// A whole sweep, particle after particle, where numbers have lanes. It computes two springs ahead: the processor
-    /// begins a root and a division while it waits for those of the springs before.
+    /// A whole sweep, particle by particle, for number types with lanes. It computes two springs ahead, so that their
+    /// roots and divisions overlap with those of the previous springs.
     template <class Positions, class Sink>
     [[gnu::always_inline]] void sweep_in_turn(const Positions& positions, Sink sink) const requires HasLanes<T> {
         constexpr std::size_t axes = Positions::axes;
@@ -164,7 +164,7 @@ public:
     }
 
     PotentialEnergy potential(const Field<T>& u) const { return potential(u, forces_.count); }
-    /// Of the first `own` particles and the springs that begin at them.
+    /// The energy of the first `own` particles and of the springs that begin at them.
     PotentialEnergy potential(const Field<T>& u, std::size_t own) const {
         using Many = CacheLineLanes<T>;
         const BasicFieldLanes<const T, Many> at(u);
@@ -181,7 +181,7 @@ public:
         return {elastic + external, elastic + std::abs(external), external};
     }
 
-    /// k / (2 m) times the sum of |e|^2: no spring stores more energy, since none is stretched by more than |e|.
+    /// k / (2 m) times the sum of |e|^2: an upper bound, because no spring is stretched by more than |e|.
     T elastic_bound(const Field<T>& u) const requires HasLanes<T> {
         T sum(0);
         for (std::size_t i = 0; i + 1 < forces_.count; ++i) {
@@ -191,8 +191,8 @@ public:
         return stiffness_ * sum / T(2);
     }
 
-    /// Calls f(i, i + 1) for springs that turn round between two positions. Without a rest length the force does not
-    /// jump there.
+    /// Calls f(i, i + 1) for springs that reverse between two positions. With rest length 0 the force does not jump
+    /// there.
     template <class F>
     void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
         if (length_ == T(0)) return;
@@ -228,13 +228,10 @@ private:
 
     std::size_t registers() const { return (forces_.count + width - 1) / width; }
 
-    static Vec none() {
-        const N zero(T(0));
-        return {zero, zero, zero};
-    }
+    static Vec none() { return {N(T(0)), N(T(0)), N(T(0))}; }
 
-    /// Hands out the accelerations of register r of so many. `here` are its positions and `before` the pulls of the
-    /// springs before it; they become those of the next.
+    /// Passes the accelerations of register r to the sink. `here` are its positions and `before` the pulls of the
+    /// previous springs; both are updated for the next register.
     template <class Positions, class Sink, class V>
     [[gnu::always_inline]] void pass(std::size_t r, std::size_t registers, const Positions& positions, Sink& sink,
                                      V& here, V& before) const {
@@ -268,8 +265,8 @@ private:
         return {Offset<M, Zero, Zero>{length, {}, {}}, e};
     }
 
-    /// The accelerations of register r of so many by the pulls of its springs and of those of the register before,
-    /// whose place these take.
+    /// The accelerations of register r, from the pulls of its springs and of those of the previous register, which they
+    /// replace.
     template <class V>
     [[gnu::always_inline]] V sum(std::size_t r, std::size_t registers, V pull, V& before) const {
         const bool last = r + 1 == registers;
@@ -285,7 +282,7 @@ private:
     }
 
     [[gnu::always_inline]] static void fall(Vec& a, const N& gravity) { a.y = a.y - gravity; }
-    /// Along x nothing falls.
+    /// There is no gravity along x.
     [[gnu::always_inline]] static void fall(N&, const N&) {}
 
     template <std::size_t Axes>
@@ -293,12 +290,12 @@ private:
         if constexpr (HasLanes<T>) return accelerate_in_turn<Axes>(u, a);
         const FieldLanes<T> out(a);
         const FieldLanes<const T, Axes> positions(u);
-        Sweep sweep;  // not Sweep(), which would be filled with zeros
+        Sweep sweep;  // not Sweep(), which would be zeroed
         sweep.to(*this, registers(), positions, [&](std::size_t r, const Vec& sum) { out.set(r, sum); });
     }
 
-    /// Numbers that fill registers by themselves: spring after spring, whose pull stays in registers for the next. The
-    /// components of further axes, all zero, are neither read nor written.
+    /// For number types that themselves have lanes: spring by spring, its pull staying in registers for the next one.
+    /// Components along other axes, all zero, are neither read nor written.
     template <std::size_t Axes>
     void accelerate_in_turn(const Field<T>& u, Field<T>& a) const {
         const T zero(0);
@@ -323,14 +320,14 @@ private:
         if (Axes > 1 && falls_) add_gravity(a);
     }
 
-    /// Keeps the lanes of springs that exist: the last particle has none behind it.
+    /// Clears the lanes of springs that do not exist: the last particle has none behind it.
     template <class V>
     static V first_lanes(std::size_t count, const V& pull) {
         const auto kept = N::first(count);
         return each_component([&](const N& number) { return where(kept, number, N(T(0))); }, pull);
     }
 
-    /// No acceleration for the fixed first particle.
+    /// Sets the acceleration of a fixed first particle to zero.
     template <class V>
     static V after_first(const V& sum) {
         const auto fixed = N::first(1);

@@ -4,9 +4,9 @@
 
 namespace steplab {
 
-/// How a mode answers a kick at any damping: g with g'' + gamma g' + omega2 g = 0, g(0) = 0, g'(0) = 1.
-/// omega2 = 0 is free motion with drag. In long double, so that its phase is right to the last bit of a double for
-/// long.
+/// The response of a mode to a kick, with any damping: g with g'' + gamma g' + omega2 g = 0, g(0) = 0, g'(0) = 1.
+/// omega2 = 0 is free motion with drag. In long double, so that its phase is accurate to the last bit of a double for a
+/// long time.
 struct KickResponse {
     long double g = 0;       ///< g(t)
     long double g_rate = 1;  ///< g'(t)
@@ -36,14 +36,14 @@ private:
         g = decay * std::sin(rate * t) / rate;
         g_rate = decay * std::cos(rate * t) - half * g;
     }
-    /// e^(-half t) sinh(rate t) / rate without the overflow of sinh; expm1 keeps the digits of slow decay.
+    /// e^(-half t) sinh(rate t) / rate without overflow of sinh; expm1 avoids cancellation for slow decay.
     void strong(long double slow, long double rate, long double t) {
         g = std::exp(slow * t) * -std::expm1(-2 * rate * t) / (2 * rate);
         g_rate = slow * g + std::exp((slow - 2 * rate) * t);
     }
 };
 
-/// Bound of the rounding in v0 g(t), of its phase omega t most of all.
+/// Upper bound of the rounding error of v0 g(t), mainly from its phase omega t.
 inline double mode_rounding(long double v0, long double omega, double t) {
     const long double size = std::abs(v0) * (omega * t > 1 ? 1 / omega : t);
     return static_cast<double>(size * 2e-19L * (4 + omega * t));

@@ -11,8 +11,8 @@
 
 namespace steplab {
 
-/// The energy of pairs that are told one after another by the squares of their distances. As many as a cache line has
-/// numbers are computed, and summed, side by side: on every machine.
+/// Sums the energies of pairs from their squared distances. They are computed and summed in SIMD lanes, as many as a
+/// cache line has numbers on every machine.
 template <class T, class Constants>
 class MorseEnergies {
 public:
@@ -22,7 +22,7 @@ public:
         squares_[held_++] = distance2;
         if (held_ == most) finish();
     }
-    /// Of all pairs: the energy and the sum of its parts' magnitudes.
+    /// The energy of all pairs, and the sum of the magnitudes of its terms.
     PotentialEnergy sum() {
         finish();
         return {value_.value(), magnitude_.value(), 0};

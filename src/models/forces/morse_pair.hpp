@@ -15,14 +15,14 @@ struct MorseConstants {
     N b2 = b / N(0.693147180559945309);  ///< e^(b s) = 2^(b2 s)
 };
 
-/// The same constants as numbers of another type.
+/// The same constants in another number type.
 template <class N, class T>
 MorseConstants<N> constants_as(const MorseConstants<T>& morse) {
     return {N(morse.depth), N(morse.b), N(morse.r0), N(morse.strength), N(morse.b2)};
 }
 
-/// The same potential brought to zero at a cut-off c by V(r) - V(c) - (r - c) V'(c): neither energy nor force jump
-/// there (shifted forces: Toxvaerd and Dyre, J. Chem. Phys. 134 (2011) 081102). What follows holds for it where r < c.
+/// The same potential shifted to zero at a cut-off c, V(r) - V(c) - (r - c) V'(c): neither energy nor force jumps there
+/// (shifted forces: Toxvaerd and Dyre, J. Chem. Phys. 134 (2011) 081102). The functions below apply to it where r < c.
 template <class N>
 struct CutMorseConstants : MorseConstants<N> {
     N cutoff;        ///< c
@@ -39,7 +39,7 @@ CutMorseConstants<N> constants_as(const CutMorseConstants<T>& morse) {
 
 namespace detail {
 
-/// What a cut-off leaves of a pull, both times these numbers.
+/// The pull with the shift of the cut-off, both times a common factor.
 template <class Constants, class N, class... Factors>
 [[gnu::always_inline]] inline N cut(const Constants& morse, const N& pull, const Factors&... factors) {
     if constexpr (requires { morse.pull_there; }) {
@@ -51,7 +51,7 @@ template <class Constants, class N, class... Factors>
 
 }  // namespace detail
 
-/// Pull over distance at this distance: the factor of a distance vector. At distance 0 it is finite.
+/// Pull divided by distance: the factor of a distance vector. Finite at distance 0.
 template <template <class> class Constants, class N>
 [[gnu::always_inline]] inline N morse_factor(const Constants<N>& morse, const N& distance) {
     const N divisor = where(distance > N(0), distance, N(1));
@@ -72,7 +72,7 @@ template <template <class> class Constants, class N>
     return morse_factor(morse, square_root(d.x * d.x + d.y * d.y + d.z * d.z)) * d;
 }
 
-/// V at this distance.
+/// V(distance).
 template <class N>
 N morse_energy(const MorseConstants<N>& morse, N distance) {
     const N e = exponential(morse.b * (morse.r0 - distance));

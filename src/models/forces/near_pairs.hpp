@@ -22,10 +22,10 @@
 
 namespace steplab {
 
-/// NearPairForces at work. Float and double are summed by clusters (pair_list.hpp), whose last bits hang on where
-/// their list was made: on the way of a run, of which history() tells. All else goes through the neighbours of each
-/// particle in the order of their indices and depends on positions alone: so do the sums of other number types. Lists
-/// reach a little further than the forces and are renewed when somebody may have come in.
+/// The engine of NearPairForces. Sums in float and double go by clusters (pair_list.hpp); their last bits depend on the
+/// positions at which the list was made, and so on the history of the run, see history(). Everything else, including
+/// sums in other number types, goes through the neighbours of each particle in the order of their indices and depends
+/// on positions alone. Lists extend a little beyond the cut-off and are renewed when a particle may have entered it.
 template <class T>
 class NearPairs {
     static constexpr bool by_clusters = std::is_same_v<T, float> || std::is_same_v<T, double>;
@@ -61,8 +61,8 @@ public:
         }
     }
 
-    /// The same, handed out: calls sink(r, a) for every register r of particles, by several threads side by side, when
-    /// nobody looks at u any more.
+    /// The same, passed to a sink: calls sink(r, a) for every register r of particles, by several threads in parallel,
+    /// when u is no longer read.
     template <class Sink>
     void each_acceleration(const Field<T>& u, Sink sink) requires(by_clusters) {
         if (!sums_.holds_at(u)) sums_.make_at(u);
@@ -70,8 +70,8 @@ public:
             u, [&](std::size_t r, const auto& a) __attribute__((always_inline)) { sink(r, balance_.taken_off(r, a)); });
     }
 
-    /// The same for somebody who looks: leaves the list as it is. Where it does not hold, one made there and then does,
-    /// and it is made again, as there is room for one only.
+    /// The same for observers: leaves the list as it is. If the list is not valid here, a temporary one takes its
+    /// place, and the old one is made again, as there is memory for one only.
     void uncounted_accelerations(const Field<T>& u, Field<T>& a) requires(by_clusters) {
         if (sums_.holds_at(u)) return accelerations(u, a);
         const Field<T> made_at = sums_.made_at();
@@ -79,8 +79,8 @@ public:
         sums_.make_at(made_at);
     }
 
-    /// Where the list of clusters was made, empty before the first evaluation: with the positions, all that
-    /// accelerations hang on.
+    /// The positions at which the list of clusters was made, empty before the first evaluation: accelerations depend on
+    /// these and on the current positions alone.
     const Field<T>& history() const requires(by_clusters) { return sums_.made_at(); }
     void history(const Field<T>& made_at) requires(by_clusters) { sums_.make_at(made_at); }
 
@@ -100,7 +100,7 @@ public:
         return energies.sum();
     }
 
-    /// Calls f(i, j), i < j, for pairs within reach that turn round between two positions.
+    /// Calls f(i, j), i < j, for pairs within reach that pass each other between two positions.
     template <class F>
     void passing_pairs(const Field<T>& from, const Field<T>& to, F f) {
         neighbours_.follow(from);
@@ -116,7 +116,7 @@ public:
         const Vector<T> d{u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
         return {periods_.within(d.x), periods_.within(d.y), periods_.within(d.z)};
     }
-    /// What the formulas are given.
+    /// The argument of the formulas.
     Vector<T> difference(const Field<T>& u, std::size_t i, std::size_t j) const { return separation(u, i, j); }
 
     Coupling coupling() const { return {Coupling::Kind::near, count_}; }
@@ -144,7 +144,7 @@ private:
         using Type = PairList<Number>;
     };
 
-    /// Calls f(i, j, square of the distance), i < j, for pairs nearer than the cut-off.
+    /// Calls f(i, j, squared distance), i < j, for pairs nearer than the cut-off.
     template <class F>
     void each_near_pair(const Field<T>& u, F f) {
         neighbours_.follow(u);

@@ -8,7 +8,7 @@ namespace steplab {
 
 namespace {
 
-/// Cells along each axis that a key can tell apart; whoever is farther out shares the outermost cell.
+/// Number of cells along each axis that a key can represent; particles farther out share the outermost cell.
 constexpr double farthest = 1 << 20;
 
 std::uint64_t join(std::uint64_t x, std::uint64_t y, std::uint64_t z) { return (x << 42) | (y << 21) | z; }
@@ -18,14 +18,14 @@ std::uint64_t join(std::uint64_t x, std::uint64_t y, std::uint64_t z) { return (
 std::uint64_t Neighbours::coordinate(double position) const {
     const double cell = std::floor(position / cell_);
     if (cells_ == 0) {
-        if (!(cell + farthest > 1)) return 1;  // also where the position is not a number
+        if (!(cell + farthest > 1)) return 1;  // also if the position is not a number
         return static_cast<std::uint64_t>(std::min(cell + farthest, 2 * farthest - 2));
     }
     const auto cells = static_cast<double>(cells_), within = cell - cells * std::floor(cell / cells);
     return within >= 0 && within < cells ? static_cast<std::uint64_t>(within) : 0;
 }
 
-/// So many cells further.
+/// The coordinate of a cell this number of cells away.
 std::uint64_t Neighbours::beside(std::uint64_t coordinate, int cells) const {
     const std::uint64_t at = coordinate + cells_ + static_cast<std::uint64_t>(static_cast<std::int64_t>(cells));
     return cells_ == 0 ? at : at % cells_;
@@ -66,7 +66,7 @@ void Neighbours::append_neighbours(std::size_t i, std::span<const Placed> placed
         }
     }
     std::sort(cells.begin(), cells.end());
-    const auto end = std::unique(cells.begin(), cells.end());  // in a small period they meet
+    const auto end = std::unique(cells.begin(), cells.end());  // in a small period they may coincide
     const auto before = [](Placed p, std::uint64_t cell) { return p.cell < cell; };
     for (auto cell = cells.begin(); cell != end; ++cell) {
         auto p = std::lower_bound(placed.begin(), placed.end(), *cell, before);

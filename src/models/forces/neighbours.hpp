@@ -12,16 +12,17 @@
 
 namespace steplab {
 
-/// For each particle the others within reach, in the order of their indices (a Verlet list; Verlet, Phys. Rev. 159
-/// (1967) 98). Reach is the cut-off and a skin, so that the list stays right until particles have moved half the skin.
-/// With a period (not 0) space repeats itself along each axis, and the nearest image of a particle counts.
+/// Neighbour lists (Verlet lists; Verlet, Phys. Rev. 159 (1967) 98): for each particle the others within reach, in the
+/// order of their indices. The reach is the cut-off plus a skin, so that a list stays valid until a particle has moved
+/// by half the skin. With a period (not 0) there are periodic boundary conditions, and the nearest image of a particle
+/// counts.
 class Neighbours {
 public:
     explicit Neighbours(double cutoff, double period = 0)
         : cutoff_(cutoff), period_(period), skin_(0.15 * cutoff), allowed_(0.45 * skin_), reach_(cutoff + skin_) {}
 
-    /// Renews the lists if a particle has moved too far since they were made. Of numbers side by side, every lane is a
-    /// position that the lists must be right for: they reach further by what the lanes are apart.
+    /// Renews the lists if a particle has moved too far since they were made. For number types with lanes, the lists
+    /// are valid for the positions in every lane: their reach is larger by the distance between lanes.
     template <class T>
     void follow(const Field<T>& positions) {
         if (made_at_.size() == positions.count() && !moved_too_far(positions)) return;
@@ -38,7 +39,7 @@ public:
     }
 
 private:
-    /// Particle `index` in the cell with this key.
+    /// A particle in the cell with this key.
     struct Placed {
         std::uint64_t cell;
         std::uint32_t index;
@@ -68,7 +69,7 @@ private:
         return false;
     }
 
-    /// Square of the distance that a particle has, in its farthest lane, from where the lists were made.
+    /// Largest squared distance over the lanes of a particle from its position when the lists were made.
     template <class T>
     double farthest_lane2(const Field<T>& positions, std::size_t i) const {
         double farthest = 0;
@@ -80,7 +81,7 @@ private:
         return farthest;
     }
 
-    /// Largest distance of a lane from where the lists were made.
+    /// Largest distance of a lane from the position at which the lists were made.
     template <class T>
     double spread(const Field<T>& positions) const {
         double farthest2 = 0;
@@ -98,10 +99,10 @@ private:
     double cutoff_;
     double period_;
     double skin_;
-    double allowed_;  ///< a particle may be that far from where it was: half the skin less what rounding may hide
+    double allowed_;  ///< largest allowed motion of a particle: half the skin minus a margin for rounding
     double reach_;
     double cell_ = 1;          ///< side of a cell
-    std::uint64_t cells_ = 0;  ///< along an axis, with a period
+    std::uint64_t cells_ = 0;  ///< number of cells along an axis of the periodic box
     std::vector<Vec3> made_at_;
     std::vector<std::uint32_t> list_;
     std::vector<std::size_t> begin_;

@@ -13,15 +13,15 @@
 
 namespace steplab {
 
-// Pulls between blocks of particles: those of a block are one after the other in memory, as many as lanes, which are
-// the same number on every machine, so that no sum depends on its registers. T is float or double.
+// Pulls between blocks of particles. The particles of a block are consecutive in memory, one per lane; the number of
+// lanes is the same on every machine, so that no sum depends on its registers. T is float or double.
 
 template <class T>
 using BlockLanes = CacheLineLanes<T>;
 template <class T>
 inline constexpr std::size_t block_size = BlockLanes<T>::count;
 
-/// Where the components of a quantity of particles are. Those of a block start on a cache line.
+/// Pointers to the components of a vector quantity of particles. Blocks start on a cache line.
 template <class T>
 struct Components {
     T *x, *y, *z;
@@ -41,7 +41,7 @@ template <class T>
     block.z.store(to.z);
 }
 
-/// Of every particle of a block, the pulls of others side by side, to be added up at the end.
+/// For every particle of a block, the pulls of others in SIMD lanes, to be summed at the end.
 template <class T>
 class RowSums {
 public:
@@ -54,7 +54,7 @@ public:
         y_[row] += pulls.y;
         z_[row] += pulls.z;
     }
-    /// The sum of each row in its lane: the first half of a row plus the second, lane by lane, until one is left.
+    /// The sum of each row in its lane: the second half of a row is added to the first until one lane is left.
     Vector<N> sums() const { return {sums_of_rows(x_.data()), sums_of_rows(y_.data()), sums_of_rows(z_.data())}; }
 
 private:
@@ -68,9 +68,9 @@ private:
     alignas(64) Rows x_, y_, z_;
 };
 
-/// The Morse pulls of particles at each other, block by block, some dozens of registers of pairs at a time: first all
-/// of their distances, then the factors that make distance vectors pulls, then the pulls. A processor has several
-/// registers under way in each of these loops; in one for all of them it does not look ahead far enough.
+/// The Morse pulls between particles, block by block, some dozens of registers of pairs at a time: first their
+/// distances, then the factors that turn distance vectors into pulls, then the pulls. A processor can overlap several
+/// registers in each of these loops; in a single loop its out-of-order window is too short for that.
 template <class T>
 class BlockPulls {
     using N = BlockLanes<T>;
@@ -82,9 +82,9 @@ public:
                std::size_t count)
         : morse_(morse), positions_(positions), accelerations_(accelerations), count_(count) {}
 
-    /// Sets the accelerations to those of the particles of each block by each other, counted in a circle: P_s(i) is the
-    /// pull at i of the particle s further, 0 if one of them is not there. That of i is the sum from left to right of
-    /// P_s(i) - P_s(i - s), s = 1, 2, ... up to half of the circle, where it is P_s(i) alone. All others are 0.
+    /// Sets the accelerations to those caused within each block, with cyclic indices: P_s(i) is the pull at i by
+    /// particle i + s, 0 if one of them does not exist. The acceleration of i is the sum from left to right of P_s(i) -
+    /// P_s(i - s), s = 1, 2, ... up to half of the block, where it is P_s(i) alone. It is 0 for the padding.
     [[gnu::always_inline]] void pull_within() const {
         std::array<N, at_once * half> numbers;  // distances, then factors
         for (std::size_t from = 0; from < count_; from += at_once * width) {
@@ -99,8 +99,8 @@ public:
         }
     }
 
-    /// Adds the pulls at the particles of the block that begins with `first` by those of all earlier blocks, as RowSums
-    /// has them, and subtracts them, particle after particle, from the accelerations of these.
+    /// Adds the pulls of all earlier blocks at the particles of the block that begins with `first`, in the order of
+    /// RowSums, and subtracts them, particle by particle, from the accelerations of the earlier blocks.
     [[gnu::always_inline]] void pull_across(std::size_t first) const {
         const std::size_t rows = std::min(width, count_ - first);
         RowSums<T> sums;
@@ -120,7 +120,7 @@ public:
     }
 
 private:
-    /// Blocks within which, or with which, pulls are computed at a time.
+    /// Number of blocks processed at a time.
     static constexpr std::size_t at_once = 4;
     using Shifts = std::make_index_sequence<half>;
 
@@ -131,12 +131,12 @@ private:
     [[gnu::always_inline]] static Vector<N> turned(const Vector<N>& block) {
         return {rotated<Shift>(block.x), rotated<Shift>(block.y), rotated<Shift>(block.z)};
     }
-    /// From all of a block to a particle.
+    /// Distance vectors from all particles of a block to one particle.
     [[gnu::always_inline]] static Vector<N> to_row(const Components<const T>& row, const Vector<N>& block) {
         return Vector<N>{N(*row.x), N(*row.y), N(*row.z)} - block;
     }
 
-    /// Of so many registers of distances, in their place.
+    /// Replaces `count` registers of distances by factors.
     [[gnu::always_inline]] void make_factors(N* numbers, std::size_t count) const {
         const MorseConstants<N> morse = constants_as<N>(morse_);
         for (std::size_t p = 0; p < count; ++p) numbers[p] = morse_factor(morse, numbers[p]);
@@ -159,7 +159,7 @@ private:
             store_block(to, circle<false>(block, where(N::first(count_ - first), one, N(T(0))), factors));
         }
     }
-    /// Of particles of which those are there where `there` is 1, or all.
+    /// The sum within a block: of the particles for which `there` is 1, or of all.
     template <bool Full>
     [[gnu::always_inline]] static Vector<N> circle(const Vector<N>& block, const N& there, const N* factors) {
         const N zero(T(0));

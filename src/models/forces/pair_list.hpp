@@ -21,18 +21,18 @@
 
 namespace steplab {
 
-/// The sums of NearPairForces in float and double. Lists (cluster_lists.hpp) reach a skin further than the forces and
-/// are made anew when a particle has gone half the skin: until then no pair can have come in. Particles that are near
-/// each other in space are near in memory.
+/// The sums of NearPairForces in float and double. Lists (cluster_lists.hpp) extend beyond the cut-off by a skin and
+/// are renewed when a particle has moved by half the skin: until then no new pair can be within the cut-off. Particles
+/// that are near in space are near in memory.
 ///
-/// The order in which the pulls at a particle are added hangs on these lists, and they on where the particles were when
-/// they were made: the pulls of slabs of clusters (Clusters::slabs()) side by side, first every other slab and then
-/// those between. So the last bits of an acceleration hang on that too: made_at() is part of the state of a run. It
-/// is kept and brought back with it, and whoever only looks does not renew the lists.
+/// The order in which the pulls at a particle are added depends on these lists, and so on the positions at which they
+/// were made: slabs of clusters (Clusters::slabs()) are summed in parallel, first every other slab and then those
+/// between. The last bits of an acceleration depend on it too: made_at() is therefore part of the state of a run and is
+/// saved and restored with it, and observers do not renew the lists.
 template <class T>
 class PairList {
 public:
-    /// The team shares the work; its number of members changes no bit.
+    /// The team shares the work; results do not depend on its size.
     PairList(const NearPairForces& forces, const CutMorseConstants<T>& morse, std::shared_ptr<Team> team)
         : period_(forces.period),
           reach_((1 + skin) * forces.cutoff),
@@ -51,11 +51,11 @@ public:
         return !moved;
     }
 
-    /// Where the particles were when the lists were made; empty before.
+    /// The positions at which the lists were made; empty before.
     const Field<T>& made_at() const { return made_at_; }
-    /// Makes the lists of these positions.
+    /// Makes the lists for these positions.
     void make_at(const Field<T>& u) {
-        made_at_ = {};  // should it fail, there are none
+        made_at_ = {};  // if making them fails, there are none
         positions_.clear();
         sums_.clear();
         const auto position = [&](std::size_t i) { return within_period(periods_, u, i); };
@@ -66,8 +66,8 @@ public:
         made_at_ = u;
     }
 
-    /// Of the lists as they are: calls sink(r, a) with the accelerations of every register r of particles, by all
-    /// members of the team side by side. Nobody looks at u any more by then.
+    /// With the lists as they are: calls sink(r, a) with the accelerations of every register r of particles, by all
+    /// members of the team in parallel, when u is no longer read.
     template <class Sink>
     void accelerations(const Field<T>& u, Sink sink) {
         std::array<std::atomic<std::size_t>, 2> next{0, 1};
@@ -95,19 +95,19 @@ private:
     using Slab = typename ClusterLists<T>::Slab;
 
     static constexpr std::size_t stride = ClusterLists<T>::stride, numbers = ClusterLists<T>::numbers;
-    /// So many particles ahead of their turn their memory is fetched.
+    /// Memory is prefetched this number of particles ahead.
     static constexpr std::size_t ahead = 32;
     static_assert(ahead + 2 * N::count <= Clusters::spare);
 
-    /// Parts of the cut-off.
+    /// The skin, relative to the cut-off.
     static constexpr double skin = 0.15;
-    /// Part of the skin that a particle may go: half of it, less what rounding may hide.
+    /// Allowed motion of a particle, relative to the skin: half of it minus a margin for rounding.
     static constexpr double most_moved = 0.48;
 
     using Part = Team::Part;
-    /// Particles that are a member's.
+    /// The particles of a member.
     Part part(std::size_t member) const { return team_->part(made_at_.count(), member); }
-    /// Registers of them; the last one may reach beyond the last particle (ClusterLists::places()).
+    /// Its registers of particles; the last one may extend beyond the last particle (ClusterLists::places()).
     Part registers(std::size_t member) const {
         return team_->part((made_at_.count() + N::count - 1) / N::count, member);
     }
@@ -122,7 +122,7 @@ private:
         });
     }
 
-    /// Places of no particle stay nowhere: out of everybody's reach.
+    /// Padding particles keep their position out of reach of all others.
     void place(const Field<T>& u, Part registers) {
         const FieldLanes<const T> moved(u), made_at(made_at_);
         for (std::size_t r = registers.begin; r < registers.end; ++r) {
@@ -159,7 +159,7 @@ private:
         std::fill(sums_.data() + part.begin, sums_.data() + part.end, T(0));
     }
 
-    /// What pulls at an image pulls at its particle: for a member's clusters.
+    /// Adds the pulls at images to their particles, for a member's clusters.
     void add_up_images(std::size_t member) {
         const Part clusters = team_->part(lists_.clusters(), member);
         for (const Slab& slab : lists_.slabs()) {
@@ -198,9 +198,9 @@ private:
     double reach_;
     double allowed_;
     Periods<T> periods_;
-    std::shared_ptr<Team> team_;  ///< of copies too, as they work in turns
+    std::shared_ptr<Team> team_;  ///< shared with copies, which are never used at the same time
     ClusterLists<T> lists_{ClusterPulls<T>::group};
-    std::vector<ClusterPulls<T>> pulls_;  ///< of each member
+    std::vector<ClusterPulls<T>> pulls_;  ///< one for each member
     Field<T> made_at_;
     Numbers positions_, sums_;
 };

@@ -35,7 +35,7 @@ CutMorseConstants<T> morse_constants(const NearPairForces& forces) {
     return {uncut, cutoff, pull, morse_energy(uncut, cutoff), -(static_cast<T>(forces.mass) * pull)};
 }
 
-/// PairForces::balance at work, in the number type of an engine.
+/// PairForces::balance in the number type of an engine.
 template <class T>
 class Balance {
 public:
@@ -50,7 +50,7 @@ public:
         elementwise(a.flat().size(), [=](std::size_t k) { out[k] -= balance[k]; });
     }
 
-    /// The same from those of the r-th register of particles.
+    /// The same for the accelerations of the r-th register of particles.
     [[gnu::always_inline]] Vector<Lanes<T>> taken_off(std::size_t r, const Vector<Lanes<T>>& a) const {
         return accelerations_.count() == 0 ? a : a - FieldLanes<const T>(accelerations_).get(r);
     }
@@ -59,10 +59,10 @@ private:
     Field<T> accelerations_;
 };
 
-/// PairForces at work. Every pair is computed once, in blocks of 8 particles (float: 16) that follow each other,
-/// whatever the registers of the machine. The acceleration of i is: its sum in the circle of its own block (as
-/// BlockPulls has it), plus the pulls of all particles of earlier blocks: those of the same place in their blocks in
-/// turn, then the places in halves (as RowSums has it); minus its pulls at the particles of later blocks in turn.
+/// The engine of PairForces. Every pair is computed once, in consecutive blocks of 8 particles (float: 16), whatever
+/// the registers of the machine. The acceleration of i is the cyclic sum within its own block (see BlockPulls), plus
+/// the pulls of all particles of earlier blocks: first those at the same place in their blocks in order, then the
+/// places by halves (see RowSums); minus its pulls at the particles of later blocks in order.
 template <class T>
 class Pairs {
 public:
@@ -77,7 +77,7 @@ public:
         return Pairs<N>(forces_);
     }
 
-    /// Calls f(number) for the numbers that the scene's parameters make.
+    /// Calls f(number) for the constants that depend on the scene's parameters.
     template <class Self, class F>
     static void each_constant(Self& self, F f) {
         f(self.morse_.depth), f(self.morse_.b), f(self.morse_.r0), f(self.morse_.strength), f(self.morse_.b2);
@@ -104,7 +104,7 @@ public:
         return energies.sum();
     }
 
-    /// Calls f(i, j), i < j, for pairs that turn round between two positions.
+    /// Calls f(i, j), i < j, for pairs that pass each other between two positions.
     template <class F>
     void passing_pairs(const Field<T>& from, const Field<T>& to, F f) const {
         for (std::size_t i = 0; i + 1 < count_; ++i) {
@@ -136,20 +136,20 @@ public:
     }
 
 private:
-    /// Particles of a block: of numbers side by side as of each of them by itself.
+    /// Particles of a block: for a number type with lanes the same as for a single number.
     static constexpr std::size_t width = [] {
         if constexpr (HasLanes<T>) return block_size<std::remove_cvref_t<decltype(std::declval<T>()[0])>>;
         return std::max<std::size_t>(block_size<T>, 8);
     }();
 
-    /// By itself, so that the constants are in registers.
+    /// A separate function, so that the constants are in registers.
     [[gnu::noinline]] void pull_blocks(const Components<const T>& u, const Components<T>& a) const {
         BlockPulls<T> pulls(morse_, u, a, count_);
         pulls.pull_within();
         for (std::size_t first = width; first < count_; first += width) pulls.pull_across(first);
     }
 
-    /// The same sums for numbers that no register holds.
+    /// The same sums for number types without registers.
     void pull_one_by_one(const Field<T>& u, Field<T>& a) const {
         for (std::size_t first = 0; first < count_; first += width) {
             const std::size_t size = std::min(width, count_ - first);
@@ -170,7 +170,7 @@ private:
         }
     }
 
-    /// Of `size` particles from `first` on, by each other.
+    /// The pulls within `size` particles from `first` on.
     void pull_in_circle(const Field<T>& u, Field<T>& a, std::size_t first, std::size_t size) const {
         for (std::size_t ahead = 1; ahead <= width / 2; ++ahead) {
             std::array<Vec, width> pulls;

@@ -8,10 +8,9 @@
 
 namespace steplab {
 
-/// The forces of any scene in the most straightforward way, on absolute positions, pair after pair: what a first
-/// program computes. Kept for the 2008 variants, whose failures hang on this order of operations (docs/curiosities.md),
-/// and as a check of the layouts. Springs: d = x(j) - x(i), s = k (|d| - L) / |d|, f = s d, a(i) += f / m, a(j) -= f /
-/// m.
+/// The forces of any scene computed in the most straightforward way, on absolute positions, pair by pair, as in a first
+/// program. Used by the 2008 variants, whose failures depend on this order of operations (docs/curiosities.md), and as
+/// a check of the layouts. Springs: d = x(j) - x(i), s = k (|d| - L) / |d|, f = s d, a(i) += f / m, a(j) -= f / m.
 template <class T>
 class Plain {
 public:
@@ -36,7 +35,7 @@ private:
 
     void add_springs(const Field<T>& positions, Field<T>& a) const;
     void add_pairs(const Field<T>& positions, Field<T>& a) const;
-    /// Without cut-off; away from each other is positive.
+    /// Without cut-off; positive if repulsive.
     T morse_force(T distance) const;
 
     std::vector<PlainSpring> springs_;

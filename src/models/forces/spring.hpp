@@ -11,7 +11,7 @@ bool turned_round(const Vector<N>& from, const Vector<N>& to) {
     return !(from.x * to.x + from.y * to.y + from.z * to.z > N(0));
 }
 
-/// A component that is zero by construction: adding it costs nothing.
+/// A component that is zero by construction: adding it takes no instruction.
 struct Zero {
     template <class N>
     friend const N& operator+(Zero, const N& number) {
@@ -29,8 +29,8 @@ struct Offset {
 
 /// The spring formulas, once for every number type. A spring joins two particles whose reference positions differ by
 /// `rest` (a Vector or an Offset), |rest| = `length` being its rest length; e is the difference of their displacements.
-/// Then d = rest + e, and |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so an extension far below the
-/// rounding of positions is right.
+/// Then d = rest + e, and |d|^2 - length^2 = 2 rest.e + |e|^2 has no cancellation, so that an extension far below the
+/// rounding error of positions is accurate.
 template <class N>
 struct SpringGeometry {
     Vector<N> d;  ///< from the first particle to the second
@@ -46,8 +46,7 @@ struct SpringGeometry {
           distance2(d.x * d.x + (d.y * d.y + d.z * d.z)),
           distance(square_root(distance2)) {}
 
-    /// The same numbers for a spring that lies along x and moves along x alone: the root of a square is its size, to
-    /// the last bit.
+    /// The same numbers for a spring that lies and moves along x: the root of a square is exactly the absolute value.
     [[gnu::always_inline]] static SpringGeometry along_x(const N& rest, const N& e) {
         const N zero(0);
         SpringGeometry spring;
@@ -59,16 +58,16 @@ struct SpringGeometry {
     }
 };
 
-/// stiffness (|d| - length) / |d|. Inlined by order: whole registers of numbers would be handed over through memory.
-/// The denominator is 0 where |d|^2 is, which is known before the root. Not a number where |d|^2 is too large for one.
+/// stiffness (|d| - length) / |d|. Always inlined: whole registers of numbers would be passed through memory. The
+/// denominator is 0 where |d|^2 is, which is known before the root. NaN where |d|^2 overflows.
 template <class N>
 [[gnu::always_inline]] inline N spring_factor(const SpringGeometry<N>& spring, const N& length, const N& stiffness) {
     const N denominator = spring.distance2 + length * spring.distance;
     return where(spring.distance2 > N(0), stiffness * spring.stretch / denominator, stiffness);
 }
 
-/// This times d: the pull of a spring on its first particle. Zero for coincident particles, where the derivative is
-/// that of a spring of rest length 0, which has one.
+/// This times d: the pull of a spring on its first particle. Zero for coincident particles; the derivative there is
+/// that of a spring of rest length 0.
 template <class N>
 [[gnu::always_inline]] inline Vector<N> spring_pull(const SpringGeometry<N>& spring, const N& length,
                                                     const N& stiffness) {

@@ -15,7 +15,7 @@ namespace {
 
 /// Runs that a thread takes at once: several groups of the widest registers.
 constexpr std::size_t runs_at_once = 64;
-/// Steps of a particle from one look of the watch to the next, about.
+/// Steps of a particle between two calls of the watch, about.
 constexpr std::uint64_t steps_of_a_piece = std::uint64_t{1} << 21;
 
 std::uint64_t piece(std::size_t particles) {
@@ -82,7 +82,7 @@ public:
 
 private:
     void compute(std::size_t first, std::size_t end) {
-        const StepsDone done = [this](std::uint64_t steps) { tell(steps); };
+        const StepsDone done = [this](std::uint64_t steps) { report(steps); };
         while (first < end) {
             const std::span<const EnsembleRun> left = runs_.subspan(first, end - first);
             const auto together = run_in_lanes(left, every_, execution_, done);
@@ -93,7 +93,7 @@ private:
         }
     }
 
-    void tell(std::uint64_t steps) {
+    void report(std::uint64_t steps) {
         const std::lock_guard lock(mutex_);
         done_ += steps;
         if (watch_) watch_(done_);

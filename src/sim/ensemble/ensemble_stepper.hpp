@@ -22,10 +22,10 @@ struct Along {
 class EnsembleStepper {
 public:
     virtual ~EnsembleStepper() = default;
-    /// So many of the runs that were given, from the first one on, are here.
+    /// Number of runs it holds: the first ones of those that were given.
     virtual std::size_t runs() const = 0;
     virtual void advance(std::uint64_t steps) = 0;
-    /// Begins anew at these states, one for each run, as a new group of them would.
+    /// Restarts at these states, one for each run, as a new stepper would.
     virtual void restart(std::span<const State<double>> starts) = 0;
     /// Accelerations computed for each run since the group was made.
     virtual std::uint64_t evaluations() const = 0;
@@ -40,8 +40,8 @@ public:
     virtual void along(const Field<double>& shape, const Field<double>& origin, std::span<Along> out) const = 0;
 };
 
-/// A method at work on runs that are alike (alike.hpp), one at least: on as many of the first ones as have room. Null
-/// if there are too few of them to be worth it, or each is faster alone.
+/// A method stepping runs that are compatible (lane_compatible.hpp), at least one: as many of the first ones as there
+/// are lanes. Null if there are too few of them, or if each is faster alone.
 using MakeEnsembleStepper = std::unique_ptr<EnsembleStepper> (*)(std::span<const StepperSetup> runs);
 
 }  // namespace steplab

@@ -20,7 +20,7 @@ bool lane_compatible(const Forces&, const Forces&) {
     return false;
 }
 
-/// Products of these with the numbers of a method are no subnormals, which would be flushed: methods look whether they
+/// Products of these with the numbers of a method are no subnormals, which would be flushed: methods check whether they
 /// are zero.
 bool comfortable(const StepperSetup& run) {
     constexpr double least = 1e-20;

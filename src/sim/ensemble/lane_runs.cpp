@@ -39,7 +39,7 @@ struct Member {
     }
 };
 
-/// Runs side by side, from their start to their ends.
+/// Runs in SIMD lanes, from their start to their ends.
 class LaneRuns {
 public:
     LaneRuns(std::vector<std::unique_ptr<Member>>& members, EnsembleStepper& group, std::uint64_t every)
@@ -96,7 +96,7 @@ private:
         if (ends) finish(run, now);
     }
 
-    /// What a group knows without looking at each run is enough for most.
+    /// For most runs, what the stepper knows of all of them is enough.
     bool energy_is_good(std::size_t run) {
         Member& member = *members_[run];
         const Energy& start = member.baseline;

@@ -176,7 +176,7 @@ extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKut
 extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKuttaMethod, double>(
     std::span<const StepperSetup>, const RungeKuttaSteps<InLanes<double>>&);
 
-/// Slopes of the stages of longer lines go through slower memory side by side, and run by run they fill registers.
+/// In lanes, the slopes of longer lines no longer fit the first-level cache; alone, such lines fill registers anyway.
 template <class Method, class N>
 bool is_too_long(const Scene& scene) {
     constexpr std::size_t longest = 64;
@@ -204,7 +204,7 @@ std::unique_ptr<EnsembleStepper> make_lane_stepper_in(std::span<const StepperSet
     }
 }
 
-/// `runs` has one at least, all alike (alike.hpp).
+/// `runs`: at least one, all compatible (lane_compatible.hpp).
 template <class Method>
 std::unique_ptr<EnsembleStepper> make_ensemble_stepper(std::span<const StepperSetup> runs) {
     if constexpr (goes_in_lanes<Method>) {

@@ -11,11 +11,11 @@
 
 namespace steplab {
 
-/// A number of several runs side by side: they fill a register of the machine.
+/// A number of several runs, one in each SIMD lane of a register.
 template <class T>
 using InLanes = RegisterLanes<T>;
 
-/// What f(run) is for the run of each lane; the last of so many runs in lanes that have none of their own.
+/// f(run) of the run in each lane; lanes without a run of their own have the last one's.
 template <class T, class F>
 InLanes<T> in_lanes(std::size_t runs, F f) {
     return InLanes<T>::each([&](std::size_t lane) { return f(std::min(lane, runs - 1)); });

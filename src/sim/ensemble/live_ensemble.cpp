@@ -19,10 +19,10 @@ namespace steplab {
 
 namespace {
 
-/// Steps of a particle between two looks at whether it is enough: some milliseconds at most.
+/// Steps of a particle between two questions whether to stop: some milliseconds at most.
 constexpr std::uint64_t steps_of_particles = std::uint64_t{1} << 15;
 
-/// The first of these that can be computed side by side.
+/// The first of these that can be computed in lanes.
 std::span<const StepperSetup> lane_compatible_ones(std::span<const StepperSetup> setups) {
     const std::size_t most = std::min(setups.size(), most_lanes);
     std::size_t count = fits_lanes(setups.front()) ? 1 : 0;

@@ -18,7 +18,7 @@
 
 namespace steplab {
 
-/// Where a segment of a run began, and how. The segments of a run so far tell all that was done to it.
+/// Where a segment of a run began, and how. The segments of a run so far hold all that was done to it.
 struct SegmentBegin {
     struct Pull {
         std::size_t particle;
@@ -35,11 +35,11 @@ struct SegmentBegin {
 void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled);
 
 /// Runs that go beside a run, step for step, and to which all that is done to it happens too. Each has the bits that it
-/// has alone. Those that differ in numbers alone are computed side by side in the lanes of vector registers where their
+/// has alone. Those that differ only in numbers are computed in SIMD lanes where their
 /// method and scene allow it.
 class LiveEnsemble {
 public:
-    /// What a companion (counted from 0) computes while the run computes `description`.
+    /// What a member (counted from 0) computes while the run computes `description`.
     using Variation = std::function<RunDescription(const RunDescription& description, std::size_t member)>;
 
     /// No more particles than this in all of them.
@@ -56,7 +56,7 @@ public:
     /// True if they are there.
     bool are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const;
     std::uint64_t step() const { return step_; }
-    /// So many of them are computed in lanes.
+    /// Number of members that are computed in SIMD lanes.
     std::size_t in_lanes() const;
 
     /// Puts the particles of all of them beside those of the run, which stands at the same step.

@@ -6,7 +6,7 @@ namespace steplab {
 
 namespace {
 
-constexpr std::string_view start_speed = "v0", time_step = "dt";
+constexpr std::string_view start_speed = "v0";
 
 bool can_differ(const RunDescription& description, const ParameterInfo& info) {
     return info.kind == ParameterInfo::Kind::real && description.scene[info.name] != 0;
@@ -20,7 +20,7 @@ std::vector<std::string_view> perturbable(const RunDescription& description) {
         if (!can_differ(description, info)) continue;
         names.insert(info.name == start_speed ? names.begin() : names.end(), info.name);
     }
-    names.push_back(time_step);
+    names.push_back(dt_parameter.name);
     return names;
 }
 
@@ -28,7 +28,7 @@ ParameterRange range_of(const LiveEnsembleOptions& ensemble, const RunDescriptio
     const std::vector<std::string_view> names = perturbable(description);
     const bool known = std::find(names.begin(), names.end(), ensemble.spread) != names.end();
     const std::string_view name = known ? std::string_view(ensemble.spread) : names.front();
-    const double value = name == time_step ? description.dt : description.scene[name];
+    const double value = name == dt_parameter.name ? description.dt : description.scene[name];
     return {std::string(name), value * (1 - ensemble.width), value * (1 + ensemble.width)};
 }
 

@@ -17,7 +17,7 @@ struct LiveEnsembleOptions {
     std::size_t runs = 0;        ///< 0: no ensemble
     std::string spread = {};     ///< what differs: one of perturbable(); any other: the first of them
     double width = usual_width;  ///< by how much at most, over the run's own value
-    /// They differ in something else, which nobody can choose here: only beside a picture of an ensemble.
+    /// They differ in something that the window cannot choose: only in pictures of an ensemble.
     bool otherwise = false;
     friend bool operator==(const LiveEnsembleOptions&, const LiveEnsembleOptions&) = default;
 };

@@ -12,12 +12,9 @@ namespace steplab {
 
 namespace {
 
-constexpr std::string_view time_step = "dt";
-constexpr ParameterInfo dt_info{.name = time_step, .minimum_included = false, .what = "time step"};
-
 const ParameterInfo& info_of(const RunDescription& description, std::string_view name) {
-    if (name == time_step) return dt_info;
-    std::vector<std::string_view> known{time_step};
+    if (name == dt_parameter.name) return dt_parameter;
+    std::vector<std::string_view> known{dt_parameter.name};
     for (const auto infos : {description.scene.infos(), description.method_parameters.infos()}) {
         for (const ParameterInfo& info : infos) {
             if (info.name == name) return info;
@@ -29,7 +26,7 @@ const ParameterInfo& info_of(const RunDescription& description, std::string_view
 }
 
 void set(RunDescription& description, std::string_view name, double value) {
-    if (name == time_step) {
+    if (name == dt_parameter.name) {
         description.dt = value;
     } else if (description.scene.contains(name)) {
         description.scene.set(name, value);

@@ -14,7 +14,7 @@ struct ParameterRange {
     std::string name;
     double from = 0, to = 0;
 
-    /// Of run i of so many: from + (to - from) i / (runs - 1), computed in double from left to right; the last run has
+    /// The value of run i: from + (to - from) i / (runs - 1), computed in double from left to right; the last run has
     /// `to` itself, a single one `from`.
     double value(std::size_t run, std::size_t runs) const;
 };

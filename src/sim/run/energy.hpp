@@ -30,9 +30,9 @@ public:
 
     EnergyMeter(const Scene& scene, Instructions instructions);
 
-    /// Of all particles, which `look` shows to what it is given, as Stepper::look() does.
+    /// Of all particles, which `emit` emits as Stepper::emit() does.
     Energy energy(const Emit& emit) { return energy(1, emit, nullptr); }
-    /// The same of parts that may be shown side by side. Each piece is shown on to `also`, unless that is empty.
+    /// The same of parts that may be emitted in parallel. Each piece is passed on to `also`, unless that is empty.
     Energy energy(std::size_t parts, const Emit& emit, const PieceSink& also);
     std::size_t pieces() const { return sums_.size(); }
     /// An energy no run of this scene may be judged by the changes of: rounding, and the depth of potential wells.

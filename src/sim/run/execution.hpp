@@ -13,11 +13,11 @@ struct Scene;
 /// How a run is computed: no bit of it depends on this.
 struct Execution {
     std::optional<Instructions> instructions = std::nullopt;  ///< none: those that are fastest
-    std::size_t threads = 0;                 ///< at most so many; 0: as many as the machine has processors
+    std::size_t threads = 0;                                  ///< maximum number; 0: all processors of the machine
     std::size_t particles_a_thread = 50000;  ///< from which on a further thread is worth its meetings with the others
 };
 
-/// Of many runs side by side: the fastest here, if none are said.
+/// Of many runs in lanes: the fastest here, if none are named.
 Instructions instructions_of(const Execution& execution);
 
 /// Of one run: the fastest here, if none are said. On processors of Intel these are narrower ones for methods of fixed

@@ -37,7 +37,7 @@ double growth(const Method& method, const ParameterValues& parameters, const Sce
     return std::max(std::abs(half_trace + root), std::abs(half_trace - root));
 }
 
-/// The first dt at which the damped motion grows, looked for in steps of 2 % and halved down to rounding.
+/// The first dt at which the damped motion grows, searched in steps of 2 % and bisected down to rounding.
 double first_growth(const Method& method, const ParameterValues& parameters, double omega, double gamma) {
     const FlushSubnormals flush;
     const Scene scene = damped_oscillator(omega, gamma);

@@ -55,7 +55,7 @@ const double* component(const State<double>& state, std::size_t c) {
     return c % 3 == 0 ? field.x() : c % 3 == 1 ? field.y() : field.z();
 }
 
-/// Component after component of all particles, each hash the seed of the next: a look for each of them, which takes
+/// Component after component of all particles, each hash the seed of the next: one pass for each of them, which takes
 /// less than memory for all.
 template <class T>
 std::uint64_t hash_in(std::uint64_t step, const std::function<void(const PortionSink&)>& emit) {

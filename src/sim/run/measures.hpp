@@ -41,8 +41,8 @@ private:
 /// Largest distance of a particle from the exact solution.
 double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time);
 
-/// Of the step's number and the bits of the state as the precision holds it: 16 hexadecimal digits. `look` shows all
-/// particles to what it is given, as Stepper::look() does.
+/// Of the step's number and the bits of the state as the precision holds it: 16 hexadecimal digits. `emit` emits all
+/// particles as Stepper::emit() does.
 std::string hash_of(std::uint64_t step, Precision precision, const std::function<void(const PortionSink&)>& emit);
 
 }  // namespace steplab

@@ -8,7 +8,7 @@ namespace steplab {
 /// Bytes of memory that new data may take: what the system says is available, less a reserve for everything else.
 double available_memory();
 
-/// Bytes a running simulation needs for each particle: integrator, kept state, frame and what is looked at.
+/// Bytes a running simulation needs for each particle: integrator, saved state, frame and measured state.
 double bytes_per_particle(const RunDescription& description);
 
 /// Bytes that such a run takes in all, about.

@@ -14,7 +14,7 @@ public:
     using Time = std::chrono::steady_clock::time_point;
     using Duration = std::chrono::duration<double>;
 
-    /// Playing begins or goes on from here: what was missed before is not made up for.
+    /// Playing begins or continues from here: what was missed before is not caught up.
     void begin(Time now);
 
     /// Steps to take now so that the run keeps to its rate, never more than fit into `slice` as measured so far.

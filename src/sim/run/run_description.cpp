@@ -19,8 +19,7 @@ namespace {
 
 void check_dt(const RunDescription& description) {
     const double dt = description.dt, held = rounded_to(description.precision, dt);
-    if (!(std::isfinite(dt) && dt > 0))
-        throw UsageError(fmt::format("dt = {} is not possible: dt must be a number > 0", number_text(dt)));
+    check_value(dt_parameter, dt);
     if (!std::isfinite(held) || !(held > 0)) {
         throw UsageError(
             fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", number_text(dt)));
@@ -48,7 +47,7 @@ void check_memory(const RunDescription& description, double needed_for_interacti
                                                                       : "n"));
 }
 
-/// Methods that cannot run every scene look at its forces; what is held for each interaction has to fit, too.
+/// Methods that cannot run every scene check its forces; what is held for each interaction has to fit memory, too.
 void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
     const bool lists = description.scene.contains("cutoff") && description.scene["cutoff"] > 0;

@@ -10,6 +10,18 @@
 
 namespace steplab {
 
+/// The time step dt of a run: its range, default and description, the same for the command line, the window and ranges
+/// of an ensemble.
+inline constexpr ParameterInfo dt_parameter{
+    .name = "dt",
+    .unit = "s",
+    .minimum_included = false,
+    .default_value = 0.1,
+    .what = "time step; for a method that chooses its own steps, the time between two frames",
+    .slider_low = 1e-4,
+    .slider_high = 10,
+    .slider_logarithmic = true};
+
 /// What is to be computed: scene, method, precision and dt. Two equal ones give the same bits, step for step.
 struct RunDescription {
     std::string model;
@@ -17,7 +29,7 @@ struct RunDescription {
     std::string method;
     ParameterValues method_parameters;
     Precision precision = Precision::double_;
-    double dt = 0.1;
+    double dt = dt_parameter.default_value;
 
     friend bool operator==(const RunDescription&, const RunDescription&) = default;
 };
@@ -33,7 +45,7 @@ RunDescription with_method(RunDescription description, std::string_view method);
 void set_parameter(RunDescription& description, std::string_view name, std::string_view text);
 
 /// Throws UsageError unless dt is finite, > 0 and not lost in the precision, every parameter fits into the precision,
-/// the particles fit into this machine's memory (the message tells the bytes needed) and the method can run the scene.
+/// the particles fit into this machine's memory (the message names the bytes needed) and the method can run the scene.
 void check(const RunDescription& description);
 
 /// The description with dt and the scene's parameters as its precision holds them. Throws UsageError (check()).

@@ -40,7 +40,7 @@ struct RunView {
     Rate rate;
     double segment_start = 0;         ///< time the current method, dt and parameters began to hold
     std::uint64_t baseline_step = 0;  ///< step from which the energy error counts
-    std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots begin anew
+    std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots start again
     double dt = 0.1;                  ///< as the precision holds it
     LiveEnsembleOptions ensemble;     ///< beside the run; it is in the frame unless it is still being computed
     EnsembleSpread ensemble_spread;

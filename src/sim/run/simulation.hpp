@@ -14,7 +14,7 @@
 
 namespace steplab {
 
-/// How a run ended that could not go on.
+/// How a run ended that could not continue.
 struct Divergence {
     std::uint64_t step = 0;    ///< the last good step; the run stands there
     double time = 0;           ///< its time
@@ -58,8 +58,8 @@ public:
     /// Steps from one check of the energy to the next, counted from the start of the segment.
     std::uint64_t check_interval() const;
     const std::optional<Divergence>& divergence() const;
-    /// What advance() has come to: it may turn out to lead beyond a divergence once somebody looks at all particles, as
-    /// the other functions do.
+    /// Where advance() has got to, without checking all particles: the other functions check them, and may find that
+    /// the run diverged before.
     struct Advanced {
         std::uint64_t step, evaluations;
         bool diverged;
@@ -68,7 +68,7 @@ public:
     /// stability_limit() of the present description, computed once.
     const std::optional<StabilityLimit>& limit() const;
 
-    /// The moment as seen from outside; looking never changes the run. The second form reuses the vectors of `out`.
+    /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`.
     Frame frame() const;
     void frame(Frame& out) const;
     Diagnostics diagnostics() const;
@@ -89,10 +89,10 @@ public:
     std::optional<Vec3> exact_position(std::size_t particle, double time) const;
     bool has_exact() const;
 
-    /// Goes on from the synchronised state with another method, dt, precision or live parameter, beginning a new
+    /// Continues from the synchronised state with another method, dt, precision or live parameter, beginning a new
     /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
     Change change(const RunDescription& description);
-    /// Takes a particle to a place, without velocity, and goes on in a new segment with a new baseline of energy.
+    /// Moves a particle to a place, without velocity, and continues in a new segment with a new baseline of energy.
     /// Fixed particles stay where they are.
     void pull(std::size_t particle, Vec3 position);
     void restart();
@@ -105,7 +105,8 @@ public:
     std::uint64_t segment() const;
     double segment_start() const;  ///< time at which the present one began
 
-    /// Everything needed to come back to this very moment and go on with the same bits, also from another segment.
+    /// A saved state: everything needed to return to this moment and continue with the same bits, also from another
+    /// segment.
     class Snapshot {
     public:
         std::uint64_t step() const;
@@ -125,7 +126,7 @@ private:
     void fill(Frame& out, const Portion& portion) const;
     void prepare(Frame& out) const;
     Diagnostics measured(const PortionSink& also) const;
-    /// The run as somebody who looks finds it: numbers that are not finite have been noticed.
+    /// The run after its numbers were checked: if they are not finite, it stands at the last good step.
     Body& settled() const;
     std::unique_ptr<Body> body_;
 };

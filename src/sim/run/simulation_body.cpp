@@ -97,7 +97,7 @@ void Simulation::Body::advance(std::uint64_t steps) {
     }
 }
 
-/// Before anybody looks: what he sees is finite.
+/// Before anything is read: all numbers are finite.
 void Simulation::Body::settle() {
     if (settled || divergence) return;
     const FlushSubnormals flush;

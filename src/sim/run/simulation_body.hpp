@@ -34,7 +34,7 @@ struct Simulation::Snapshot::Content {
     std::size_t bytes;
 };
 
-/// A run under way: its present segment, where it stands, and what somebody who looks has found there.
+/// A run in progress: its present segment, where it stands, and what was measured there.
 struct Simulation::Body : Course {
     Segment segment;
     mutable std::shared_ptr<const Shape> shape;
@@ -49,7 +49,7 @@ struct Simulation::Body : Course {
         return segment_time + static_cast<double>(at - segment_step) * segment.held.dt;
     }
 
-    // What is read of the present step, when somebody asks for it.
+    // What is read of the present step, computed when it is asked for.
     const State<double>& state();
     void emit(const PortionSink& sink);
     const Energy& energy();

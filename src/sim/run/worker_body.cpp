@@ -7,9 +7,9 @@ namespace steplab {
 
 namespace {
 
-/// Computing between two looks at the commands: short enough that a change is felt at once.
+/// Computing time between two polls of the commands: short enough for a change to take effect at once.
 constexpr Pace::Duration slice{0.008};
-/// A view that nobody has taken yet is replaced by a newer one after this time.
+/// A view that was not taken is replaced by a newer one after this time.
 constexpr Pace::Duration stale{0.05};
 
 }  // namespace
@@ -21,16 +21,16 @@ void Worker::Body::loop() {
             const std::lock_guard lock(mutex);
             if (stopping) return;
         }
-        bool told = carry_out_commands();
+        bool to_show = carry_out_commands();
         const std::uint64_t before = simulation.advanced().step;
         const bool behind = ensemble_is_behind();
         if (behind) bring_ensemble(slice);
         if (playing && !went_well([this] { take_steps(); })) {
             give_up();
-            told = true;
+            to_show = true;
         }
         const auto [step, evaluations, diverged] = simulation.advanced();
-        if (told || ((behind || step != before || diverged) && affordable())) publish();
+        if (to_show || ((behind || step != before || diverged) && affordable())) publish();
     }
 }
 
@@ -61,7 +61,7 @@ bool Worker::Body::carry_out_commands() {
     return true;
 }
 
-/// The companions go where the run stands, which may take longer where they begin: then the run waits for them.
+/// The ensemble follows the run, which may take longer where it begins: then the run waits for it.
 void Worker::Body::bring_ensemble(Pace::Duration most) {
     const auto begin = Clock::now();
     const auto enough = [&] { return Clock::now() - begin > most; };
@@ -69,8 +69,8 @@ void Worker::Body::bring_ensemble(Pace::Duration most) {
     pace.begin(Clock::now());
 }
 
-/// Of the run and its companions alike, so that they stay together. Whether all numbers are finite is left to who
-/// looks: to ask after every few steps would take a large scene as long as some of them.
+/// Of the run and its ensemble, so that they stay together. Whether all numbers are finite is checked when they are
+/// read: after every few steps it would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
     if (ensemble_is_behind()) return;
     const auto begin = Clock::now();
@@ -156,7 +156,7 @@ void Worker::Body::tell_in(RunView& older) const {
     older.frame.ensemble.clear();
 }
 
-/// The companions begin where the run began.
+/// The ensemble begins where the run began.
 void Worker::Body::show_ensemble(LiveEnsembleOptions asked) {
     ensemble = std::move(asked);
     live_ensemble.reset();

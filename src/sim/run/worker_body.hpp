@@ -72,7 +72,7 @@ struct Worker::Body {
         changed.notify_one();
     }
 
-    /// What goes wrong is told in the next view, and the thread lives on: true if nothing did.
+    /// An error is reported in the next view, and the thread continues: true if there was none.
     template <class Work>
     bool went_well(const Work& work) {
         try {

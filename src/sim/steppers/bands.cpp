@@ -29,7 +29,7 @@ Units units_of(const Forces& forces) {
     return std::visit([](const auto& layout) { return units_of(layout); }, forces);
 }
 
-/// The forces on so many units from this one on, as far as they come from within.
+/// The forces on `count` units from this one on, as far as they come from within.
 void cut(LineForces& forces, std::size_t first, std::size_t count) {
     forces.first_fixed = forces.first_fixed && first == 0;
     forces.count = count;
@@ -76,7 +76,7 @@ public:
                 bands_[i].stepper->advance(taken);
                 left -= taken;
                 team_.meet();
-                // every other band first: what one takes over changes it, and its neighbours look at that
+                // every other band first: what one takes over changes it, and its neighbours read that
                 for (const std::size_t turn : {0U, 1U}) {
                     if (i % 2 == turn) renew_borders(i);
                     team_.meet();
@@ -182,7 +182,7 @@ std::optional<std::size_t> reach_of(const Method& method, const StepperSetup& se
         ->reach();
 }
 
-/// A particle whose pairs are summed takes at least as long as so many with springs.
+/// A particle whose pairs are summed takes at least as long as this number of particles with springs.
 constexpr std::size_t time_of_pairs = 5;
 
 /// Threads that slabs are enough for (Clusters::slabs()), about.

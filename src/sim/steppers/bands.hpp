@@ -8,8 +8,8 @@
 
 namespace steplab {
 
-/// The method at work on a scene, by several threads where they pay: chains and grids of many particles are cut into
-/// bands, by methods whose steps reach only so far; forces between many pairs with a cut-off are summed side by side.
+/// The method on a scene, with several threads where they help: long chains and large grids are divided into bands, for
+/// methods whose steps have a bounded reach; forces between many pairs with a cut-off are summed in parallel.
 std::unique_ptr<Stepper> make_stepper(const Method& method, const StepperSetup& setup, const Execution& execution);
 
 }  // namespace steplab

@@ -16,11 +16,11 @@ struct Piece {
     std::size_t own, held;
     const State<double>& state;  ///< of those held, or of more
 };
-/// Called by several threads at once if particles are shown to them side by side, for each piece by one of them.
+/// Called by several threads at once if particles are emitted in parallel, for each piece by one of them.
 using PieceSink = std::function<void(const Piece&)>;
 
 /// Cuts a scene's particles into pieces that are the same however they are shown: in which portions, and in how many
-/// parts side by side. What is summed up in pieces therefore has the same bits.
+/// parts in parallel. Sums over pieces therefore have the same bits.
 class Pieces {
 public:
     /// Each has `length` particles of its own, at least 1, and `shared` that the next begins with, at most as many. The
@@ -29,7 +29,7 @@ public:
 
     /// How many there are.
     std::size_t count() const { return count_; }
-    /// All pieces of what `look` shows as Stepper::emit_parallel() does, in `parts`.
+    /// All pieces of what `emit` emits as Stepper::emit_parallel() does, in `parts`.
     void each(std::size_t parts, const std::function<void(const PortionSink&)>& emit, const PieceSink& sink);
 
 private:

@@ -40,7 +40,7 @@ public:
     /// in their order, those of different parts at the same time. Throws what the sink throws.
     virtual void emit_parallel(const PortionSink& sink) const { emit(sink); }
     virtual std::size_t parts() const { return 1; }
-    /// The same as look() in one piece; the memory of `out` is used again.
+    /// The same as emit() in one piece; the memory of `out` is reused.
     void synchronised(State<double>& out) const;
     /// Accelerations computed since the stepper was made, start-up included.
     virtual std::uint64_t evaluations() const = 0;

@@ -205,7 +205,7 @@ private:
     Integrator integrator_;
     Field<T> reference_;  ///< of plain methods
     std::size_t particles_ = 0;
-    mutable State<T> seen_;        ///< memory for look()
+    mutable State<T> seen_;        ///< memory for emit()
     mutable State<double> shown_;  ///< the same in double
 };
 

@@ -1,6 +1,7 @@
 #include "lab/study/answers.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/parameter_rows.hpp"
 #include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -10,8 +11,6 @@
 
 namespace steplab::ui {
 namespace {
-
-constexpr double default_dt = 0.1;
 
 /// What dt is to a method that chooses its steps, else what the linear theory says of it: the line below the slider.
 struct Verdict {
@@ -31,27 +30,6 @@ Verdict verdict(const std::optional<StabilityLimit>& known, const RunDescription
                                              reading(known->limit), reading(known->omega_max));
     if (part > 1) return {"unstable: " + of_limit, colour::bad, true};
     return {"stable: " + of_limit, colour::good};
-}
-
-/// The parameter dt as it is typed: the same rules and messages as the command line has.
-const ParameterInfo& dt_info() {
-    static const ParameterInfo info{.name = "dt",
-                                    .unit = "s",
-                                    .minimum_included = false,
-                                    .default_value = default_dt,
-                                    .what = "time step",
-                                    .slider_low = 1e-4,
-                                    .slider_high = 10,
-                                    .slider_logarithmic = true};
-    return info;
-}
-
-const std::string& help_text() {
-    static const std::string text = fmt::format(
-        "time step; of a method that chooses its own, the time between two pictures\n{} · default {} s\na change "
-        "applies at once",
-        range_text(dt_info()), default_dt);
-    return text;
 }
 
 void draw_verdict(const Context& context, const Verdict& verdict) {
@@ -80,22 +58,24 @@ void draw_step_panel(const Context& context) {
     const auto limit = current ? context.view.limit : stability_limit(description);
     const Verdict result = verdict(limit, description);
     const bool marked = limit && limit->limit > 0 && std::isfinite(limit->limit);
+    const ParameterInfo& info = dt_parameter;
+    const std::string help = parameter_help(info);
     heading(context, "STEP");
     slider_row(context, {
                             .widget = "dt",
-                            .label = "dt",
-                            .tooltip = help_text(),
-                            .value_text = with_unit(number(description.dt), "s"),
-                            .entry_text = format_value(dt_info(), description.dt),
+                            .label = info.name,
+                            .tooltip = help,
+                            .value_text = with_unit(number(description.dt), info.unit),
+                            .entry_text = format_value(info, description.dt),
                             .value = description.dt,
-                            .default_value = default_dt,
-                            .range = {dt_info().slider_low, dt_info().slider_high, true, false},
+                            .default_value = info.default_value,
+                            .range = {info.slider_low, info.slider_high, info.slider_logarithmic, false},
                             .style = {.fill = result.passed ? colour::bad
                                               : limit       ? colour::good
                                                             : colour::accent,
                                       .mark = marked ? std::optional(limit->limit) : std::nullopt},
                             .set = ask,
-                            .set_text = [&](std::string_view typed) { ask(parse_value(dt_info(), typed)); },
+                            .set_text = [&](std::string_view typed) { ask(parse_value(info, typed)); },
                         });
     draw_verdict(context, result);
 }

@@ -136,7 +136,7 @@ TEST(Advise, keeps_to_the_precision_and_method_that_are_named) {
     const Outcome impossible = run_program({"advise", "--model", "chain", "--until", "5", "--error", "1e-9",
                                             "--precision", "float", "--method", "verlet"});
     EXPECT_EQ(impossible.code, 2);
-    EXPECT_THAT(impossible.err, HasSubstr("the least was"));
+    EXPECT_THAT(impossible.err, HasSubstr("the smallest was"));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 using Grows = std::function<bool(const GrowthQuestion&)>;
 
-/// How often questions were asked, and how many in all.
+/// Number of rounds, and of questions in all of them.
 struct Count {
     std::size_t rounds = 0, questions = 0;
 };
@@ -55,7 +55,7 @@ std::vector<Grows> vibrations() {
     return all;
 }
 
-TEST(LimitSearch, finds_in_rounds_to_the_last_digit_what_it_finds_one_by_one) {
+TEST(LimitSearch, finds_in_rounds_the_same_bits_as_one_by_one) {
     for (const LimitSearch& search : searches()) {
         for (const Grows& grows : vibrations()) {
             Count alone;
@@ -70,7 +70,7 @@ TEST(LimitSearch, finds_in_rounds_to_the_last_digit_what_it_finds_one_by_one) {
     }
 }
 
-/// The partner: a limit that is further off than the bisection's last interval is another number.
+/// The partner: a limit that differs by more than the last interval of the bisection is another number.
 TEST(LimitSearch, finds_another_number_where_the_limit_is_another) {
     const LimitSearch search{.expected = 1, .above = 1.0001, .time_scale = 1, .steps = 99};
     const auto limit_of = [&](double limit) {
@@ -78,12 +78,12 @@ TEST(LimitSearch, finds_another_number_where_the_limit_is_another) {
         return in_rounds(
             search, 8, [=](const GrowthQuestion& question) { return question.dt > limit; }, count);
     };
-    EXPECT_NEAR(limit_of(1.00001), 1.00001, 3e-5);  // to what it bisects
+    EXPECT_NEAR(limit_of(1.00001), 1.00001, 3e-5);  // to the resolution of the bisection
     EXPECT_NE(limit_of(1.00001), limit_of(1.00005));
 }
 
-/// Two or three rounds instead of a dozen runs where theory is about right, more where it is far off.
-TEST(LimitSearch, takes_few_rounds_where_theory_is_about_right) {
+/// Two or three rounds instead of a dozen runs if theory is approximately right, more if it is far off.
+TEST(LimitSearch, takes_few_rounds_where_theory_is_approximately_right) {
     const LimitSearch search{.expected = 1, .above = 1.0001, .time_scale = 1, .steps = 99};
     const Grows grows = [](const GrowthQuestion& question) { return question.dt > 0.99997; };
     Count alone, eight, sixteen, far;
@@ -98,7 +98,7 @@ TEST(LimitSearch, takes_few_rounds_where_theory_is_about_right) {
     EXPECT_GT(far.rounds, eight.rounds);
 }
 
-TEST(LimitSearch, refuses_to_look_where_theory_has_no_number) {
+TEST(LimitSearch, refuses_to_search_where_theory_has_no_number) {
     const LimitSearch search{.expected = std::nan(""), .above = 0, .time_scale = 1, .steps = 99};
     Count count;
     const Grows never = [](const GrowthQuestion&) { return false; };
@@ -107,7 +107,7 @@ TEST(LimitSearch, refuses_to_look_where_theory_has_no_number) {
     EXPECT_EQ(count.questions, 0u);
 }
 
-TEST(LimitSearch, goes_on_where_only_the_first_question_is_answered) {
+TEST(LimitSearch, continues_where_only_the_first_question_is_answered) {
     const LimitSearch search{.expected = 1, .above = 1.0001, .time_scale = 1, .steps = 99};
     const Grows grows = [](const GrowthQuestion& question) { return question.dt > 1.0007; };
     Count alone;

@@ -20,16 +20,16 @@ Limit limit_of(std::string_view id, std::string_view method, Precision precision
     return StabilityLab(run).limit(run);
 }
 
-/// Linear scenes agree to 0.1 %, the others to 1 %; or the output says why not.
+/// Linear scenes agree to 0.1 %, others to 1 %, or a note says why not.
 void expect_agreement(const Limit& limit, double tolerance) {
     ASSERT_TRUE(limit.theory.has_value());
-    if (!limit.measured) {  // what is stable at any dt is not always measured, and says so
+    if (!limit.measured) {  // methods that are stable at any dt are not always measured; a note says so
         EXPECT_TRUE(std::isinf(*limit.theory) && !limit.note.empty());
         return;
     }
     if (const auto ratio = limit.ratio()) {
         EXPECT_TRUE(!limit.note.empty() || std::abs(*ratio - 1) <= tolerance) << *ratio;
-        EXPECT_NEAR(*ratio, 1, 0.01);  // no note excuses more
+        EXPECT_NEAR(*ratio, 1, 0.01);  // whatever the note says
     } else {
         EXPECT_EQ(*limit.theory, *limit.measured);
     }
@@ -97,14 +97,15 @@ TEST(Limit, is_none_where_nothing_oscillates) {
     EXPECT_NE(limit.note, "");
 }
 
-TEST(Limit, of_a_curiosity_is_not_measured_and_says_so) {
+TEST(Limit, of_a_curiosity_is_not_measured_and_has_a_note) {
     const Limit limit = limit_of("chain", "verlet-2008");
     EXPECT_FALSE(limit.measured.has_value());
     EXPECT_NE(limit.note, "");
 }
 
-// The Morse cube is no place of rest at its start; its forces there are taken off, and only there do they vanish.
-TEST(Balanced, scene_rests_at_its_start) {
+// The Morse cube does not start in equilibrium; its initial forces are subtracted, so that they vanish there and only
+// there.
+TEST(Balanced, scene_is_in_equilibrium_at_its_start) {
     const RunDescription run = run_of("morse", "rk4", Precision::double_, 0.1);
     const Scene scene = balanced(model("morse").scene(run.scene));
     const Scene plain = model("morse").scene(run.scene);
@@ -137,7 +138,7 @@ ModeRun mode_of(const Scene& scene, const LinearisedScene& linear, const Eigenpa
             departure};
 }
 
-// The partner: a limit that is 1 % off on either side is refused by the runs.
+// The partner: runs contradict a limit that is 1 % off on either side.
 TEST(ModeRun, refuses_a_limit_that_is_one_percent_off) {
     const RunDescription run = run_of("chain", "rk4", Precision::double_, 0.1);
     const Scene scene = balanced(model("chain").scene(run.scene));
@@ -163,8 +164,8 @@ std::vector<GrowthQuestion> questions_around(double limit) {
 
 class Modes : public testing::TestWithParam<MethodCase> {};
 
-// Runs side by side answer as each by itself does, and so the limit that they find is the same number.
-TEST_P(Modes, are_judged_side_by_side_as_alone) {
+// Runs in lanes answer as each run alone does, so that the limit they find is the same number.
+TEST_P(Modes, are_judged_in_lanes_as_alone) {
     const MethodInfo& info = *GetParam().info;
     const double phase = linear_limit(info, ParameterValues(info.parameters));
     const auto run_on = [&](std::string_view id, Settings settings) {
@@ -201,7 +202,7 @@ std::vector<MethodCase> methods_with_limits() {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Modes, testing::ValuesIn(methods_with_limits()), case_name);
 
-TEST(ModeRun, goes_side_by_side_where_its_method_does) {
+TEST(ModeRun, runs_in_lanes_where_its_method_does) {
     const RunDescription run = run_of("morse", "rk4", Precision::double_, 0.1, {{"edge", 2}});
     const Scene scene = balanced(model("morse").scene(run.scene));
     const LinearisedScene linear(scene, model("morse").shape(run.scene));
@@ -228,13 +229,13 @@ TEST(AllLimits, are_those_of_each_method) {
     EXPECT_THROW(all_limits(lab, runs, enough), std::runtime_error);
 }
 
-TEST(AllLimits, say_of_a_method_that_is_refused_why_and_go_on) {
+TEST(AllLimits, have_a_note_for_a_method_that_is_refused_and_continue) {
     std::vector<RunDescription> runs(2, run_of("chain", "euler", Precision::double_, 0.1, {{"n", 6}}));
-    runs[0].method = "nobody";
+    runs[0].method = "unheard-of";
     const std::vector<Limit> limits = all_limits(StabilityLab(runs[1]), runs, [](std::size_t) {});
     ASSERT_EQ(limits.size(), 2u);
     EXPECT_FALSE(limits[0].measured);
-    EXPECT_NE(limits[0].note.find("nobody"), std::string::npos) << limits[0].note;
+    EXPECT_NE(limits[0].note.find("unheard-of"), std::string::npos) << limits[0].note;
     EXPECT_TRUE(limits[1].measured);
 }
 
@@ -244,8 +245,8 @@ TEST(ModeRun, finds_the_narrow_resonance) {
     EXPECT_NEAR(*limit.measured, 3.1414, 1e-3 * 3.1414);
 }
 
-TEST(ModeRun, sees_a_force_that_is_not_smooth) {
-    // a pair at the cut-off's very distance: a force on one side, none on the other
+TEST(ModeRun, detects_a_force_that_is_not_smooth) {
+    // a pair exactly at the cut-off distance: a force on one side, none on the other
     const RunDescription run =
         run_of("morse", "verlet", Precision::double_, 0.1, {{"edge", 2}, {"spacing", 1}, {"cutoff", 1}});
     const Limit limit = StabilityLab(run).limit(run);

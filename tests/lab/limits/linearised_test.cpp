@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace steplab::test {
@@ -27,7 +28,7 @@ Eigen::MatrixXd dense(const LinearisedScene& scene) {
     return matrix;
 }
 
-// Lanczos followed to the end: a few roundings of the largest eigenvalue.
+// The complete Lanczos iteration: a few roundings of the largest eigenvalue.
 TEST(OmegaMax, agrees_with_the_closed_forms) {
     EXPECT_NEAR(omega_max("oscillator", {{"k", 9}, {"m", 4}}), 1.5, 1e-14);
     EXPECT_NEAR(omega_max("chain"), 1.97272261, 5e-9);  // digits as published
@@ -43,16 +44,16 @@ TEST(OmegaMax, agrees_with_the_closed_forms) {
     EXPECT_EQ(omega_max("free"), 0);
 }
 
-// Beyond 300 numbers it ends when the residual is small or after 300 steps; a chain's upper end is then right to
-// (pi / 600)^2 times the gap there.
-TEST(OmegaMax, of_a_long_chain_is_right_well_within_what_limits_need) {
+// Beyond 300 numbers it ends when the residual is small or after 300 steps; the largest eigenvalue of a chain is then
+// accurate to (pi / 600)^2 times the gap there.
+TEST(OmegaMax, of_a_long_chain_is_accurate_enough_for_limits) {
     const double exact =
         *model("chain").omega_max(run_of("chain", "rk4", Precision::double_, 0.1, {{"n", 5000}}).scene);
     EXPECT_NEAR(omega_max("chain", {{"n", 5000}}), exact, 1e-5 * exact);
 }
 
-// The mesh's closed form is that of an endless one: an upper bound, which a larger mesh approaches.
-TEST(OmegaMax, of_a_mesh_stays_below_that_of_an_endless_one) {
+// The closed form is that of an infinite mesh: an upper bound, which larger meshes approach.
+TEST(OmegaMax, of_a_mesh_is_below_that_of_an_infinite_one) {
     EXPECT_LT(omega_max("mesh"), std::sqrt(8.0));
     EXPECT_GT(omega_max("mesh", {{"dim", 40}}), omega_max("mesh"));
     EXPECT_LT(omega_max("mesh", {{"dim", 40}}), std::sqrt(8.0));
@@ -68,7 +69,7 @@ TEST(Lanczos, finds_what_a_dense_solver_finds) {
         EXPECT_TRUE(found.complete);
         EXPECT_NEAR(found.values[found.values.size() - 1], largest, 1e-12 * largest);
         EXPECT_NEAR(found.values[0], all[0], 1e-12 * largest);
-        for (const double value : all) {  // each of them, once at least
+        for (const double value : all) {  // each of them at least once
             EXPECT_LT((found.values.array() - value).abs().minCoeff(), 1e-10 * largest);
         }
         for (Eigen::Index i = 0; i < found.values.size(); ++i) {
@@ -78,7 +79,7 @@ TEST(Lanczos, finds_what_a_dense_solver_finds) {
     }
 }
 
-// The Jacobian is that of the forces: differences of them over 2e-6 agree within their own error, some 1e-9.
+// The Jacobian is that of the forces: differences of them over 2e-6 agree within their own error, about 1e-9.
 TEST(Jacobian, is_the_derivative_of_the_forces) {
     for (const char* id : {"chain", "mesh", "rope", "morse", "oscillator"}) {
         const RunDescription run = run_of(id, "rk4", Precision::double_, 0.1);
@@ -99,7 +100,7 @@ TEST(Jacobian, is_the_derivative_of_the_forces) {
 }
 
 // The partner: a Jacobian that is 1 % off in one entry of the diagonal has another largest eigenvalue.
-TEST(Lanczos, sees_a_wrong_matrix) {
+TEST(Lanczos, detects_a_wrong_matrix) {
     const LinearisedScene scene = linearised("mesh", {{"dim", 6}});
     const Eigenpairs wrong = lanczos(
         [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
@@ -111,7 +112,7 @@ TEST(Lanczos, sees_a_wrong_matrix) {
     EXPECT_GT(std::abs(highest_frequency(wrong) / highest_frequency(modes(scene)) - 1), 1e-5);
 }
 
-// An operator whose eigenvalues are known, larger than what is followed to the end: 1, 2, ... 1000.
+// An operator with known eigenvalues 1, 2, ... 1000, too large for a complete iteration.
 TEST(Lanczos, of_a_large_matrix_ends_when_the_largest_is_found) {
     const Eigen::Index size = 1000;
     const Eigen::VectorXd diagonal = Eigen::VectorXd::LinSpaced(size, 1, 1000);

@@ -40,8 +40,8 @@ TEST(Figure, is_an_svg_element_with_a_group_for_each_curve) {
     EXPECT_THAT(svg[0], Not(HasSubstr("rgb(")));
 }
 
-// Curves and figures without a point that can stand on logarithmic axes: gnuplot would warn, or end.
-/// As readers of XML want it: blanks between attributes, and as many tags that begin as end.
+// Curves and figures without a point that can be drawn on logarithmic axes: gnuplot would warn or fail.
+/// As XML parsers require: blanks between attributes, and as many opening as closing tags.
 bool is_well_formed(const std::string& svg) {
     const auto count = [&](const char* pattern) {
         const std::regex tag(pattern);
@@ -50,7 +50,7 @@ bool is_well_formed(const std::string& svg) {
     return count("[\"'][a-z:-]+=") == 0 && count("<[a-z]") == count("</[a-z]") + count("/>");
 }
 
-TEST(Figure, is_xml_that_other_programs_read) {
+TEST(Figure, is_well_formed_xml) {
     const std::string svg = svg_file(svg_figures(std::vector{figure({falling("rk4", 1, 0)})}).front());
     EXPECT_TRUE(is_well_formed(svg));
     EXPECT_THAT(svg, Not(HasSubstr("var(")));
@@ -58,7 +58,7 @@ TEST(Figure, is_xml_that_other_programs_read) {
     EXPECT_FALSE(is_well_formed("<g><path/>"));
 }
 
-TEST(Figure, without_a_point_is_nothing_and_stops_no_other) {
+TEST(Figure, without_a_point_is_empty_and_does_not_affect_others) {
     Curve zero{.name = "zero", .points = {{1, 0}, {2, -1}, {3, infinity}}};
     testing::internal::CaptureStderr();
     const auto svg = svg_figures(std::vector{figure({zero}), figure({falling("rk4", 1, 0), zero}), figure({})});
@@ -68,8 +68,8 @@ TEST(Figure, without_a_point_is_nothing_and_stops_no_other) {
     EXPECT_EQ(svg[2], "");
 }
 
-// Eleven names whose curves end side by side: no two at one place, all within the frame.
-TEST(CurveLabels, stand_apart_and_within_the_frame) {
+// Eleven names whose curves end next to each other: no two overlap, all are within the frame.
+TEST(CurveLabels, do_not_overlap_and_are_within_the_frame) {
     std::vector<Curve> curves;
     for (int i = 0; i < 11; ++i) curves.push_back(falling("method-" + std::to_string(i), 1 + 0.3 * i, i));
     const Figure crowded = figure(curves);
@@ -101,7 +101,7 @@ TEST(Ticks, leave_out_texts_where_there_is_no_room) {
     EXPECT_GE(texts, 5u);
 }
 
-TEST(PageSvg, is_nothing_where_there_is_no_picture) {
+TEST(PageSvg, is_empty_where_there_is_no_picture) {
     EXPECT_EQ(page_svg("", {}), "");
     EXPECT_EQ(page_svg("gnuplot failed", {}), "");
 }

@@ -16,7 +16,7 @@ TEST(ReadableNumber, is_a_decimal_where_that_is_short) {
 }
 
 // No "1e-06" and no "1.0·10⁻⁶": a power of ten is that alone.
-TEST(ReadableNumber, has_raised_digits_elsewhere) {
+TEST(ReadableNumber, has_a_power_of_ten_elsewhere) {
     EXPECT_EQ(readable(1e-6), "10⁻⁶");
     EXPECT_EQ(readable(2.34e-7), "2.3·10⁻⁷");
     EXPECT_EQ(readable(9.97e-7), "10⁻⁶");
@@ -31,7 +31,7 @@ TEST(ReadableNumber, can_be_typed) {
     EXPECT_EQ(typed(0.01), "0.01");
 }
 
-TEST(ReadableNumber, counts_in_groups_of_three) {
+TEST(ReadableNumber, has_groups_of_three_digits_for_counts) {
     EXPECT_EQ(grouped(999), "999");
     EXPECT_EQ(grouped(12345678), "12\u202f345\u202f678");
 }

@@ -22,7 +22,7 @@ TEST(Answers, take_the_fastest_that_keeps_the_error) {
     EXPECT_EQ(fastest(runs, 1e-4, "rk4"), &runs[0]);
     EXPECT_EQ(fastest(runs, 1e-7), nullptr);
     EXPECT_EQ(answer(runs, 1e-4), "pefrl at dt 0.2 in double, 3 times faster than rk4");
-    EXPECT_EQ(answer(runs, 1e-7), "no run reached it");
+    EXPECT_EQ(answer(runs, 1e-7), "no run reached this error");
 }
 
 TEST(Answers, never_take_a_failed_run_for_a_fast_one) {
@@ -31,7 +31,7 @@ TEST(Answers, never_take_a_failed_run_for_a_fast_one) {
     EXPECT_EQ(pareto_front(runs).size(), 1u);
 }
 
-TEST(Answers, of_the_front_are_beaten_by_no_other) {
+TEST(Answers, of_the_front_are_optimal) {
     const std::vector<Measurement> runs{run_with("rk4", 0.1, 1e-5, 3e-6), run_with("pefrl", 0.2, 1e-6, 1e-6),
                                         run_with("euler", 0.1, 1e-2, 1e-7), run_with("verlet", 0.1, 1e-2, 2e-7)};
     const auto front = pareto_front(runs);
@@ -40,7 +40,7 @@ TEST(Answers, of_the_front_are_beaten_by_no_other) {
     EXPECT_EQ(front[1], &runs[1]);
 }
 
-TEST(MeasuredOrder, is_the_slope_between_floor_and_ceiling) {
+TEST(MeasuredOrder, is_the_slope_away_from_the_largest_and_smallest_errors) {
     std::vector<Measurement> runs;
     for (double dt = 1; dt > 1e-3; dt /= 2) runs.push_back(run_with("rk4", dt, std::pow(dt, 4) + 1e-11, 1e-6));
     EXPECT_NEAR(*measured_order(runs, "rk4", Precision::double_), 4, 0.05);
@@ -73,14 +73,14 @@ TEST(SpeedErrorCsv, reads_back_exactly) {
     }
 }
 
-TEST(SpeedErrorCsv, has_the_columns_of_the_contract_and_nothing_for_what_a_failed_run_has_not) {
+TEST(SpeedErrorCsv, has_the_columns_of_the_contract_and_empty_cells_for_a_failed_run) {
     const std::string csv = speed_error_csv(std::vector{diverged("euler", 1)});
     EXPECT_THAT(
         csv, testing::StartsWith("model,method,precision,dt,steps,evaluations,wall_s,error,energy_error,status,hash"));
     EXPECT_THAT(csv, HasSubstr(",,,diverged,"));
 }
 
-TEST(SpeedErrorCsv, refuses_what_is_none) {
+TEST(SpeedErrorCsv, refuses_other_text) {
     EXPECT_THROW(parse_speed_error_csv("chain,rk4,double\n"), Error);
     EXPECT_THROW(parse_speed_error_csv("chain,rk4,double,x,1,1,,,,ok,0,,,\n"), Error);
     EXPECT_THROW(parse_speed_error_csv("chain,nonsense,double,1,1,1,,,,ok,0,,,\n"), Error);

@@ -25,7 +25,8 @@ LyapunovExponent exponent_of(const RunDescription& run, double time) {
     return lyapunov_exponent(model(run.model).scene(run.scene), model(run.model).shape(run.scene), time);
 }
 
-/// At rest at its start to the last bit for dual numbers, which take another way to the exponential than doubles.
+/// In equilibrium at its start to the last bit also for dual numbers, whose exponential is computed differently from
+/// that of doubles.
 Scene balanced_for_duals(Scene scene) {
     using Number = Dual<double>;
     PairForces& pairs = std::get<PairForces>(scene.forces);
@@ -38,7 +39,7 @@ Scene balanced_for_duals(Scene scene) {
 }
 
 /// A Morse cube, balanced at its start, from where it departs as e^(rate t): its rate by the eigenvalues of the
-/// linearised scene, and as runs beside each other show it.
+/// linearised scene, and as measured by neighbouring runs.
 std::pair<double, double> departure(double stretched) {
     const RunDescription run = scene_of("morse", {{"edge", 2}, {"spacing", 2.5 * stretched}, {"k", 8}, {"v0", 0}});
     const Shape shape = model("morse").shape(run.scene);
@@ -55,7 +56,7 @@ TEST(Lyapunov, exponent_of_a_linear_departure_is_the_rate_of_its_eigenvalue) {
     EXPECT_GT(std::abs(departure(1.02).second / rate - 1), 1e-2);  // the partner: a scene 2 % wider
 }
 
-// Distances of a regular motion grow in proportion to time at most.
+// Distances in a regular motion grow at most linearly in time.
 TEST(Lyapunov, exponent_of_regular_motion_is_zero) {
     EXPECT_NEAR(exponent_of(scene_of("oscillator"), 1000).exponent, 0, 1e-12);
     EXPECT_LT(exponent_of(scene_of("free"), 1000).exponent, 1e-2);
@@ -69,8 +70,8 @@ TEST(Lyapunov, exponent_of_damped_motion_is_negative) {
     EXPECT_LT(exponent_of(scene_of("rope"), 20).exponent, 0);
 }
 
-// The same rope with and without drag. Between stretches of 2 s the exponent differs by some 1.
-TEST(Lyapunov, exponent_of_a_whipping_rope_stands_clear_of_zero) {
+// The same rope with and without drag. Between intervals of 2 s the exponent varies by about 1.
+TEST(Lyapunov, exponent_of_a_whipping_rope_is_significantly_positive) {
     const LyapunovExponent whip = exponent_of(scene_of("rope", {{"c", 0}}), 20),
                            damped = exponent_of(scene_of("rope"), 20);
     EXPECT_TRUE(whip.chaotic());
@@ -78,7 +79,7 @@ TEST(Lyapunov, exponent_of_a_whipping_rope_stands_clear_of_zero) {
     EXPECT_FALSE(damped.chaotic());
 }
 
-TEST(Chaos, is_told_where_the_reference_is_lost_and_nowhere_else) {
+TEST(Chaos, is_reported_where_the_reference_is_lost_and_nowhere_else) {
     const ReferenceEffort effort{.most_particle_evaluations = 3e5};
     const RunDescription whip = scene_of("rope", {{"c", 0}}), calm = scene_of("rope");
     const auto note = [&](const RunDescription& scene, double time) {
@@ -87,11 +88,11 @@ TEST(Chaos, is_told_where_the_reference_is_lost_and_nowhere_else) {
     EXPECT_THAT(note(whip, 20), testing::HasSubstr("its Lyapunov exponent is "));
     EXPECT_EQ(note(calm, 20), "");
     EXPECT_EQ(note(whip, 2), "");
-    // the partner: a reference that is lost for want of effort only
+    // the partner: a reference that is inaccurate only for lack of effort
     EXPECT_EQ(chaos_note(calm, 5, 1), "");
 }
 
-TEST(Chaos, is_told_to_who_asks_for_advice) {
+TEST(Chaos, is_reported_with_advice) {
     StudyPlan plan;
     plan.scene = scene_of("rope", {{"c", 0}});
     plan.time = 20;

@@ -12,7 +12,7 @@
 namespace steplab::test {
 namespace {
 
-/// How often each was called, and by how many threads its run may go.
+/// How often each was called, and the number of threads for its run.
 struct Called {
     std::vector<int> times;
     std::vector<std::size_t> threads;
@@ -20,7 +20,7 @@ struct Called {
 Called called(std::size_t count, double bytes) {
     Called all{std::vector<int>(count), std::vector<std::size_t>(count)};
     std::mutex mutex;
-    side_by_side(count, bytes, [&](std::size_t i, const Execution& execution) {
+    parallel_for_each(count, bytes, [&](std::size_t i, const Execution& execution) {
         const std::lock_guard lock(mutex);
         ++all.times[i];
         all.threads[i] = execution.threads;
@@ -28,7 +28,7 @@ Called called(std::size_t count, double bytes) {
     return all;
 }
 
-TEST(HasLanes, does_each_once_and_shares_the_processors) {
+TEST(ParallelForEach, does_each_once_and_shares_the_processors) {
     EXPECT_TRUE(called(0, 0).times.empty());
     for (const std::size_t count : {std::size_t(1), std::size_t(2), std::size_t(3), 2 * processors() + 1}) {
         const Called all = called(count, 0);
@@ -38,8 +38,8 @@ TEST(HasLanes, does_each_once_and_shares_the_processors) {
     }
 }
 
-// One after the other, each by all processors.
-TEST(HasLanes, takes_no_more_at_once_than_memory_holds) {
+// One after the other, each with all processors.
+TEST(ParallelForEach, runs_no_more_in_parallel_than_fit_into_memory) {
     for (const double share : {0.6, 1.0, 10.0}) {
         const Called all = called(5, share * available_memory());
         EXPECT_EQ(all.times, std::vector<int>(5, 1));
@@ -47,14 +47,14 @@ TEST(HasLanes, takes_no_more_at_once_than_memory_holds) {
     }
 }
 
-// Each fails, so that whoever begins one begins no other, however the processors are shared out.
-TEST(HasLanes, ends_with_the_first_exception) {
+// Every call fails, so that each thread begins at most one, however the processors are shared.
+TEST(ParallelForEach, ends_with_the_first_exception) {
     std::atomic<std::size_t> begun = 0;
     const auto fail = [&](std::size_t, const Execution&) {
         ++begun;
         throw UsageError("enough");
     };
-    EXPECT_THROW(side_by_side(1000, 0, fail), UsageError);
+    EXPECT_THROW(parallel_for_each(1000, 0, fail), UsageError);
     EXPECT_LE(begun, processors());
 }
 

@@ -15,8 +15,8 @@
 #include <variant>
 #include <vector>
 
-// References share the code that finds and crosses collisions with the methods they judge. Here they are held to what
-// does not know of it: closed forms on both sides of a collision, and energy.
+// References share the code that finds and crosses collisions with the methods that are compared with them. Here they
+// are compared with what does not depend on it: closed forms on both sides of a collision, and energy.
 
 namespace steplab::test {
 namespace {
@@ -27,8 +27,8 @@ RunDescription morse(Settings settings) { return run_of("morse", "rkn-12-10", Pr
 
 const RunDescription cube = morse({{"spacing", 0.5}, {"v0", 1.5}});
 
-/// Two particles of one mass, head on, until as long behind their collision as they began before it. The distance obeys
-/// a force that is odd in it: behind the collision it is what it was as long before, turned round.
+/// Two particles of equal mass, head on, until as long after their collision as they started before it. The force is an
+/// odd function of the distance: after the collision the distance is that of the same time before, reversed.
 class PassedHeadOn {
 public:
     explicit PassedHeadOn(const RunDescription& scene)
@@ -36,7 +36,7 @@ public:
 
     double collision() const { return before_->valid_until(); }
 
-    /// Of the first and the second particle, at a time not before the collision.
+    /// Positions of the first and the second particle, at a time not before the collision.
     std::vector<double> positions(double time) const {
         const double as_long_before = 2 * collision() - time;
         const double distance = before_->displacement(0, as_long_before).x - before_->displacement(1, as_long_before).x;
@@ -49,12 +49,12 @@ private:
     std::shared_ptr<const ExactSolution> before_;
 };
 
-/// Largest distance of the two from there.
+/// Largest distance of the two particles from these positions.
 double distance(const std::vector<double>& positions, const Field<double>& displacement) {
     return std::max(std::abs(displacement.x()[0] - positions[0]), std::abs(displacement.x()[1] - positions[1]));
 }
 
-/// What the closed form's own numbers, distances of 20 and times of 20 in double, leave.
+/// Rounding of the closed form: distances of 20 and times of 20 in double.
 constexpr double rounding = 1e-13;
 
 TEST(ReferenceBehindACollision, is_the_closed_form_of_two_particles) {
@@ -63,7 +63,7 @@ TEST(ReferenceBehindACollision, is_the_closed_form_of_two_particles) {
         const PassedHeadOn exact(scene);
         const std::vector<double> times{exact.collision() + 0.01, 1.3 * exact.collision(), 1.9 * exact.collision()};
         const Reference run = reference_run(scene, times);
-        EXPECT_NE(run.how.find("1 collisions crossed"), std::string::npos) << run.how;
+        EXPECT_NE(run.how.find("1 collision crossed"), std::string::npos) << run.how;
         for (const ReferenceMoment& moment : run.moments) {
             EXPECT_LT(distance(exact.positions(moment.time), moment.state.displacement), rounding) << v0;
             EXPECT_LT(moment.error, 1e-14) << v0;
@@ -71,7 +71,7 @@ TEST(ReferenceBehindACollision, is_the_closed_form_of_two_particles) {
     }
 }
 
-/// Morse pairs that the locator sees elsewhere than where they are.
+/// Morse pairs whose positions are given to the locator with an error.
 struct Misplaced : Pairs<Real> {
     Misplaced(const PairForces& forces, Real by) : Pairs<Real>(forces), by_(by) {}
 
@@ -85,7 +85,7 @@ private:
     Real by_;
 };
 
-/// A run of the reference's own steps with such a locator.
+/// A run with the adaptive steps of the reference and such a locator.
 Field<double> misplaced_run(const RunDescription& description, double time, Real by) {
     const Scene scene = model("morse").scene(description.scene);
     System<Real, Misplaced> system(Misplaced(std::get<PairForces>(scene.forces), by), 0, time);
@@ -99,8 +99,8 @@ Field<double> misplaced_run(const RunDescription& description, double time, Real
     return converted<double>(state.displacement);
 }
 
-// The partner: the same steps, and a locator that is wrong by a millionth. (A blind one need not be wrong: the control
-// of errors may bring the steps through a single jump.)
+// The partner: the same steps, and a locator with a relative error of 1e-6. (Without any locator the result need not be
+// wrong: error control may take the steps through a single jump.)
 TEST(ReferenceBehindACollision, is_wrong_with_a_wrong_locator) {
     const RunDescription scene = morse({{"edge", 1}});
     const PassedHeadOn exact(scene);
@@ -118,12 +118,13 @@ double energy(const State<double>& state) {
     return twice_kinetic / 2 + forces.potential(state.displacement).value;
 }
 
-// Six collisions, and errors that grow some thousand times: still an error of 1e-10 can be told from the reference's.
-// Energy knows of no collision: 378 pairs and 28 particles, -331 together, are off by no more than some ulps of 6e-14.
+// Six collisions, and errors amplified about a thousand times: an error of 1e-10 is still well above that of the
+// reference. Energy is independent of the collisions: 378 pairs and 28 particles, -331 in total, are accurate to a few
+// ulps of 6e-14.
 TEST(ReferenceOfTheCollidingCube, supports_answers_at_1e_10) {
     StudyPlan plan{
         .scene = cube, .time = 5, .methods = {"rkn-12-10"}, .method_settings = {}, .precisions = {Precision::double_}};
-    plan.most_seconds_a_run = 10;  // no clock ends the search
+    plan.most_seconds_a_run = 10;  // the search is not ended by time
     const Reference right = reference_for(plan, 1e-13);
     const ReferenceMoment& end = right.moments.back();
     EXPECT_NE(right.how.find("6 collisions crossed"), std::string::npos) << right.how;
@@ -137,7 +138,7 @@ TEST(ReferenceOfTheCollidingCube, supports_answers_at_1e_10) {
     EXPECT_LE(error_against(end, simulation.state().displacement), 1e-10);
     EXPECT_EQ(simulation.collisions().count(), 6u);
 
-    // the partner: steps that do not look
+    // the partner: steps without a locator
     Simulation blind(with_method(cube, "rk4"));
     blind.advance(50);
     EXPECT_GT(error_against(end, blind.state().displacement), 1e-4);

@@ -30,7 +30,7 @@ Pair both(const RunDescription& scene, const std::vector<double>& times, const R
     return {reference_run(scene, times, effort), reference(scene, times)};
 }
 
-/// The true error is no more than 10 times the estimates and the rounding of the closed form's own numbers.
+/// The true error is at most 10 times the estimates plus the rounding of the closed form.
 void expect_honest(const Pair& pair) {
     ASSERT_TRUE(pair.exact.exact);
     ASSERT_FALSE(pair.run.exact);
@@ -44,7 +44,7 @@ void expect_honest(const Pair& pair) {
 
 const std::vector<double> times{0, 0.1, 3, 20.5, 68.1};
 
-TEST(Reference, is_honest_where_the_answer_is_known) {
+TEST(Reference, estimates_its_error_correctly_where_the_solution_is_known) {
     for (const auto& scene : {scene_of("free"), scene_of("oscillator"), scene_of("oscillator", {{"c", 0.7}}),
                               scene_of("oscillator", {{"c", 9}, {"k", 3}}), scene_of("chain"),
                               scene_of("chain", {{"fixed", 0}}), scene_of("chain", {{"c", 0.2}, {"n", 5}})}) {
@@ -53,8 +53,8 @@ TEST(Reference, is_honest_where_the_answer_is_known) {
     }
 }
 
-// Displacements of 2: some roundings of a double, whose sum over positions near 18 would be ten times as large.
-TEST(Reference, knows_the_chain_to_the_last_digits) {
+// Displacements of 2: a few roundings of a double; with absolute positions near 18 they would be ten times as large.
+TEST(Reference, of_the_chain_is_accurate_to_rounding) {
     const Pair pair = both(scene_of("chain"), {68.1});
     EXPECT_LT(pair.exact.moments[0].error, 2e-15);
     EXPECT_LT(pair.run.moments[0].error, 2e-15);
@@ -62,8 +62,8 @@ TEST(Reference, knows_the_chain_to_the_last_digits) {
     EXPECT_LT(distance(pair.run.moments[0].state.velocity, pair.exact.moments[0].state.velocity), 3e-15);
 }
 
-// The partner: steps far too long, and the reference says so.
-TEST(Reference, of_too_coarse_steps_admits_it) {
+// The partner: steps far too long, with an estimate that says so.
+TEST(Reference, of_too_coarse_steps_has_a_large_estimate) {
     const Pair pair = both(scene_of("oscillator"), {68.1}, {.error = 0, .first_phase = 8, .most_refinements = 0});
     const double error = distance(pair.run.moments[0].state.displacement, pair.exact.moments[0].state.displacement);
     EXPECT_GT(error, 1e-9);
@@ -71,7 +71,7 @@ TEST(Reference, of_too_coarse_steps_admits_it) {
     EXPECT_EQ(error_against(pair.run.moments[0], pair.run.moments[0].state.displacement), pair.run.moments[0].error);
 }
 
-TEST(Reference, costs_no_more_than_it_may) {
+TEST(Reference, keeps_to_the_allowed_cost) {
     const Reference dear = reference_run(scene_of("mesh"), std::vector<double>{20}, {.most_particle_evaluations = 1});
     const Reference fine = reference_run(scene_of("mesh"), std::vector<double>{20});
     EXPECT_GT(dear.moments[0].error, 100 * fine.moments[0].error);
@@ -80,7 +80,7 @@ TEST(Reference, costs_no_more_than_it_may) {
               10 * dear.moments[0].error);
 }
 
-// Nothing comes nearer than 0.163 with this spacing up to t = 2; a run of another family agrees.
+// No distance is below 0.163 with this spacing up to t = 2; a run of another family agrees.
 TEST(Reference, of_the_morse_cube_agrees_with_a_fine_run_of_another_family) {
     RunDescription run = run_of("morse", "kahan-li-8", Precision::double_, 1.0 / 256, {{"spacing", 0.3}});
     run.method_parameters.set("compensated", 1);
@@ -89,12 +89,12 @@ TEST(Reference, of_the_morse_cube_agrees_with_a_fine_run_of_another_family) {
     Simulation simulation(run);
     simulation.advance(512);
     const Frame frame = simulation.frame();
-    for (std::size_t i = 0; i < frame.positions.size(); ++i)  // positions to 8: 100 roundings of its ulp
+    for (std::size_t i = 0; i < frame.positions.size(); ++i)  // positions up to 8: 100 roundings of an ulp of 8
         EXPECT_LT(length(frame.positions[i] - right.moments[0].state.displacement.at(i)), 1e-12) << i;
 }
 
-// Where particles pass through each other the force jumps and no order is left for steps that do not look. The
-// reference crosses: three methods of other families agree with it, and its own estimate says how far that goes.
+// Where particles pass through each other the force jumps, and steps that do not locate collisions lose their order.
+// The reference crosses collisions: three methods of other families agree with it within its own estimate.
 TEST(Reference, crosses_collisions) {
     const RunDescription scene = scene_of("morse", {{"spacing", 0.5}, {"v0", 1.5}});
     const Reference right = reference(scene, std::vector<double>{1}, {.most_particle_evaluations = 1});
@@ -123,14 +123,14 @@ TEST(Reference, of_a_float_run_is_that_of_its_parameters) {
               0);
 }
 
-TEST(RestingReference, is_where_the_published_rope_hangs) {
+TEST(RestingReference, is_that_of_the_published_rope) {
     const auto rest = resting_reference(scene_of("rope"));
     ASSERT_TRUE(rest.has_value());
     EXPECT_NEAR(rest->state.displacement.y()[9], -6.70725, 1e-14);
     EXPECT_NEAR(rest->state.displacement.x()[9], -4.5, 1e-14);
     EXPECT_FALSE(resting_reference(scene_of("rope", {{"c", 0}})).has_value());
     EXPECT_FALSE(resting_reference(scene_of("chain")).has_value());
-    // with strong drag a run of 200 s ends there: the slowest motion has died by e^-100
+    // with strong drag a run of 200 s ends there: the slowest motion has decayed by e^-100
     const Reference late = reference_run(scene_of("rope", {{"c", 1}}), std::vector<double>{200}, {.error = 1e-12});
     EXPECT_LT(error_against(*rest, late.moments[0].state.displacement), 1e-12 + 10 * late.moments[0].error);
 }
@@ -187,7 +187,7 @@ TEST(HeadOn, is_smooth_at_the_threshold_of_escape) {
     EXPECT_NEAR(at(1 + 1e-9), at(1), 1e-6);
 }
 
-// In a run the error is told until they touch, and no longer.
+// In a run the error is given until they touch, and not after.
 TEST(HeadOn, is_no_measure_after_they_touched) {
     Simulation simulation(run_of("morse", "kahan-li-8", Precision::double_, 0.01, {{"edge", 1}}));
     const double touch = model("morse").exact(simulation.description().scene)->valid_until();

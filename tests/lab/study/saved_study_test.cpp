@@ -25,12 +25,12 @@ StudyState state() {
     return state;
 }
 
-TEST(KeptStudy, is_found_again) {
+TEST(SavedStudy, is_found_again) {
     const TemporaryFolder folder;
     const StudyPlan plan = small_plan({"euler", "rk4"});
-    EXPECT_FALSE(KeptStudies(folder.path()).find(plan));
-    KeptStudies(folder.path()).keep(plan, state());
-    const auto found = KeptStudies(folder.path()).find(plan);
+    EXPECT_FALSE(SavedStudies(folder.path()).find(plan));
+    SavedStudies(folder.path()).save(plan, state());
+    const auto found = SavedStudies(folder.path()).find(plan);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->reference, "exact solution");
     EXPECT_EQ(found->series.series, 2u);
@@ -51,55 +51,55 @@ TEST(KeptStudy, is_found_again) {
     EXPECT_FALSE(found->limits->front().measured);
 }
 
-TEST(KeptStudy, of_another_plan_counts_for_nothing) {
+TEST(SavedStudy, of_another_plan_is_ignored) {
     const TemporaryFolder folder;
-    const KeptStudies kept(folder.path());
+    const SavedStudies saved(folder.path());
     const StudyPlan plan = small_plan({"euler", "rk4"});
-    kept.keep(plan, state());
+    saved.save(plan, state());
     StudyPlan other = plan;
     other.time = 6;
-    EXPECT_FALSE(kept.find(other));
+    EXPECT_FALSE(saved.find(other));
     other = plan;
     other.method_settings["substeps"] = 3;
-    EXPECT_FALSE(kept.find(other));
+    EXPECT_FALSE(saved.find(other));
     other = plan;
     other.methods.pop_back();
-    EXPECT_FALSE(kept.find(other));
+    EXPECT_FALSE(saved.find(other));
     other = plan;
     other.scene.scene.set("k", 2);
-    EXPECT_FALSE(kept.find(other));
-    EXPECT_TRUE(kept.find(plan));
+    EXPECT_FALSE(saved.find(other));
+    EXPECT_TRUE(saved.find(plan));
 }
 
-// A disk that was full, a machine that went down: whatever is left of the file, it is taken whole or not at all.
-TEST(KeptStudy, cut_off_at_any_byte_counts_for_nothing) {
+// After a full disk or a crash: a file is used only if it is complete.
+TEST(SavedStudy, truncated_at_any_byte_is_ignored) {
     const TemporaryFolder folder;
-    const KeptStudies kept(folder.path());
+    const SavedStudies saved(folder.path());
     const StudyPlan plan = small_plan({"euler", "rk4"});
-    kept.keep(plan, state());
+    saved.save(plan, state());
     const std::string file = folder.file(".measured/chain.json"), whole = text_of(file);
     for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
         put_text(file, std::string_view(whole).substr(0, bytes));
-        EXPECT_FALSE(kept.find(plan)) << bytes << " of " << whole.size();
+        EXPECT_FALSE(saved.find(plan)) << bytes << " of " << whole.size();
     }
     put_text(file, whole);
-    EXPECT_TRUE(kept.find(plan));
+    EXPECT_TRUE(saved.find(plan));
 }
 
-TEST(KeptStudy, that_is_something_else_counts_for_nothing) {
+TEST(SavedStudy, with_other_contents_is_ignored) {
     const TemporaryFolder folder;
-    const KeptStudies kept(folder.path());
+    const SavedStudies saved(folder.path());
     const StudyPlan plan = small_plan({"rk4"});
     for (const char* text : {"{}", "[]", "3", "{\"key\":3}", "null", "\"key\""}) {
         put_text(folder.file(".measured/chain.json"), text);
-        EXPECT_FALSE(kept.find(plan)) << text;
+        EXPECT_FALSE(saved.find(plan)) << text;
     }
 }
 
-/// Ends the report after so many calls of its progress, as an interruption does.
+/// Ends the report after a number of calls of its progress, as an interruption does.
 struct Stopped {};
 
-TEST(Report, that_was_stopped_goes_on_and_measures_no_series_twice) {
+TEST(Report, that_was_stopped_is_resumed_and_measures_no_series_twice) {
     const TemporaryFolder folder;
     const ReportRequest request{.folder = folder.path(), .plans = {small_plan({"rk4", "pefrl", "verlet"})}};
     int calls = 0;
@@ -108,20 +108,20 @@ TEST(Report, that_was_stopped_goes_on_and_measures_no_series_twice) {
                                   if (part > 0.3 && ++calls > 0) throw Stopped();
                               }),
                  Stopped);
-    const auto kept = KeptStudies(folder.path()).find(request.plans[0]);
-    ASSERT_TRUE(kept);
-    EXPECT_GE(kept->series.series, 1u);
-    EXPECT_FALSE(kept->series.timed);
+    const auto saved = SavedStudies(folder.path()).find(request.plans[0]);
+    ASSERT_TRUE(saved);
+    EXPECT_GE(saved->series.series, 1u);
+    EXPECT_FALSE(saved->series.timed);
     double first = 1;
     write_report(request, [&](double part, const std::string&) {
         if (part > 0 && first == 1) first = part;
     });
-    EXPECT_GT(first, 0.2);  // it begins where it was
+    EXPECT_GT(first, 0.2);  // it resumes where it stopped
     EXPECT_TRUE(std::filesystem::exists(folder.file("report.html")));
     EXPECT_FALSE(std::filesystem::exists(folder.file(".measured")));
 }
 
-TEST(Report, of_a_folder_that_cannot_be_made_is_refused) {
+TEST(Report, of_a_folder_that_cannot_be_created_is_refused) {
     const TemporaryFolder folder;
     put_text(folder.file("file"), "");
     EXPECT_THROW(write_report({.folder = folder.file("file/out"), .plans = {}}, [](double, const std::string&) {}),

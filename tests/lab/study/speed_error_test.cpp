@@ -33,12 +33,12 @@ TEST(SpeedError, falls_with_dt_by_the_order_of_the_method) {
         EXPECT_GT(run.wall_seconds.value_or(0), 0) << run.run.method << " " << run.run.dt;
 }
 
-// verlet gains from smaller steps for much longer; that steps end its series is not what time cuts.
+// verlet would gain from smaller steps for much longer; a series ended by the number of steps is not cut by time.
 TEST(SpeedError, takes_no_run_of_more_steps_than_the_plan_allows) {
     StudyPlan plan = small_plan({"verlet"});
     plan.most_steps_a_run = 100;
     SeriesState state;
-    go_on_with_series(
+    continue_series(
         plan, reference_for(plan), state, [] {}, no_progress);
     const auto most = std::max_element(state.runs.begin(), state.runs.end(),
                                        [](const auto& a, const auto& b) { return a.steps < b.steps; });
@@ -48,14 +48,14 @@ TEST(SpeedError, takes_no_run_of_more_steps_than_the_plan_allows) {
     EXPECT_TRUE(state.cut.empty());
 }
 
-TEST(SpeedError, ends_where_the_run_was_asked_to_end) {
+TEST(SpeedError, ends_at_the_requested_time) {
     const StudyPlan plan = small_plan({"rk4"});
     for (const Measurement& run : measure_series(plan, reference_for(plan), no_progress))
         EXPECT_NEAR(run.run.dt * static_cast<double>(run.steps), plan.time, 1e-12);
 }
 
 // 9^3 + 1 particles of which every pair acts on each other: too many for the linear solver of tr-bdf2.
-TEST(SpeedError, leaves_out_methods_that_refuse_the_scene) {
+TEST(SpeedError, leaves_out_methods_that_cannot_run_the_scene) {
     StudyPlan plan = small_plan({"verlet", "tr-bdf2"});
     EXPECT_EQ(possible_methods(plan), plan.methods);
     plan.scene = describe("morse", "verlet");
@@ -63,7 +63,7 @@ TEST(SpeedError, leaves_out_methods_that_refuse_the_scene) {
     EXPECT_EQ(possible_methods(plan), std::vector<std::string>{"verlet"});
 }
 
-// A wrong scene has an error that no dt takes away: the partner of the orders above.
+// The partner of the orders above: a wrong scene has an error that no dt reduces.
 TEST(SpeedError, of_a_wrong_scene_does_not_fall) {
     const StudyPlan right = small_plan({"pefrl"});
     StudyPlan wrong = right;
@@ -81,8 +81,8 @@ TEST(SpeedError, is_never_below_that_of_the_reference) {
     for (const Measurement& run : measure_series(plan, reference, no_progress)) EXPECT_GE(run.error, 1e-5);
 }
 
-// gauss-16 cuts a dt that is too large for it, so that its first runs are all alike: they end no series.
-TEST(SpeedError, goes_on_past_runs_that_cost_no_more_than_the_one_before) {
+// gauss-16 shortens a dt that is too large for it, so that its first runs are all the same: they do not end the series.
+TEST(SpeedError, continues_past_runs_that_cost_no_more_than_the_previous_one) {
     StudyPlan plan = small_plan({"gauss-16"});
     plan.time = 60;
     const auto runs = measure_series(plan, reference_for(plan), no_progress);
@@ -93,23 +93,23 @@ TEST(SpeedError, goes_on_past_runs_that_cost_no_more_than_the_one_before) {
     EXPECT_GT(static_cast<std::ptrdiff_t>(runs.size()), by_dt);  // and some by tolerance
 }
 
-/// All that measuring finds of a run but how long it took.
+/// All measured values of a run except its time.
 std::string found(const Measurement& m) {
     return fmt::format("{} {} {} {} {} {} {} {}", m.run.method, id(m.run.precision), m.steps, m.result.evaluations,
                        m.error, m.rms_error, m.result.energy_error, m.result.hash);
 }
 
-// No clock ends a series: which runs they take is then no matter of time.
-TEST(SpeedError, of_series_measured_side_by_side_is_that_of_each_alone_in_the_order_of_the_plan) {
+// No series is ended by time, so that the runs do not depend on the clock.
+TEST(SpeedError, of_series_measured_in_parallel_is_that_of_each_alone_in_the_order_of_the_plan) {
     StudyPlan plan = small_plan({"kahan-li-8", "gauss-16", "rkn-12-10", "dop853"});
     plan.precisions = {Precision::float_, Precision::double_};
     const Reference reference = reference_for(plan);
     std::vector<std::string> together, alone;
     SeriesState state;
-    const auto keep = [&] {
+    const auto save = [&] {
         for (std::size_t i = together.size(); i < state.runs.size(); ++i) together.push_back(found(state.runs[i]));
     };
-    go_on_with_series(plan, reference, state, keep, no_progress);
+    continue_series(plan, reference, state, save, no_progress);
     EXPECT_EQ(state.series, 8u);
     for (const std::string& method : plan.methods) {
         for (const Precision precision : plan.precisions) {
@@ -122,13 +122,13 @@ TEST(SpeedError, of_series_measured_side_by_side_is_that_of_each_alone_in_the_or
     EXPECT_EQ(together, alone);
 }
 
-// What an interruption found complete behind a series that was not.
-TEST(SpeedError, goes_on_around_series_that_are_complete) {
+// Series that were complete at an interruption, after one that was not.
+TEST(SpeedError, continues_around_series_that_are_complete) {
     const StudyPlan plan = small_plan({"pefrl", "rk4", "kahan-li-8"});
     SeriesState state;
     state.ahead[1] = {{run_with("rk4", 0.1, 123, 1e-6)}, true};
     state.timed = true;
-    go_on_with_series(
+    continue_series(
         plan, reference_for(plan), state, [] {}, no_progress);
     EXPECT_EQ(state.series, 3u);
     EXPECT_TRUE(state.ahead.empty());
@@ -142,17 +142,17 @@ TEST(SpeedError, goes_on_around_series_that_are_complete) {
         std::any_of(state.cut.begin(), state.cut.end(), [](const CutSeries& it) { return it.method == "rk4"; }));
 }
 
-/// What time cuts of a series of runs none of which may take longer.
+/// The series that are cut by time if no run may take longer than this.
 std::vector<CutSeries> cut_by(double most_seconds_a_run) {
     StudyPlan plan = small_plan({"pefrl", "gauss-16"});
     plan.most_seconds_a_run = most_seconds_a_run;
     SeriesState state;
-    go_on_with_series(
+    continue_series(
         plan, reference_for(plan), state, [] {}, no_progress);
     return state.cut;
 }
 
-// A nanosecond is less than a run takes, a minute ten thousand times more.
+// A run takes more than a nanosecond, and 1/10000 of a minute.
 TEST(SpeedError, names_the_series_that_time_ends_and_no_other) {
     const auto cut = cut_by(1e-9);
     ASSERT_EQ(cut.size(), 2u);
@@ -174,7 +174,7 @@ TEST(GainWatch, ends_after_two_that_cost_more_and_are_no_better) {
     for (int run = 0; run < 5; ++run) EXPECT_FALSE(equally_dear.gains_no_more(costing(100, 1e-9)));
 }
 
-TEST(Advice, keeps_the_error_it_was_asked_for) {
+TEST(Advice, keeps_the_requested_error) {
     const StudyPlan plan = small_plan({"euler", "rk4", "pefrl"});
     const Reference reference = reference_for(plan);
     for (const double error : {1e-2, 1e-5, 1e-9}) {
@@ -184,7 +184,7 @@ TEST(Advice, keeps_the_error_it_was_asked_for) {
     }
 }
 
-TEST(Advice, takes_no_smaller_dt_than_needed) {
+TEST(Advice, uses_no_smaller_dt_than_needed) {
     const StudyPlan plan = small_plan({"pefrl"});
     const Reference reference = reference_for(plan);
     const Advice advice = advise(plan, 1e-6, reference, no_progress);
@@ -200,14 +200,14 @@ TEST(Advice, compares_with_rk4_however_slow_that_is) {
     EXPECT_EQ(advice.others[0].run.method, "rk4");
 }
 
-TEST(Advice, takes_tolerances_one_can_type) {
+TEST(Advice, uses_tolerances_that_can_be_typed) {
     const StudyPlan plan = small_plan({"taylor"});
     const Advice advice = advise(plan, 1e-9, reference_for(plan), no_progress);
     const double tolerance = advice.best.run.method_parameters["tolerance"];
     EXPECT_EQ(parse_number(typed(tolerance, 1)), tolerance);
 }
 
-TEST(Advice, says_what_can_be_had_where_the_error_cannot) {
+TEST(Advice, names_the_smallest_error_where_the_requested_one_is_not_reached) {
     const StudyPlan plan = small_plan({"pefrl"});
     try {
         advise(plan, 1e-18, reference_for(plan), no_progress);

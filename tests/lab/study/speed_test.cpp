@@ -12,7 +12,7 @@ struct Measured {
     double seconds_a_particle;
 };
 
-/// What bounds these sizes on a processor whose core has a cache of 1 MB.
+/// The bounds of these sizes on a processor with 1 MB of cache per core.
 std::vector<Bound> bounds_of(const std::vector<Measured>& sizes, Precision precision = Precision::double_) {
     std::vector<Speed> speeds;
     for (const auto& [particles, seconds] : sizes) {
@@ -33,8 +33,8 @@ TEST(Bounds, of_few_particles_are_latency_where_many_are_faster) {
     EXPECT_EQ(bounds_of({{1000, 2}, {10000, 1}}), (Bounds{Bound::arithmetic, Bound::arithmetic}));
 }
 
-// The size that shows it need not be the next one.
-TEST(Bounds, of_few_particles_look_at_every_larger_size) {
+// The larger size that shows it need not be the next one.
+TEST(Bounds, of_few_particles_consider_every_larger_size) {
     EXPECT_EQ(bounds_of({{10, 2}, {50, 1.9}, {1000, 0.5}}),
               (Bounds{Bound::latency, Bound::latency, Bound::arithmetic}));
 }
@@ -49,13 +49,13 @@ TEST(Bounds, are_memory_where_numbers_beyond_the_cache_take_longer) {
     EXPECT_EQ(bounds_of({{1000, 1}, {1000000, 1.2}}), (Bounds{Bound::arithmetic, Bound::arithmetic}));
 }
 
-// Slowly from size to size, but clearly from the fastest one.
-TEST(Bounds, are_memory_beside_the_fastest_smaller_size) {
+// Only a little slower from size to size, but clearly slower than the fastest one.
+TEST(Bounds, are_memory_compared_with_the_fastest_smaller_size) {
     EXPECT_EQ(bounds_of({{1000, 1}, {100000, 1.2}, {1000000, 1.4}}),
               (Bounds{Bound::arithmetic, Bound::arithmetic, Bound::memory}));
 }
 
-// Pairs without a cut-off take longer, each particle, the more there are; that is no matter of memory.
+// Without a cut-off the time per particle grows with the number of particles; this is not due to memory.
 TEST(Bounds, within_the_cache_are_arithmetic_however_slow) {
     EXPECT_EQ(bounds_of({{100, 1}, {1000, 10}}), (Bounds{Bound::arithmetic, Bound::arithmetic}));
 }

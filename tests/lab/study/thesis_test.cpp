@@ -13,7 +13,7 @@ namespace steplab::test {
 namespace {
 
 /// Verlet's three points on absolute positions, as the thesis writes them, for the chain of table 1: L = 3, k = m = 1,
-/// the first particle held, the last one kicked with 1. No clause for equal positions, no increments.
+/// the first particle fixed, the last one kicked with 1. No special case for equal positions, no increments.
 template <class T>
 T plain_three_points(int steps) {
     constexpr std::size_t n = 10;
@@ -37,7 +37,7 @@ T plain_three_points(int steps) {
     return x[n - 1];
 }
 
-// The thesis printed 25.7907 for Verlet: what float leaves of differences of positions of size 26.
+// The thesis printed 25.7907 for Verlet: rounding in float of differences of positions near 26.
 TEST(ThesisTable1, has_verlets_digits_from_absolute_positions_in_float) {
     EXPECT_EQ(fmt::format("{:.4f}", plain_three_points<float>(681)), "25.7907");
     EXPECT_EQ(fmt::format("{:.4f}", plain_three_points<double>(681)), "25.7906");  // the partner: without rounding
@@ -54,7 +54,7 @@ std::string stoermer_in_float(double substeps) {
     return fmt::format("{:.4f}", simulation.frame().positions[9].x);
 }
 
-// It printed 25.7906 for Störmer: one substep gives that, no other number of them up to twenty does.
+// It printed 25.7906 for Störmer: one substep gives this value, no other number up to twenty does.
 TEST(ThesisTable1, has_stoermers_digits_from_a_single_substep) {
     EXPECT_EQ(stoermer_in_float(1), "25.7906");
     for (int substeps = 2; substeps <= 20; ++substeps) EXPECT_NE(stoermer_in_float(substeps), "25.7906") << substeps;
@@ -66,7 +66,7 @@ TEST(ThesisTable1, has_a_row_for_each_of_the_five_methods) {
     for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.head.size());
 }
 
-TEST(ThesisCharts, show_every_method_and_precision_beside_the_exact_motion) {
+TEST(ThesisCharts, show_every_method_and_precision_with_the_exact_motion) {
     const auto charts = thesis_charts();
     std::size_t of_the_chain = 0;
     for (const ThesisChart& chart : charts) {

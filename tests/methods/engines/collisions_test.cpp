@@ -107,7 +107,7 @@ TEST(MovingAxes, are_those_of_positions_velocities_and_forces) {
         State<double> state{Field<double>(2), Field<double>(2)};
         state.displacement.set(1, x);
         state.velocity.set(1, v);
-        return moving_axes(system, state);
+        return moving_axes(system.force(), state);
     };
     EXPECT_EQ(axes({1, 0, 0}, {1, 0, 0}, 0), 1u);
     EXPECT_EQ(axes({0, 0, 0}, {0, 0, 0}, 9), 2u);
@@ -116,7 +116,7 @@ TEST(MovingAxes, are_those_of_positions_velocities_and_forces) {
     EXPECT_EQ(axes({0, 0, -1}, {0, 0, 0}, 0), 3u);
     EXPECT_EQ(axes({0, 0, 0}, {0, 0, 1}, 0), 3u);
     const System<double, Grid<double>> mesh(Grid<double>({.rows = 3, .columns = 3}), 0, 1);
-    EXPECT_EQ(moving_axes(mesh, State<double>{Field<double>(9), Field<double>(9)}), 3u);
+    EXPECT_EQ(moving_axes(mesh.force(), State<double>{Field<double>(9), Field<double>(9)}), 3u);
 }
 
 // What one sees between the ends of steps, the moment of the collision itself included: there x = -1, v = -speed.

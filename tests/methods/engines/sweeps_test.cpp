@@ -19,6 +19,7 @@ namespace {
 /// A layout that does not sweep: all accelerations first, then all moves.
 template <class Force>
 struct AllAtOnce {
+    static constexpr ForceCapabilities capabilities{};
     Force force;
 
     template <class T>

@@ -23,9 +23,9 @@ void each_row(const Clusters& clusters, F f) {
     }
 }
 
-// So slabs of even numbers can be summed at the same time, and then those of odd ones. Images along x, which a slab far
-// away may have, are of the first one alone.
-TEST(Clusters, are_in_slabs_that_meet_only_the_next_one) {
+// So slabs with even numbers can be summed in parallel, and then those with odd numbers. Only the first slab has images
+// along x, which may belong to distant slabs.
+TEST(Clusters, are_in_slabs_that_interact_only_with_the_next_one) {
     for (const double period : {0.0, 17.0, 18.0}) {
         for (const double reach : {1.2, 2.3, 4.0}) {
             const Scene scene = crystal({{"edge", 17}});
@@ -54,8 +54,9 @@ TEST(Clusters, are_in_slabs_that_meet_only_the_next_one) {
     }
 }
 
-// More members than a power of two, and than particles; some particles are nowhere.
-TEST(Clusters, are_the_same_whoever_sorts) {
+// Numbers of members that are no power of two, or exceed the number of particles; some particles have no valid
+// position.
+TEST(Clusters, do_not_depend_on_the_number_of_threads) {
     for (const double edge : {1.0, 6.0, 17.0}) {
         const Scene scene = crystal({{"edge", edge}, {"cutoff", edge / 3}});
         Field<double> u = scattered<double>(scene, 0.4);
@@ -73,8 +74,8 @@ TEST(Clusters, are_the_same_whoever_sorts) {
     }
 }
 
-// Sorting begins with the order before: of other positions, of another number of particles.
-TEST(Clusters, are_the_same_whatever_they_were) {
+// Sorting begins with the previous order: that of other positions, or of another number of particles.
+TEST(Clusters, do_not_depend_on_previous_clusters) {
     Team team(3);
     const auto make = [&](Clusters& clusters, double edge, double spread) {
         const Field<double> u = scattered<double>(crystal({{"edge", edge}}), spread);
@@ -102,7 +103,7 @@ TEST(Clusters, list_each_pair_within_reach_once) {
         std::vector<std::size_t> particle(clusters.count() * Clusters::size, u.count());
         for (std::size_t i = 0; i < u.count(); ++i) particle[clusters.places()[i]] = i;
         std::set<std::pair<std::size_t, std::size_t>> found;
-        const auto look = [&](std::size_t c, Clusters::Other other) {
+        const auto list_pairs = [&](std::size_t c, Clusters::Other other) {
             const auto along = [&](std::size_t axis) { return period * Clusters::periods(other.image(), axis); };
             const bool itself = c == other.cluster() && other.image() == Clusters::own_image;
             for (std::size_t p = 0; p < Clusters::size; ++p) {
@@ -117,8 +118,8 @@ TEST(Clusters, list_each_pair_within_reach_once) {
             }
         };
         each_row(clusters, [&](std::size_t, std::uint32_t c, std::span<const Clusters::Other> others) {
-            look(c, {c, Clusters::own_image});
-            for (const Clusters::Other other : others) look(c, other);
+            list_pairs(c, {c, Clusters::own_image});
+            for (const Clusters::Other other : others) list_pairs(c, other);
         });
         std::size_t expected = 0;
         for (std::size_t i = 0; i < u.count(); ++i) {
@@ -131,7 +132,7 @@ TEST(Clusters, list_each_pair_within_reach_once) {
     }
 }
 
-TEST(Clusters, survive_particles_that_are_nowhere) {
+TEST(Clusters, accept_particles_without_a_valid_position) {
     Field<double> u(6);
     u.set(1, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
     u.set(2, {1e300, -1e300, 0});
@@ -141,11 +142,11 @@ TEST(Clusters, survive_particles_that_are_nowhere) {
     Field<double> a(6);
     NearPairs<double>(forces).accelerations(u, a);
     for (const std::size_t i : {1u, 2u, 3u}) EXPECT_EQ(a.at(i), Vec3{}) << i;
-    EXPECT_EQ(a.x()[0], a.x()[5]);  // at one place
+    EXPECT_EQ(a.x()[0], a.x()[5]);  // at the same place
 }
 
-// Their distances are beyond all floats.
-TEST(Clusters, survive_particles_that_are_farther_apart_than_numbers) {
+// Their distances overflow a float.
+TEST(Clusters, accept_particles_whose_distance_overflows) {
     Field<float> u(3), a(3);
     u.set(0, {0, 0, -3e38});
     for (const std::size_t i : {1u, 2u}) u.set(i, {0, 0, 3e38});

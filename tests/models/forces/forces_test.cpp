@@ -13,12 +13,11 @@
 namespace steplab::test {
 namespace {
 
-/// Every layout of forces that the models make, with particles moved off their places, so that no force is zero by
-/// symmetry.
+/// Every layout of forces that the models make, with displaced particles, so that no force is zero by symmetry.
 struct ForcesCase {
     std::string name;
     Scene scene;
-    Field<double> displacement;  ///< off the places of rest at random
+    Field<double> displacement;  ///< random displacements from rest
     std::vector<Role> roles;
 };
 
@@ -39,7 +38,7 @@ ForcesCase forces_case(std::string name, std::string_view model_id, Settings set
 std::vector<ForcesCase> all_forces() {
     std::vector<ForcesCase> cases;
     for (const Model& model : models()) {
-        // of the crystal a soft one, whose third derivatives are below 400 too
+        // a soft crystal, whose third derivatives are below 400 too
         const bool crystal = model.info.id == "crystal";
         cases.push_back(forces_case(std::string(model.info.id), model.info.id,
                                     crystal ? Settings{{"edge", 5}, {"k", 0.5}} : Settings{}));
@@ -89,7 +88,7 @@ double worst_gradient_error(const ForcesCase& c, double strength) {
     return worst;
 }
 
-// Central differences of potentials below 400 with h = 1e-5: rounding 400 * 1e-16 / 1e-5 = 4e-9 beside a truncation
+// Central differences of potentials below 400 with h = 1e-5: rounding 400 * 1e-16 / 1e-5 = 4e-9 plus a truncation error
 // h^2 / 6 times third derivatives below 400 for the rope's k = 200.
 constexpr double gradient_tolerance = 3e-8;
 
@@ -133,8 +132,8 @@ TEST(Forces, leave_the_padding_zero) {
     }
 }
 
-// Actio = reactio: the sum of forces is rounding only, of at most 100 numbers below 10.
-TEST(Forces, of_closed_systems_add_up_to_nothing) {
+// Actio = reactio: the sum of forces is only rounding, of at most 100 numbers below 10.
+TEST(Forces, of_closed_systems_sum_to_zero) {
     for (const auto& c : {forces_case("free chain", "chain", {{"fixed", 0}}), forces_case("morse", "morse", {}),
                           forces_case("morse with cut-off", "morse", {{"cutoff", 0.8}})}) {
         const Field<double> a = accelerations(c.scene.forces, c.displacement);
@@ -161,7 +160,7 @@ TEST(Forces, are_the_same_formulas_in_every_number_type) {
         const Field<long double> in_long = accelerations(c.scene.forces, converted<long double>(x));
         for (std::size_t k = 0; k < x.flat().size(); ++k) {
             const double scale = 1 + std::abs(in_double.flat()[k]);
-            // some ten roundings each; the rope's k = 200 and the bullet's distance of 10 magnify them
+            // about ten roundings each, amplified by the rope's k = 200 and the bullet's distance of 10
             EXPECT_NEAR(static_cast<double>(in_long.flat()[k]), in_double.flat()[k], 1e-13 * scale) << c.name;
             EXPECT_NEAR(static_cast<double>(in_float.flat()[k]), in_double.flat()[k], 1e-4 * scale) << c.name;
         }

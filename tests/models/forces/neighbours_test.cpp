@@ -34,7 +34,7 @@ TEST(Neighbours, are_all_within_reach_in_order) {
     }
 }
 
-TEST(Neighbours, are_nearest_images_where_space_repeats_itself) {
+TEST(Neighbours, are_nearest_images_with_periodic_boundary_conditions) {
     for (const double period : {2.5, 3.7, 6.0}) {
         const Field<double> field = ensemble(200, 5, 6);
         Neighbours neighbours(1, period);
@@ -52,7 +52,7 @@ TEST(Neighbours, are_nearest_images_where_space_repeats_itself) {
     }
 }
 
-TEST(Neighbours, survive_particles_that_are_nowhere) {
+TEST(Neighbours, accept_particles_without_a_valid_position) {
     Field<double> field = ensemble(10, 1, 1);
     field.set(3, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
     field.set(4, {1e300, -1e300, 0});
@@ -72,19 +72,20 @@ TEST(NearPairs, with_a_cut_off_beyond_everything_are_all_pairs) {
     for (std::size_t k = 0; k < near.flat().size(); ++k) EXPECT_NEAR(near.flat()[k], all.flat()[k], 1e-14);
 }
 
-TEST(NearPairs, have_no_jump_of_energy_at_the_cut_off) {
+TEST(NearPairs, have_a_continuous_energy_at_the_cut_off) {
     const NearPairForces forces{{.count = 2, .mass = 1, .depth = 1, .k = 0.5, .r0 = 0.5}, 1};
     const auto energy = [&](double distance) {
         Field<double> field(2);
         field.set(1, {distance, 0, 0});
         return NearPairs<double>(forces).potential(field).value;
     };
-    EXPECT_NEAR(energy(1 - 1e-9), 0, 2e-16);  // it comes in as the square: roundings of numbers below 1 are left
+    EXPECT_NEAR(energy(1 - 1e-9), 0,
+                2e-16);  // quadratic in the distance to the cut-off: only roundings of numbers below 1 remain
     EXPECT_EQ(energy(1 + 1e-9), 0);
     EXPECT_GT(energy(0.5), 0.01);
 }
 
-/// Of two particles at this distance, along it, at the farther one.
+/// The acceleration of the second of two particles at this distance, along the line between them.
 template <class T>
 double pull(const NearPairForces& forces, double distance) {
     Field<T> u(2), a(2);
@@ -93,10 +94,10 @@ double pull(const NearPairForces& forces, double distance) {
     return static_cast<double>(a.x()[1]);
 }
 
-TEST(NearPairs, have_no_jump_of_force_at_the_cut_off) {
+TEST(NearPairs, have_a_continuous_force_at_the_cut_off) {
     const NearPairForces forces{{.count = 2, .mass = 2, .depth = 1, .k = 0.5, .r0 = 0.5}, 1};
     const Vector<double> uncut = morse_pull(morse_constants<double>(PairForces(forces)), Vector<double>{1, 0, 0});
-    EXPECT_LT(uncut.x, -0.05);  // what is taken off
+    EXPECT_LT(uncut.x, -0.05);  // the shift
     for (const auto& just_within :
          {pull<float>(forces, 1 - 1e-6), pull<double>(forces, 1 - 1e-6), pull<long double>(forces, 1 - 1e-6)})
         EXPECT_NEAR(just_within, 0, 1e-6);  // the slope is below 1

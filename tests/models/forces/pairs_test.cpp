@@ -14,10 +14,10 @@
 namespace steplab::test {
 namespace {
 
-// up to more blocks than are computed at a time
+// including more blocks than are computed at a time
 constexpr std::array<std::size_t, 14> counts{1, 2, 3, 4, 5, 7, 8, 9, 16, 17, 28, 33, 50, 90};
 
-/// Particles at random places of a box with room of a sphere of r0 for each.
+/// Particles at random positions in a box with the volume of a sphere of r0 for each.
 template <class T>
 Field<T> places(std::size_t count) {
     std::mt19937 random(static_cast<unsigned>(count));
@@ -40,7 +40,8 @@ class PairSums : public testing::Test {};
 using Numbers = testing::Types<float, double>;
 TYPED_TEST_SUITE(PairSums, Numbers);
 
-/// Of particle i by all others in turn, in long double, the force constant `stiffer` times as large.
+/// The acceleration of particle i by all others in order, in long double, with a force constant larger by the factor
+/// `stiffer`.
 template <class T>
 Vec3 plain_sum(const Field<T>& u, std::size_t i, double stiffer) {
     const auto morse = morse_constants<long double>({.k = 0.5 * stiffer});
@@ -64,7 +65,7 @@ double worst_error(std::size_t count, double stiffer) {
     return worst;
 }
 
-// A pull is at most 2 b D / m e (e - 1) = 0.3 with e = exp(b r0) = 1.3, and some 15 roundings make one.
+// A pull is at most 2 b D / m e (e - 1) = 0.3 with e = exp(b r0) = 1.3, and takes about 15 roundings.
 TYPED_TEST(PairSums, agree_with_the_plain_loop) {
     constexpr double rounding = std::numeric_limits<TypeParam>::epsilon();
     for (const std::size_t count : counts)
@@ -80,7 +81,7 @@ TYPED_TEST(PairSums, of_other_forces_do_not) {
     }
 }
 
-/// The order of the sums as docs/arithmetic.md states it, one pair after the other.
+/// The order of the sums as docs/arithmetic.md states it, pair by pair.
 template <class T>
 Field<T> in_the_stated_order(const Field<T>& u, std::size_t block) {
     const MorseConstants<T> morse = morse_constants<T>(PairForces{});
@@ -126,7 +127,7 @@ TYPED_TEST(PairSums, have_the_stated_order_whatever_the_registers) {
     EXPECT_FALSE(same(pulls(u), in_the_stated_order(u, 32 / sizeof(T)))) << "these places do not show an order";
 }
 
-TYPED_TEST(PairSums, of_numbers_side_by_side_are_those_of_each_by_itself) {
+TYPED_TEST(PairSums, in_lanes_are_those_of_each_single_number) {
     using T = TypeParam;
     for (const std::size_t count : counts) {
         const Field<T> u = places<T>(count), a = pulls(u);
@@ -137,8 +138,8 @@ TYPED_TEST(PairSums, of_numbers_side_by_side_are_those_of_each_by_itself) {
     }
 }
 
-// Each pull is added once and subtracted once: what is left are the roundings of sums below 0.3 a particle.
-TYPED_TEST(PairSums, keep_the_momentum) {
+// Each pull is added once and subtracted once: only the roundings of sums below 0.3 per particle remain.
+TYPED_TEST(PairSums, conserve_momentum) {
     constexpr double rounding = std::numeric_limits<TypeParam>::epsilon();
     for (const std::size_t count : counts) {
         const Field<TypeParam> a = pulls(places<TypeParam>(count));

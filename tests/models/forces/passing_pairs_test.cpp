@@ -32,7 +32,7 @@ TEST(PassingPairs, of_a_line_are_neighbours_that_change_places) {
     EXPECT_DOUBLE_EQ(Line<double>(line).separation(to, 8, 7).x, 0.5);
 }
 
-TEST(PassingPairs, keep_still_where_nothing_turns_or_no_force_jumps) {
+TEST(PassingPairs, are_none_where_no_spring_reverses_or_no_force_jumps) {
     Field<double> from(20), to(20);
     to.set(7, {0.9, 0, 0});
     EXPECT_EQ(passing(Line<double>(line), from, to), PairList{});
@@ -42,7 +42,7 @@ TEST(PassingPairs, keep_still_where_nothing_turns_or_no_force_jumps) {
     EXPECT_EQ(passing(Line<double>(without_length), from, to), PairList{});
 }
 
-TEST(PassingPairs, of_a_grid_are_springs_that_turn_round) {
+TEST(PassingPairs, of_a_grid_are_springs_that_reverse) {
     Field<double> from(25), to(25);
     to.set(12, {1.5, 0, 0});  // the centre beyond its neighbour to the east, and past the two on the diagonals
     const Grid<double> engine(grid);
@@ -57,7 +57,7 @@ TEST(PassingPairs, of_a_grid_are_springs_that_turn_round) {
 
 TEST(PassingPairs, of_a_grid_do_not_join_the_end_of_a_row_to_another_row) {
     Field<double> from(25), to(25);
-    to.set(14, {2.5, 0, 0});  // the end of row 2, far beyond where row 3 begins: no spring of its own turns round
+    to.set(14, {2.5, 0, 0});  // the end of row 2, far beyond where row 3 begins: none of its own springs reverses
     EXPECT_EQ(passing(Grid<double>(grid), from, to), PairList{});
 }
 

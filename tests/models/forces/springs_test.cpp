@@ -17,8 +17,8 @@ class Springs : public testing::Test {};
 using Numbers = testing::Types<float, double>;
 TYPED_TEST_SUITE(Springs, Numbers);
 
-/// Differences of displacements: of all sizes that a number has, springs pressed to almost nothing and turned round,
-/// and the ends of the range.
+/// Differences of displacements: of all orders of magnitude, springs compressed to almost zero length and reversed, and
+/// the ends of the range.
 template <class T>
 std::vector<T> differences(T length) {
     using Limits = std::numeric_limits<T>;
@@ -37,9 +37,9 @@ bool same(T a, T b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-// The root of a square is the number's size to the last bit (S. Boldo, Stupid is as stupid does: taking the square root
-// of the square of a floating-point number, 2015); where the square is too large or small for a number, the pull does
-// not hang on the root.
+// The root of a square is exactly the absolute value (S. Boldo, Stupid is as stupid does: taking the square root of the
+// square of a floating-point number, 2015); where the square is too large or small for a number, the pull does not
+// depend on the root.
 TYPED_TEST(Springs, along_x_pull_as_others_do) {
     using T = TypeParam;
     const FlushSubnormals flush;
@@ -58,8 +58,8 @@ TYPED_TEST(Springs, along_x_pull_as_others_do) {
     }
 }
 
-// Of lanes as of numbers, zeros included.
-TYPED_TEST(Springs, sizes_of_lanes_are_those_of_numbers) {
+// For lanes as for single numbers, zeros included.
+TYPED_TEST(Springs, absolute_values_of_lanes_are_those_of_numbers) {
     using N = Lanes<TypeParam>;
     for (const TypeParam number :
          {TypeParam(-2.5), TypeParam(3), TypeParam(0), TypeParam(-0.0), -std::numeric_limits<TypeParam>::infinity()}) {

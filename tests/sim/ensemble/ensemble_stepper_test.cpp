@@ -71,7 +71,7 @@ TEST_P(Groups, begin_anew_and_are_seen_along_a_shape_as_runs_alone) {
     for (const Scene& scene : scenes()) {
         std::vector<StepperSetup> setups = setups_of(GetParam(), scene, parameters);
         ASSERT_TRUE(lane_compatible(setups[0], setups[1]));
-        const auto group = method.make_group(setups);
+        const auto group = method.make_ensemble_stepper(setups);
         ASSERT_TRUE(group);
         group->advance(3);
         std::vector<State<double>> starts;
@@ -115,7 +115,7 @@ TEST_P(Groups, leave_axes_out_as_runs_alone) {
     const Scene chain = scenes().front();
     std::vector<StepperSetup> setups = setups_of(GetParam(), chain, parameters);
     for (std::size_t run = 0; run < setups.size(); ++run) setups[run].start = faster(chain, run);
-    const auto group = method.make_group(setups);
+    const auto group = method.make_ensemble_stepper(setups);
     for (const double sideways : {0.0, 0.1, 0.0}) {
         std::vector<State<double>> starts;
         for (std::size_t run = 0; run < group->runs(); ++run) starts.push_back(faster(chain, run));
