@@ -51,8 +51,8 @@ std::string collisions_text(const CollisionRecord& collisions) {
     std::string text = fmt::format("{}", collisions.count());
     for (std::size_t i = 0; i < std::min(most, collisions.kept().size()); ++i) {
         const Collision& collision = collisions.kept()[i];
-        text += fmt::format("{}{} and {} at {}{:.4g} s", i == 0 ? ": particles " : ", ", collision.first,
-                            collision.second, i == 0 ? "t = " : "", collision.time);
+        text += fmt::format("{}{} and {} at {}{} s", i == 0 ? ": particles " : ", ", collision.first, collision.second,
+                            i == 0 ? "t = " : "", short_number(collision.time));
     }
     return text + (collisions.count() > most ? ", ..." : "");
 }
@@ -78,9 +78,10 @@ std::string summary_text(const RunSummary& summary) {
     line("steps", fmt::format("{}", result.steps));
     line("time", short_number(result.time) + " s");
     line("evaluations", fmt::format("{}", result.evaluations));
-    line("energy", fmt::format("{:.4g} J at the start, {:.4g} J at the end", result.energy_start, result.energy_end));
+    line("energy", fmt::format("{} J at the start, {} J at the end", short_number(result.energy_start),
+                               short_number(result.energy_end)));
     line(has_drag(run) ? "energy change" : "energy error",
-         fmt::format("{:.3g} J at most, over the written steps (--every)", result.energy_error));
+         fmt::format("{} J at most, over the written steps (--every)", short_number(result.energy_error)));
     if (result.collisions.count() > 0) line("collisions", collisions_text(result.collisions));
     line("wall time", duration_text(summary.wall_seconds));
     line("hash", result.hash);
@@ -132,7 +133,7 @@ std::string summary_text(const EnsembleSummary& summary) {
     }
     line("steps", fmt::format("{} in total", steps));
     line(has_drag(first) ? "energy change" : "energy error",
-         fmt::format("{:.3g} J at most, over the written steps (--every) of all runs", error));
+         fmt::format("{} J at most, over the written steps (--every) of all runs", short_number(error)));
     line("wall time", duration_text(summary.wall_seconds));
     line("status", summary.diverged() == 0 ? "ok"
                                            : fmt::format("{} diverged, {} ok", summary.diverged(),
