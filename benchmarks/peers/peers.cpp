@@ -130,7 +130,7 @@ private:
     }
 
     void enter(const Measurement& run) {
-        if (run.diverged) return;
+        if (run.diverged()) return;
         entries_.push_back({fmt::format("{} {}", run.run.method, setting(run.run)), 0, run.error,
                             [run] { return stepping_seconds(run.run, run.steps); }, run.wall_seconds.value_or(1e300),
                             [run] { return hash_at_the_end(run.run, run.steps); }});

@@ -126,7 +126,7 @@ std::vector<EnsembleRun> runs_with_other_k(const RunDescription& description, st
 /// That of the hashes of all runs, one behind the other.
 std::string hash_of(const std::vector<EnsembleResult>& results) {
     std::string hashes;
-    for (const EnsembleResult& result : results) hashes += result.hash;
+    for (const EnsembleResult& run : results) hashes += run.result.hash;
     return fmt::format("{:016x}", XXH64(hashes.data(), hashes.size(), 0));
 }
 

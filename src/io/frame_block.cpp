@@ -13,9 +13,9 @@ void FrameBlock::append(const Frame& frame, std::size_t first, std::size_t count
     first_row = first;
     rows = count;
     moments.push_back({frame.step, frame.time});
-    const bool as_they_stand = frame.positions.size() == frame_rows;
+    const bool contiguous = frame.positions.size() == frame_rows;
     const auto copy = [&](const std::vector<Vec3>& from, std::vector<Vec3>& to) {
-        if (as_they_stand) {
+        if (contiguous) {
             const auto begin = from.begin() + static_cast<std::ptrdiff_t>(first);
             to.insert(to.end(), begin, begin + static_cast<std::ptrdiff_t>(count));
         } else {

@@ -28,11 +28,11 @@ InputFile::InputFile(std::string name)
     : name_(std::move(name)), descriptor_(open(name_.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
     if (descriptor_ < 0) refuse(name_, reason_of(errno));
     struct stat status {};
-    const bool ordinary = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+    const bool regular = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
     size_ = static_cast<std::uint64_t>(status.st_size);
-    if (ordinary) return;
+    if (regular) return;
     close(descriptor_);
-    refuse(name_, S_ISDIR(status.st_mode) ? "it is a folder" : "it is not an ordinary file");
+    refuse(name_, S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file");
 }
 
 InputFile::~InputFile() { close(descriptor_); }

@@ -5,10 +5,10 @@
 
 namespace steplab {
 
-/// An ordinary file of which parts are read at any place.
+/// A regular file, read at any offset.
 class InputFile {
 public:
-    /// Throws FileError if there is none, or it is a folder, a pipe or a device.
+    /// Throws FileError if it does not exist, or is a folder, a pipe or a device.
     explicit InputFile(std::string name);
     ~InputFile();
     InputFile(const InputFile&) = delete;
@@ -16,7 +16,7 @@ public:
 
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return size_; }
-    /// The bytes from `place` on; fewer only where the file ends. Throws FileError.
+    /// The bytes from offset `place` on; fewer only at the end of the file. Throws FileError.
     std::string read(std::uint64_t place, std::uint64_t bytes) const;
 
 private:

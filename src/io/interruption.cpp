@@ -8,7 +8,7 @@ namespace steplab {
 
 namespace {
 
-// A signal handler can reach nothing but such a variable; threads ask it.
+// A signal handler may use only such a variable; threads poll it.
 std::atomic<int> caught_signal = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -20,13 +20,14 @@ void catch_interruptions() {
     struct sigaction action {};
     action.sa_handler = remember;
     sigemptyset(&action.sa_mask);
-    // The second one ends the program at once, whatever it is busy with. Without SA_RESTART a write that waits
-    // returns, so that a blocked program can end.
+    // A second signal ends the program at once. Without SA_RESTART a write that waits returns, so that a blocked
+    // program can end.
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction before {};
         sigaction(signal, nullptr, &before);
-        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);  // nohup stays nohup
+        if (before.sa_handler != SIG_IGN)
+            sigaction(signal, &action, nullptr);  // a signal that nohup ignores stays ignored
     }
 }
 

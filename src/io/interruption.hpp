@@ -4,12 +4,12 @@
 
 namespace steplab {
 
-/// The person or the system asked the program to end (SIGINT, SIGTERM, SIGHUP).
+/// The user or the system asked the program to end (SIGINT, SIGTERM, SIGHUP).
 class Interrupted : public std::exception {
 public:
     explicit Interrupted(int signal) : signal_(signal) {}
     int signal() const { return signal_; }
-    /// What a shell reports for it: 128 + n.
+    /// As a shell reports signal n: 128 + n.
     int exit_code() const { return 128 + signal_; }
     const char* what() const noexcept override { return "interrupted"; }
 
@@ -17,9 +17,9 @@ private:
     int signal_;
 };
 
-/// From now on these signals are remembered instead of ending the program at once; system calls that wait return.
+/// From now on these signals are recorded instead of ending the program at once; system calls that wait return.
 void catch_interruptions();
-/// Throws Interrupted once such a signal has come. Long work calls this every few milliseconds.
+/// Throws Interrupted once such a signal has arrived. Long computations call this every few milliseconds.
 void check_interruption();
 
 }  // namespace steplab

@@ -12,7 +12,7 @@ OrderedWriter::OrderedWriter(OutputFile& file) : file_(file), most_threads_(std:
 OrderedWriter::~OrderedWriter() {
     for (std::jthread& thread : threads_) thread.request_stop();
     const std::lock_guard lock(mutex_);
-    if (written_ < submitted_) file_.stop_waiting();  // for a reader that may sleep for ever
+    if (written_ < submitted_) file_.stop_waiting();  // a reader may never read again
 }
 
 void OrderedWriter::work(const std::stop_token& stop) try {
@@ -26,7 +26,7 @@ void OrderedWriter::work(const std::stop_token& stop) try {
         lock.unlock();
         bytes.clear();
         block(bytes, scratch);
-        block = nullptr;  // and the rows it holds
+        block = nullptr;  // frees the rows that it holds
         lock.lock();
         if (!turn_.wait(lock, stop, [&] { return written_ == number || failure_; }) || failure_) return;
         lock.unlock();

@@ -14,27 +14,27 @@
 
 namespace steplab {
 
-/// Makes blocks of bytes on several threads, which write them in the order in which they were submitted, while whoever
-/// submits goes on. A number takes about 30 ns to format, so one core makes some 400 MB/s of text: enough for most
-/// disks, and each further core adds as much.
+/// Makes blocks of bytes on several threads and writes them in the order in which they were submitted, while the
+/// submitting thread continues. Formatting a number takes about 30 ns, so one core makes some 400 MB/s of text: enough
+/// for most disks, and each further core adds as much.
 class OrderedWriter {
 public:
-    /// Puts the bytes of one block into an empty string; called on some thread, once. `scratch` is memory to work in
-    /// that the thread keeps from block to block.
+    /// Puts the bytes of one block into an empty string; called once, on any thread. `scratch` is working memory that
+    /// the thread keeps from block to block.
     using Block = std::function<void(std::string& bytes, std::string& scratch)>;
 
     explicit OrderedWriter(OutputFile& file);
-    /// Drops what is not yet written.
+    /// Drops blocks that are not yet written.
     ~OrderedWriter();
     OrderedWriter(const OrderedWriter&) = delete;
     OrderedWriter& operator=(const OrderedWriter&) = delete;
 
-    /// Never holds more than most_blocks(): waits until there is room. Throws what a block or OutputFile::write threw
-    /// since the last call; nothing more is written from then on.
+    /// Waits while there are most_blocks(). Throws what a block or OutputFile::write threw since the last call; nothing
+    /// more is written from then on.
     void submit(Block block);
-    /// Waits until all blocks are with the file. Throws as submit() does.
+    /// Waits until all blocks are handed to the file. Throws as submit() does.
     void drain();
-    /// The largest number of blocks that wait, are being made or are being written.
+    /// The largest number of blocks that wait, are being made or are being written at once.
     std::size_t most_blocks() const { return 2 * most_threads_ + 1; }
 
 private:
@@ -43,7 +43,7 @@ private:
 
     OutputFile& file_;
     std::size_t most_threads_;
-    std::mutex mutex_;  ///< of all that follows; the file belongs to the thread whose turn it is
+    std::mutex mutex_;  ///< of all members below; the file belongs to the thread whose turn it is
     std::condition_variable_any ready_;
     std::condition_variable_any turn_;
     std::deque<Block> waiting_;

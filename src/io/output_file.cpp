@@ -30,7 +30,7 @@ std::optional<struct stat> status_of(const std::string& name) {
     return status;
 }
 
-/// The path at the end of a chain of links, even if nothing is there yet.
+/// The path at the end of a chain of links, whether or not it exists.
 fs::path link_target(fs::path path) {
     constexpr int most_links = 40;  // as the system itself allows
     std::error_code ignored;
@@ -41,7 +41,7 @@ fs::path link_target(fs::path path) {
     return path;
 }
 
-/// The ordinary file that a name leads to, with links in its folder resolved where the folder exists.
+/// The file that a name leads to, with links in its folder resolved if the folder exists.
 fs::path resolved(const std::string& name) {
     std::error_code error;
     const fs::path target = link_target(name);
@@ -50,7 +50,7 @@ fs::path resolved(const std::string& name) {
     return (error ? folder : real_folder) / target.filename();
 }
 
-/// An existing file's permissions and owner pass to the one that takes its place.
+/// Gives the permissions and the owner of the old file to the new one.
 void inherit(int descriptor, const struct stat& old) {
     const int not_ours_to_give = fchown(descriptor, old.st_uid, old.st_gid);
     static_cast<void>(not_ours_to_give);
@@ -75,8 +75,8 @@ bool same_output(const std::string& a, const std::string& b) {
 }
 
 OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
-    if (name_.empty()) throw FileError("cannot write a file without a name");
-    held_back_.reserve(block_size);
+    if (name_.empty()) throw FileError("cannot write a file with an empty name");
+    buffer_.reserve(block_size);
     if (name_ == "-") {
         name_ = "standard output";
         descriptor_ = STDOUT_FILENO;
@@ -126,17 +126,17 @@ void OutputFile::open_beside() {
 }
 
 void OutputFile::write(std::string_view bytes) {
-    if (held_back_.size() + bytes.size() > block_size) flush();
+    if (buffer_.size() + bytes.size() > block_size) flush();
     if (bytes.size() >= block_size) {
         send(bytes);
     } else {
-        held_back_.append(bytes);
+        buffer_.append(bytes);
     }
 }
 
 void OutputFile::flush() {
-    send(held_back_);
-    held_back_.clear();
+    send(buffer_);
+    buffer_.clear();
 }
 
 void OutputFile::send(std::string_view bytes) {
@@ -153,8 +153,8 @@ void OutputFile::send(std::string_view bytes) {
     }
 }
 
-/// Waits until a pipe or terminal takes a piece, and looks up now and then: who reads there may sleep for ever, and the
-/// signal that ends the program may come to another thread.
+/// Waits until a pipe or terminal accepts a piece, and polls for interruptions meanwhile: the reader may never read
+/// again, and the signal may be delivered to another thread.
 void OutputFile::wait_for_reader() const {
     constexpr int milliseconds = 50;
     pollfd place{descriptor_, POLLOUT, 0};
@@ -172,7 +172,7 @@ void OutputFile::commit() {
     if (close(std::exchange(descriptor_, -1)) != 0) fail("write", errno);
     if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("write", errno);
     temporary_.clear();
-    // The folder keeps the new name through a loss of power; where folders cannot be synced there is nothing to do.
+    // Makes the new name survive a loss of power, where folders can be synced.
     const int folder = open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {
         fsync(folder);

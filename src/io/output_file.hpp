@@ -10,24 +10,24 @@
 
 namespace steplab {
 
-/// The reader of a pipe went away (`| head`): not an error, the program ends quietly with exit code 0.
+/// The reader of a pipe closed it (`| head`): not an error, the program ends quietly with exit code 0.
 class ReaderGone : public std::exception {
 public:
-    const char* what() const noexcept override { return "the reader of the output went away"; }
+    const char* what() const noexcept override { return "the reader closed the output"; }
 };
 
-/// Bytes on their way to a file, a device, a pipe or standard output ("-").
+/// Output to a file, a device, a pipe or standard output ("-").
 ///
-/// A file appears whole or not at all: its bytes go to a hidden file beside it, and commit() syncs that one and gives
-/// it the name. Links are followed; an existing file keeps its permissions. Devices, pipes and standard output are
-/// written directly. Whoever leaves without commit() (an exception) leaves nothing behind, and the old file as it was.
+/// A file appears whole or not at all: its bytes go to a hidden file in the same folder, which commit() syncs and
+/// renames. Links are followed; an existing file keeps its permissions. Devices, pipes and standard output are written
+/// directly. Without commit() (an exception) the old file stays as it was and nothing else is left.
 ///
 ///     OutputFile file("picture.png");
 ///     file.write(bytes);
 ///     file.commit();
 class OutputFile {
 public:
-    /// Throws FileError if the place cannot be written: missing folder, a folder itself, no permission.
+    /// Throws FileError if the file cannot be written: missing folder, a folder itself, no permission.
     explicit OutputFile(std::string name);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -36,18 +36,18 @@ public:
     /// Writes all bytes, in blocks. Throws FileError (disk full ...) naming file and reason, ReaderGone for a closed
     /// pipe, Interrupted while it waits for a reader (on any thread).
     void write(std::string_view bytes);
-    /// From another thread, when nobody cares for the file any more: a write that waits for a reader ends as if that
-    /// had gone.
+    /// To be called from another thread when the file is no longer needed: a write that waits for a reader then throws
+    /// ReaderGone.
     void stop_waiting() { waits_ = false; }
-    /// Sends what is still held back to the system, so that the reader of a pipe or terminal sees it.
+    /// Passes buffered bytes to the system, so that the reader of a pipe or terminal gets them.
     void flush();
-    /// The file is complete: it takes its place. Throws as write() does.
+    /// The file is complete: puts it in place. Throws as write() does.
     void commit();
-    /// The file is not complete but worth keeping: it becomes NAME.partial, whose name is returned. Nothing if it was
-    /// not an ordinary file or nothing was written.
+    /// Keeps an incomplete file as NAME.partial and returns that name. None if it is not a regular file or nothing was
+    /// written.
     std::optional<std::string> keep_partial();
 
-    /// As messages call it: "standard output" for "-".
+    /// The name for messages: "standard output" for "-".
     const std::string& name() const { return name_; }
 
 private:
@@ -58,20 +58,20 @@ private:
     [[noreturn]] void fail(std::string_view action, int error) const;
 
     std::string name_;
-    std::filesystem::path target_;     ///< the ordinary file that is to appear; empty for all else
-    std::filesystem::path temporary_;  ///< the hidden file beside it, while there is one
+    std::filesystem::path target_;     ///< the regular file to write; empty for all else
+    std::filesystem::path temporary_;  ///< the hidden file, while there is one
     int descriptor_ = -1;
     bool owns_descriptor_ = false;
-    std::size_t piece_ = 0;  ///< the most bytes that one call of the system takes
+    std::size_t piece_ = 0;  ///< most bytes of one system call
     std::atomic<bool> waits_ = true;
-    std::string held_back_;
+    std::string buffer_;
 };
 
-/// True if both names lead to one file, pipe or standard output, so that two outputs would overwrite each other.
-/// Devices such as /dev/null and terminals take any number of outputs.
+/// True if both names lead to one file, pipe or standard output, so that two outputs would overwrite each other. False
+/// for devices such as /dev/null and for terminals, which accept any number of outputs.
 bool same_output(const std::string& a, const std::string& b);
 
-/// True for "-", devices and pipes: what is written in place and needs no file ending.
+/// True for "-", devices and pipes, which are written in place and need no file name extension.
 bool written_directly(const std::string& name);
 
 }  // namespace steplab

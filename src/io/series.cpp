@@ -31,7 +31,7 @@ void SeriesWriter::add(std::uint64_t step, double time, const Diagnostics& d, st
     append(d.max_displacement);
     append(d.max_speed);
     if (with_error_ && d.error) append(*d.error);
-    if (with_error_ && !d.error) line += ',';  // no longer known: an empty field
+    if (with_error_ && !d.error) line += ',';  // no longer known: an empty cell
     line += '\n';
     file_.write(line);
 }

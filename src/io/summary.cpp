@@ -2,6 +2,7 @@
 
 #include "core/duration.hpp"
 #include "core/text.hpp"
+#include "io/short_number.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,7 @@ namespace steplab {
 
 namespace {
 
-/// dt as a float run prints it, 0.1 and not 0.10000000149: the shortest text that stands for the same float.
+/// dt of a float run as 0.1 instead of 0.10000000149: the shortest text that reads back as the same float.
 double shortest(Precision precision, double dt) {
     if (precision == Precision::double_) return dt;
     return parse_number(number_text(static_cast<float>(dt))).value_or(dt);
@@ -26,31 +27,32 @@ nlohmann::ordered_json collisions_json(const CollisionRecord& collisions) {
     return {{"count", collisions.count()}, {"first", kept}};
 }
 
-/// What may differ between runs of an ensemble, which have no wall time of their own.
-void add_course(nlohmann::ordered_json& json, const RunSummary& summary, bool timed) {
-    json["dt"] = shortest(summary.precision, summary.dt);
-    json["steps"] = summary.steps;
-    json["time"] = summary.time;
-    json["particles"] = summary.particles;
-    json["evaluations"] = summary.evaluations;
-    json["energy_start"] = summary.energy_start;
-    json["energy_end"] = summary.energy_end;
-    json["energy_error"] = summary.energy_error;
+/// The fields that may differ between the runs of an ensemble, which have no wall time of their own.
+void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool timed) {
+    const RunResult& result = summary.result;
+    json["dt"] = shortest(summary.run.precision, result.dt);
+    json["steps"] = result.steps;
+    json["time"] = result.time;
+    json["particles"] = result.particles;
+    json["evaluations"] = result.evaluations;
+    json["energy_start"] = result.energy_start;
+    json["energy_end"] = result.energy_end;
+    json["energy_error"] = result.energy_error;
     if (timed) json["wall_seconds"] = summary.wall_seconds;
-    json["hash"] = summary.hash;
-    json["status"] = summary.diverged_step ? "diverged" : "ok";
-    if (summary.diverged_step) json["diverged_step"] = *summary.diverged_step;
-    if (summary.collisions.count() > 0) json["collisions"] = collisions_json(summary.collisions);
+    json["hash"] = result.hash;
+    json["status"] = result.divergence ? "diverged" : "ok";
+    if (result.divergence) json["diverged_step"] = *result.diverged_step();
+    if (result.collisions.count() > 0) json["collisions"] = collisions_json(result.collisions);
 }
 
-/// "6: particles 6 and 18 at t = 0.937855, 8 and 20 at 0.938226, ..."
+/// "6: particles 6 and 18 at t = 0.9379 s, 8 and 20 at 0.9382 s, ..."
 std::string collisions_text(const CollisionRecord& collisions) {
     constexpr std::size_t most = 4;
     std::string text = fmt::format("{}", collisions.count());
     for (std::size_t i = 0; i < std::min(most, collisions.kept().size()); ++i) {
         const Collision& collision = collisions.kept()[i];
-        text += fmt::format("{}{} and {} at {}{:.6g}", i == 0 ? ": particles " : ", ", collision.first,
-                            collision.second, i == 0 ? "t = " : "", collision.time);
+        text += fmt::format("{}{} and {} at {}{} s", i == 0 ? ": particles " : ", ", collision.first, collision.second,
+                            i == 0 ? "t = " : "", short_number(collision.time));
     }
     return text + (collisions.count() > most ? ", ..." : "");
 }
@@ -59,77 +61,83 @@ std::string collisions_text(const CollisionRecord& collisions) {
 
 std::string summary_json(const RunSummary& summary) {
     nlohmann::ordered_json json{
-        {"model", summary.model}, {"method", summary.method}, {"precision", id(summary.precision)}};
-    add_course(json, summary, true);
+        {"model", summary.run.model}, {"method", summary.run.method}, {"precision", id(summary.run.precision)}};
+    add_result(json, summary, true);
     return json.dump(2) + "\n";
 }
 
-std::string summary_text(const RunSummary& s) {
-    const std::string dt = number_text(shortest(s.precision, s.dt));
-    const std::string status = s.diverged_step ? fmt::format("diverged in step {}", *s.diverged_step) : "ok";
-    std::string text = fmt::format("{} with {}, {}, dt {}\n", s.model, s.method, id(s.precision), dt);
+std::string summary_text(const RunSummary& summary) {
+    const RunDescription& run = summary.run;
+    const RunResult& result = summary.result;
+    const std::string dt = number_text(shortest(run.precision, result.dt));
+    std::string text = fmt::format("{} with {}, {}, dt {}\n", run.model, run.method, id(run.precision), dt);
     const auto line = [&text](std::string_view what, const std::string& value) {
         text += fmt::format("  {:<14}{}\n", what, value);
     };
-    line("particles", fmt::format("{}", s.particles));
-    line("steps", fmt::format("{}", s.steps));
-    line("time", number_text(s.time));
-    line("evaluations", fmt::format("{}", s.evaluations));
-    line("energy", fmt::format("{:.10g} at the start, {:.10g} at the end", s.energy_start, s.energy_end));
-    line(s.drag ? "energy change" : "energy error",
-         fmt::format("{:.3g} at most, over the steps looked at (--every)", s.energy_error));
-    if (s.collisions.count() > 0) line("collisions", collisions_text(s.collisions));
-    line("wall time", duration_text(s.wall_seconds));
-    line("hash", s.hash);
-    line("status", status);
+    line("particles", fmt::format("{}", result.particles));
+    line("steps", fmt::format("{}", result.steps));
+    line("time", short_number(result.time) + " s");
+    line("evaluations", fmt::format("{}", result.evaluations));
+    line("energy", fmt::format("{} J at the start, {} J at the end", short_number(result.energy_start),
+                               short_number(result.energy_end)));
+    line(has_drag(run) ? "energy change" : "energy error",
+         fmt::format("{} J at most, over the written steps (--every)", short_number(result.energy_error)));
+    if (result.collisions.count() > 0) line("collisions", collisions_text(result.collisions));
+    line("wall time", duration_text(summary.wall_seconds));
+    line("hash", result.hash);
+    line("status", result.divergence ? fmt::format("diverged in step {}", *result.diverged_step()) : "ok");
     return text;
 }
 
 std::size_t EnsembleSummary::diverged() const {
-    return static_cast<std::size_t>(
-        std::count_if(runs.begin(), runs.end(), [](const Run& run) { return run.summary.diverged_step.has_value(); }));
+    return static_cast<std::size_t>(std::count_if(
+        runs.begin(), runs.end(), [](const Run& run) { return run.summary.result.divergence.has_value(); }));
 }
 
 std::string summary_json(const EnsembleSummary& summary) {
-    const RunSummary& first = summary.runs.front().summary;
-    nlohmann::ordered_json spread = nlohmann::ordered_json::array(), runs = nlohmann::ordered_json::array();
-    for (const auto& [name, from, to] : summary.ranges) spread.push_back({{"name", name}, {"from", from}, {"to", to}});
+    const RunDescription& first = summary.runs.front().summary.run;
+    nlohmann::ordered_json ranges = nlohmann::ordered_json::array(), runs = nlohmann::ordered_json::array();
+    for (const auto& [name, from, to] : summary.ranges) ranges.push_back({{"name", name}, {"from", from}, {"to", to}});
     for (std::size_t i = 0; i < summary.runs.size(); ++i) {
         nlohmann::ordered_json set = nlohmann::ordered_json::object(), run{{"run", i}};
         for (std::size_t k = 0; k < summary.ranges.size(); ++k) set[summary.ranges[k].name] = summary.runs[i].values[k];
         run["set"] = set;
-        add_course(run, summary.runs[i].summary, false);
+        add_result(run, summary.runs[i].summary, false);
         runs.push_back(std::move(run));
     }
     const nlohmann::ordered_json json{{"model", first.model},
                                       {"method", first.method},
                                       {"precision", id(first.precision)},
                                       {"ensemble", summary.runs.size()},
-                                      {"spread", spread},
+                                      {"spread", ranges},
                                       {"diverged", summary.diverged()},
                                       {"wall_seconds", summary.wall_seconds},
                                       {"runs", runs}};
     return json.dump(2) + "\n";
 }
 
-std::string summary_text(const EnsembleSummary& s) {
-    const RunSummary& first = s.runs.front().summary;
+std::string summary_text(const EnsembleSummary& summary) {
+    const RunDescription& first = summary.runs.front().summary.run;
     std::string text =
-        fmt::format("{} runs of {} with {}, {}\n", s.runs.size(), first.model, first.method, id(first.precision));
+        fmt::format("{} runs of {} with {}, {}\n", summary.runs.size(), first.model, first.method, id(first.precision));
     const auto line = [&text](std::string_view what, const std::string& value) {
         text += fmt::format("  {:<14}{}\n", what, value);
     };
-    for (const auto& [name, from, to] : s.ranges)
+    for (const auto& [name, from, to] : summary.ranges)
         line(name, fmt::format("{} to {}", number_text(from), number_text(to)));
     std::uint64_t steps = 0;
     double error = 0;
-    for (const auto& run : s.runs) steps += run.summary.steps, error = std::max(error, run.summary.energy_error);
-    line("steps", fmt::format("{} in all", steps));
-    line(first.drag ? "energy change" : "energy error",
-         fmt::format("{:.3g} at most, over all runs and the steps looked at (--every)", error));
-    line("wall time", duration_text(s.wall_seconds));
-    line("status",
-         s.diverged() == 0 ? "ok" : fmt::format("{} diverged, {} ok", s.diverged(), s.runs.size() - s.diverged()));
+    for (const auto& run : summary.runs) {
+        steps += run.summary.result.steps;
+        error = std::max(error, run.summary.result.energy_error);
+    }
+    line("steps", fmt::format("{} in total", steps));
+    line(has_drag(first) ? "energy change" : "energy error",
+         fmt::format("{} J at most, over the written steps (--every) of all runs", short_number(error)));
+    line("wall time", duration_text(summary.wall_seconds));
+    line("status", summary.diverged() == 0 ? "ok"
+                                           : fmt::format("{} diverged, {} ok", summary.diverged(),
+                                                         summary.runs.size() - summary.diverged()));
     return text;
 }
 

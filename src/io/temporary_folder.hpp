@@ -10,13 +10,13 @@
 
 namespace steplab {
 
-/// A new empty folder that goes with this object, and all that is in it.
+/// A new, empty folder, which is deleted with all its contents when this object is destroyed.
 class TemporaryFolder {
 public:
-    /// Throws FileError if none can be made.
+    /// Throws FileError if it cannot be created.
     TemporaryFolder() {
         std::string name = (std::filesystem::temp_directory_path() / "steplab-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw FileError("no temporary folder can be made as '" + name + "'");
+        if (mkdtemp(name.data()) == nullptr) throw FileError("cannot create a temporary folder '" + name + "'");
         path_ = name;
     }
     ~TemporaryFolder() {

@@ -12,7 +12,7 @@ namespace steplab {
 
 namespace {
 
-/// Rows made by one thread at once: of text half a megabyte, which stays in its cache.
+/// Rows that a thread encodes at once: half a megabyte of text, which stays in its cache.
 std::size_t rows_in_block(TrajectoryFormat format) {
     return format == TrajectoryFormat::trajectory ? trajectory::most_rows : 4096;
 }

@@ -13,19 +13,19 @@
 
 namespace steplab {
 
-/// Writes the frames of a run. What is handed over is copied; it is made into bytes, and these are written, on threads
-/// of their own while the run goes on.
+/// Writes the frames of a run. Frames are copied, then encoded and written on threads of their own while the run
+/// continues.
 class TrajectoryWriter {
 public:
-    /// `particles`: which ones, ascending; empty means all. `file` must outlive the writer.
+    /// `particles`: those to write, ascending; empty means all. `file` must outlive the writer.
     TrajectoryWriter(OutputFile& file, TrajectoryFormat format, RunDescription run, std::vector<std::size_t> particles);
 
-    /// Frames of one run, in their order: of the whole scene, or of the chosen particles alone. Waits while much is
-    /// still to be written. Throws what writing threw since.
+    /// Adds the next frame of the run: of the whole scene, or of the chosen particles alone. Waits while many blocks
+    /// are still to be written. Throws what writing threw since the last call.
     void add(const Frame& frame);
-    /// Everything added so far goes to the file.
+    /// Writes all frames added so far to the file.
     void flush();
-    /// No frame will follow: what belongs at the end goes to the file too. The file itself is not committed.
+    /// Writes the end of the file after the last frame. The file itself is not committed.
     void finish();
 
 private:
@@ -42,7 +42,7 @@ private:
     RunDescription run_;
     ParticleChoice particles_;
     std::uint64_t frames_ = 0;
-    std::size_t description_bytes_ = 0;  ///< what stands before the first chunk
+    std::size_t description_bytes_ = 0;  ///< bytes before the first chunk
     std::deque<Chunk> chunks_;           ///< a deque, so that a thread can set one while others are added
     std::shared_ptr<FrameBlock> block_;  // std::function wants what it holds to be copyable
     OrderedWriter writer_;

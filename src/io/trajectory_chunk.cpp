@@ -9,7 +9,7 @@ namespace steplab::trajectory {
 
 namespace {
 
-/// The fastest level of zstd's own; of random digits a higher one makes nothing smaller.
+/// zstd's fastest regular level; a higher one does not make random digits smaller.
 constexpr int compression_level = 1;
 constexpr std::size_t components = 6;
 
@@ -41,7 +41,7 @@ public:
 private:
     char* out_ = nullptr;
     std::size_t count_;
-    std::array<Integer, 512> held_back_;  // so many are taken apart at once: in vector registers
+    std::array<Integer, 512> held_back_;  // split at once, in vector registers
     std::size_t held_ = 0;
 };
 
@@ -59,7 +59,7 @@ std::vector<Integer> take_by_bytes(std::string_view& bytes, std::size_t count) {
     return values;
 }
 
-/// Calls visit(place, number) for each number of the block in the order in which they are kept.
+/// Calls visit(place, number) for each number of the block in the order of the file.
 template <class Block, class Visit>
 void visit_numbers(Block& block, const Visit& visit) {
     std::size_t place = 0;
@@ -127,7 +127,7 @@ std::optional<FrameBlock> parse_chunk(const BlockHead& head, std::string_view co
     const std::size_t number = precision == Precision::float_ ? sizeof(float) : sizeof(double);
     std::string large(2 * sizeof(std::uint64_t) * head.frames + components * number * rows, '\0');
     const std::size_t size = ZSTD_decompress(large.data(), large.size(), content.data(), content.size());
-    if (size != large.size()) return std::nullopt;  // an error is a number beyond all sizes
+    if (size != large.size()) return std::nullopt;  // an error code is larger than any size
     std::string_view bytes = large;
     const auto moments = take_by_bytes<std::uint64_t>(bytes, 2 * head.frames);
     FrameBlock block;

@@ -10,12 +10,12 @@
 namespace steplab::trajectory {
 
 /// Appends a block of frames as a chunk of a file, head and content. The content is compressed by zstd: steps, times,
-/// then all x, all y, ... all vz, each particle's moments side by side; of all numbers the lowest bytes first, the
-/// highest last, so that those that hardly differ (signs, exponents) stand together and the noise of the last digits
-/// apart. `scratch` is memory to work in.
+/// then all x, all y, ... all vz, the frames of each particle next to each other; the lowest bytes of all numbers
+/// first, the highest last, so that bytes that hardly differ (signs, exponents) are together and separate from the
+/// noise of the last digits. `scratch` is working memory.
 void append_chunk(std::string& bytes, std::string& scratch, const FrameBlock& block);
 
-/// The content of such a chunk. None if it is not what the head says.
+/// The content of such a chunk. None if it does not match the head.
 std::optional<FrameBlock> parse_chunk(const BlockHead& head, std::string_view content, Precision precision);
 
 }  // namespace steplab::trajectory

@@ -9,21 +9,21 @@
 
 namespace steplab::trajectory {
 
-/// What a trajectory file says of itself, once, at its beginning.
+/// The description at the beginning of a trajectory file.
 struct Description {
     std::string program;  ///< that wrote it: "steplab 0.1.0"
     std::string run;      ///< the RunDescription as JSON (parse_run)
     Precision precision = Precision::double_;
     std::size_t rows = 0;                ///< of a frame
-    ParticleChoice particles;            ///< which ones of the scene
-    std::shared_ptr<const Shape> shape;  ///< the roles of just these, and the box that repeats
+    ParticleChoice particles;            ///< those of the scene that are in the file
+    std::shared_ptr<const Shape> shape;  ///< their roles, and the periodic box
 };
 
-/// As JSON, for people too. `block`: any one of the trajectory.
+/// As JSON, readable for people too. `block`: any block of the trajectory.
 std::string description_json(const RunDescription& run, const FrameBlock& block);
-/// Throws std::exception of some kind for what is no description, or of more rows than a file of its size can hold.
+/// Throws a std::exception for a text that is not a description, or has more rows than a file of its size can hold.
 Description parse_description(std::string_view json, std::uint64_t most_rows);
-/// Throws UsageError if a model, method or parameter is not known here, others for what is no run.
+/// Throws UsageError for an unknown model, method or parameter, another std::exception for a text that is not a run.
 RunDescription parse_run(const std::string& json);
 
 }  // namespace steplab::trajectory

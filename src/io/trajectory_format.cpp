@@ -34,7 +34,7 @@ TrajectoryFormat trajectory_format_of(const std::string& file) {
     if (!ending.empty()) ending.erase(0, 1);
     const auto found = std::find(format_names.begin(), format_names.end(), ending);
     if (found == format_names.end()) {
-        throw UsageError(fmt::format("the ending of '{}' names no format: end it in .{}, or say --format {}", file,
+        throw UsageError(fmt::format("the extension of '{}' is not a known format: use .{}, or add --format {}", file,
                                      joined(format_names, " or ."), joined(format_names, " or --format ")));
     }
     return static_cast<TrajectoryFormat>(found - format_names.begin());

@@ -16,7 +16,7 @@ void put(std::string& bytes, Integer value) {
     for (std::size_t i = 0; i < sizeof value; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
 }
 
-/// Takes whole numbers from the front of bytes that are known to be enough.
+/// Removes an integer from the front of bytes, of which there are enough.
 template <class Integer>
 Integer take(std::string_view& bytes) {
     Integer value = 0;

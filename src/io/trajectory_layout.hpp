@@ -7,29 +7,28 @@
 #include <string_view>
 #include <vector>
 
-/// How the bytes of a `.trajectory` file lie (docs/trajectory-format.md): a signature, then blocks, each of a head and
-/// its content: one description, chunks of frames, one index; at last where the index stands. Whole numbers have their
-/// lowest byte first.
+/// The layout of a `.trajectory` file (docs/trajectory-format.md): a signature, then blocks of a head and its content
+/// (one description, chunks of frames, one index), and at the end the place of the index. Integers are little-endian.
 namespace steplab::trajectory {
 
-/// Of the file; not text, so that what is changed as text is (line ends) shows at once. The last 4 bytes are the
-/// version of the format.
+/// Of the file; it contains line ends of both kinds, so that a file damaged by a conversion of text is recognised. The
+/// last 4 bytes are the version of the format.
 inline constexpr std::string_view signature{"\x89steplab\r\n\x1a\n\x01\0\0\0", 16};
 inline constexpr std::size_t signature_without_version = 12;
 
-/// Rows (frames times particles) of a chunk at most; what claims more is refused before memory is taken.
+/// Largest number of rows (frames times particles) of a chunk; larger ones are refused before memory is allocated.
 inline constexpr std::uint64_t most_rows = 16384;
 
 enum class BlockKind : std::uint8_t { description, frames, index };
 
-/// What stands before the content of each block.
+/// The bytes before the content of each block.
 struct BlockHead {
     static constexpr std::size_t bytes = 56;
 
     BlockKind kind = BlockKind::frames;
-    std::uint32_t frames = 0;         ///< of which rows are in a chunk
-    std::uint64_t first_frame = 0;    ///< counted from 0; in the index the number of all frames
-    std::uint64_t first_row = 0;      ///< 0 unless the chunk is a piece of one frame
+    std::uint32_t frames = 0;         ///< that have rows in a chunk
+    std::uint64_t first_frame = 0;    ///< counted from 0; in the index: the number of all frames
+    std::uint64_t first_row = 0;      ///< 0 unless the chunk is a part of one frame
     std::uint64_t rows = 0;           ///< of each frame
     std::uint64_t content_bytes = 0;  ///< that follow
     std::uint64_t content_hash = 0;   ///< hash_of(content)
@@ -40,10 +39,10 @@ std::uint64_t hash_of(std::string_view bytes);
 
 /// The head of this content, with a hash of the head itself.
 std::string head_bytes(const BlockHead& head, std::string_view content);
-/// None if the bytes are no head as it was written.
+/// None if the bytes are not a head, or damaged.
 std::optional<BlockHead> parse_head(std::string_view bytes);
 
-/// Where the frame with the number `first_frame`, or a piece of it, begins in the file.
+/// The place in the file of a chunk, and the number of its first frame.
 struct IndexEntry {
     std::uint64_t place = 0;
     std::uint64_t first_frame = 0;
@@ -51,7 +50,7 @@ struct IndexEntry {
 std::string index_content(const std::vector<IndexEntry>& entries);
 std::optional<std::vector<IndexEntry>> parse_index(std::string_view content);
 
-/// The last bytes of a file that is complete: where its index begins.
+/// The last bytes of a complete file: the place of its index.
 inline constexpr std::size_t ending_bytes = 16;
 std::string ending(std::uint64_t index_place);
 std::optional<std::uint64_t> parse_ending(std::string_view bytes);

@@ -14,8 +14,9 @@ using namespace trajectory;
 
 TrajectoryReader::TrajectoryReader(std::string file) : file_(std::move(file)) {
     const std::string begin = file_.read(0, signature.size());
-    if (!begin.starts_with(signature.substr(0, signature_without_version))) fail("it is not a trajectory of steplab");
-    if (begin != signature) fail("this version of the format is not known here; a newer steplab may have written it");
+    if (!begin.starts_with(signature.substr(0, signature_without_version)))
+        fail("it is not a trajectory file of steplab");
+    if (begin != signature) fail("its format version is not supported; it may be of a newer steplab");
     read_description();
     const auto place =
         parse_ending(file_.read(file_.size() - std::min(file_.size(), std::uint64_t{ending_bytes}), ending_bytes));
@@ -26,11 +27,11 @@ void TrajectoryReader::read_description() {
     const auto head = parse_head(file_.read(signature.size(), BlockHead::bytes));
     const std::uint64_t place = signature.size() + BlockHead::bytes;
     const auto content = head && head->kind == BlockKind::description ? content_of(*head, place) : std::nullopt;
-    if (!content) fail("it is cut short or damaged at its beginning");
+    if (!content) fail("it is truncated or damaged at its beginning");
     try {
         description_ = parse_description(*content, (file_.size() / BlockHead::bytes) * most_rows);
     } catch (const std::exception&) {
-        fail("what it says of its run is not understood");
+        fail("the description of its run is not valid");
     }
     first_chunk_ = place + content->size();
 }
@@ -49,15 +50,15 @@ bool TrajectoryReader::read_index(std::uint64_t place) {
 
 void TrajectoryReader::search(std::uint64_t place) {
     complete_ = false;
-    std::uint64_t rows = 0;  // of the frame under way
+    std::uint64_t rows = 0;  // of the current frame
     while (const auto head = parse_head(file_.read(place, BlockHead::bytes))) {
         if (head->kind == BlockKind::index) {
             read_index(place);
             return;
         }
         const auto content = content_of(*head, place + BlockHead::bytes);
-        const bool goes_on = head->kind == BlockKind::frames && head->first_frame == frames_ && head->first_row == rows;
-        if (!content || !goes_on) return;
+        const bool follows = head->kind == BlockKind::frames && head->first_frame == frames_ && head->first_row == rows;
+        if (!content || !follows) return;
         index_.push_back({place, frames_});
         rows += head->rows;
         if (rows == description_.rows) frames_ += head->frames, rows = 0;
@@ -84,14 +85,14 @@ void TrajectoryReader::frame(std::uint64_t number, Frame& out) {
     out.positions.clear();
     out.velocities.clear();
     for (; out.positions.size() < description_.rows; ++entry) {
-        if (entry == index_.end()) fail(fmt::format("frame {} is not whole", number));
+        if (entry == index_.end()) fail(fmt::format("frame {} is not complete", number));
         append_rows(chunk(static_cast<std::size_t>(entry - index_.begin()), number), number, out);
     }
 }
 
 void TrajectoryReader::append_rows(const FrameBlock& block, std::uint64_t frame, Frame& out) const {
     if (block.first_row != out.positions.size() || block.rows > description_.rows - out.positions.size())
-        fail(fmt::format("frame {} is not whole", frame));
+        fail(fmt::format("frame {} is not complete", frame));
     const std::size_t moment = frame - block.first_frame;
     out.step = block.moments[moment].step;
     out.time = block.moments[moment].time;
@@ -122,7 +123,7 @@ RunDescription TrajectoryReader::run() const {
     try {
         return parse_run(description_.run);
     } catch (const std::exception& error) {
-        fail(fmt::format("its run, written by {}, is not known here: {}", description_.program, error.what()));
+        fail(fmt::format("its run, written by {}, cannot be read: {}", description_.program, error.what()));
     }
 }
 

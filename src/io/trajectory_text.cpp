@@ -11,7 +11,7 @@ namespace steplab {
 
 namespace {
 
-/// One line under way. No line is as long as this: a number takes at most 24 characters.
+/// A line being built. The buffer is long enough for any: a number takes at most 24 characters.
 class Line {
 public:
     void clear() { end_ = text_; }
@@ -38,7 +38,7 @@ private:
     char* end_ = text_;
 };
 
-/// Appends a line for each row of one moment; `begin_line(line, row)` puts what stands before position and velocity.
+/// Appends a line for each row of one frame; `begin_line(line, row)` adds what precedes position and velocity.
 template <class Number, class BeginLine>
 void append_rows(std::string& text, const FrameBlock& block, std::size_t moment, char separator,
                  const BeginLine& begin_line) {
@@ -63,7 +63,7 @@ void append_rows(std::string& text, const FrameBlock& block, std::size_t moment,
     }
 }
 
-/// Whether space repeats itself, and how, as extended XYZ says it.
+/// The periodic box, or that there is none, in the words of extended XYZ.
 std::string box_text(const Shape& shape) {
     if (shape.period == 0) return "pbc=\"F F F\"";
     const std::string edge = number_text(shape.period);

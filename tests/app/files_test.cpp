@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 const std::vector<std::string> short_run{"run", "--model", "oscillator", "--steps", "3"};
-/// Would take days and fill every disk; it ends because something ends it.
+/// Would take days and fill every disk unless it is stopped.
 const std::vector<std::string> endless_run{"run", "--model", "chain", "--steps", "1e14", "--every", "1"};
 
 std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
@@ -24,7 +24,7 @@ std::vector<std::string> with(std::vector<std::string> words, const std::vector<
     return words;
 }
 
-TEST(Files, reader_that_goes_away_ends_the_run_quietly) {
+TEST(Files, closed_reader_ends_the_run_quietly) {
     RunningProgram run(with(endless_run, {"--out", "-"}));
     EXPECT_THAT(run.read_some(), testing::StartsWith("step,time,particle"));
     run.close_output();
@@ -34,7 +34,7 @@ TEST(Files, reader_that_goes_away_ends_the_run_quietly) {
     EXPECT_EQ(outcome.err, "");
 }
 
-TEST(Files, reader_that_never_came_ends_lists_and_helps_quietly) {
+TEST(Files, closed_reader_ends_lists_and_helps_quietly) {
     for (const std::vector<std::string>& words : {std::vector<std::string>{"list"}, {"--help"}, {"run", "--help"}}) {
         RunningProgram list(words);
         list.close_output();
@@ -42,7 +42,7 @@ TEST(Files, reader_that_never_came_ends_lists_and_helps_quietly) {
     }
 }
 
-TEST(Files, standard_output_that_cannot_be_written_is_told) {
+TEST(Files, standard_output_that_cannot_be_written_is_an_error) {
     for (const std::vector<std::string>& words : {std::vector<std::string>{"list"},
                                                   {"list", "--json"},
                                                   {"--help"},
@@ -71,7 +71,7 @@ TEST(Files, full_disk_leaves_everything_as_it_was) {
     const TemporaryFolder folder;
     const std::string file = folder.file("a.csv");
     put_text(file, "as it was\n");
-    // A limit on the size of files stands for the disk: writing fails in the middle just the same.
+    // A limit on the size of files in place of a full disk: writing fails in the middle, too.
     const Outcome outcome = run_program({"run", "--set", "dim=100", "--every", "1", "--steps", "9", "--out", file},
                                         {.largest_file = 300000});
     EXPECT_EQ(outcome.code, 3);
@@ -124,7 +124,7 @@ TEST(Files, named_pipes_are_written_directly) {
     EXPECT_TRUE(std::filesystem::is_fifo(pipe));
 }
 
-/// Starts an endless run that writes `rows`, and waits until its other output shows that it is well under way.
+/// Starts an endless run that writes `rows`, and waits until its other output shows that it has written much.
 class Interrupted : public testing::TestWithParam<int> {
 protected:
     Outcome interrupt_after_some_rows(const std::string& rows) {
@@ -148,9 +148,9 @@ TEST_P(Interrupted, run_keeps_whole_lines_beside_the_file) {
     EXPECT_EQ(text_of(file), "as it was\n");
     const std::string kept = text_of(file + ".partial");
     EXPECT_TRUE(kept.ends_with('\n'));
-    const Table csv = table(kept);
+    const CsvTable csv = table(kept);
     ASSERT_GT(csv.rows.size(), 10000u);
-    EXPECT_EQ(csv.rows.size() % 10, 0u);  // whole frames even
+    EXPECT_EQ(csv.rows.size() % 10, 0u);  // even whole frames
     for (const auto& row : csv.rows) ASSERT_EQ(row.size(), 9u);
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 2);
 }
@@ -163,7 +163,7 @@ TEST_P(Interrupted, run_without_files_just_ends) {
 
 TEST_P(Interrupted, run_whose_reader_sleeps_ends_too) {
     RunningProgram run(with(endless_run, {"--out", "-"}));
-    EXPECT_FALSE(run.read_some().empty());  // it has begun; now nobody reads and it waits in the pipe
+    EXPECT_FALSE(run.read_some().empty());  // it has begun; from now on it waits for a reader of the pipe
     run.send(GetParam());
     EXPECT_EQ(run.wait().code, 128 + GetParam());
 }

@@ -20,7 +20,7 @@ std::string path_of(const std::string& program) {
     return program.find('/') == std::string::npos ? std::string(STEPLAB_BINARY_DIR) + "/bin/" + program : program;
 }
 
-/// In the child: what it is to find, then the program itself.
+/// In the child: sets up the environment, then becomes the program.
 [[noreturn]] void become(const std::vector<std::string>& arguments, const Surroundings& surroundings, int out,
                          int err) {
     const std::string program = path_of(surroundings.program);

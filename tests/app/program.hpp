@@ -7,7 +7,7 @@
 
 namespace steplab {
 
-/// Where a program runs.
+/// The environment of a program.
 struct Surroundings {
     std::string program = "steplab";            ///< in build/<preset>/bin, or a path
     std::string folder = ".";                   ///< working folder
@@ -17,16 +17,16 @@ struct Surroundings {
     std::optional<unsigned long> largest_file = {};  ///< bytes a file may have, as on a full disk
 };
 
-/// What came of a program.
+/// The result of a program.
 struct Outcome {
     int code = -1;   ///< exit code; -1 if a signal ended it
     int signal = 0;  ///< the signal that ended it, 0 if none did
     std::string out;
     std::string err;
-    long kilobytes = 0;  ///< most memory it held
+    long kilobytes = 0;  ///< peak memory
 };
 
-/// A program under way. Its standard output is a pipe to this object.
+/// A running program. Its standard output is a pipe to this object.
 class RunningProgram {
 public:
     explicit RunningProgram(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
@@ -36,7 +36,7 @@ public:
 
     /// Waits for more of the output; empty at its end.
     std::string read_some();
-    /// The reader of the output goes away.
+    /// Closes the reader of the output.
     void close_output();
     void send(int signal) const;
     /// Reads what is left and waits for the end.

@@ -20,7 +20,7 @@ struct ProgramAlone {
     std::string path = folder.file("steplab");
     ProgramAlone() { std::filesystem::copy_file(program, path); }
 
-    /// Stands where the window's program stands, and tells how it was called.
+    /// Takes the place of the window program and prints its command line.
     void add_window_program() const {
         put_text(folder.file("steplab-view"), "#!/bin/sh\nprintf '%s\\n' \"$0\" \"$@\"\nexit 7\n");
         chmod(folder.file("steplab-view").c_str(), 0700);
@@ -37,7 +37,7 @@ TEST(Program, needs_no_drawing_library) {
     }
 }
 
-TEST(Program, without_a_window_tells_what_works) {
+TEST(Program, without_a_window_names_the_alternatives) {
     const ProgramAlone alone;
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{}, {"view"}, {"--model", "rope", "--dt", "0.02"}, {"view", "--model", "rope"}}) {
@@ -60,7 +60,7 @@ TEST(Program, becomes_the_window_beside_it) {
     EXPECT_THAT(run_program({"view", "--dt=0.5"}, surroundings).out, testing::EndsWith("steplab-view\n--dt=0.5\n"));
 }
 
-TEST(Program, tells_wrong_scenes_before_a_window_opens) {
+TEST(Program, reports_wrong_scenes_before_a_window_opens) {
     const ProgramAlone alone;
     alone.add_window_program();
     const Outcome outcome = run_program({"--model", "ropes"}, {.program = alone.path});
@@ -76,7 +76,20 @@ TEST(Program, help_shows_every_command_and_each_has_its_own) {
         const Outcome own = run_program({std::string(command->name()), "--help"});
         EXPECT_EQ(own.code, 0);
         EXPECT_THAT(own.out, HasSubstr("Usage: steplab " + std::string(command->name())));
+        EXPECT_THAT(own.out, testing::Not(testing::EndsWith("\n\n")));
+        EXPECT_EQ(run_program({"help", std::string(command->name())}).out, own.out);
     }
+}
+
+TEST(Program, help_is_a_command_too) {
+    const Outcome help = run_program({"help"});
+    EXPECT_EQ(help.code, 0);
+    EXPECT_EQ(help.err, "");
+    EXPECT_EQ(help.out, run_program({"--help"}).out);
+    EXPECT_EQ(run_program({"help", "help"}).out, help.out);
+    EXPECT_EQ(run_program({"help", "--help"}).out, help.out);
+    for (const char* code : {"0 done", "2 wrong", "3 a file", "4 the run diverged", "5 no OpenGL"})
+        EXPECT_THAT(help.out, HasSubstr(code));
 }
 
 TEST(Program, numbers_do_not_depend_on_the_language_of_the_user) {

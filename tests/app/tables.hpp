@@ -9,7 +9,7 @@
 
 namespace steplab {
 
-/// The parts of a text between separators; what follows the last one is a part only if it is not empty.
+/// The parts of a text between separators; the last one only if it is not empty.
 inline std::vector<std::string> split(std::string_view text, char separator) {
     std::vector<std::string> parts;
     while (!text.empty()) {
@@ -20,7 +20,7 @@ inline std::vector<std::string> split(std::string_view text, char separator) {
     return parts;
 }
 
-/// The number a text stands for, all of it.
+/// The number that the whole text represents.
 template <class Number = double>
 Number number(const std::string& text) {
     Number value{};
@@ -31,13 +31,13 @@ Number number(const std::string& text) {
 }
 
 /// A CSV text as a head and rows of fields.
-struct Table {
+struct CsvTable {
     std::string head;
     std::vector<std::vector<std::string>> rows;
 };
 
-inline Table table(std::string_view text) {
-    Table table;
+inline CsvTable table(std::string_view text) {
+    CsvTable table;
     std::vector<std::string> lines = split(text, '\n');
     if (lines.empty()) throw std::runtime_error("no table");
     table.head = lines.front();

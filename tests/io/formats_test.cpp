@@ -53,14 +53,14 @@ TEST(Trajectory, csv_holds_the_shortest_text_of_each_number) {
               "3,0.30000000000000004,0,0.1,-0,0,1e-07,0,12345679\n");
 }
 
-TEST(Trajectory, xyz_is_what_ovito_reads) {
+TEST(Trajectory, xyz_has_the_form_that_ovito_reads) {
     EXPECT_EQ(written(sample_frame(Precision::double_), TrajectoryFormat::xyz, {1}),
               "1\n"
               "Properties=type:S:1:pos:R:3:velo:R:3 Time=0.30000000000000004 Step=3 pbc=\"F F F\"\n"
               "kicked 1 2 3 0 0 0\n");
 }
 
-TEST(Trajectory, xyz_tells_how_space_repeats_itself) {
+TEST(Trajectory, xyz_has_the_periodic_box) {
     Frame frame = sample_frame(Precision::double_);
     Shape shape = *frame.shape;
     shape.period = 6.5;
@@ -73,7 +73,7 @@ TEST(Trajectory, xyz_tells_how_space_repeats_itself) {
               "kicked 1 2 3 0 0 0\n");
 }
 
-TEST(Trajectory, format_follows_the_ending) {
+TEST(Trajectory, format_follows_the_extension) {
     EXPECT_EQ(trajectory_format_of("a.csv"), TrajectoryFormat::csv);
     EXPECT_EQ(trajectory_format_of("b/a.XYZ"), TrajectoryFormat::xyz);
     EXPECT_EQ(trajectory_format_of("a.trajectory"), TrajectoryFormat::trajectory);
@@ -111,9 +111,10 @@ TEST(Series, line_has_a_field_for_each_name) {
 
 TEST(Summary, numbers_that_are_not_finite_are_null) {
     RunSummary summary;
-    summary.energy_start = std::numeric_limits<double>::infinity();
-    summary.energy_end = std::numeric_limits<double>::quiet_NaN();
-    summary.diverged_step = 5;
+    summary.result.energy_start = std::numeric_limits<double>::infinity();
+    summary.result.energy_end = std::numeric_limits<double>::quiet_NaN();
+    summary.result.steps = 4;
+    summary.result.divergence.emplace();
     const auto json = nlohmann::json::parse(summary_json(summary));
     EXPECT_TRUE(json.at("energy_start").is_null());
     EXPECT_TRUE(json.at("energy_end").is_null());
@@ -132,8 +133,8 @@ struct CommaNumbers : std::numpunct<char> {
 
 TEST(Formats, do_not_depend_on_the_locale) {
     RunSummary summary;
-    summary.dt = 0.1;
-    summary.steps = 1234567;
+    summary.result.dt = 0.1;
+    summary.result.steps = 1234567;
     const Frame frame = sample_frame(Precision::double_);
     const auto texts = [&] {
         return written(frame, TrajectoryFormat::csv) + written(frame, TrajectoryFormat::xyz) + summary_json(summary) +
@@ -151,13 +152,13 @@ TEST(Summary, names_collisions_where_there_were_any) {
     RunSummary summary;
     EXPECT_EQ(summary_json(summary).find("collisions"), std::string::npos);
     EXPECT_EQ(summary_text(summary).find("collisions"), std::string::npos);
-    for (std::uint32_t i = 0; i < 150; ++i) summary.collisions.add({0.5 * i, i, i + 1});
+    for (std::uint32_t i = 0; i < 150; ++i) summary.result.collisions.add({0.5 * i, i, i + 1});
     const nlohmann::json json = nlohmann::json::parse(summary_json(summary)).at("collisions");
     EXPECT_EQ(json.at("count"), 150);
     ASSERT_EQ(json.at("first").size(), 100u);
     EXPECT_EQ(json["first"][3]["time"], 1.5);
     EXPECT_EQ(json["first"][3]["particles"], nlohmann::json({3, 4}));
-    EXPECT_NE(summary_text(summary).find("150: particles 0 and 1 at t = 0, 1 and 2 at 0.5"), std::string::npos);
+    EXPECT_NE(summary_text(summary).find("150: particles 0 and 1 at t = 0 s, 1 and 2 at 0.5 s"), std::string::npos);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_P(InterruptionDeathTest, is_told_the_first_time_and_ends_the_program_the_second) {
+TEST_P(InterruptionDeathTest, is_thrown_the_first_time_and_ends_the_program_the_second) {
     EXPECT_EXIT(interrupt(0), testing::ExitedWithCode(0), "");
     EXPECT_EXIT(interrupt(1), testing::ExitedWithCode(7), "");
     EXPECT_EXIT(interrupt(2), testing::KilledBySignal(GetParam()), "");

@@ -77,7 +77,7 @@ TEST(OrderedWriter, ends_though_the_reader_of_a_pipe_sleeps) {
     const TemporaryFolder folder;
     const std::string pipe = folder.file("pipe");
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    const int sleeper = open(pipe.c_str(), O_RDWR | O_CLOEXEC);  // there, but it never reads
+    const int sleeper = open(pipe.c_str(), O_RDWR | O_CLOEXEC);  // a reader that never reads
     {
         OutputFile file(pipe);
         OrderedWriter writer(file);

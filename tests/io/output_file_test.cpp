@@ -20,7 +20,7 @@ std::ptrdiff_t files_in(const TemporaryFolder& folder) {
 TEST(OutputFile, appears_whole_when_committed) {
     const TemporaryFolder folder;
     const std::string name = folder.file("a");
-    const std::string large(1000000, 'x');  // more than is held back
+    const std::string large(1000000, 'x');  // more than the buffer
     OutputFile file(name);
     file.write("begin ");
     file.write(large);
@@ -68,25 +68,25 @@ TEST(OutputFile, two_writers_of_one_name_do_not_meet) {
     EXPECT_EQ(text_of(folder.file("a")), "second");
 }
 
-TEST(OutputFile, tells_why_a_place_cannot_be_written) {
+TEST(OutputFile, names_the_reason_why_a_file_cannot_be_written) {
     const TemporaryFolder folder;
     EXPECT_THAT([&] { OutputFile(folder.file("no/a")); }, ThrowsMessage<FileError>(HasSubstr("there is no folder")));
     EXPECT_THAT([&] { OutputFile(folder.path()); }, ThrowsMessage<FileError>(HasSubstr("it is a folder")));
     EXPECT_THAT([&] { OutputFile(folder.path() + '/'); }, ThrowsMessage<FileError>(HasSubstr("it is a folder")));
-    EXPECT_THAT([&] { OutputFile(""); }, ThrowsMessage<FileError>(HasSubstr("without a name")));
+    EXPECT_THAT([&] { OutputFile(""); }, ThrowsMessage<FileError>(HasSubstr("with an empty name")));
     put_text(folder.file("file"), "");
     EXPECT_THROW(OutputFile(folder.file("file/a")), FileError);
     EXPECT_THROW(OutputFile(folder.file(std::string(1000, 'a'))).commit(), FileError);
 }
 
-TEST(OutputFile, link_in_a_circle_is_refused) {
+TEST(OutputFile, circular_link_is_refused) {
     const TemporaryFolder folder;
     std::filesystem::create_symlink("b", folder.file("a"));
     std::filesystem::create_symlink("a", folder.file("b"));
     EXPECT_THROW(OutputFile(folder.file("a")), FileError);
 }
 
-TEST(OutputFile, device_that_is_full_is_told) {
+TEST(OutputFile, full_device_is_an_error) {
     OutputFile file("/dev/full");
     file.write("text");
     EXPECT_THAT([&] { file.commit(); }, ThrowsMessage<FileError>(HasSubstr("'/dev/full': No space left on device")));

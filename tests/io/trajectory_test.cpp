@@ -102,7 +102,7 @@ TEST(TrajectoryFile, holds_the_chosen_particles_by_their_numbers) {
         EXPECT_EQ(written(run, back, format, reader.particles()), written(run, frames, format, chosen));
 }
 
-/// Frames of `particles` whose numbers tell where they belong.
+/// Frames of `particles` whose numbers identify frame and particle.
 std::vector<Frame> counted_frames(std::size_t particles, std::size_t count) {
     Shape shape;
     shape.roles.assign(particles, Role::moving);
@@ -138,7 +138,7 @@ TEST(TrajectoryFile, any_frame_is_found_whether_chunks_hold_many_or_pieces) {
     }
 }
 
-/// What a reader makes of a file: the frames that it says are there, or the message with which it refuses them.
+/// The result of reading a file: the number of frames that the reader reports, or the message of its error.
 struct Reading {
     bool complete = false;
     std::vector<Frame> frames;
@@ -219,7 +219,7 @@ TEST_F(SmallFile, changed_anywhere_gives_right_frames_or_is_refused) {
     EXPECT_LT(refused, bytes_.size());  // without its index a file is still read
 }
 
-/// The file with one block as `forge` makes it, all hashes right: what only a person does.
+/// The file with one block changed by `forge` and all hashes recomputed: no accident does that.
 template <class Forge>
 std::string forged(const std::string& bytes, std::size_t which, const Forge& forge) {
     using namespace trajectory;
@@ -249,7 +249,8 @@ TEST_F(SmallFile, forged_with_right_hashes_is_read_or_refused) {
         for (const std::uint64_t value : {0ull, 1ull, 2ull, 1ull << 20, 1ull << 32, 1ull << 63, ~0ull}) {
             using trajectory::BlockHead;
             for (const auto field : {&BlockHead::first_frame, &BlockHead::first_row, &BlockHead::rows}) {
-                if (block == blocks - 1 && value > 2) continue;  // so many frames are nowhere, but counted first
+                if (block == blocks - 1 && value > 2)
+                    continue;  // the number of frames is read before they are found missing
                 try_to_read(block, [&](BlockHead& head, std::string&) { head.*field = value; });
             }
             try_to_read(block, [&](BlockHead& head, std::string&) { head.frames = static_cast<std::uint32_t>(value); });
@@ -261,8 +262,8 @@ TEST_F(SmallFile, forged_with_right_hashes_is_read_or_refused) {
             });
         }
     }
-    EXPECT_GT(refused, tried / 5);  // what is no chunk, no JSON, no place
-    EXPECT_LT(refused, tried);      // another parameter or digit is as good as the true one
+    EXPECT_GT(refused, tried / 5);  // not a chunk, not JSON, not a place in the file
+    EXPECT_LT(refused, tried);      // another parameter or digit is as valid as the true one
 }
 
 TEST_F(SmallFile, that_is_none_is_refused_with_the_reason) {

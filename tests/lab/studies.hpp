@@ -23,19 +23,20 @@ inline StudyPlan small_plan(std::vector<std::string> methods) {
 }
 
 inline Measurement run_with(const char* method, double dt, double error, double seconds) {
-    Measurement m{.run = describe("chain", method), .steps = 10, .wall_seconds = seconds, .hash = "0123456789abcdef"};
+    Measurement m{.run = describe("chain", method), .steps = 10, .wall_seconds = seconds};
     m.run.dt = dt;
-    m.evaluations = 40;
+    m.result.hash = "0123456789abcdef";
+    m.result.evaluations = 40;
     m.error = error;
     m.rms_error = error / 2;
-    m.energy_error = error / 3;
+    m.result.energy_error = error / 3;
     return m;
 }
 
 /// A run that blew up within a short time.
 inline Measurement diverged(const char* method, double seconds) {
     Measurement m = run_with(method, 5, 0, seconds);
-    m.diverged = true;
+    m.result.divergence.emplace();
     return m;
 }
 

@@ -44,7 +44,7 @@ std::string settings(std::span<const ParameterInfo> parameters) {
 }
 
 std::string limit_text(const MethodInfo& info) {
-    if (info.linear_limit == 0) return "never";
+    if (info.linear_limit == 0) return "unstable";
     const double limit = linear_limit(info, ParameterValues(info.parameters));
     return limit == infinity ? "any dt" : fmt::format("< {:.4g}", limit);
 }
@@ -73,7 +73,7 @@ std::string catalogue_help() {
 }
 
 std::string models_table() {
-    std::vector<Row> rows{{"MODEL", "WHAT IT IS, AND ITS PARAMETERS"}};
+    std::vector<Row> rows{{"MODEL", "DESCRIPTION AND PARAMETERS"}};
     for (const Model& model : models()) {
         rows.push_back({std::string(model.info.id), fmt::format("{}: {}", model.info.name, model.info.what)});
         rows.push_back({"", settings(model.info.parameters)});

@@ -1,5 +1,6 @@
 #include "app/cli/command_line.hpp"
 
+#include "app/cli/text_table.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "io/interruption.hpp"
@@ -31,13 +32,13 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 [[noreturn]] void refuse_extra(const CLI::App& app, const std::string& word) {
     if (!word.starts_with('-'))
-        throw UsageError(fmt::format("unexpected '{}': every value belongs to an option", word));
+        throw UsageError(fmt::format("unexpected argument '{}': values follow the name of an option", word));
     const std::vector<std::string> names = option_names(app);
     const std::vector<std::string_view> known(names.begin(), names.end());
     throw UsageError(unknown_word("option", word.substr(0, word.find('=')), known));
 }
 
-/// "--dt: At Most 1 required but received 2" and the like, as one says it.
+/// Turns the parser's "--dt: At Most 1 required but received 2" and the like into plain messages.
 [[noreturn]] void refuse_count(const CLI::ArgumentMismatch& error) {
     const std::string text = error.what();
     const std::string option = text.substr(0, text.find(':'));
@@ -45,7 +46,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
     throw UsageError(option + (too_many ? " is given more than once" : " needs a value"));
 }
 
-/// The parser would take the argument after "--out=" for its value.
+/// The parser would read the argument after "--out=" as its value.
 void refuse_empty_values(const std::vector<std::string>& arguments) {
     for (const std::string& argument : arguments) {
         if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) {
@@ -54,7 +55,7 @@ void refuse_empty_values(const std::vector<std::string>& arguments) {
     }
 }
 
-/// No option means anything with an empty text for a value.
+/// No option accepts an empty value.
 void refuse_empty_values(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {
         for (const std::string& value : option->results()) {
@@ -63,8 +64,10 @@ void refuse_empty_values(const CLI::App& app) {
     }
 }
 
-std::string without_double_gaps(std::string text) {
+/// Without the parser's double empty lines, and those at the end.
+std::string tidy(std::string text) {
     for (auto gap = text.find("\n\n\n"); gap != std::string::npos; gap = text.find("\n\n\n")) text.erase(gap, 1);
+    while (text.ends_with("\n\n")) text.pop_back();
     return text;
 }
 
@@ -72,8 +75,16 @@ void in_group(CLI::Option* option, const std::string& group) {
     if (!group.empty()) option->group(group);
 }
 
-/// One line on standard error; where even that is closed there is nobody to tell.
-void complain(const std::string& program, const char* message) {
+/// Column of the help at which the descriptions of options begin.
+constexpr std::size_t help_column = 32;
+
+/// The parser indents each line.
+std::string help_text(const std::string& what) {
+    return fmt::format("{}", fmt::join(wrapped_lines(what, page_width - help_column), "\n"));
+}
+
+/// One line on standard error; lost if that is closed.
+void print_error(const std::string& program, const char* message) {
     std::fputs(fmt::format("{}: {}\n", program, message).c_str(), stderr);
 }
 
@@ -85,7 +96,7 @@ void text_option(CLI::App& app, const std::string& name, std::string& value, con
         value = results.back();
         return true;
     };
-    in_group(app.add_option(name, take, what)->option_text(placeholder), group);
+    in_group(app.add_option(name, take, help_text(what))->option_text(placeholder), group);
 }
 
 void repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
@@ -94,7 +105,7 @@ void repeated_option(CLI::App& app, const std::string& name, std::vector<std::st
         values = results;
         return true;
     };
-    in_group(app.add_option(name, take, what)
+    in_group(app.add_option(name, take, help_text(what))
                  ->option_text(placeholder)
                  ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll),
              group);
@@ -102,7 +113,7 @@ void repeated_option(CLI::App& app, const std::string& name, std::vector<std::st
 
 void flag_option(CLI::App& app, const std::string& name, bool& value, const std::string& what,
                  const std::string& group) {
-    in_group(app.add_flag(name, value, what), group);
+    in_group(app.add_flag(name, value, help_text(what)), group);
 }
 
 void footer(CLI::App& app, std::function<std::string()> text) { app.footer(std::move(text)); }
@@ -112,11 +123,12 @@ bool is_given(const CLI::App& app, const std::string& name) { return app.count(n
 std::optional<std::string> parse(CLI::App& app, std::vector<std::string> arguments) {
     refuse_empty_values(arguments);
     app.allow_extras();
-    std::reverse(arguments.begin(), arguments.end());  // the order in which the parser takes them
+    app.get_formatter()->column_width(help_column);
+    std::reverse(arguments.begin(), arguments.end());  // the order that the parser expects
     try {
         app.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
-        return without_double_gaps(app.help());
+        return tidy(app.help());
     } catch (const CLI::CallForVersion& version) {
         return std::string(version.what()) + "\n";
     } catch (const CLI::ArgumentMismatch& error) {
@@ -140,32 +152,32 @@ int guarded(const std::string& program, const std::function<int()>& body) {
     try {
         return body();
     } catch (const Error& error) {
-        complain(program, error.what());
+        print_error(program, error.what());
         return static_cast<int>(error.code());
     } catch (const ReaderGone&) {
         return static_cast<int>(ExitCode::done);
     } catch (const Interrupted& interrupted) {
         return interrupted.exit_code();
     } catch (const std::bad_alloc&) {
-        complain(program, "this needs more memory than there is");
+        print_error(program, "not enough memory");
         return static_cast<int>(ExitCode::usage);
     }
 }
 
 void keep_no_freed_memory() {
 #ifdef M_MMAP_THRESHOLD
-    mallopt(M_MMAP_THRESHOLD, 1 << 20);  // glibc's own grows to 32 MiB, and what is freed below it leaves holes
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);  // glibc's own grows to 32 MiB, and memory freed below it leaves holes
     mallopt(M_TRIM_THRESHOLD, 2 << 20);
 #endif
 }
 
 void prepare_standard_streams() {
-    // A closed one becomes one that cannot be written, so that writing it is an error; open() takes the lowest number.
+    // A closed stream is opened for reading only, so that writing to it is an error; open() returns the lowest number.
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != descriptor) return;
     }
     std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then a file that cannot be written
+    std::signal(SIGXFSZ, SIG_IGN);  // exceeding a limit on file sizes then is a write error
 }
 
 }  // namespace steplab

@@ -15,8 +15,8 @@ namespace steplab {
 // Options are declared by these functions alone: the parser's own header, which is slow to compile, stays out of the
 // commands.
 
-/// Declares an option whose value is taken as it stands; our own parsers read it, in the C locale and with our
-/// messages. `placeholder` stands for the value in the help: "--dt X". Options of one group stand below its heading.
+/// Declares an option whose value is stored as text, to be read by our own parsers: in the C locale, with our messages.
+/// `placeholder` stands for the value in the help: "--dt X". Options of one group are listed under its heading.
 void text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
                  const std::string& what, const std::string& group = "");
 /// The same for an option that may be repeated.
@@ -27,27 +27,27 @@ void flag_option(CLI::App& app, const std::string& name, bool& value, const std:
                  const std::string& group = "");
 /// True if the option, declared before, was on the command line that was parsed.
 bool is_given(const CLI::App& app, const std::string& name);
-/// What stands at the end of the help, made when it is printed.
+/// Text at the end of the help, made when the help is printed.
 void footer(CLI::App& app, std::function<std::string()> text);
 
-/// Parses the arguments of one command (its name not among them). Returns the text to print instead of running the
-/// command, if --help or --version was asked. Throws UsageError: one line, with the nearest and the known options.
+/// Parses the arguments of one command, without its name. Returns the text to print instead of running the command if
+/// --help or --version is among them. Throws UsageError: one line, with the nearest and the known options.
 ///
 ///     CLI::App app("what it does", "steplab-view");
 ///     options.declare(app);
 ///     if (const auto text = parse(app, arguments)) return print(*text);
 std::optional<std::string> parse(CLI::App& app, std::vector<std::string> arguments);
 
-/// Writes text to standard output, all of it or an exception (FileError, ReaderGone).
+/// Writes text to standard output. Throws FileError or ReaderGone unless all of it is written.
 void print(std::string_view text);
 
 /// Runs the body of a main. An error becomes one line on standard error, "program: message", and its exit code.
 int guarded(const std::string& program, const std::function<int()>& body);
 
-/// Makes standard input, output and error exist, so that no file ever takes the number of a closed one, and a write to
-/// a closed pipe an error instead of a signal. First thing in a main.
+/// Opens standard input, output and error where they are closed, so that no file gets their numbers, and turns a write
+/// to a closed pipe into an error instead of a signal. To be called first in a main.
 void prepare_standard_streams();
-/// Makes memory of large arrays go back to the system when they are freed: a run takes no more than it holds.
+/// Returns the memory of large arrays to the system when they are freed.
 void keep_no_freed_memory();
 
 }  // namespace steplab

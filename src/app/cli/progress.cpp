@@ -18,11 +18,11 @@ std::string progress_text(double fraction, double elapsed_seconds) {
                        duration_text(std::ceil(elapsed_seconds * (1 - fraction) / fraction)));
 }
 
-Progress::Progress(std::uint64_t total, bool watched) : total_(total), watched_(watched) {}
+Progress::Progress(std::uint64_t total, bool visible) : total_(total), visible_(visible) {}
 
 Progress::~Progress() { clear(); }
 
-bool Progress::is_due() { return watched_ && Clock::now() >= next_; }
+bool Progress::is_due() { return visible_ && Clock::now() >= next_; }
 
 void Progress::draw(const std::string& line) {
     next_ = Clock::now() + std::chrono::milliseconds(100);
@@ -37,8 +37,8 @@ void Progress::at(std::uint64_t done) {
     draw(progress_text(fraction, std::chrono::duration<double>(Clock::now() - begin_).count()));
 }
 
-void Progress::say(const std::string& what) {
-    if (is_due()) draw(what);
+void Progress::stage(const std::string& text) {
+    if (is_due()) draw(text);
     begin_ = Clock::now();
 }
 

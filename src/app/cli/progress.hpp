@@ -6,22 +6,22 @@
 
 namespace steplab {
 
-/// "[#######-------]  48 %  12 s left": how far a long piece of work is and how long it will take. The text alone.
+/// "[#######-------]  48 %  12 s left": the part of a long computation that is done, and the time left.
 std::string progress_text(double fraction, double elapsed_seconds);
 
-/// Shows it on standard error while work goes on, from the first second, if a person looks on; cleared at the end.
+/// A progress bar on standard error: from the first second on, cleared at the end.
 class Progress {
 public:
-    /// `watched`: standard error is a terminal that nothing else writes to.
-    Progress(std::uint64_t total, bool watched);
+    /// `visible`: standard error is a terminal that nothing else writes to. If false, nothing is shown.
+    Progress(std::uint64_t total, bool visible);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// So much is done; costs nothing between two redraws.
+    /// `done` of `total` is done. Costs almost nothing between two redraws.
     void at(std::uint64_t done);
-    /// The same for work of which nobody knows how much there is: what is going on.
-    void say(const std::string& what);
+    /// Shows a text instead, where the total is not known.
+    void stage(const std::string& text);
     void clear();
 
 private:
@@ -30,7 +30,7 @@ private:
     void draw(const std::string& line);
 
     std::uint64_t total_;
-    bool watched_;
+    bool visible_;
     bool drawn_ = false;
     Clock::time_point begin_ = Clock::now();
     Clock::time_point next_ = begin_ + std::chrono::seconds(1);

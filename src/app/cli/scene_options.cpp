@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view all_methods = "all";
 
-/// Up to here every whole number is a double, so that step * dt is the time.
+/// Up to this number every integer is exactly a double.
 constexpr double most_steps = 9007199254740992.0;
 
 constexpr ParameterInfo dt_option = [] {
@@ -25,7 +25,7 @@ constexpr ParameterInfo dt_option = [] {
     option.name = "--dt";
     return option;
 }();
-constexpr ParameterInfo until_info{.name = "--until", .unit = "", .what = "time to reach"};
+constexpr ParameterInfo until_info{.name = "--until", .unit = "", .what = "end time"};
 constexpr ParameterInfo steps_info{.name = "--steps",
                                    .kind = ParameterInfo::Kind::integer,
                                    .unit = "",
@@ -61,7 +61,7 @@ bool has_parameter(const RunDescription& description, std::string_view name) {
     return description.scene.contains(name) || description.method_parameters.contains(name);
 }
 
-/// Throws UsageError if a setting belongs to none of the runs.
+/// Throws UsageError if a setting is a parameter of none of the runs.
 void check_known(const std::vector<Setting>& settings, const std::vector<RunDescription>& runs) {
     for (const Setting& setting : settings) {
         if (std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return has_parameter(run, setting.name); }))
@@ -88,14 +88,14 @@ void SceneOptions::declare(CLI::App& app) {
     precision_ = id(defaults.precision);
     dt_ = number_text(defaults.dt);
     const std::string group = "Scene";
-    text_option(app, "--model", model_, "ID", fmt::format("What moves (default {})", model_), group);
-    repeated_option(app, "--set", settings_, "name=value", "A parameter of the model or method; repeatable", group);
+    text_option(app, "--model", model_, "ID", fmt::format("Model to simulate (default {})", model_), group);
+    repeated_option(app, "--set", settings_, "name=value", "Parameter of the model or method; repeatable", group);
     const std::string_view many = methods_ == Methods::one_or_all ? "; all: every method" : "";
     text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
-                fmt::format("How it is integrated (default {}{})", method_, many), group);
+                fmt::format("Integration method (default {}{})", method_, many), group);
     text_option(app, "--precision", precision_, "float|double",
-                fmt::format("Of the whole run (default {})", precision_), group);
-    text_option(app, "--dt", dt_, "X", fmt::format("Time step (default {})", dt_), group);
+                fmt::format("Floating-point precision of the run (default {})", precision_), group);
+    text_option(app, "--dt", dt_, "X", fmt::format("Time step [s] (default {})", dt_), group);
     footer(app, catalogue_help);
 }
 
@@ -130,17 +130,18 @@ std::vector<RunDescription> SceneOptions::descriptions() const {
 
 void TimeOptions::declare(CLI::App& app) {
     const std::string group = "Time";
-    text_option(app, "--steps", steps_, "N", fmt::format("How many steps (default {})", default_steps_), group);
-    text_option(app, "--until", until_, "T", "Instead of --steps: the time to reach", group);
+    text_option(app, "--steps", steps_, "N", fmt::format("Number of steps (default {})", default_steps_), group);
+    text_option(app, "--until", until_, "T", "End time [s], instead of --steps", group);
 }
 
 std::uint64_t TimeOptions::steps(const RunDescription& description) const {
-    if (!steps_.empty() && !until_.empty()) throw UsageError("--steps and --until both say how long: give one of them");
+    if (!steps_.empty() && !until_.empty())
+        throw UsageError("--steps and --until both set the length of the run: give only one of them");
     if (!steps_.empty()) return static_cast<std::uint64_t>(parse_value(steps_info, steps_));
     if (until_.empty()) return default_steps_;
     const double until = parse_value(until_info, until_);
     if (until / description.dt > most_steps) {
-        throw UsageError(fmt::format("--until {} takes more than {} steps of {}", until_, number_text(most_steps),
+        throw UsageError(fmt::format("--until {} needs more than {} steps of dt {}", until_, number_text(most_steps),
                                      number_text(description.dt)));
     }
     return steps_until(until, description.dt);
@@ -149,7 +150,7 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
 double TimeOptions::duration(const RunDescription& description) const {
     const double time =
         until_.empty() ? static_cast<double>(steps(description)) * description.dt : parse_value(until_info, until_);
-    if (!(time > 0)) throw UsageError("the time to reach must be > 0: give --until T, or --steps N with --dt X");
+    if (!(time > 0)) throw UsageError("the end time must be > 0: give --until T, or --steps N with --dt X");
     return time;
 }
 

@@ -17,30 +17,31 @@ namespace steplab {
 struct Setting {
     std::string name, text;
 };
-/// Throws UsageError for what is not of that form or names a parameter twice.
+/// Throws UsageError for texts of another form and for a parameter that is set twice.
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts);
 
 /// "float" or "double". Throws UsageError.
 Precision precision_of(std::string_view text);
 
 /// The options SCENE, the same for every command and program: --model, --set, --method, --precision, --dt.
-/// Everything is taken as text and read by our own parsers: in the C locale, whole, with one kind of message.
+/// All values are stored as text and read by our own parsers: in the C locale, with one form of message.
 class SceneOptions {
 public:
     /// Whether --method may be `all`.
     enum class Methods { one, one_or_all };
     explicit SceneOptions(Methods methods = Methods::one) : methods_(methods) {}
 
-    /// Adds the options, and the table of models, methods and parameters at the foot of the help.
+    /// Adds the options, and the table of models, methods and parameters at the end of the help.
     void declare(CLI::App& app);
-    /// The run they describe, checked. Throws UsageError.
+    /// The run that the options describe, checked. Throws UsageError.
     RunDescription description() const;
-    /// The runs they describe, checked: one, or one for each method, which takes those of the settings that are its
-    /// own; a method among all that refuses the scene is left to who runs it. Throws UsageError, also for a setting
-    /// that is nobody's.
+    /// One run, checked, or with `all` one for each method. Each of these gets the settings that it has parameters for;
+    /// whether its method accepts the scene is not checked. Throws UsageError, also for a setting that is a parameter
+    /// of no model or method.
     std::vector<RunDescription> descriptions() const;
-    /// Whether the command line names a method, a precision: where none is, a command may take all.
+    /// True if --method was given; a command may otherwise use all methods.
     bool names_method() const;
+    /// True if --precision was given.
     bool names_precision() const;
 
 private:
@@ -60,7 +61,7 @@ public:
     void declare(CLI::App& app);
     /// Number of steps from the start. Throws UsageError.
     std::uint64_t steps(const RunDescription& description) const;
-    /// The time they reach: --until, or the steps times dt. Throws UsageError unless it is > 0.
+    /// The end time: --until, or the steps times dt. Throws UsageError unless it is > 0.
     double duration(const RunDescription& description) const;
 
 private:

@@ -12,11 +12,11 @@ namespace steplab {
 namespace {
 
 constexpr ParameterInfo scale_info{
-    .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "size of the interface"};
+    .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "scale of the interface"};
 constexpr int smallest = 100;
 constexpr int largest = 16384;
 
-/// Reads a whole number from `text` and removes it; 0 where there is none.
+/// Reads an integer from the front of `text` and removes it; 0 if there is none.
 int take_number(std::string_view& text) {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -28,24 +28,24 @@ int take_number(std::string_view& text) {
 void read_size(std::string_view text, WindowRequest& request) {
     const std::string all(text);
     request.width = take_number(text);
-    const bool parted = text.starts_with('x');
-    if (parted) text.remove_prefix(1);
+    const bool has_cross = text.starts_with('x');
+    if (has_cross) text.remove_prefix(1);
     request.height = take_number(text);
-    const auto possible = [](int length) { return length >= smallest && length <= largest; };
-    if (parted && text.empty() && possible(request.width) && possible(request.height)) return;
-    throw UsageError(fmt::format("--size '{}' is not WIDTHxHEIGHT in pixels, {} to {} each, such as 1280x800", all,
-                                 smallest, largest));
+    const auto allowed = [](int length) { return length >= smallest && length <= largest; };
+    if (has_cross && text.empty() && allowed(request.width) && allowed(request.height)) return;
+    throw UsageError(fmt::format("--size must be WIDTHxHEIGHT in pixels, {} to {} each, such as 1280x800 (got \"{}\")",
+                                 smallest, largest, all));
 }
 
 }  // namespace
 
 void ViewOptions::declare(CLI::App& app) {
-    text_option(app, "--size", size_, "WxH", "size of the window in pixels (1280x800)");
-    text_option(app, "--scale", scale_, "X", "size of the interface: 2 is twice as large (as the display says)");
-    text_option(app, "--view", view_, "VIEW", "camera: what \"Copy view\" gives, or default, front, side, top");
-    text_option(app, "--trace", trace_, "FILE|-", "write a line for everything that happens in the window");
-    flag_option(app, "--full-screen", full_screen_, "open on the whole screen");
-    flag_option(app, "--play", playing_, "start playing");
+    text_option(app, "--size", size_, "WxH", "Size of the window in pixels (default 1280x800)");
+    text_option(app, "--scale", scale_, "X", "Scale of the interface, 0.5 to 8 (default: that of the display)");
+    text_option(app, "--view", view_, "VIEW", "Camera: default, front, side, top, or a text copied by \"Copy view\"");
+    text_option(app, "--trace", trace_, "FILE|-", "Write a line for each event in the window");
+    flag_option(app, "--full-screen", full_screen_, "Open in full screen");
+    flag_option(app, "--play", playing_, "Start playing at once");
 }
 
 WindowRequest ViewOptions::request() const {

@@ -9,13 +9,13 @@ class App;
 
 namespace steplab {
 
-/// The window as a person asks for it on the command line, beside the scene.
+/// The window's options on the command line, beside the scene's.
 struct WindowRequest {
     int width = 1280;  ///< pixels
     int height = 800;
-    std::optional<float> scale;  ///< pixels of a unit of the layout; none: as the display says
-    std::string view;            ///< camera as text; empty: where the scene opens
-    std::string trace;           ///< file that is told what happens; empty: none
+    std::optional<float> scale;  ///< pixels per unit of the layout; none: the display's
+    std::string view;            ///< camera as text; empty: the scene's own
+    std::string trace;           ///< file to which events are written; empty: none
     bool full_screen = false;
     bool playing = false;
 };
@@ -24,7 +24,7 @@ struct WindowRequest {
 class ViewOptions {
 public:
     void declare(CLI::App& app);
-    /// Throws UsageError for values that cannot be meant.
+    /// Throws UsageError for values of another form or out of range.
     WindowRequest request() const;
 
 private:

@@ -9,6 +9,7 @@
 #include "core/number_text.hpp"
 #include "core/text.hpp"
 #include "io/interruption.hpp"
+#include "io/short_number.hpp"
 #include "lab/study/advice.hpp"
 #include "lab/study/answers.hpp"
 #include "lab/study/study.hpp"
@@ -24,12 +25,12 @@ namespace steplab {
 namespace {
 
 constexpr ParameterInfo error_info{
-    .name = "--error", .unit = "", .minimum_included = false, .what = "error that is allowed at the end"};
+    .name = "--error", .unit = "", .minimum_included = false, .what = "largest allowed error at the end"};
 
-/// What judges is so many times as accurate as what is asked for.
+/// The reference is this many times as accurate as the requested error.
 constexpr double finer_reference = 1000;
 
-/// A person reads no more than a few.
+/// Rows of the table of other methods, at most.
 constexpr std::size_t most_others = 5;
 
 /// "12 times as fast as rk4 at dt 0.0021".
@@ -41,12 +42,12 @@ std::string against_rk4(const Advice& advice) {
                            readable(*other.wall_seconds / *advice.best.wall_seconds), step_text(other.run),
                            duration_text(*other.wall_seconds));
     }
-    return "  rk4 was not found to get there\n";
+    return "  rk4 did not reach this error\n";
 }
 
 std::string others_table(const Advice& advice) {
     if (advice.others.empty()) return "";
-    std::vector<Row> rows{{"NEXT BEST", "STEP", "PRECISION", "TIME", "TIMES AS LONG"}};
+    std::vector<Row> rows{{"NEXT BEST", "STEP", "PRECISION", "TIME", "RELATIVE TIME"}};
     for (std::size_t i = 0; i < std::min(advice.others.size(), most_others); ++i) {
         const Measurement& other = advice.others[i];
         rows.push_back({other.run.method, step_text(other.run), std::string(id(other.run.precision)),
@@ -57,35 +58,37 @@ std::string others_table(const Advice& advice) {
 
 std::string advice_text(const StudyPlan& plan, double error, const Reference& reference, const Advice& advice) {
     const Measurement& best = advice.best;
-    std::string text =
-        fmt::format("{} to t = {} with an error of at most {}: {}, {}, {}\n\n", plan.scene.model,
-                    number_text(plan.time), typed(error), best.run.method, step_text(best.run), id(best.run.precision));
+    std::string text = fmt::format("{} to t = {} with an error of at most {}: {}, {}, {}\n\n", plan.scene.model,
+                                   short_number(plan.time), typed(error), best.run.method, step_text(best.run),
+                                   id(best.run.precision));
     text += fmt::format("  steplab run {} --steps {}\n\n", command_line(best.run), best.steps);
-    text += fmt::format("  takes about {} ({} evaluations)\n", duration_text(*best.wall_seconds), best.evaluations);
-    text += fmt::format("  verified: run once more, its error is {} (judged by: {}, known to {})\n", typed(best.error),
-                        reference.how, typed(reference.moments.back().error));
+    text += fmt::format("  takes about {} ({} force evaluations)\n", duration_text(*best.wall_seconds),
+                        best.result.evaluations);
+    text += fmt::format("  verified: in a second run its error is {} (reference: {}, accurate to {})\n",
+                        typed(best.error), reference.how, typed(reference.moments.back().error));
     return text + against_rk4(advice) + others_table(advice);
 }
 
 class AdviseCommand final : public Command {
 public:
     std::string_view name() const override { return "advise"; }
-    std::string_view what() const override { return "Find the fastest method, dt and precision for an error"; }
+    std::string_view what() const override { return "Find the fastest method, dt and precision for a given error"; }
 
     void declare(CLI::App& app) override {
         scene_.declare(app);
         time_.declare(app);
-        text_option(app, "--error", error_, "E", "Largest error of a particle's position at the end (required)");
+        text_option(app, "--error", error_, "E", "Largest allowed error of a position at the end [m] (required)");
     }
 
     int run() override {
-        if (error_.empty()) throw UsageError("--error E is needed: the error of a position that is allowed at the end");
+        if (error_.empty())
+            throw UsageError("--error E is required: the largest allowed error of a position at the end");
         const double error = parse_value(error_info, error_);
         const StudyPlan plan = plan_of(scene_.description());
         catch_interruptions();
         Progress bar(1000, isatty(STDERR_FILENO) != 0);
         const Reference reference = reference_for(plan, error / finer_reference, [&](int run, double part) {
-            bar.say(fmt::format("computing what answers are judged by: run {}, {:.0f} %", run, std::floor(part * 100)));
+            bar.stage(fmt::format("computing the reference solution: run {}, {:.0f} %", run, std::floor(part * 100)));
         });
         const Advice advice = advise(plan, error, reference, [&](double part) {
             check_interruption();

@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// `steplab advise`: the method, dt and precision for a scene and an error.
+/// `steplab advise`: the fastest method, dt and precision for a scene and an allowed error.
 std::unique_ptr<Command> advise_command();
 
 }  // namespace steplab

@@ -18,16 +18,16 @@ constexpr const char* notes =
     "Examples:\n"
     "  steplab bench\n"
     "  steplab bench --method rk4 --json\n\n"
-    "It takes less than a minute, and is most exact on a machine that does nothing else.";
+    "It takes less than a minute and is most accurate on an otherwise idle machine.";
 
 class BenchCommand final : public Command {
 public:
     std::string_view name() const override { return "bench"; }
-    std::string_view what() const override { return "Measure how fast this machine steps, and what bounds it"; }
+    std::string_view what() const override { return "Measure the time per step on this machine and what limits it"; }
 
     void declare(CLI::App& app) override {
-        text_option(app, "--method", method_, "ID", "Method to step with (default: velocity-verlet)");
-        flag_option(app, "--json", json_, "As JSON, times in seconds", "Output");
+        text_option(app, "--method", method_, "ID", "Integration method (default velocity-verlet)");
+        flag_option(app, "--json", json_, "Print JSON, times in seconds", "Output");
         footer(app, [] { return std::string(notes); });
     }
 

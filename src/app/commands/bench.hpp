@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// `steplab bench [--method ID] [--json]`: how fast this machine steps, and what bounds it.
+/// `steplab bench [--method ID] [--json]`: the time per step on this machine and what limits it.
 std::unique_ptr<Command> bench_command();
 
 }  // namespace steplab

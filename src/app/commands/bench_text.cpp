@@ -1,6 +1,7 @@
 #include "app/commands/bench_text.hpp"
 
 #include "app/cli/text_table.hpp"
+#include "core/duration.hpp"
 #include "core/number_text.hpp"
 
 #include <fmt/format.h>
@@ -15,38 +16,29 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "12.3 ns", "4.56 ms": three digits.
-std::string time_text(double seconds) {
-    std::string_view unit = "s";
-    double value = seconds;
-    for (const std::string_view smaller : {"ms", "µs", "ns"}) {
-        if (value >= 1) break;
-        value *= 1000;
-        unit = smaller;
-    }
-    return fmt::format("{:.3g} {}", value, unit);
-}
-
-std::string rate_text(double a_second) {
-    if (a_second >= 1e6) return fmt::format("{:.3g} million", a_second / 1e6);
-    if (a_second >= 1000) return fmt::format("{:.3g} thousand", a_second / 1e3);
-    return fmt::format("{:.3g}", a_second);
+std::string rate_text(double per_second) {
+    if (per_second >= 1e6) return typed(per_second / 1e6, 3) + " million";
+    if (per_second >= 1000) return typed(per_second / 1e3, 3) + " thousand";
+    return typed(per_second, 3);
 }
 
 std::string scenes_text(const std::vector<Speed>& scenes) {
-    std::vector<Row> rows{{"SCENE", "PARTICLES", "PRECISION", "A STEP", "A PARTICLE", "STEPS A SECOND", "BOUND BY"}};
+    std::vector<Row> rows{
+        {"SCENE", "PARTICLES", "PRECISION", "TIME PER STEP", "PER PARTICLE", "STEPS PER SECOND", "BOUND BY"}};
     for (const Speed& speed : scenes) {
         rows.push_back({speed.run.model, grouped(speed.particles), std::string(id(speed.run.precision)),
-                        time_text(speed.seconds), time_text(speed.seconds / static_cast<double>(speed.particles)),
+                        duration_text(speed.seconds),
+                        duration_text(speed.seconds / static_cast<double>(speed.particles)),
                         rate_text(1 / speed.seconds), std::string(text(speed.bound))});
     }
     return aligned(rows, 0);
 }
 
 std::string comparison_text(std::string_view by, const Comparison& comparison) {
-    std::vector<Row> rows{{std::string(by), "A STEP", "TIMES AS FAST"}};
+    std::vector<Row> rows{{std::string(by), "TIME PER STEP", "SPEEDUP"}};
     for (const auto& [way, seconds] : comparison.seconds)
-        rows.push_back({way, time_text(seconds), fmt::format("{:.2f}", comparison.seconds.front().second / seconds)});
+        rows.push_back(
+            {way, duration_text(seconds), fmt::format("{:.2f}", comparison.seconds.front().second / seconds)});
     return fmt::format("{} of {} particles:\n{}", comparison.run.model, grouped(comparison.particles),
                        aligned(rows, 2));
 }
@@ -61,10 +53,9 @@ Json json_of(const Comparison& comparison) {
 
 std::string bench_text(const MachineSpeed& speed) {
     return fmt::format(
-        "{} by one thread:\n\n{}\n"
-        "latency: few particles, each step waits for the one before; arithmetic: square roots, divisions, "
-        "exponentials;\n"
-        "memory: positions and velocities that no cache holds.\n\n{}\n{}",
+        "{} on one thread:\n\n{}\n"
+        "latency: few particles, each step waits for the previous one; arithmetic: square roots, divisions,\n"
+        "exponentials; memory: positions and velocities do not fit into the caches.\n\n{}\n{}",
         speed.scenes.front().run.method, scenes_text(speed.scenes),
         comparison_text("INSTRUCTION SET", speed.instructions), comparison_text("THREADS", speed.threads));
 }

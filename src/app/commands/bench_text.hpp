@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// The figures of a machine as tables for a person.
+/// The measurements of a machine as tables.
 std::string bench_text(const MachineSpeed& speed);
 
 /// {"scenes": [{model, method, precision, particles, seconds_per_step, bound}], "instructions": {model, particles,

@@ -8,7 +8,7 @@ class App;
 
 namespace steplab {
 
-/// One sub-command of `steplab`. The program asks for its options, has them parsed, and runs it.
+/// One sub-command of `steplab`. The program has it declare its options, parses them, and runs it.
 class Command {
 public:
     virtual ~Command() = default;
@@ -18,7 +18,7 @@ public:
     virtual std::string_view what() const = 0;
     /// Adds the options to the parser; the values go to this object, which outlives the parser.
     virtual void declare(CLI::App& app) = 0;
-    /// Does the work after the options were parsed and returns the exit code. Throws Error, ReaderGone.
+    /// Does the work once the options are parsed, and returns the exit code. Throws Error, ReaderGone, Interrupted.
     virtual int run() = 0;
 };
 

@@ -8,8 +8,8 @@
 
 namespace steplab {
 
-/// All sub-commands in the order of the help. `arguments` are those after the command's name, for commands that pass
-/// them on.
+/// All sub-commands in the order of the help. `arguments`: those after the command's name, for commands that pass them
+/// to another program.
 std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& arguments);
 
 /// The program `steplab`: finds the command, parses its options and runs it. Returns the exit code.

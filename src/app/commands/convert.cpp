@@ -27,17 +27,18 @@ constexpr const char* examples =
 class ConvertCommand final : public Command {
 public:
     std::string_view name() const override { return "convert"; }
-    std::string_view what() const override { return "Write a trajectory file as CSV or XYZ"; }
+    std::string_view what() const override { return "Convert a trajectory file to CSV or XYZ"; }
 
     void declare(CLI::App& app) override {
-        text_option(app, "file", file_, "FILE", "A trajectory that `steplab run` wrote");
-        text_option(app, "--out", out_, "FILE|-", "Where to (default -, standard output)");
-        text_option(app, "--format", format_, "csv|xyz|trajectory", "Of --out (default: by the file's ending)");
+        text_option(app, "file", file_, "FILE", "Trajectory file written by `steplab run`");
+        text_option(app, "--out", out_, "FILE|-", "Output file (default -, standard output)");
+        text_option(app, "--format", format_, "csv|xyz|trajectory",
+                    "Format of --out (default: by its file name extension)");
         footer(app, [] { return std::string(examples); });
     }
 
     int run() override {
-        if (file_.empty()) throw UsageError("name the trajectory file to convert");
+        if (file_.empty()) throw UsageError("FILE is required: the trajectory file to convert");
         const TrajectoryFormat format = format_.empty() ? trajectory_format_of(out_) : trajectory_format(format_);
         TrajectoryReader reader(file_);
         catch_interruptions();
@@ -46,9 +47,8 @@ public:
             copy(reader, file, format);
         } catch (const Interrupted&) {
             if (const auto kept = file.keep_partial())
-                std::fputs(
-                    fmt::format("steplab convert: interrupted; what was written is kept as '{}'\n", *kept).c_str(),
-                    stderr);
+                std::fputs(fmt::format("steplab convert: interrupted; output so far is kept in '{}'\n", *kept).c_str(),
+                           stderr);
             throw;
         }
         file.commit();
@@ -58,9 +58,9 @@ public:
 
 private:
     static void copy(TrajectoryReader& reader, OutputFile& file, TrajectoryFormat format) {
-        // Only the binary format tells of the run, which need not be known here for the others.
-        const bool tells_run = format == TrajectoryFormat::trajectory;
-        TrajectoryWriter writer(file, format, tells_run ? reader.run() : RunDescription(), reader.particles());
+        // Only the binary format describes the run; for the others its model need not be known here.
+        const bool describes_run = format == TrajectoryFormat::trajectory;
+        TrajectoryWriter writer(file, format, describes_run ? reader.run() : RunDescription(), reader.particles());
         Progress progress(reader.frames(), isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) == 0);
         Frame frame;
         for (std::uint64_t i = 0; i < reader.frames(); ++i) {
@@ -72,9 +72,9 @@ private:
         writer.finish();
     }
 
-    /// The frames are out; that there were more of them is an error all the same.
+    /// The frames are written; that the rest of the file cannot be read is an error nonetheless.
     [[noreturn]] void refuse(const TrajectoryReader& reader) const {
-        throw FileError(fmt::format("'{}' is cut short or damaged after its first {} frames: these were written", file_,
+        throw FileError(fmt::format("'{}' is truncated or damaged after its first {} frames, which were written", file_,
                                     reader.frames()));
     }
 

@@ -1,6 +1,5 @@
 #include "app/commands/ensemble_job.hpp"
 
-#include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
 #include "app/commands/ensemble_rows.hpp"
 #include "app/commands/recorded_run.hpp"
@@ -11,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -23,27 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-RunSummary summary_of(const RunDescription& description, const EnsembleResult& result) {
-    RunSummary summary;
-    summary.model = description.model;
-    summary.method = description.method;
-    summary.precision = description.precision;
-    summary.dt = result.dt;
-    summary.steps = result.steps;
-    summary.time = result.time;
-    summary.particles = result.particles;
-    summary.evaluations = result.evaluations;
-    summary.energy_start = result.energy_start;
-    summary.energy_end = result.energy_end;
-    summary.energy_error = result.energy_error;
-    summary.drag = has_drag(description);
-    summary.hash = result.hash;
-    if (result.divergence) summary.diverged_step = result.steps + 1;
-    summary.collisions = result.collisions;
-    return summary;
-}
-
-/// The runs without rows: side by side.
+/// The runs without rows: in SIMD lanes and in parallel.
 std::vector<RunSummary> computed(const EnsembleJob& job) {
     const std::uint64_t steps =
         std::accumulate(job.runs.begin(), job.runs.end(), std::uint64_t(0),
@@ -55,11 +33,11 @@ std::vector<RunSummary> computed(const EnsembleJob& job) {
     });
     std::vector<RunSummary> summaries;
     for (std::size_t i = 0; i < results.size(); ++i)
-        summaries.push_back(summary_of(job.runs[i].description, results[i]));
+        summaries.push_back({.run = job.runs[i].description, .result = results[i].result});
     return summaries;
 }
 
-/// The runs with their rows, one after the other.
+/// The runs with their rows, one after another.
 std::vector<RunSummary> recorded(const EnsembleJob& job, EnsembleRows& rows) {
     std::vector<RunSummary> summaries;
     Progress progress(1, false);
@@ -77,31 +55,20 @@ std::vector<RunSummary> recorded(const EnsembleJob& job, EnsembleRows& rows) {
 EnsembleSummary summary_of(const EnsembleJob& job, const std::vector<RunSummary>& runs, double seconds) {
     EnsembleSummary summary;
     summary.wall_seconds = seconds;
-    for (const ParameterRange& spread : job.ranges) summary.ranges.push_back({spread.name, spread.from, spread.to});
+    for (const ParameterRange& range : job.ranges) summary.ranges.push_back({range.name, range.from, range.to});
     for (std::size_t i = 0; i < runs.size(); ++i) {
         std::vector<double> values;
-        for (const ParameterRange& spread : job.ranges) values.push_back(spread.value(i, runs.size()));
+        for (const ParameterRange& range : job.ranges) values.push_back(range.value(i, runs.size()));
         summary.runs.push_back({values, runs[i]});
     }
     return summary;
 }
 
-void show(const EnsembleJob& job, const EnsembleSummary& summary) {
-    std::string text = summary_text(summary);
-    if (const std::string files = job.output.files(); !files.empty())
-        text += fmt::format("  {:<14}{}\n", "written", files);
-    if (job.output.standard_output_taken()) {
-        std::fputs(text.c_str(), stderr);
-    } else {
-        print(text);
-    }
-}
-
 std::string divergence_message(const EnsembleSummary& summary) {
     std::size_t first = 0;
-    while (!summary.runs[first].summary.diverged_step) ++first;
+    while (!summary.runs[first].summary.result.divergence) ++first;
     return fmt::format("{} of {} runs diverged, the first of them run {} in step {}", summary.diverged(),
-                       summary.runs.size(), first, *summary.runs[first].summary.diverged_step);
+                       summary.runs.size(), first, *summary.runs[first].summary.result.diverged_step());
 }
 
 }  // namespace
@@ -117,13 +84,10 @@ void EnsembleJob::run() const {
             summary_of(*this, done, std::chrono::duration<double>(Clock::now() - begin).count());
         rows.commit();
         if (summary_file) summary_file->write(summary_json(summary)), summary_file->commit();
-        show(*this, summary);
+        output.print_summary(summary_text(summary));
         if (summary.diverged() > 0) throw Error(ExitCode::diverged, divergence_message(summary));
     } catch (const Interrupted&) {
-        const std::vector<std::string> kept = rows.keep_partial();
-        std::string text = "steplab run: interrupted";
-        if (!kept.empty()) text += fmt::format("; what was written is kept as '{}'", fmt::join(kept, "' and '"));
-        std::fputs((text + '\n').c_str(), stderr);
+        print_interruption("interrupted", rows.keep_partial());
         throw;
     }
 }

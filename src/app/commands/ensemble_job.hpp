@@ -10,7 +10,7 @@
 
 namespace steplab {
 
-/// What `run --ensemble` is to do.
+/// The work of `run --ensemble`.
 struct EnsembleJob {
     std::vector<ParameterRange> ranges;
     std::vector<EnsembleRun> runs;  ///< one at least
@@ -18,8 +18,8 @@ struct EnsembleJob {
     OutputOptions output;
     Execution execution;
 
-    /// Computes the runs, writes what was asked for and tells how it went. Throws Error with the exit code of a
-    /// diverged run if one did, UsageError, FileError and Interrupted.
+    /// Runs the ensemble, writes its files and prints a summary. Throws Error with the exit code of a diverged run if a
+    /// run diverged, UsageError, FileError and Interrupted.
     void run() const;
 };
 

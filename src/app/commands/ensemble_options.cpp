@@ -20,14 +20,15 @@ constexpr ParameterInfo count_info{.name = "--ensemble",
 
 void EnsembleOptions::declare(CLI::App& app) {
     const std::string group = "Ensemble";
-    text_option(app, "--ensemble", count_, "N", "So many runs of the scene, counted from 0; see --spread", group);
+    text_option(app, "--ensemble", count_, "N", "Number of runs in the ensemble; see --spread", group);
     repeated_option(app, "--spread", ranges_, "name=a:b",
-                    "Run i has a + (b - a) i/(N - 1) of this parameter or dt; repeatable", group);
+                    "Vary a parameter or dt from a to b: a + (b - a) i/(N - 1) in run i = 0 ... N - 1; repeatable",
+                    group);
 }
 
-bool EnsembleOptions::asked() const {
+bool EnsembleOptions::is_given() const {
     if (count_.empty() && !ranges_.empty())
-        throw UsageError("--spread says how the runs of an --ensemble differ, but there is no --ensemble N");
+        throw UsageError("--spread varies a parameter over the runs of an ensemble, but there is no --ensemble N");
     return !count_.empty();
 }
 

@@ -10,15 +10,15 @@
 
 namespace steplab {
 
-/// The options of `run` that make many runs of one: --ensemble and --spread.
+/// The options of an ensemble: --ensemble and --spread.
 class EnsembleOptions {
 public:
     void declare(CLI::App& app);
-    /// Whether there are several runs to compute. Throws UsageError if --spread stands alone.
-    bool asked() const;
-    /// How many there are. Throws UsageError.
+    /// True if --ensemble was given. Throws UsageError for --spread without it.
+    bool is_given() const;
+    /// The number of runs. Throws UsageError.
     std::size_t count() const;
-    /// What differs, as a person gave it. Throws UsageError.
+    /// The ranges given by --spread. Throws UsageError.
     std::vector<ParameterRange> ranges(const RunDescription& description) const;
     /// The runs, checked. Throws UsageError.
     std::vector<EnsembleRun> runs(const RunDescription& description, const std::vector<ParameterRange>& ranges,

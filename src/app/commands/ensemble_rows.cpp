@@ -31,7 +31,7 @@ EnsembleRows::EnsembleRows(const OutputOptions& options, std::span<const Ensembl
         const TrajectoryFormat format =
             options.format.empty() ? trajectory_format_of(options.out) : trajectory_format(options.format);
         if (format != TrajectoryFormat::csv)
-            throw UsageError("--out of an ensemble is CSV, with a column for the run: no other format has one");
+            throw UsageError("--out of an ensemble must be CSV: no other format has a column for the run");
         rows_file_.emplace(options.out);
         rows_file_->write("run,step,time,particle,x,y,z,vx,vy,vz\n");
     }

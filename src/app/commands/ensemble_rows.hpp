@@ -11,21 +11,22 @@
 
 namespace steplab {
 
-/// The rows of --out and --series of an ensemble, as CSV: those of a run alone, each behind the number of its run, run
-/// after run.
+/// The rows of --out and --series of an ensemble, as CSV: those of single runs, one run after another, each row
+/// preceded by the number of its run.
 class EnsembleRows {
 public:
     /// Throws UsageError for a format without such a column, FileError for files that cannot be written.
     EnsembleRows(const OutputOptions& options, std::span<const EnsembleRun> runs);
 
-    /// Whether anybody asked for rows.
+    /// True if rows are to be written.
     bool wanted() const { return rows_file_ || series_file_; }
-    /// What follows belongs to this run. Throws UsageError for particles that it does not have.
+    /// Begins the rows of this run. Throws UsageError for particles that it does not have.
     void begin(std::size_t run, const RunDescription& description);
+    /// Writes the rows of the present step.
     void record(const Simulation& simulation);
-    /// All rows are there: the files take their places.
+    /// All rows are written: puts the files in place.
     void commit();
-    /// The ensemble was interrupted: what there is of the rows stays under other names, which are returned.
+    /// The ensemble was interrupted: keeps the rows written so far under other names, which are returned.
     std::vector<std::string> keep_partial();
 
 private:

@@ -23,16 +23,16 @@ constexpr const char* examples =
     "  steplab limits --model rope --set c=3 --method rk4 --json\n\n";
 
 constexpr const char* explained =
-    "\nThe largest dt at which a small vibration does not grow: by theory, from ω, and measured on runs.\n";
+    "\nLargest dt [s] at which small vibrations do not grow: from linear theory, and measured on runs.\n";
 
 class LimitsCommand final : public Command {
 public:
     std::string_view name() const override { return "limits"; }
-    std::string_view what() const override { return "Find the largest stable dt, by theory and by runs"; }
+    std::string_view what() const override { return "Find the largest stable dt, from theory and measured on runs"; }
 
     void declare(CLI::App& app) override {
         scene_.declare(app);
-        flag_option(app, "--json", json_, "As JSON: time steps; 0: unstable at any dt, null: no limit", "Output");
+        flag_option(app, "--json", json_, "Print JSON: time steps; 0: unstable at any dt, null: no limit", "Output");
         footer(app, [] { return std::string(examples) + catalogue_help(); });
     }
 
@@ -44,7 +44,7 @@ public:
         if (json_) {
             print(limits_json(limits));
         } else {
-            print(fmt::format("{} in {}: largest ω at the start {:.9g}\n\n{}{}", runs.front().model,
+            print(fmt::format("{} in {}: largest ω at the start {:.6g} 1/s\n\n{}{}", runs.front().model,
                               id(runs.front().precision), lab.omega_max(), limits_table(limits, runs.front().dt),
                               explained));
         }

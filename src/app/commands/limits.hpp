@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// `steplab limits SCENE [--method all] [--json]`: the largest stable dt, by theory and by runs.
+/// `steplab limits SCENE [--method all] [--json]`: the largest stable dt, from theory and measured on runs.
 std::unique_ptr<Command> limits_command();
 
 }  // namespace steplab

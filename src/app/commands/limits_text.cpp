@@ -19,7 +19,7 @@ std::string step_text(const std::optional<double>& dt) {
     return std::isinf(*dt) ? "no limit" : fmt::format("{:.6g}", *dt);
 }
 
-/// "0.0986: stable", the dt of the scene against the limit that runs showed.
+/// "0.0986: stable": the dt of the scene over the measured limit, or that of theory if none was measured.
 std::string verdict(const Limit& limit, double dt) {
     const std::optional<double> bound = limit.measured ? limit.measured : limit.theory;
     if (!bound) return "-";

@@ -7,11 +7,11 @@
 
 namespace steplab {
 
-/// For a person: a row for each method, `dt` compared with its limit.
+/// As a text table: a row for each method, `dt` compared with its limit.
 std::string limits_table(const std::vector<Limit>& limits, double dt);
 
-/// A list of objects: method, precision, omega_max, theory, measured, note. Time steps; 0 = unstable at any dt, null =
-/// no limit (or, as the note then says, none found).
+/// A JSON list of objects: method, precision, omega_max, theory, measured, note. Time steps; 0 = unstable at any dt,
+/// null = no limit (or none found: see the note).
 std::string limits_json(const std::vector<Limit>& limits);
 
 }  // namespace steplab

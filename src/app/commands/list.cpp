@@ -15,11 +15,11 @@ namespace {
 class ListCommand final : public Command {
 public:
     std::string_view name() const override { return "list"; }
-    std::string_view what() const override { return "Show the models and methods there are"; }
+    std::string_view what() const override { return "List the models and methods"; }
 
     void declare(CLI::App& app) override {
-        text_option(app, "kind", kind_, "models|methods", "Only these (default both)");
-        flag_option(app, "--json", json_, "As JSON, with everything the entries know");
+        text_option(app, "kind", kind_, "models|methods", "List only these (default both)");
+        flag_option(app, "--json", json_, "Print JSON with all data of the entries");
     }
 
     int run() override {

@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// `steplab list [models|methods] [--json]`: what the catalogue holds.
+/// `steplab list [models|methods] [--json]`: the catalogue.
 std::unique_ptr<Command> list_command();
 
 }  // namespace steplab

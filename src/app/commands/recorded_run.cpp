@@ -15,22 +15,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-void describe(const Simulation& simulation, RunSummary& summary) {
-    const RunDescription& description = simulation.description();
-    summary.model = description.model;
-    summary.method = description.method;
-    summary.precision = description.precision;
-    summary.dt = simulation.dt();
-    summary.steps = simulation.step();
-    summary.time = simulation.time();
-    summary.particles = simulation.particles();
-    summary.evaluations = simulation.evaluations();
-    summary.hash = simulation.hash();
-    summary.collisions = simulation.collisions();
-    summary.drag = has_drag(description);
-    if (simulation.divergence()) summary.diverged_step = simulation.step() + 1;
-}
-
 }  // namespace
 
 RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t every, Progress& progress,
@@ -40,20 +24,20 @@ RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t
         progress.at(step);
     });
     const auto begin = Clock::now();
-    RunSummary summary;
-    summary.energy_start = simulation.energy();
+    const double energy_start = simulation.energy();
+    double energy_error = 0;
     record(simulation);
     for (std::uint64_t recorded = 0; recorded < steps && !simulation.divergence();) {
         stepping.advance(simulation, std::min(steps, recorded + every));
-        if (simulation.step() == recorded) break;  // no step more was good
+        if (simulation.step() == recorded) break;  // no further step was valid
         recorded = simulation.step();
-        summary.energy_error = std::max(summary.energy_error, std::abs(simulation.energy_error()));
+        energy_error = std::max(energy_error, std::abs(simulation.energy_error()));
         record(simulation);
     }
-    summary.energy_end = simulation.energy();
-    summary.wall_seconds = seconds_since(begin);
-    describe(simulation, summary);
-    return summary;
+    const double wall_seconds = seconds_since(begin);
+    return {.run = simulation.description(),
+            .result = result_of(simulation, energy_start, energy_error),
+            .wall_seconds = wall_seconds};
 }
 
 }  // namespace steplab

@@ -22,9 +22,8 @@ namespace steplab {
 
 namespace {
 
-constexpr ParameterInfo error_info{
-    .name = "--error", .unit = "", .minimum_included = false, .what = "error to answer for"};
-constexpr ParameterInfo time_info{.name = "--time", .unit = "", .minimum_included = false, .what = "time to reach"};
+constexpr ParameterInfo error_info{.name = "--error", .unit = "", .minimum_included = false, .what = "target error"};
+constexpr ParameterInfo time_info{.name = "--time", .unit = "", .minimum_included = false, .what = "end time"};
 
 constexpr const char* examples =
     "Examples:\n"
@@ -34,23 +33,25 @@ constexpr const char* examples =
 class ReportCommand final : public Command {
 public:
     std::string_view name() const override { return "report"; }
-    std::string_view what() const override { return "Measure speed against error: a table and a page"; }
+    std::string_view what() const override {
+        return "Measure the time to a given error: a table (CSV) and a page (HTML)";
+    }
 
     void declare(CLI::App& app) override {
-        flag_option(app, "--thesis", thesis_, "The tables and charts of the thesis of 2008 instead, as thesis.html");
-        text_option(app, "--out", out_, "DIR", "Where speed_error.csv and report.html go (required)");
-        flag_option(app, "--quick", quick_, "Under a minute instead of under fifteen: fewer and shorter runs");
+        flag_option(app, "--thesis", thesis_, "Write thesis.html instead: tables and charts of the thesis of 2008");
+        text_option(app, "--out", out_, "DIR", "Folder for speed_error.csv and report.html (required)");
+        flag_option(app, "--quick", quick_, "Fewer and shorter runs: under 1 minute instead of under 15");
         repeated_option(app, "--model", models_, "ID", "Only this model; repeatable (default all)");
         repeated_option(app, "--method", methods_, "ID", "Only this method; repeatable (default all)");
         text_option(app, "--precision", precision_, "float|double", "Only this precision (default both)");
-        repeated_option(app, "--set", settings_, "name=value", "A parameter of the models or methods; repeatable");
-        text_option(app, "--time", time_, "T", "How long the scenes run (default: a time that suits each)");
-        repeated_option(app, "--error", errors_, "E", "An error to answer for; repeatable (default 1e-2 ... 1e-12)");
+        repeated_option(app, "--set", settings_, "name=value", "Parameter of the models or methods; repeatable");
+        text_option(app, "--time", time_, "T", "End time of the runs [s] (default: one for each model)");
+        repeated_option(app, "--error", errors_, "E", "Target error [m]; repeatable (default 1e-2 ... 1e-12)");
         footer(app, [] { return std::string(examples) + catalogue_help(); });
     }
 
     int run() override {
-        if (out_.empty()) throw UsageError("--out DIR is needed: where speed_error.csv and report.html go");
+        if (out_.empty()) throw UsageError("--out DIR is required: the folder for speed_error.csv and report.html");
         if (thesis_) {
             refuse_beside_thesis();
             return write_thesis();
@@ -66,12 +67,12 @@ public:
             });
         } catch (const Interrupted&) {
             bar.clear();
-            fmt::print(stderr, "steplab report: interrupted; the same command goes on from here ({}/.measured)\n",
-                       out_);
+            fmt::print(stderr,
+                       "steplab report: interrupted; run the same command again to resume (from {}/.measured)\n", out_);
             throw;
         }
         bar.clear();
-        print(fmt::format("{}/speed_error.csv and {}/report.html are written\n", out_, out_));
+        print(fmt::format("wrote {}/speed_error.csv and {}/report.html\n", out_, out_));
         return static_cast<int>(ExitCode::done);
     }
 
@@ -83,13 +84,15 @@ private:
             {!settings_.empty(), "--set"}, {!precision_.empty(), "--precision"}, {!time_.empty(), "--time"},
             {!errors_.empty(), "--error"}};
         for (const auto& [given, name] : others) {
-            if (given) throw UsageError(fmt::format("--thesis takes its own scenes: {} has no say in it", name));
+            if (given)
+                throw UsageError(
+                    fmt::format("--thesis has scenes and methods of its own: it cannot be combined with {}", name));
         }
     }
 
     int write_thesis() const {
         write_thesis_page(out_);
-        print(fmt::format("{}/thesis.html is written\n", out_));
+        print(fmt::format("wrote {}/thesis.html\n", out_));
         return static_cast<int>(ExitCode::done);
     }
 
@@ -102,8 +105,8 @@ private:
             return !models_.empty() && std::find(models_.begin(), models_.end(), plan.scene.model) == models_.end();
         });
         for (StudyPlan& plan : chosen) {
-            // the time of models left out goes to the others: in little time a dear scene shows few methods at their
-            // best
+            // The time of models that are left out is given to the others: an expensive scene needs it to show most
+            // methods at their best.
             if (quick_) plan.most_seconds_a_run *= all / static_cast<double>(chosen.size());
             if (!methods_.empty()) plan.methods = methods_;
             if (!precision_.empty()) plan.precisions = {precision_of(precision_)};
@@ -114,7 +117,7 @@ private:
         return chosen;
     }
 
-    /// Where a model or method has the parameter; at least one must.
+    /// Sets a parameter in all plans whose model or methods have it. Throws UsageError if none has.
     static void apply(const Setting& setting, std::vector<StudyPlan>& plans) {
         bool known = false;
         for (StudyPlan& plan : plans) {

@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// `steplab report`: speed against error of all methods on all scenes, as a table and a page.
+/// `steplab report`: the time that every method takes to a given error on every scene, as a table and a page.
 std::unique_ptr<Command> report_command();
 
 }  // namespace steplab

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <unistd.h>
 
 namespace steplab {
@@ -30,24 +29,23 @@ constexpr const char* examples =
 class RunCommand final : public Command {
 public:
     std::string_view name() const override { return "run"; }
-    std::string_view what() const override { return "Compute a run and write its numbers"; }
+    std::string_view what() const override { return "Run a simulation and write the results"; }
 
     void declare(CLI::App& app) override {
         scene_.declare(app);
         time_.declare(app);
-        text_option(app, "--every", every_, "K", "Write every K steps (default: first and last only)", "Output");
+        text_option(app, "--every", every_, "K", "Write every K-th step (default: first and last step only)", "Output");
         output_.declare(app);
         ensemble_.declare(app);
-        text_option(app, "--isa", isa_, "SET", "Instruction set of the processor (default: the fastest)", "Computing");
-        text_option(app, "--threads", threads_, "N", "At most so many, where they pay (default: all processors)",
-                    "Computing");
+        text_option(app, "--isa", isa_, "SET", "Instruction set (default: the fastest available)", "Computation");
+        text_option(app, "--threads", threads_, "N", "Maximum number of threads (default: all cores)", "Computation");
         footer(app, [] { return std::string(examples) + catalogue_help(); });
     }
 
     int run() override {
         const RunDescription description = scene_.description();
         output_.check();
-        if (ensemble_.asked()) return run_ensemble(description);
+        if (ensemble_.is_given()) return run_ensemble(description);
         const std::uint64_t steps = time_.steps(description), rows_every = every(steps);
         catch_interruptions();
         RunOutputs outputs(output_, description);
@@ -58,9 +56,9 @@ public:
             const RunSummary summary = record_run(simulation, steps, rows_every, progress,
                                                   [&outputs](const Simulation& now) { outputs.record(now); });
             outputs.commit(summary);
-            show(summary);
+            output_.print_summary(summary_text(summary));
         } catch (const Interrupted&) {
-            tell_interruption(simulation.step(), outputs.keep_partial());
+            print_interruption(fmt::format("interrupted after step {}", simulation.step()), outputs.keep_partial());
             throw;
         }
         if (!simulation.divergence()) return static_cast<int>(ExitCode::done);
@@ -82,7 +80,7 @@ private:
         return static_cast<int>(ExitCode::done);
     }
 
-    /// Steps between two rows of a run of so many.
+    /// Steps between two rows of a run of `steps` steps.
     std::uint64_t every(std::uint64_t steps) const {
         if (every_.empty()) return std::max<std::uint64_t>(1, steps);
         return whole_number("--every", every_, 9007199254740992.0, "steps between two rows");
@@ -92,7 +90,7 @@ private:
         Execution execution;
         if (!isa_.empty()) execution.instructions = parse_instructions(isa_);
         if (!threads_.empty())
-            execution.threads = whole_number("--threads", threads_, 1024, "threads that step a run, at most");
+            execution.threads = whole_number("--threads", threads_, 1024, "maximum number of threads");
         return execution;
     }
 
@@ -105,23 +103,6 @@ private:
                                  .maximum = maximum,
                                  .what = what};
         return static_cast<std::uint64_t>(parse_value(info, text));
-    }
-
-    void show(const RunSummary& summary) const {
-        std::string text = summary_text(summary);
-        if (const std::string files = output_.files(); !files.empty())
-            text += fmt::format("  {:<14}{}\n", "written", files);
-        if (output_.standard_output_taken()) {
-            std::fputs(text.c_str(), stderr);
-        } else {
-            print(text);
-        }
-    }
-
-    static void tell_interruption(std::uint64_t step, const std::vector<std::string>& kept) {
-        std::string text = fmt::format("steplab run: interrupted after step {}", step);
-        if (!kept.empty()) text += fmt::format("; what was written is kept as '{}'", fmt::join(kept, "' and '"));
-        std::fputs((text + '\n').c_str(), stderr);
     }
 
     SceneOptions scene_;

@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// `steplab run SCENE TIME [--every K] [--out ...] [--series ...] [--summary ...]`: the run as numbers.
+/// `steplab run SCENE TIME [--every K] [--out ...] [--series ...] [--summary ...]`: a run and its results.
 std::unique_ptr<Command> run_command();
 
 }  // namespace steplab

@@ -8,22 +8,25 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdio>
 #include <utility>
 
 namespace steplab {
 
 void OutputOptions::declare(CLI::App& app) {
     const std::string group = "Output";
-    text_option(app, "--out", out, "FILE|-", "Positions and velocities; - is standard output", group);
-    text_option(app, "--format", format, "csv|xyz|trajectory", "Of --out (default: by the file's ending)", group);
-    text_option(app, "--particles", particles, "9,0-3", "Only these in --out (default all)", group);
-    text_option(app, "--series", series, "FILE", "Energy, momentum and the like over time, as CSV", group);
-    text_option(app, "--summary", summary, "FILE|-", "What came of the run, as JSON", group);
+    text_option(app, "--out", out, "FILE|-", "Positions and velocities; - for standard output", group);
+    text_option(app, "--format", format, "csv|xyz|trajectory", "Format of --out (default: by its file name extension)",
+                group);
+    text_option(app, "--particles", particles, "9,0-3", "Particles in --out (default all)", group);
+    text_option(app, "--series", series, "FILE", "Energy, momentum and other diagnostics over time (CSV)", group);
+    text_option(app, "--summary", summary, "FILE|-", "Summary of the run (JSON)", group);
 }
 
 void OutputOptions::check() const {
-    if (out.empty() && !format.empty()) throw UsageError("--format says how --out is written, but there is no --out");
-    if (out.empty() && !particles.empty()) throw UsageError("--particles says what --out holds, but there is no --out");
+    if (out.empty() && !format.empty()) throw UsageError("--format is that of --out, but there is no --out");
+    if (out.empty() && !particles.empty())
+        throw UsageError("--particles selects those in --out, but there is no --out");
     const std::array<std::pair<std::string_view, const std::string*>, 3> files{
         {{"--out", &out}, {"--series", &series}, {"--summary", &summary}}};
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -32,8 +35,8 @@ void OutputOptions::check() const {
             const std::string& b = *files[i].second;
             if (a.empty() || b.empty() || !same_output(a, b)) continue;
             const std::string where = b == "-" ? "standard output" : fmt::format("'{}'", b);
-            throw UsageError(
-                fmt::format("{} and {} both write {}: give each its own", files[j].first, files[i].first, where));
+            throw UsageError(fmt::format("{} and {} both write to {}: give each a file of its own", files[j].first,
+                                         files[i].first, where));
         }
     }
 }
@@ -48,6 +51,20 @@ std::string OutputOptions::files() const {
     return text;
 }
 
+void OutputOptions::print_summary(std::string text) const {
+    if (const std::string names = files(); !names.empty()) text += fmt::format("  {:<14}{}\n", "written", names);
+    if (standard_output_taken()) {
+        std::fputs(text.c_str(), stderr);
+    } else {
+        print(text);
+    }
+}
+
+void print_interruption(std::string text, const std::vector<std::string>& kept) {
+    if (!kept.empty()) text += fmt::format("; output so far is kept in '{}'", fmt::join(kept, "' and '"));
+    std::fputs(fmt::format("steplab run: {}\n", text).c_str(), stderr);
+}
+
 RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& description) {
     const Model& scene = model(description.model);
     if (!options.out.empty()) {
@@ -58,7 +75,7 @@ RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& descr
             options.particles.empty() ? std::vector<std::size_t>() : parse_particles(options.particles, count);
         rows_file_.emplace(options.out);
         rows_.emplace(*rows_file_, format, description, particles);
-        watched_ = written_directly(options.out);
+        streamed_ = written_directly(options.out);
     }
     if (!options.series.empty()) {
         series_file_.emplace(options.series);
@@ -72,13 +89,13 @@ void RunOutputs::record(const Simulation& simulation) {
     if (!rows_) return;
     simulation.frame(frame_);
     rows_->add(frame_);
-    if (watched_) show_now_and_then();
+    if (streamed_) flush_at_intervals();
 }
 
-void RunOutputs::show_now_and_then() {
+void RunOutputs::flush_at_intervals() {
     const auto now = std::chrono::steady_clock::now();
-    if (now - shown_ < std::chrono::milliseconds(200)) return;
-    shown_ = now;
+    if (now - flushed_ < std::chrono::milliseconds(200)) return;
+    flushed_ = now;
     rows_->flush();
     rows_file_->flush();
 }
@@ -97,7 +114,7 @@ std::vector<std::string> RunOutputs::keep_partial() {
     const auto keep = [&kept](OutputFile& file) {
         if (auto name = file.keep_partial()) kept.push_back(std::move(*name));
     };
-    if (rows_ && !watched_) rows_->finish();  // a pipe whose reader sleeps would hold us here
+    if (rows_ && !streamed_) rows_->finish();  // a pipe whose reader sleeps would block
     if (rows_file_) keep(*rows_file_);
     if (series_file_) keep(*series_file_);
     return kept;

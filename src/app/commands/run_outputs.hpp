@@ -17,46 +17,53 @@ class App;
 
 namespace steplab {
 
-/// The options of `run` that say what is written where.
+/// The options of `run` for its output files.
 struct OutputOptions {
     std::string out;        ///< empty: no rows
-    std::string format;     ///< empty: by the file's ending
+    std::string format;     ///< empty: by the file name extension
     std::string particles;  ///< empty: all
     std::string series;     ///< empty: none
-    std::string summary;    ///< empty: for people only
+    std::string summary;    ///< empty: only the text for people
 
     void declare(CLI::App& app);
-    /// Throws UsageError for options that make no sense together.
+    /// Throws UsageError for options that contradict each other.
     void check() const;
     /// True if standard output belongs to rows, series or JSON.
     bool standard_output_taken() const;
-    /// "chain.csv, energy.csv": the files that were asked for, as a person is told what was written.
+    /// "chain.csv, energy.csv": the names of the files to write.
     std::string files() const;
+    /// Prints a summary for people, with the names of the files: to standard output, or to standard error if standard
+    /// output is taken.
+    void print_summary(std::string text) const;
 };
 
-/// The files of one run: opened before anything is computed, written while it goes on, and put in place at its end.
+/// Prints "steplab run: interrupted after step 5; output so far is kept in 'a.csv.partial'" to standard error.
+void print_interruption(std::string text, const std::vector<std::string>& kept);
+
+/// The files of one run: opened before the run begins, written during it, and put in place at its end.
 class RunOutputs {
 public:
-    /// Throws UsageError for particles that are not there, FileError for files that cannot be written.
+    /// Throws UsageError for particles that do not exist, FileError for files that cannot be written.
     RunOutputs(const OutputOptions& options, const RunDescription& description);
 
-    /// Writes the rows of this moment. Nobody asked for any: nothing.
+    /// Writes the rows of the present step to --out and --series, if given.
     void record(const Simulation& simulation);
-    /// All rows are there: the files take their places, the summary last.
+    /// All rows are written: puts the files in place, the summary last.
     void commit(const RunSummary& summary);
-    /// The run was interrupted: what there is of the rows stays under other names, which are returned.
+    /// The run was interrupted: keeps the rows written so far under other names, which are returned.
     std::vector<std::string> keep_partial();
 
 private:
-    void show_now_and_then();
+    /// Hands rows to the reader of a pipe or terminal some times a second.
+    void flush_at_intervals();
 
     std::optional<OutputFile> rows_file_;
     std::optional<OutputFile> series_file_;
     std::optional<OutputFile> summary_file_;
     std::optional<TrajectoryWriter> rows_;
     std::optional<SeriesWriter> series_;
-    bool watched_ = false;  ///< somebody may read the rows while they are made
-    std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
+    bool streamed_ = false;  ///< the rows go to a pipe, a terminal or a device
+    std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
     Frame frame_;
 };
 

@@ -9,6 +9,7 @@
 #include "app/png.hpp"
 #include "io/interruption.hpp"
 #include "io/output_file.hpp"
+#include "io/short_number.hpp"
 #include "sim/run/confirmed_steps.hpp"
 
 #include <fmt/format.h>
@@ -20,14 +21,14 @@ namespace steplab {
 
 namespace {
 
-// Moments of the run that the panel's plots show; fewer of large scenes, where each takes a while.
-constexpr std::uint64_t most_moments = 400;
-constexpr std::uint64_t most_particle_moments = 20'000'000;
+// Samples of the run for the panel's plots; fewer of large scenes, where each takes long.
+constexpr std::uint64_t most_samples = 400;
+constexpr std::uint64_t most_particle_samples = 20'000'000;
 
 class SnapshotCommand final : public Command {
 public:
     std::string_view name() const override { return "snapshot"; }
-    std::string_view what() const override { return "Draw a moment of a run into a PNG file, without a display"; }
+    std::string_view what() const override { return "Draw a run at one time as a PNG file, without a display"; }
 
     void declare(CLI::App& app) override {
         scene_.declare(app);
@@ -50,13 +51,13 @@ public:
         const Picture picture = offscreen.draw(request);
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
-        if (!written_directly(picture_.out())) tell(request.view, offscreen.kind());
+        if (!written_directly(picture_.out())) print_result(request.view, offscreen.kind());
         if (!simulation.divergence()) return static_cast<int>(ExitCode::done);
         throw Error(ExitCode::diverged, simulation.divergence()->message);
     }
 
 private:
-    /// Takes the steps; the panel's plots get moments on the way.
+    /// Takes the steps; samples them for the panel's plots.
     void compute(Simulation& simulation, std::uint64_t steps, PictureRequest& request) const {
         Progress progress(steps, isatty(STDERR_FILENO) != 0);
         ConfirmedSteps stepping(steps, [&progress](std::uint64_t step) {
@@ -64,19 +65,19 @@ private:
             progress.at(step);
         });
         const std::optional<std::size_t> particle = followed_particle(simulation, request);
-        const std::uint64_t bound = std::max<std::uint64_t>(16, most_particle_moments / simulation.particles());
-        const std::uint64_t moments = request.panel ? std::min({steps, most_moments, bound}) : 1;
-        for (std::uint64_t moment = 0; moment < moments && !simulation.divergence(); ++moment) {
+        const std::uint64_t bound = std::max<std::uint64_t>(16, most_particle_samples / simulation.particles());
+        const std::uint64_t samples = request.panel ? std::min({steps, most_samples, bound}) : 1;
+        for (std::uint64_t sample = 0; sample < samples && !simulation.divergence(); ++sample) {
             if (request.panel) request.past.push_back(without_particles(view_of(simulation, particle)));
-            const double part = static_cast<double>(moment + 1) / static_cast<double>(moments);
-            const bool last = moment + 1 == moments;
+            const double part = static_cast<double>(sample + 1) / static_cast<double>(samples);
+            const bool last = sample + 1 == samples;
             stepping.advance(simulation, last ? steps : static_cast<std::uint64_t>(part * static_cast<double>(steps)));
         }
         request.view = view_of(simulation, particle);
     }
 
     std::optional<SnapshotEnsemble> ensemble_of(const RunDescription& description) const {
-        if (!ensemble_.asked()) return std::nullopt;
+        if (!ensemble_.is_given()) return std::nullopt;
         return SnapshotEnsemble(description, ensemble_.count(), ensemble_.ranges(description));
     }
 
@@ -91,9 +92,9 @@ private:
         return view;
     }
 
-    void tell(const RunView& view, const std::string& gl) const {
-        print(fmt::format("{}: step {}, time {}, {}, drawn by {}\n", picture_.out(), view.frame.step, view.frame.time,
-                          picture_.size_text(), gl));
+    void print_result(const RunView& view, const std::string& gl) const {
+        print(fmt::format("{}: step {}, time {} s, {} pixels, drawn with {}\n", picture_.out(), view.frame.step,
+                          short_number(view.frame.time), picture_.size_text(), gl));
     }
 
     SceneOptions scene_;

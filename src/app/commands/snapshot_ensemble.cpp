@@ -20,7 +20,7 @@ LiveEnsembleOptions nearest_live_ensemble(const RunDescription& description, std
     const double value = description.scene.contains(name) ? description.scene[name] : description.dt;
     ensemble.spread = name;
     ensemble.width = std::abs(to - from) / 2 / std::abs(value);
-    // The ends as somebody writes them down are rounded, each by half of epsilon.
+    // The decimal ends of a range are rounded, each by half of epsilon.
     const double middle = std::abs((from + to) / 2 - value) / std::abs(value);
     ensemble.otherwise =
         middle > std::numeric_limits<double>::epsilon() || ensemble.width > LiveEnsembleOptions::most_width;

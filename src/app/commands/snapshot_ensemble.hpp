@@ -10,18 +10,18 @@
 
 namespace steplab {
 
-/// The ensemble that the window would be asked for to have this ensemble: one number of the scene, or dt, over the
-/// run's own value. `otherwise` if it cannot be asked for it.
+/// The options of the window's ensemble that give these runs: one number of the scene, or dt, varied around the run's
+/// own value. `otherwise` is set if there are none.
 LiveEnsembleOptions nearest_live_ensemble(const RunDescription& description, std::size_t runs,
                                           const std::vector<ParameterRange>& ranges);
 
-/// The ensemble of an ensemble in a picture.
+/// The ensemble shown in a picture.
 class SnapshotEnsemble {
 public:
-    /// Throws UsageError if there cannot be such an ensemble, Interrupted.
+    /// Throws UsageError if a run is not possible, Interrupted.
     SnapshotEnsemble(const RunDescription& description, std::size_t runs, const std::vector<ParameterRange>& ranges);
 
-    /// Computes it for this moment of a run in which nothing was changed. Throws Interrupted.
+    /// Computes the ensemble at the step of a view, of a run without changes. Throws Interrupted.
     void put_into(RunView& view);
 
 private:

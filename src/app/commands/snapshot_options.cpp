@@ -20,16 +20,16 @@ namespace {
 constexpr int longest_side = 8192;
 constexpr render::PictureSize least_with_panel{400, 300};
 constexpr ParameterInfo scale_info{
-    .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "size of text and lines"};
+    .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "scale of text and lines"};
 
-/// The place of `word` among the known ones.
+/// The index of `word` among the known ones.
 std::size_t index_of(std::string_view option, std::string_view word, std::span<const std::string_view> known) {
     const auto found = std::find(known.begin(), known.end(), word);
     if (found == known.end()) throw UsageError(unknown_word(option, word, known));
     return static_cast<std::size_t>(found - known.begin());
 }
 
-/// A whole number of pixels; 0 if `text` is none.
+/// An integer number of pixels; 0 if `text` is none.
 int pixels(std::string_view text) {
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -42,10 +42,8 @@ render::PictureSize parse_size(std::string_view text) {
                                    cross < text.size() ? pixels(text.substr(cross + 1)) : 0};
     const auto allowed = [](int side) { return side >= 1 && side <= longest_side; };
     if (allowed(size.width) && allowed(size.height)) return size;
-    throw UsageError(
-        fmt::format("--size '{}' is no size of a picture: WIDTHxHEIGHT in pixels, each from 1 to {}, such "
-                    "as 1280x720",
-                    text, longest_side));
+    throw UsageError(fmt::format("--size must be WIDTHxHEIGHT in pixels, 1 to {} each, such as 1280x720 (got \"{}\")",
+                                 longest_side, text));
 }
 
 std::size_t parse_particle(std::string_view text, const RunDescription& description) {
@@ -58,7 +56,7 @@ std::size_t parse_particle(std::string_view text, const RunDescription& descript
     return static_cast<std::size_t>(parse_value(info, text));
 }
 
-/// Text and lines as large, in proportion, as in a picture of the usual size.
+/// The scale at which text and lines have the proportions of a picture of the usual size, at least 1.
 double usual_scale(render::PictureSize size) {
     const render::PictureSize usual;
     const double smaller =
@@ -67,9 +65,9 @@ double usual_scale(render::PictureSize size) {
 }
 
 void check_file(const std::string& name) {
-    if (name.empty()) throw UsageError("--out FILE.png is missing: where the picture is to go");
+    if (name.empty()) throw UsageError("--out FILE.png is required: the file of the picture");
     if (!written_directly(name) && !name.ends_with(".png")) {
-        throw UsageError(fmt::format("--out '{}' does not end in .png, the only kind of picture there is", name));
+        throw UsageError(fmt::format("--out must end in .png (got \"{}\")", name));
     }
 }
 
@@ -86,16 +84,19 @@ void SnapshotOptions::declare(CLI::App& app) {
     const std::string group = "Picture";
     const auto add = [&](const char* name, std::string& value, const std::string& placeholder,
                          const std::string& what) { text_option(app, name, value, placeholder, what, group); };
-    add("--out", out_, "FILE.png", "Where the picture goes");
-    add("--size", size_, "WxH", fmt::format("Pixels, up to {} each way (default {})", longest_side, size_));
-    add("--view", view_, "VIEW", "default, front, side, top, or yaw,pitch,distance,x,y,z as the window copies it");
+    add("--out", out_, "FILE.png", "File of the picture (required)");
+    add("--size", size_, "WxH",
+        fmt::format("Width and height in pixels, up to {} each (default {})", longest_side, size_));
+    add("--view", view_, "VIEW",
+        "Camera: default, front, side, top, or yaw,pitch,distance,x,y,z as copied from the window");
     add("--colour", colour_, "WHAT",
-        fmt::format("What colours tell: {} (default {})", joined(render::colouring_ids), colour_));
-    add("--background", background_, "dark|light", fmt::format("Behind the scene (default {})", background_));
+        fmt::format("Quantity shown by colour: {} (default {})", joined(render::colouring_ids), colour_));
+    add("--background", background_, "dark|light", fmt::format("Background (default {})", background_));
     add("--particle", particle_, "I", "Mark this particle");
-    add("--ui", panel_, "on|off", fmt::format("With the window's panels (default {})", panel_));
-    add("--scale", scale_, "X", "Size of text, lines and panels (default: 1, more in pictures beyond 1280x720)");
-    add("--gl", gl_, "auto|osmesa|egl", fmt::format("Way to OpenGL (default {}: the first that works)", gl_));
+    add("--ui", panel_, "on|off", fmt::format("Draw the window's panels too (default {})", panel_));
+    add("--scale", scale_, "X",
+        "Scale of text, lines and panels, 0.5 to 8 (default: 1, more in pictures beyond 1280x720)");
+    add("--gl", gl_, "auto|osmesa|egl", fmt::format("OpenGL context (default {}: the first that works)", gl_));
 }
 
 PictureRequest SnapshotOptions::request(const RunDescription& description) const {

@@ -10,11 +10,11 @@ class App;
 
 namespace steplab {
 
-/// The options of `snapshot` that say what the picture looks like and where it goes.
+/// The options of `snapshot` for the picture and its file.
 class SnapshotOptions {
 public:
     void declare(CLI::App& app);
-    /// The picture asked for, its run not yet filled in. Throws UsageError for values that cannot be meant.
+    /// The picture to draw, without its run. Throws UsageError for values of another form or out of range.
     PictureRequest request(const RunDescription& description) const;
 
     const std::string& out() const { return out_; }

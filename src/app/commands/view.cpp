@@ -36,19 +36,19 @@ public:
     }
 
     int run() override {
-        scene_.description();  // wrong use is told before a window opens
+        scene_.description();  // a wrong command line is reported before a window opens
         window_.request();
         const std::filesystem::path program = beside_this_program(window_program);
         arguments_.insert(arguments_.begin(), std::string(window_program));
         std::vector<char*> argv;
         for (std::string& argument : arguments_) argv.push_back(argument.data());
         argv.push_back(nullptr);
-        std::signal(SIGPIPE, SIG_DFL);  // what is ignored here would stay ignored there
+        std::signal(SIGPIPE, SIG_DFL);  // ignored signals would stay ignored there
         std::signal(SIGXFSZ, SIG_DFL);
         execv(program.c_str(), argv.data());
         throw GraphicsError(
-            fmt::format("cannot start the window's program '{}': {}; without a window there are "
-                        "`steplab snapshot` for pictures and `steplab run` for numbers",
+            fmt::format("cannot start the window program '{}': {}; without a window, use `steplab snapshot` for "
+                        "pictures and `steplab run` for results",
                         program.string(), std::generic_category().message(errno)));
     }
 

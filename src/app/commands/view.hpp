@@ -8,8 +8,8 @@
 
 namespace steplab {
 
-/// `steplab view SCENE`, `steplab SCENE` and `steplab`: checks the options and becomes `steplab-view`, the window's
-/// program beside this one, with the same arguments. run() throws GraphicsError where there is no such program.
+/// `steplab view SCENE`, `steplab SCENE` and `steplab`: checks the options and becomes `steplab-view`, the window
+/// program in the same folder, with the same arguments. run() throws GraphicsError if that cannot be started.
 std::unique_ptr<Command> view_command(std::vector<std::string> arguments);
 
 }  // namespace steplab

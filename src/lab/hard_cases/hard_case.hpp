@@ -19,14 +19,16 @@ namespace steplab {
 /// A scene, or a choice of steps, at which methods fail. docs/hard-cases.md shows its table and its diagram.
 struct HardCase {
     std::string_view id;       ///< "stiff-rope": its section "hard case stiff-rope", its diagram hard-stiff-rope.svg
+    std::string_view title;    ///< "Stiff ropes"
+    std::string_view shows;    ///< the scene and the table, in a few sentences
     std::string_view caption;  ///< of the diagram
-    Table (*table)();          ///< results of all methods of the catalogue, one row each
+    Table (*table)();          ///< results of all methods of the catalogue, one row each. Throws Interrupted
     Figure (*figure)();
 };
 
 /// All of them, in the order of the page.
 std::vector<HardCase> hard_cases();
-/// The one with this id. Throws UsageError.
+/// The one with this id. Throws UsageError naming the nearest and the known ones.
 HardCase hard_case(std::string_view id);
 
 // The parts of the cases.
@@ -48,6 +50,9 @@ using Settings = std::initializer_list<std::pair<std::string_view, double>>;
 Trial trial(std::string_view model, Settings settings, double dt, double time);
 
 using Observer = std::function<void(Simulation&)>;
+
+/// Takes a run to this step, or to its last valid one. Throws Interrupted soon after a signal (check_interruption()).
+void advance_to(Simulation& simulation, std::uint64_t step);
 
 /// Runs the steps of a trial and calls `observe` at `moments` evenly spaced times, the last one at its end. False if it
 /// diverged.

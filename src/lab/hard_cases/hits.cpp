@@ -234,36 +234,72 @@ Table coincident_table() {
 
 HardCase passing_neighbours() {
     return {"passing",
+            "Passing neighbours",
+            "A chain of three particles, kicked with v0 = 5 m/s: where neighbours meet at distance 0, the "
+            "direction of their force jumps. Adaptive methods locate these collisions and restart behind "
+            "them, fixed steps do not.",
             "A chain of three particles with a hard kick: energy error; neighbours pass each other at t = 4.9 and 6.0",
-            passing_table, [] { return energy_figure(passing(0.01)); }};
+            passing_table,
+            [] { return energy_figure(passing(0.01)); }};
 }
 
 HardCase folding_mesh() {
-    return {"folding", "A mesh that folds: energy error", folding_table, [] { return energy_figure(folding()); }};
+    return {"folding",
+            "Folding mesh",
+            "A mesh whose centre is kicked across it with v0 = 40 m/s, an energy of 800 J: springs turn "
+            "over, some through distance 0.",
+            "A mesh that folds: energy error",
+            folding_table,
+            [] { return energy_figure(folding()); }};
 }
 
 HardCase grazing_hits() {
-    return {"grazing", "Two particles that pass each other at t = 9: energy error against impact parameter",
-            grazing_table, grazing_figure};
+    return {"grazing",
+            "Grazing and head-on collisions",
+            "A bullet passes a Morse particle at some distance aside, dt 0.01 s: the closer it passes, the "
+            "shorter the time in which the force turns.",
+            "Two particles that pass each other at t = 9: energy error against impact parameter",
+            grazing_table,
+            grazing_figure};
 }
 
 HardCase escape_threshold() {
-    return {"escape", "Distance of two particles with exactly the escape energy (dashed: float)", escape_table,
+    return {"escape",
+            "Escape threshold",
+            "Two Morse particles with exactly the escape energy separate ever more slowly, dt 0.1 s. An "
+            "energy error of 1e-5 D is enough to make them return.",
+            "Distance of two particles with exactly the escape energy (dashed: float)",
+            escape_table,
             escape_figure};
 }
 
 HardCase deep_repulsion() {
-    return {"deep", "Position error in a collision with 1000 times the depth of the well, dt = 0.0005", deep_table,
+    return {"deep",
+            "Hard collision",
+            "Two particles with hard cores (b = 5 1/m) collide with an energy of 1000 D; the force turns "
+            "them within 0.003 s.",
+            "Position error in a collision with 1000 times the depth of the well, dt = 0.0005",
+            deep_table,
             [] { return error_figure(deep_hit(5e-4)); }};
 }
 
 HardCase colliding_cube() {
-    return {"cube", "The Morse cube with spacing 0.5, in which particles collide from t = 0.94 on: energy error",
-            cube_table, [] { return energy_figure(cube()); }};
+    return {"cube",
+            "Colliding cube",
+            "27 Morse particles in a cube of spacing 0.5 m: mirror-image pairs meet head-on, first at t = "
+            "0.938 s. Until t = 2.5 s, dt 0.01 s or tolerance 1e-10.",
+            "The Morse cube with spacing 0.5, in which particles collide from t = 0.94 on: energy error",
+            cube_table,
+            [] { return energy_figure(cube()); }};
 }
 
 HardCase coincident_particles() {
-    return {"coincident", "Eight Morse particles that start 1e-9 apart: energy error", coincident_table,
+    return {"coincident",
+            "Coincident particles",
+            "The force between coincident particles is zero. Two Morse particles that start at the same "
+            "position, and eight so close together that only their last digits differ.",
+            "Eight Morse particles that start 1e-9 apart: energy error",
+            coincident_table,
             [] { return energy_figure(nearly_coincident(1e-9)); }};
 }
 

@@ -37,7 +37,7 @@ Trial marginal(const Method& method, double factor) {
 /// Calls `observe` at logarithmically spaced steps. False if the run diverged.
 bool run_observed(Simulation& simulation, std::uint64_t most, const Observer& observe) {
     for (double steps = 1; steps <= static_cast<double>(most); steps = std::ceil(steps * 1.05)) {
-        simulation.advance(static_cast<std::uint64_t>(steps) - simulation.step());
+        advance_to(simulation, static_cast<std::uint64_t>(steps));
         if (simulation.divergence()) return false;
         observe(simulation);
     }
@@ -256,22 +256,44 @@ Figure drag_figure() {
 }  // namespace
 
 HardCase marginal_steps() {
-    return {"marginal-dt", "Amplitude of an oscillator at 0.999 (solid) and 1.001 (dashed) of the stability limit",
-            marginal_table, marginal_figure};
+    return {"marginal-dt",
+            "Stability limit",
+            "An oscillator over 10⁶ steps just below and just above each method's stability limit: below "
+            "it the motion stays bounded, above it it grows without bound, however slowly. The exact motion "
+            "has an amplitude of 1 m.",
+            "Amplitude of an oscillator at 0.999 (solid) and 1.001 (dashed) of the stability limit",
+            marginal_table,
+            marginal_figure};
 }
 
 HardCase changed_steps() {
-    return {"changed-dt", "Energy error of an oscillator with dt constant (dashed) and changed every quarter period",
-            change_table, change_figure};
+    return {"changed-dt",
+            "Changing dt during a run",
+            "An oscillator over 100 periods. A symplectic method conserves a modified energy that depends on "
+            "dt: one change of dt has no visible effect, changes in phase with the motion add up.",
+            "Energy error of an oscillator with dt constant (dashed) and changed every quarter period",
+            change_table,
+            change_figure};
 }
 
 HardCase step_resonances() {
-    return {"step-resonance", "Growth of an oscillator's amplitude per step, beyond the stability limits",
-            resonance_table, resonance_figure};
+    return {"step-resonance",
+            "Step-size resonances",
+            "Bands of ω dt in which the motion of an oscillator grows, from the eigenvalues of the matrix "
+            "of one step: a method can be unstable in a narrow band below the dt at which it finally fails.",
+            "Growth of an oscillator's amplitude per step, beyond the stability limits",
+            resonance_table,
+            resonance_figure};
 }
 
 HardCase backward_steps_with_drag() {
-    return {"drag", "Stability limit of ω dt against damping", drag_table, drag_figure};
+    return {"drag",
+            "Negative substeps with drag",
+            "Splitting methods of order above 2 have negative substeps, in which drag amplifies the "
+            "velocity. Stability limit of ω dt of an oscillator with damping γ.",
+            "Stability limit of ω dt against damping",
+            drag_table,
+            drag_figure};
 }
 
 }  // namespace steplab

@@ -27,10 +27,10 @@ Curve error_curve(const Study& study, const std::string& method, Precision preci
                   bool by_tolerance) {
     Curve curve{.name = method, .points = {}};
     for (const Measurement& run : study.runs) {
-        if (run.run.method != method || run.run.precision != precision || run.diverged || !run.wall_seconds ||
+        if (run.run.method != method || run.run.precision != precision || run.diverged() || !run.wall_seconds ||
             chooses_its_steps(run.run) != by_tolerance)
             continue;
-        const double cost = against == Against::time ? *run.wall_seconds : static_cast<double>(run.evaluations);
+        const double cost = against == Against::time ? *run.wall_seconds : static_cast<double>(run.result.evaluations);
         curve.points.emplace_back(cost, run.error);
     }
     return curve;
@@ -71,7 +71,7 @@ void give_common_cost(std::vector<Figure>& figures, std::size_t first, std::size
 double median_cost(const Study& study) {
     std::vector<std::uint64_t> costs;
     for (const Measurement& run : study.runs) {
-        if (!run.diverged) costs.push_back(run.evaluations);
+        if (!run.diverged()) costs.push_back(run.result.evaluations);
     }
     if (costs.empty()) return 1;
     std::nth_element(costs.begin(), costs.begin() + static_cast<std::ptrdiff_t>(costs.size() / 2), costs.end());

@@ -79,8 +79,8 @@ std::string pareto_table(const Study& study, const MethodColours& colours) {
     for (const Measurement* run : pareto_front(study.runs)) {
         table.rows.push_back({readable(run->error), duration_text(*run->wall_seconds),
                               method_name(run->run.method, colour_of(run->run.method, colours)), step_text(run->run),
-                              std::string(id(run->run.precision)), grouped(run->evaluations), readable(run->rms_error),
-                              readable(run->energy_error)});
+                              std::string(id(run->run.precision)), grouped(run->result.evaluations),
+                              readable(run->rms_error), readable(run->result.energy_error)});
     }
     return html_of_markup(table);
 }
@@ -91,7 +91,7 @@ std::string orders_table(const Study& study) {
     table.head.insert(table.head.end(), {"runs", "of these diverged"});
     for (const std::string& id : study.plan.methods) {
         const auto of_it = [&](const Measurement& run) { return run.run.method == id; };
-        const auto failed = [&](const Measurement& run) { return of_it(run) && run.diverged; };
+        const auto failed = [&](const Measurement& run) { return of_it(run) && run.diverged(); };
         const auto runs = std::count_if(study.runs.begin(), study.runs.end(), of_it);
         std::vector<std::string> row{method_name(id), own_order(study, method(id).info)};
         for (const Precision precision : study.plan.precisions)

@@ -44,13 +44,13 @@ class Found {
 public:
     void measured(const Measurement& run) {
         const std::lock_guard lock(mutex_);
-        if (run.diverged || run.error >= least_error_) return;
+        if (run.diverged() || run.error >= least_error_) return;
         least_error_ = run.error;
         most_accurate_ = run.run.method;
     }
     void kept(const Measurement& run) {
         const std::lock_guard lock(mutex_);
-        evaluations_ = std::min(evaluations_, static_cast<double>(run.evaluations));
+        evaluations_ = std::min(evaluations_, static_cast<double>(run.result.evaluations));
         seconds_ = std::min(seconds_, run.rough_seconds);
     }
     void abandoned() {
@@ -61,7 +61,7 @@ public:
     /// Judged by evaluations and by time, because an evaluation of one method may be cheaper than that of another.
     bool is_too_costly(const Measurement& run) const {
         const std::lock_guard lock(mutex_);
-        return static_cast<double>(run.evaluations) > abandon_factor * evaluations_ &&
+        return static_cast<double>(run.result.evaluations) > abandon_factor * evaluations_ &&
                run.rough_seconds > abandon_factor * seconds_;
     }
     /// Longest time allowed for a run, relative to the fastest found; times of short runs are inaccurate.
@@ -136,7 +136,7 @@ private:
         return result;
     }
 
-    bool kept(const Measurement& run) const { return !run.diverged && run.error <= question_.error; }
+    bool kept(const Measurement& run) const { return !run.diverged() && run.error <= question_.error; }
     bool is_classic() const { return method_ == classic; }
 
     bool too_costly(const Measurement& run) {
@@ -248,7 +248,7 @@ Advice verified(std::vector<Measurement> runs, double error, const Reference& re
     const auto seconds = advice.best.wall_seconds;
     advice.best = measure(advice.best.run, advice.best.steps, reference);
     advice.best.wall_seconds = seconds;
-    if (advice.best.diverged || advice.best.error > error)
+    if (advice.best.diverged() || advice.best.error > error)
         throw Error(ExitCode::replay, "a run gave a different error when it was repeated");
     for (Measurement& run : runs) {
         const bool known = run.run.method == advice.best.run.method ||

@@ -11,7 +11,7 @@ namespace steplab {
 
 namespace {
 
-bool counts(const Measurement& run) { return !run.diverged && run.wall_seconds && std::isfinite(run.error); }
+bool counts(const Measurement& run) { return !run.diverged() && run.wall_seconds && std::isfinite(run.error); }
 
 }  // namespace
 
@@ -59,7 +59,8 @@ std::string answer(std::span<const Measurement> runs, double error) {
 std::optional<double> measured_order(std::span<const Measurement> runs, std::string_view method, Precision precision) {
     std::vector<const Measurement*> series;
     for (const Measurement& run : runs) {
-        if (run.run.method == method && run.run.precision == precision && !run.diverged && !chooses_its_steps(run.run))
+        if (run.run.method == method && run.run.precision == precision && !run.diverged() &&
+            !chooses_its_steps(run.run))
             series.push_back(&run);
     }
     if (series.size() < 3) return std::nullopt;

@@ -13,14 +13,14 @@ namespace steplab {
 class GainWatch {
 public:
     bool gains_no_more(const Measurement& last) {
-        if (last.diverged) return false;
+        if (last.diverged()) return false;
         if (last.error <= 0.7 * best_) {
             useless_ = 0;
-        } else if (static_cast<double>(last.evaluations) > 1.1 * evaluations_) {
+        } else if (static_cast<double>(last.result.evaluations) > 1.1 * evaluations_) {
             ++useless_;
         }
         best_ = std::min(best_, last.error);
-        evaluations_ = static_cast<double>(last.evaluations);
+        evaluations_ = static_cast<double>(last.result.evaluations);
         return useless_ >= 2;
     }
 

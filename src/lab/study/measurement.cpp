@@ -3,7 +3,6 @@
 #include "core/flush_subnormals.hpp"
 #include "sim/run/samples.hpp"
 #include "sim/run/segment.hpp"
-#include "sim/run/simulation.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -48,10 +47,12 @@ private:
 
 Measurement measure(const RunDescription& run, std::uint64_t steps, const Reference& reference,
                     const std::function<void()>& at_sample, const Execution& execution) {
-    Measurement measurement{.run = run, .steps = steps, .wall_seconds = {}, .hash = {}};
+    Measurement measurement{.run = run, .steps = steps, .wall_seconds = {}};
     SteppingClock clock;
     Simulation simulation(run, execution);
     clock.started(simulation.evaluations());
+    const double energy_start = simulation.energy();
+    double energy_error = 0;
     Samples samples(steps, samples_of_energy);
     const auto advance = [&] {
         at_sample();
@@ -59,13 +60,10 @@ Measurement measure(const RunDescription& run, std::uint64_t steps, const Refere
         clock.time([&] { more = samples.advance(simulation); });
         return more;
     };
-    while (advance())
-        measurement.energy_error = std::max(measurement.energy_error, std::abs(simulation.energy_error()));
-    measurement.evaluations = simulation.evaluations();
-    measurement.rough_seconds = clock.seconds(measurement.evaluations);
-    measurement.diverged = simulation.divergence().has_value();
-    measurement.hash = simulation.hash();
-    if (!measurement.diverged) compare(measurement, simulation.state(), reference);
+    while (advance()) energy_error = std::max(energy_error, std::abs(simulation.energy_error()));
+    measurement.result = result_of(simulation, energy_start, energy_error);
+    measurement.rough_seconds = clock.seconds(measurement.result.evaluations);
+    if (!measurement.diverged()) compare(measurement, simulation.state(), reference);
     return measurement;
 }
 

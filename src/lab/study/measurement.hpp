@@ -3,11 +3,11 @@
 #include "lab/study/reference.hpp"
 #include "sim/run/execution.hpp"
 #include "sim/run/run_description.hpp"
+#include "sim/run/run_result.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 
 namespace steplab {
 
@@ -15,14 +15,14 @@ namespace steplab {
 struct Measurement {
     RunDescription run;
     std::uint64_t steps = 0;             ///< asked for
-    std::uint64_t evaluations = 0;       ///< start-up included
+    RunResult result = {};               ///< energy_error over the moments looked at
     double error = 0;                    ///< largest distance of a particle from the reference at the end
     double rms_error = 0;                ///< root of the mean squared distance over the particles
-    double energy_error = 0;             ///< largest |E - E0| over the moments looked at
-    bool diverged = false;               ///< then error and wall_seconds mean nothing
     std::optional<double> wall_seconds;  ///< of the stepping alone, least of several; none until timed
     double rough_seconds = 0;            ///< of the stepping when it was measured, whatever went on beside it
-    std::string hash;
+
+    /// Then error and wall_seconds mean nothing.
+    bool diverged() const { return result.divergence.has_value(); }
 };
 
 /// Runs it once, looking at the energy at 64 moments. No error is given below the reference's own. `at_sample` is

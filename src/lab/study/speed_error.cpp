@@ -65,7 +65,7 @@ private:
             const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
             if (cost.too_long(steps)) return false;
             runs_.push_back(made(run_over(plan_, method_, precision_, steps), steps));
-            if (!runs_.back().diverged) cost.ran(steps, runs_.back().rough_seconds);  // else it ended before
+            if (!runs_.back().diverged()) cost.ran(steps, runs_.back().rough_seconds);  // else it ended before
             if (gain.gains_no_more(runs_.back())) return true;
         }
         return true;
@@ -238,7 +238,7 @@ double most_bytes(const StudyPlan& plan) {
 void time_interleaved(std::vector<Measurement>& runs, int rounds, const StudyProgress& progress) {
     for (int round = 0; round < rounds; ++round) {
         for (std::size_t i = 0; i < runs.size(); ++i) {
-            if (runs[i].diverged) continue;
+            if (runs[i].diverged()) continue;
             runs[i].wall_seconds = std::min(runs[i].wall_seconds.value_or(infinity), time_once(runs[i]));
             progress((round + static_cast<double>(i) / static_cast<double>(runs.size())) / rounds);
         }

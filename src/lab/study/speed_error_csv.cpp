@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace steplab {
 
@@ -28,13 +29,13 @@ std::string settings(const ParameterValues& values) {
 
 std::string line(const Measurement& m) {
     const RunDescription& run = m.run;
-    const auto good = [&](double value) { return m.diverged ? std::optional<double>() : value; };
+    const auto good = [&](double value) { return m.diverged() ? std::optional<double>() : value; };
     const bool has_tolerance = run.method_parameters.contains("tolerance");
     const std::string of_scene = settings(run.scene), of_method = settings(run.method_parameters);
     return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", run.model, run.method, id(run.precision),
-                       number_text(run.dt), m.steps, m.evaluations, cell(m.wall_seconds), cell(good(m.error)),
-                       cell(good(m.energy_error)), m.diverged ? "diverged" : "ok", m.hash, cell(good(m.rms_error)),
-                       has_tolerance ? number_text(run.method_parameters["tolerance"]) : "",
+                       number_text(run.dt), m.steps, m.result.evaluations, cell(m.wall_seconds), cell(good(m.error)),
+                       cell(good(m.result.energy_error)), m.diverged() ? "diverged" : "ok", m.result.hash,
+                       cell(good(m.rms_error)), has_tolerance ? number_text(run.method_parameters["tolerance"]) : "",
                        of_scene + (of_scene.empty() || of_method.empty() ? "" : " ") + of_method);
 }
 
@@ -79,15 +80,15 @@ Measurement parsed(std::string_view line) {
     const auto cells = split(line, ',');
     if (cells.size() != 14) refuse(line);
     const auto value = [&](std::size_t cell) { return number(cells[cell], line).value_or(0); };
+    RunResult result{
+        .evaluations = static_cast<std::uint64_t>(value(5)), .energy_error = value(8), .hash = std::string(cells[10])};
+    if (cells[9] != "ok") result.divergence.emplace();
     return {.run = run_of(cells, line),
             .steps = static_cast<std::uint64_t>(value(4)),
-            .evaluations = static_cast<std::uint64_t>(value(5)),
+            .result = std::move(result),
             .error = value(7),
             .rms_error = value(11),
-            .energy_error = value(8),
-            .diverged = cells[9] != "ok",
-            .wall_seconds = number(cells[6], line),
-            .hash = std::string(cells[10])};
+            .wall_seconds = number(cells[6], line)};
 }
 
 }  // namespace

@@ -32,11 +32,11 @@ constexpr DefaultScene default_scenes[] = {{"free", 10, 8},  {"oscillator", 62, 
 /// The run of this method in double whose cost is closest; null if there is none.
 const Measurement* at_cost(const Study& study, const std::string& method, double evaluations) {
     const auto away = [&](const Measurement& run) {
-        return std::abs(std::log(static_cast<double>(run.evaluations) / evaluations));
+        return std::abs(std::log(static_cast<double>(run.result.evaluations) / evaluations));
     };
     const Measurement* nearest = nullptr;
     for (const Measurement& run : study.runs) {
-        if (run.run.method != method || run.run.precision != Precision::double_ || run.diverged) continue;
+        if (run.run.method != method || run.run.precision != Precision::double_ || run.diverged()) continue;
         if (!nearest || away(run) < away(*nearest)) nearest = &run;
     }
     return nearest;

@@ -45,20 +45,6 @@ private:
     std::vector<std::pair<std::uint64_t, double>> open_;
 };
 
-EnsembleResult result_of(const Simulation& simulation, double energy_start, const EnergyErrors& errors) {
-    return {.dt = simulation.dt(),
-            .steps = simulation.step(),
-            .time = simulation.time(),
-            .particles = simulation.particles(),
-            .evaluations = simulation.evaluations(),
-            .energy_start = energy_start,
-            .energy_end = simulation.energy(),
-            .energy_error = errors.largest(simulation.step()),
-            .hash = simulation.hash(),
-            .divergence = simulation.divergence(),
-            .collisions = simulation.collisions()};
-}
-
 /// A run by itself.
 EnsembleResult run_alone(const EnsembleRun& run, std::uint64_t every, Execution execution, const StepsDone& done) {
     execution.threads = 1;
@@ -74,7 +60,7 @@ EnsembleResult run_alone(const EnsembleRun& run, std::uint64_t every, Execution 
         done(to - at);
         at = to;
     }
-    return result_of(simulation, energy_start, errors);
+    return {.result = result_of(simulation, energy_start, errors.largest(simulation.step()))};
 }
 
 /// Hands out the runs to threads.

@@ -1,16 +1,12 @@
 #pragma once
 
-#include "core/collision.hpp"
 #include "sim/run/execution.hpp"
 #include "sim/run/run_description.hpp"
-#include "sim/run/simulation.hpp"
+#include "sim/run/run_result.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace steplab {
@@ -21,19 +17,9 @@ struct EnsembleRun {
     std::uint64_t steps = 0;
 };
 
-/// Its result: that of a Simulation after its last step.
+/// Its result, equal to that of a Simulation; energy_error is taken over every K-th step and the last.
 struct EnsembleResult {
-    double dt = 0;            ///< as the precision holds it
-    std::uint64_t steps = 0;  ///< taken; up to the last good one
-    double time = 0;          ///< reached
-    std::size_t particles = 0;
-    std::uint64_t evaluations = 0;
-    double energy_start = 0;
-    double energy_end = 0;
-    double energy_error = 0;  ///< largest |E - E0| over every K-th step and the last
-    std::string hash;
-    std::optional<Divergence> divergence;
-    CollisionRecord collisions;
+    RunResult result;
     bool in_lanes = false;  ///< computed with others in the lanes of vector registers; no bit depends on it
 };
 

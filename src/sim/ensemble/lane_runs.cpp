@@ -24,7 +24,7 @@ struct Member {
     EnergyMeter meter;
     std::uint64_t steps;
     Energy baseline;
-    EnsembleResult result;
+    RunResult result;
     bool open = true;       ///< under way
     bool diverged = false;  ///< or may have done so
 
@@ -107,7 +107,7 @@ private:
 
     void finish(std::size_t run, double energy_end) {
         Member& member = *members_[run];
-        EnsembleResult& result = member.result;
+        RunResult& result = member.result;
         result.dt = member.held.dt;
         result.steps = step_;
         result.time = static_cast<double>(step_) * member.held.dt;
@@ -115,7 +115,6 @@ private:
         result.evaluations = group_.evaluations();
         result.energy_end = energy_end;
         result.hash = hash_of(step_, member.held.precision, [&](const PortionSink& sink) { show(run, sink); });
-        result.in_lanes = true;
         member.open = false;
     }
 
@@ -172,7 +171,8 @@ std::vector<std::optional<EnsembleResult>> run_in_lanes(std::span<const Ensemble
     LaneRuns(members, *group, every).run(done);
     std::vector<std::optional<EnsembleResult>> results(group->runs());
     for (std::size_t run = 0; run < results.size(); ++run) {
-        if (!members[run]->diverged) results[run] = std::move(members[run]->result);
+        if (!members[run]->diverged)
+            results[run] = EnsembleResult{.result = std::move(members[run]->result), .in_lanes = true};
     }
     return results;
 }

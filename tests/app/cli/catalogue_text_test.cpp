@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-/// A line of the help that has all these words.
+/// True if a line of the help has all these words.
 bool has_line(const std::string& text, const std::vector<std::string>& words) {
     for (const std::string& line : split(text, '\n')) {
         if (std::all_of(words.begin(), words.end(),
@@ -64,12 +64,16 @@ TEST(Help, names_defaults_and_commands) {
     EXPECT_TRUE(has_line(help, {"--precision", "float|double", "default " + std::string(id(defaults.precision))}));
     EXPECT_TRUE(has_line(help, {"--dt", "default 0.1"}));
     EXPECT_TRUE(has_line(help, {"--steps", "default 1000"}));
-    for (const char* command : {"list", "run", "snapshot", "view"})
+    for (const char* command : {"list", "run", "snapshot", "view", "hard-cases", "help"})
         EXPECT_TRUE(has_line(run_program({"--help"}).out, {command}));
 }
 
 TEST(Help, fits_a_terminal) {
-    for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"}, {"run", "--help"}, {"list"}}) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
+                                                  {"run", "--help"},
+                                                  {"snapshot", "--help"},
+                                                  {"view", "--help"},
+                                                  {"list"}}) {
         for (const std::string& line : split(run_program(words).out, '\n')) {
             const auto columns = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
             EXPECT_LE(columns, 100) << line;
@@ -78,7 +82,7 @@ TEST(Help, fits_a_terminal) {
     }
 }
 
-TEST(Version, is_told) { EXPECT_THAT(run_program({"--version"}).out, testing::MatchesRegex("steplab [0-9.]+\n")); }
+TEST(Version, is_printed) { EXPECT_THAT(run_program({"--version"}).out, testing::MatchesRegex("steplab [0-9.]+\n")); }
 
 TEST(List, shows_all_models_and_methods) {
     const std::string both = run_program({"list"}).out;

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A command line that cannot be meant, and what its message must name.
+/// A wrong command line, and the words that its message must contain.
 struct WrongUse {
     std::vector<std::string> arguments;
     std::vector<std::string> named;
@@ -24,7 +24,7 @@ void PrintTo(const WrongUse& use, std::ostream* out) {
 }
 
 const std::vector<WrongUse> wrong_uses{
-    // words nobody knows: the nearest and the known ones
+    // unknown words: the nearest and the known ones
     {{"rnu"}, {"unknown command 'rnu'", "run", "list", "view"}},
     {{"run", "--model", "chains"}, {"unknown model 'chains'", "did you mean 'chain'", "free", "rope", "morse"}},
     {{"run", "--method", "rk5"}, {"unknown method 'rk5'", "did you mean 'rk4'", "euler", "verlet"}},
@@ -57,7 +57,7 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--ensemble", "2", "--out", "a.xyz"}, {"--out", "CSV"}},
     {{"run", "--ensemble", "2", "--out", "a.csv", "--every", "0"}, {"--every"}},
     // the shape of the command line
-    {{"run", "10"}, {"unexpected '10'"}},
+    {{"run", "10"}, {"unexpected argument '10'"}},
     {{"run", "--steps"}, {"--steps needs a value"}},
     {{"run", "--steps="}, {"--steps needs a value"}},
     {{"run", "--steps", ""}, {"--steps needs a value"}},
@@ -115,7 +115,7 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--out", "-", "--particles", "one"}, {"'one'", "9,0-3"}},
     {{"run", "--particles", "1"}, {"--particles", "no --out"}},
     {{"run", "--format", "csv"}, {"--format", "no --out"}},
-    // outputs in each other's way, or of no known kind
+    // outputs that overwrite each other, or have no known format
     {{"run", "--out", "-", "--summary", "-"}, {"--out", "--summary", "standard output"}},
     {{"run", "--out", "a.csv", "--series", "./a.csv"}, {"--out", "--series", "a.csv"}},
     {{"run", "--series", "a.csv", "--summary", "a.csv"}, {"--series", "--summary", "a.csv"}},
@@ -130,7 +130,7 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--series", "/dev/full"}, {"/dev/full", "No space left on device"}, 3},
     {{"run", "--summary", "/dev/full"}, {"/dev/full", "No space left on device"}, 3},
     // the lab
-    {{"report"}, {"--out DIR is needed"}},
+    {{"report"}, {"--out DIR is required"}},
     {{"report", "--out", "o", "--model", "chian"}, {"unknown model 'chian'", "did you mean 'chain'"}},
     {{"report", "--out", "o", "--method", "rk5"}, {"unknown method 'rk5'"}},
     {{"report", "--out", "o", "--precision", "half"}, {"unknown precision 'half'"}},
@@ -144,10 +144,18 @@ const std::vector<WrongUse> wrong_uses{
     {{"report", "--out", "o", "--thesis", "--model", "chain"}, {"--thesis", "--model"}},
     {{"report", "--out", "/dev/null/o", "--quick"}, {"/dev/null/o"}, 3},
     {{"report", "--out", "/dev/null/o", "--thesis"}, {"/dev/null/o"}, 3},
-    {{"advise"}, {"--error E is needed"}},
+    {{"advise"}, {"--error E is required"}},
     {{"advise", "--model", "chain", "--until", "1", "--error", "1e-30"}, {"1e-30", "exact solution"}},
     {{"advise", "--model", "chain", "--until", "0", "--error", "1e-3"}, {"must be > 0"}},
     {{"advise", "--error", "-1"}, {"--error", "-1"}},
+    {{"hard-cases", "stiff-rop"}, {"unknown hard case 'stiff-rop'", "did you mean 'stiff-rope'", "chaos"}},
+    {{"hard-cases", "chaos", "deep"}, {"unexpected argument 'deep'"}},
+    {{"help", "runn"}, {"unknown command 'runn'", "did you mean 'run'"}},
+    {{"help", "run", "list"}, {"help", "one command"}},
+    {{"convert"}, {"FILE is required"}},
+    {{"snapshot"}, {"--out FILE.png is required"}},
+    {{"snapshot", "--out", "a.gif"}, {"--out", ".png", "a.gif"}},
+    {{"snapshot", "--out", "a.png", "--size", "0x5"}, {"--size", "WIDTHxHEIGHT", "0x5"}},
     {{"limits", "--model", "chain", "--method", "al"}, {"unknown method 'al'"}},
     {{"limits", "--model", "chain", "--steps", "5"}, {"unknown option '--steps'"}},
 };

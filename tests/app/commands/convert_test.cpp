@@ -35,14 +35,14 @@ TEST_F(Convert, gives_the_bytes_that_the_run_itself_writes) {
     }
 }
 
-TEST_F(Convert, writes_what_there_is_of_a_file_cut_short_and_says_so) {
+TEST_F(Convert, writes_the_frames_of_a_truncated_file_and_reports_it) {
     const std::string whole = text_of(run_to("trajectory"));
     const std::string cut = folder_.file("cut.trajectory");
     put_text(cut, whole.substr(0, whole.size() - 20));
     const std::string file = folder_.file("cut.csv");
     const Outcome outcome = run_program({"convert", cut, "--out", file});
     EXPECT_EQ(outcome.code, 3);
-    EXPECT_THAT(outcome.err, HasSubstr("cut short or damaged after its first 41 frames"));
+    EXPECT_THAT(outcome.err, HasSubstr("truncated or damaged after its first 41 frames"));
     EXPECT_EQ(text_of(file), text_of(run_to("csv")));
 }
 

@@ -29,7 +29,7 @@ Json alone(double k, double dt, const std::vector<std::string>& more) {
     return Json::parse(run_chain(all).out);
 }
 
-TEST(EnsembleCommand, tells_of_every_run_what_it_tells_of_the_run_alone) {
+TEST(EnsembleCommand, gives_every_run_the_result_of_the_run_alone) {
     for (const std::string precision : {"float", "double"}) {
         const std::vector<std::string> common{"--until", "20", "--every", "30", "--precision", precision};
         std::vector<std::string> all{"--ensemble", "19",           "--spread",  "k=1:2",
@@ -54,9 +54,9 @@ TEST(EnsembleCommand, tells_of_every_run_what_it_tells_of_the_run_alone) {
             EXPECT_EQ(run["set"]["dt"], dt);
             Json expected = alone(k, dt, common);
             for (const char* const shared : {"model", "method", "precision", "wall_seconds"}) expected.erase(shared);
-            Json course = run;
-            course.erase("run"), course.erase("set");
-            EXPECT_EQ(course, expected);
+            Json result = run;
+            result.erase("run"), result.erase("set");
+            EXPECT_EQ(result, expected);
         }
     }
 }
@@ -87,7 +87,7 @@ TEST(EnsembleCommand, rows_are_those_of_the_runs_behind_their_numbers) {
     }
     EXPECT_EQ(text_of(folder.file("e.csv")), rows);
     EXPECT_EQ(text_of(folder.file("e.series.csv")), series);
-    // with rows the runs are computed one by one, without them side by side: they are the same
+    // with rows the runs are computed one by one, without them in SIMD lanes: the results are equal
     std::vector<std::string> plain{"--ensemble", "3", "--spread", "k=1:2", "--summary",   "-",
                                    "--steps",    "7", "--every",  "3",     "--precision", "float"};
     Json with = Json::parse(text_of(folder.file("e.json"))), without = Json::parse(run_chain(plain).out);
@@ -95,7 +95,7 @@ TEST(EnsembleCommand, rows_are_those_of_the_runs_behind_their_numbers) {
     EXPECT_EQ(with, without);
 }
 
-TEST(EnsembleCommand, ends_with_4_if_a_run_diverged_and_tells_which) {
+TEST(EnsembleCommand, ends_with_4_if_a_run_diverged_and_names_the_first) {
     const Outcome outcome = run_chain({"--ensemble", "40", "--spread", "dt=0.5:3", "--summary", "-"});
     EXPECT_EQ(outcome.code, 4);
     const Json json = Json::parse(outcome.out);
@@ -111,14 +111,14 @@ TEST(EnsembleCommand, ends_with_4_if_a_run_diverged_and_tells_which) {
                 HasSubstr(fmt::format("{} of 40 runs diverged, the first of them run {}", diverged, first)));
 }
 
-TEST(EnsembleCommand, tells_a_person_how_it_went) {
+TEST(EnsembleCommand, prints_a_summary) {
     const Outcome outcome = run_chain({"--ensemble", "20", "--spread", "v0=0:1", "--steps", "10"});
     EXPECT_EQ(outcome.code, 0);
-    for (const char* const words : {"20 runs of chain with euler", "v0", "0 to 1", "200 in all", "ok"})
+    for (const char* const words : {"20 runs of chain with euler", "v0", "0 to 1", "200 in total", "ok"})
         EXPECT_THAT(outcome.out, HasSubstr(words));
 }
 
-TEST(EnsembleCommand, without_a_spread_all_runs_are_the_same) {
+TEST(EnsembleCommand, without_a_range_all_runs_are_equal) {
     const Json json = Json::parse(run_chain({"--ensemble", "9", "--steps", "10", "--summary", "-"}).out);
     for (const Json& run : json["runs"]) EXPECT_EQ(run["hash"], json["runs"][0]["hash"]);
 }

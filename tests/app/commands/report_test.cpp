@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Waits until files appear in a folder, without looking at any clock.
+/// Waits until files appear in a folder, without a clock.
 class FolderWatch {
 public:
     explicit FolderWatch(const std::string& folder) : events_(inotify_init1(IN_CLOEXEC)) {
@@ -42,7 +42,7 @@ std::vector<std::string> report(const std::string& folder) {
             "--method", "rk4",     "--method", "pefrl", "--method", "gauss-16", "--out",    folder};
 }
 
-/// What does not hang on the clock of each run: all columns but wall_s, by method, precision, dt and tolerance.
+/// The columns that do not depend on the time of each run: all but wall_s, by method, precision, dt and tolerance.
 std::map<std::string, std::string> facts(const std::string& file) {
     std::map<std::string, std::string> facts;
     for (const auto& row : table(text_of(file)).rows) {
@@ -52,14 +52,14 @@ std::map<std::string, std::string> facts(const std::string& file) {
     return facts;
 }
 
-TEST(Report, writes_a_table_and_a_page_and_says_nothing_else) {
+TEST(Report, writes_a_table_and_a_page_and_no_messages) {
     const TemporaryFolder folder;
     const Outcome outcome = run_program(report(folder.file("out")));
     EXPECT_EQ(outcome.code, 0);
     EXPECT_THAT(outcome.err, IsEmpty());
     EXPECT_THAT(outcome.out, HasSubstr("report.html"));
     EXPECT_THAT(text_of(folder.file("out/report.html")), HasSubstr("Error against time, float"));
-    const Table runs = table(text_of(folder.file("out/speed_error.csv")));
+    const CsvTable runs = table(text_of(folder.file("out/speed_error.csv")));
     EXPECT_THAT(runs.head, testing::StartsWith("model,method,precision,dt,steps,evaluations,wall_s,error,energy_error,"
                                                "status,hash"));
     for (const char* method : {"verlet", "rk4", "pefrl", "gauss-16"}) {
@@ -68,8 +68,9 @@ TEST(Report, writes_a_table_and_a_page_and_says_nothing_else) {
     for (const auto& row : runs.rows) EXPECT_EQ(row[9] == "diverged", row[6].empty());  // failed runs have no time
 }
 
-// The kept state appears when the first of eight series is measured: the signal comes with most of the work to do.
-TEST(Report, that_was_interrupted_goes_on_to_the_same_result) {
+// The kept state appears when the first of eight series is measured: the signal comes while most of the work is still
+// to be done.
+TEST(Report, resumes_after_an_interruption_with_the_same_result) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.file("out/.measured"));
     const FolderWatch watch(folder.file("out/.measured"));
@@ -79,7 +80,7 @@ TEST(Report, that_was_interrupted_goes_on_to_the_same_result) {
     const Outcome interrupted = first.wait();
     EXPECT_EQ(interrupted.code, 128 + SIGINT);
     EXPECT_EQ(interrupted.signal, 0);
-    EXPECT_THAT(interrupted.err, HasSubstr("goes on"));
+    EXPECT_THAT(interrupted.err, HasSubstr("to resume"));
     EXPECT_FALSE(std::filesystem::exists(folder.file("out/report.html")));
     EXPECT_TRUE(std::filesystem::exists(folder.file("out/.measured/chain.json")));
 
@@ -98,7 +99,7 @@ TEST(Report, that_was_interrupted_goes_on_to_the_same_result) {
     EXPECT_FALSE(std::filesystem::exists(folder.file("out/.measured")));
 }
 
-TEST(Report, takes_only_what_is_asked_for) {
+TEST(Report, is_restricted_by_options) {
     const TemporaryFolder folder;
     const Outcome outcome =
         run_program({"report", "--quick", "--model", "oscillator", "--method", "rk4", "--precision", "float", "--time",

@@ -26,7 +26,7 @@ std::vector<std::string> arguments(const RunDescription& description, std::vecto
     return all;
 }
 
-/// Every model with every method in one precision, at a dt that all of them bear for a few steps.
+/// Every model with every method in one precision, at a dt at which all of them run for a few steps.
 std::vector<RunDescription> all_runs(Precision precision) {
     std::vector<RunDescription> runs;
     for (const Method& method : methods()) {
@@ -69,7 +69,7 @@ TEST_P(Runs, rows_read_back_exactly) {
         SCOPED_TRACE(command_line(run));
         const Outcome outcome = run_program(arguments(run, {"--steps", "5", "--every", "2", "--out", "-"}));
         ASSERT_EQ(outcome.code, 0) << outcome.err;
-        const Table csv = table(outcome.out);
+        const CsvTable csv = table(outcome.out);
         EXPECT_EQ(csv.head, csv_head);
         Simulation simulation(run);
         std::size_t row = 0;
@@ -116,7 +116,7 @@ TEST_P(Runs, series_reads_back_exactly) {
         SCOPED_TRACE(command_line(run));
         const std::string file = folder.file("series.csv");
         ASSERT_EQ(run_program(arguments(run, {"--steps", "4", "--every", "3", "--series", file})).code, 0);
-        const Table csv = table(text_of(file));
+        const CsvTable csv = table(text_of(file));
         const bool exact = Simulation(run).has_exact();
         EXPECT_EQ(csv.head, std::string("step,time,kinetic,potential,energy,energy_error,px,py,pz,lx,ly,lz,"
                                         "max_displacement,max_speed") +
@@ -140,7 +140,7 @@ TEST_P(Runs, series_reads_back_exactly) {
     }
 }
 
-TEST_P(Runs, summary_tells_what_the_simulation_knows) {
+TEST_P(Runs, summary_agrees_with_the_simulation) {
     for (const RunDescription& run : all_runs(GetParam())) {
         SCOPED_TRACE(command_line(run));
         const Outcome outcome = run_program(arguments(run, {"--steps", "4", "--every", "1", "--summary", "-"}));
@@ -216,7 +216,7 @@ TEST(Run, until_reaches_the_time_with_no_step_too_many) {
 }
 
 TEST(Run, only_the_chosen_particles_are_written_in_order) {
-    const Table csv = table(run_program({"run", "--steps", "1", "--particles", "9,0-2,1", "--out", "-"}).out);
+    const CsvTable csv = table(run_program({"run", "--steps", "1", "--particles", "9,0-2,1", "--out", "-"}).out);
     std::vector<std::string> particles;
     for (const auto& row : csv.rows) particles.push_back(row[0] + ':' + row[2]);
     EXPECT_THAT(particles, testing::ElementsAre("0:0", "0:1", "0:2", "0:9", "1:0", "1:1", "1:2", "1:9"));
@@ -224,7 +224,8 @@ TEST(Run, only_the_chosen_particles_are_written_in_order) {
 
 TEST(Run, large_scenes_are_written_whole_and_in_order) {
     // 40000 rows a frame: each is made in several blocks on several threads
-    const Table csv = table(run_program({"run", "--set", "dim=200", "--steps", "2", "--every", "1", "--out", "-"}).out);
+    const CsvTable csv =
+        table(run_program({"run", "--set", "dim=200", "--steps", "2", "--every", "1", "--out", "-"}).out);
     ASSERT_EQ(csv.rows.size(), 3u * 40000u);
     for (std::size_t i = 0; i < csv.rows.size(); ++i) {
         ASSERT_EQ(number<std::size_t>(csv.rows[i][0]), i / 40000);
@@ -239,14 +240,14 @@ TEST(Run, table_1_of_the_thesis_is_reproduced) {
         const Outcome outcome =
             run_program({"run", "--model", "chain", "--set", "L=3", "--set", "v0=1", "--method", method, "--precision",
                          "float", "--dt", "0.1", "--steps", "681", "--particles", "9", "--out", "-"});
-        const Table csv = table(outcome.out);
+        const CsvTable csv = table(outcome.out);
         ASSERT_EQ(csv.rows.size(), 2u);
         // rounded to the four decimals that are printed there
         EXPECT_EQ(std::lround(number(csv.rows.back()[3]) * 1e4), std::lround(number(digits) * 1e4)) << method;
     }
 }
 
-TEST(Run, diverged_run_ends_with_its_last_good_step) {
+TEST(Run, diverged_run_ends_with_its_last_valid_step) {
     const TemporaryFolder folder;
     const std::string file = folder.file("rows.csv");
     const Outcome outcome = run_program({"run", "--model", "chain", "--method", "euler", "--dt", "1.5", "--steps",
@@ -258,7 +259,7 @@ TEST(Run, diverged_run_ends_with_its_last_good_step) {
     EXPECT_EQ(summary.at("status"), "diverged");
     EXPECT_LT(summary.at("steps"), 100000);
     EXPECT_EQ(summary.at("diverged_step"), summary.at("steps").get<int>() + 1);
-    const Table csv = table(text_of(file));
+    const CsvTable csv = table(text_of(file));
     EXPECT_EQ(number<int>(csv.rows.back()[0]), summary.at("steps"));
     for (const auto& row : csv.rows) {
         for (const std::string& field : row) EXPECT_TRUE(std::isfinite(number(field)));
@@ -267,7 +268,7 @@ TEST(Run, diverged_run_ends_with_its_last_good_step) {
     EXPECT_EQ(run_program({"run", "--model", "chain", "--method", "euler", "--dt", "1", "--steps", "1000"}).code, 0);
 }
 
-TEST(Run, divergence_does_not_depend_on_who_looks) {
+TEST(Run, divergence_does_not_depend_on_every) {
     const std::vector<std::string> words{"--model", "chain", "--method", "rk4", "--dt", "1.6", "--steps", "100000"};
     const Json rare = summary_of(words);
     for (const char* every : {"1", "3", "1000"}) {

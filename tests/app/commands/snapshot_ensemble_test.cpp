@@ -7,7 +7,7 @@
 namespace steplab {
 namespace {
 
-TEST(NearestLiveEnsemble, has_the_number_that_differs_and_its_width_over_the_runs_own_value) {
+TEST(NearestLiveEnsemble, has_the_varied_number_and_its_relative_width) {
     RunDescription description = describe("morse");
     description.dt = 0.01;
     description.scene.set("v0", 2);
@@ -30,13 +30,13 @@ TEST(NearestLiveEnsemble, has_the_number_that_differs_and_its_width_over_the_run
     EXPECT_FALSE(fine.otherwise);
 }
 
-TEST(NearestLiveEnsemble, of_runs_that_do_not_differ_has_no_width) {
+TEST(NearestLiveEnsemble, of_equal_runs_has_no_width) {
     const LiveEnsembleOptions ensemble = nearest_live_ensemble(describe("morse"), 5, {});
     EXPECT_EQ(ensemble.width, 0);
     EXPECT_FALSE(ensemble.otherwise);
 }
 
-TEST(NearestLiveEnsemble, that_the_window_could_not_be_asked_for_is_told_apart) {
+TEST(NearestLiveEnsemble, that_the_window_does_not_have_is_marked) {
     RunDescription description = describe("chain", "dopri5");
     EXPECT_TRUE(nearest_live_ensemble(description, 5, {{"tolerance", 1e-9, 1e-6}}).otherwise) << "of the method";
     EXPECT_TRUE(nearest_live_ensemble(description, 5, {{"c", 0, 0.1}}).otherwise) << "its own value is 0";

@@ -68,8 +68,8 @@ TEST(SpeedErrorCsv, reads_back_exactly) {
         EXPECT_EQ(back[i].run, runs[i].run);
         EXPECT_EQ(back[i].steps, runs[i].steps);
         EXPECT_EQ(back[i].wall_seconds, runs[i].wall_seconds);
-        EXPECT_EQ(back[i].diverged, runs[i].diverged);
-        EXPECT_EQ(back[i].error, runs[i].diverged ? 0 : runs[i].error);
+        EXPECT_EQ(back[i].diverged(), runs[i].diverged());
+        EXPECT_EQ(back[i].error, runs[i].diverged() ? 0 : runs[i].error);
     }
 }
 

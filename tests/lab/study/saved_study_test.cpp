@@ -42,7 +42,7 @@ TEST(SavedStudy, is_found_again) {
     EXPECT_TRUE(ahead.cut);
     ASSERT_EQ(found->series.runs.size(), 2u);
     EXPECT_EQ(found->series.runs[0].error, 1e-5);
-    EXPECT_TRUE(found->series.runs[1].diverged);
+    EXPECT_TRUE(found->series.runs[1].diverged());
     ASSERT_EQ(found->series.cut.size(), 1u);
     EXPECT_EQ(found->series.cut[0].method, "rk4");
     EXPECT_EQ(found->series.cut[0].precision, Precision::float_);

@@ -95,8 +95,8 @@ TEST(SpeedError, continues_past_runs_that_cost_no_more_than_the_previous_one) {
 
 /// All measured values of a run except its time.
 std::string found(const Measurement& m) {
-    return fmt::format("{} {} {} {} {} {} {} {}", m.run.method, id(m.run.precision), m.steps, m.evaluations, m.error,
-                       m.rms_error, m.energy_error, m.hash);
+    return fmt::format("{} {} {} {} {} {} {} {}", m.run.method, id(m.run.precision), m.steps, m.result.evaluations,
+                       m.error, m.rms_error, m.result.energy_error, m.result.hash);
 }
 
 // No series is ended by time, so that the runs do not depend on the clock.
@@ -164,7 +164,7 @@ TEST(SpeedError, names_the_series_that_time_ends_and_no_other) {
 TEST(GainWatch, ends_after_two_that_cost_more_and_are_no_better) {
     const auto costing = [](std::uint64_t evaluations, double error) {
         Measurement m = run_with("rk4", 0.1, error, 1e-6);
-        m.evaluations = evaluations;
+        m.result.evaluations = evaluations;
         return m;
     };
     GainWatch dearer, equally_dear;
@@ -180,7 +180,7 @@ TEST(Advice, keeps_the_requested_error) {
     for (const double error : {1e-2, 1e-5, 1e-9}) {
         const Advice advice = advise(plan, error, reference, no_progress);
         EXPECT_LE(measure(advice.best.run, advice.best.steps, reference).error, error);
-        EXPECT_FALSE(advice.best.diverged);
+        EXPECT_FALSE(advice.best.diverged());
     }
 }
 

@@ -58,27 +58,20 @@ std::vector<EnsembleRun> runs_of(RunDescription description, const std::vector<P
 }
 
 /// The same run by itself.
-EnsembleResult alone(const EnsembleRun& run, std::uint64_t every) {
+RunResult alone(const EnsembleRun& run, std::uint64_t every) {
     Simulation simulation(run.description);
-    EnsembleResult result;
-    result.energy_start = simulation.energy();
+    const double energy_start = simulation.energy();
+    double energy_error = 0;
     while (simulation.step() < run.steps && !simulation.divergence()) {
         simulation.advance(std::min(every - simulation.step() % every, run.steps - simulation.step()));
-        result.energy_error = std::max(result.energy_error, std::abs(simulation.energy_error()));
+        energy_error = std::max(energy_error, std::abs(simulation.energy_error()));
     }
     simulation.conclude();
-    result.dt = simulation.dt();
-    result.steps = simulation.step();
-    result.time = simulation.time();
-    result.particles = simulation.particles();
-    result.evaluations = simulation.evaluations();
-    result.energy_end = simulation.energy();
-    result.hash = simulation.hash();
-    result.divergence = simulation.divergence();
-    return result;
+    return result_of(simulation, energy_start, energy_error);
 }
 
-void expect_same(const EnsembleResult& result, const EnsembleResult& expected) {
+void expect_same(const EnsembleResult& run, const RunResult& expected) {
+    const RunResult& result = run.result;
     EXPECT_EQ(result.hash, expected.hash);
     EXPECT_EQ(result.dt, expected.dt);
     EXPECT_EQ(result.steps, expected.steps);
@@ -217,11 +210,11 @@ TEST(Ensemble, does_not_depend_on_threads_or_instructions) {
         const auto expected = run_ensemble(runs, 300, {.threads = 1});
         for (const std::size_t threads : {2U, 3U}) {
             const auto results = run_ensemble(runs, 300, {.threads = threads});
-            for (std::size_t i = 0; i < runs.size(); ++i) expect_same(results[i], expected[i]);
+            for (std::size_t i = 0; i < runs.size(); ++i) expect_same(results[i], expected[i].result);
         }
         for (const Instructions instructions : instructions_here()) {
             const auto results = run_ensemble(runs, 300, {.instructions = instructions});
-            for (std::size_t i = 0; i < runs.size(); ++i) expect_same(results[i], expected[i]);
+            for (std::size_t i = 0; i < runs.size(); ++i) expect_same(results[i], expected[i].result);
         }
     }
 }
@@ -235,7 +228,7 @@ TEST(Ensemble, runs_that_diverge_stop_where_they_would_alone) {
             std::size_t diverged = 0;
             for (std::size_t i = 0; i < runs.size(); ++i) {
                 expect_same(results[i], alone(runs[i], 64));
-                diverged += results[i].divergence.has_value();
+                diverged += results[i].result.divergence.has_value();
             }
             EXPECT_GT(diverged, 10u);
             EXPECT_GT(side_by_side(results), 0u);
@@ -249,7 +242,7 @@ TEST(Ensemble, an_ulp_of_dt_gives_another_hash) {
     const auto before = run_ensemble(runs, 100);
     runs[5].description.dt = std::nextafter(runs[5].description.dt, 1);
     const auto after = run_ensemble(runs, 100);
-    for (std::size_t i = 0; i < runs.size(); ++i) EXPECT_EQ(before[i].hash == after[i].hash, i != 5);
+    for (std::size_t i = 0; i < runs.size(); ++i) EXPECT_EQ(before[i].result.hash == after[i].result.hash, i != 5);
 }
 
 TEST(Ensemble, tells_how_many_steps_are_done_and_ends_when_that_throws) {

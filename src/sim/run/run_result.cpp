@@ -1,0 +1,19 @@
+#include "sim/run/run_result.hpp"
+
+namespace steplab {
+
+RunResult result_of(const Simulation& simulation, double energy_start, double energy_error) {
+    return {.dt = simulation.dt(),
+            .steps = simulation.step(),
+            .time = simulation.time(),
+            .particles = simulation.particles(),
+            .evaluations = simulation.evaluations(),
+            .energy_start = energy_start,
+            .energy_end = simulation.energy(),
+            .energy_error = energy_error,
+            .hash = simulation.hash(),
+            .divergence = simulation.divergence(),
+            .collisions = simulation.collisions()};
+}
+
+}  // namespace steplab

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "core/collision.hpp"
+#include "sim/run/simulation.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace steplab {
+
+/// The numbers of a run at its end.
+struct RunResult {
+    double dt = 0;            ///< as the precision holds it
+    std::uint64_t steps = 0;  ///< taken; if the run diverged, up to the last valid one
+    double time = 0;          ///< reached
+    std::size_t particles = 0;
+    std::uint64_t evaluations = 0;  ///< of the forces, start-up included
+    double energy_start = 0;
+    double energy_end = 0;
+    double energy_error = 0;  ///< largest |E - E0| over the steps at which it was measured
+    std::string hash = {};
+    std::optional<Divergence> divergence = {};
+    CollisionRecord collisions = {};  ///< that an adaptive method found and restarted from
+
+    /// The step in which the run diverged. None if it did not.
+    std::optional<std::uint64_t> diverged_step() const { return divergence ? std::optional(steps + 1) : std::nullopt; }
+};
+
+/// The result of a run that stands at its last step. The energy at its start and the largest energy error on the way
+/// are the caller's measurements.
+RunResult result_of(const Simulation& simulation, double energy_start, double energy_error);
+
+}  // namespace steplab
