@@ -30,6 +30,10 @@ std::string reading_text(double value);
 /// Readable, an error or a rate, of which two digits say enough: "2.1e-7", "0.31", "0".
 std::string rounded_text(double value);
 
+/// Readable, a result: at most 4 significant digits, but an integer part below 10 million is not rounded: "0.7",
+/// "68.1", "12346", "1.2e-07".
+std::string short_number(double value);
+
 /// A count in groups of three digits, separated by narrow spaces that do not break: "12 345 678".
 std::string grouped(unsigned long long count);
 

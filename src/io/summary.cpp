@@ -1,8 +1,8 @@
 #include "io/summary.hpp"
 
 #include "core/duration.hpp"
+#include "core/number_text.hpp"
 #include "core/text.hpp"
-#include "io/short_number.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -9,7 +9,6 @@
 #include "core/number_text.hpp"
 #include "core/text.hpp"
 #include "io/interruption.hpp"
-#include "io/short_number.hpp"
 #include "lab/study/advice.hpp"
 #include "lab/study/answers.hpp"
 #include "lab/study/study.hpp"

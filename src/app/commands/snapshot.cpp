@@ -7,9 +7,9 @@
 #include "app/commands/snapshot_ensemble.hpp"
 #include "app/commands/snapshot_options.hpp"
 #include "app/png.hpp"
+#include "core/number_text.hpp"
 #include "io/interruption.hpp"
 #include "io/output_file.hpp"
-#include "io/short_number.hpp"
 #include "sim/run/confirmed_steps.hpp"
 
 #include <fmt/format.h>

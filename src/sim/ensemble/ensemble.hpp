@@ -23,10 +23,10 @@ struct EnsembleResult {
     bool in_lanes = false;  ///< computed with others in the lanes of vector registers; no bit depends on it
 };
 
-/// Computes independent runs, each bit for bit as a Simulation alone: neighbours in the list that differ only in numbers
-/// in SIMD lanes where their method and scene allow it, and batches of them on several threads. `every`, at least 1: K
-/// of energy_error. `watch` is called, from any of the threads but one at a time, with the number of steps done in all
-/// runs; what it throws ends the ensemble. Throws UsageError if a run cannot be computed.
+/// Computes independent runs, each bit for bit as a Simulation alone: neighbours in the list that differ only in
+/// numbers in SIMD lanes where their method and scene allow it, and batches of them on several threads. `every`, at
+/// least 1: K of energy_error. `watch` is called, from any of the threads but one at a time, with the number of steps
+/// done in all runs; what it throws ends the ensemble. Throws UsageError if a run cannot be computed.
 std::vector<EnsembleResult> run_ensemble(std::span<const EnsembleRun> runs, std::uint64_t every,
                                          const Execution& execution = {},
                                          const std::function<void(std::uint64_t)>& watch = {});

@@ -1,4 +1,4 @@
-#include "io/short_number.hpp"
+#include "core/number_text.hpp"
 
 #include <gtest/gtest.h>
 
