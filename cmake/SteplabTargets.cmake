@@ -32,6 +32,13 @@ function(steplab_compile target)
   target_link_libraries(${target} PRIVATE steplab_arithmetic steplab_warnings steplab_instruments)
 endfunction()
 
+# With these ccache keeps what uses precompiled headers: g++ names them in preprocessed sources, clang++ leaves their
+# time out.
+add_library(steplab_pch_for_ccache INTERFACE)
+target_compile_options(steplab_pch_for_ccache INTERFACE
+                       $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+                       "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
+
 # Standard headers that most sources include, compiled once: those of steplab_core serve all libraries. Every source
 # includes what it needs nonetheless (preset `clang` builds without them).
 set(steplab_precompiled <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory> <optional> <span>
@@ -40,6 +47,7 @@ function(steplab_precompile target)
   if(NOT STEPLAB_PRECOMPILED_HEADERS)
     return()
   endif()
+  target_link_libraries(${target} PRIVATE steplab_pch_for_ccache)
   if(target STREQUAL steplab_core)
     target_precompile_headers(${target} PRIVATE ${steplab_precompiled})
   else()
@@ -75,6 +83,24 @@ function(steplab_program name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK})
 endfunction()
 
+# How test programs are compiled. Results do not depend on optimisation; little of it makes a release build faster.
+add_library(steplab_testing INTERFACE)
+target_link_libraries(steplab_testing INTERFACE GTest::gmock GTest::gtest steplab_pch_for_ccache)
+target_compile_options(steplab_testing INTERFACE $<$<CONFIG:Release>:-O1>)
+
+# steplab_test_headers(): the target test_headers, which compiles the headers that most tests include once for all test
+# programs. Every test includes what it needs nonetheless (preset `clang` builds without them).
+function(steplab_test_headers)
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp CONTENT "" @ONLY)
+  add_library(test_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
+  steplab_compile(test_headers)
+  target_link_libraries(test_headers PRIVATE steplab_testing)
+  target_precompile_headers(test_headers PRIVATE
+    <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>
+    <optional> <random> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector>
+    <gmock/gmock.h> <gtest/gtest.h>)
+endfunction()
+
 # steplab_tests(folder [LINK target...]): test_<folder> of all sources in the current folder and the
 # rooms below it, each test known to ctest.
 function(steplab_tests folder)
@@ -83,7 +109,10 @@ function(steplab_tests folder)
   if(NOT sources)
     return()
   endif()
-  steplab_program(test_${folder} SOURCES ${sources} LINK ${ARG_LINK} GTest::gmock GTest::gtest GTest::gtest_main)
+  steplab_program(test_${folder} SOURCES ${sources} LINK ${ARG_LINK} steplab_testing GTest::gtest_main)
+  if(TARGET test_headers)
+    target_precompile_headers(test_${folder} REUSE_FROM test_headers)
+  endif()
   target_include_directories(test_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   set_target_properties(test_${folder} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   target_compile_definitions(test_${folder} PRIVATE STEPLAB_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

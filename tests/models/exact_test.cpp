@@ -54,12 +54,13 @@ TEST(ChainModes, agree_with_the_published_position) {
 }
 
 TEST(ExactSolution, of_all_particles_is_that_of_each) {
-    for (const Model& model : models()) {
-        const auto exact = model.exact(ParameterValues(model.info.parameters));
-        if (!exact) continue;
-        std::vector<Vec3> all(static_cast<std::size_t>(model.particles(ParameterValues(model.info.parameters))));
+    const auto exact_of = [](const Model& it) { return it.exact(ParameterValues(it.info.parameters)); };
+    for (const Model* const model : models_where(exact_of)) {
+        const auto exact = exact_of(*model);
+        std::vector<Vec3> all(static_cast<std::size_t>(model->particles(ParameterValues(model->info.parameters))));
+        ASSERT_FALSE(all.empty());
         exact->displacements(3.7, all);
-        for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i], exact->displacement(i, 3.7)) << model.info.id;
+        for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i], exact->displacement(i, 3.7)) << model->info.id;
     }
 }
 

@@ -33,15 +33,15 @@ TEST(Scenes, have_a_shape_that_agrees_with_their_start) {
 }
 
 TEST(Scenes, kick_one_particle_only_and_mark_it) {
-    for (const Model& model : models()) {
-        if (model.info.id == "crystal") continue;  // finite temperature: all particles move
-        const ParameterValues defaults(model.info.parameters);
-        const Shape shape = model.shape(defaults);
-        const Scene scene = model.scene(defaults);
+    const auto is_cold = [](const Model& it) { return it.info.id != "crystal"; };  // there all move
+    for (const Model* const model : models_where(is_cold)) {
+        const ParameterValues defaults(model->info.parameters);
+        const Shape shape = model->shape(defaults);
+        const Scene scene = model->scene(defaults);
         for (std::size_t i = 0; i < shape.roles.size(); ++i) {
             const bool moves = !(scene.start[i].velocity == Vec3{});
             EXPECT_EQ(moves, shape.roles[i] == Role::kicked || shape.roles[i] == Role::bullet)
-                << model.info.id << " " << i;
+                << model->info.id << " " << i;
         }
     }
 }

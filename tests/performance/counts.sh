@@ -2,9 +2,9 @@
 # Instructions of the key kernels: tests/performance/counts.sh PROGRAM COMPILER [--renew]
 #
 # Counts, by valgrind, the instructions a step of each kernel takes in PROGRAM (kernels.cpp) and fails if one differs
-# from that in counts.txt by more than a tenth. Counts belong to a compiler (name-version-processor): for one that
-# counts.txt does not know nothing is compared, and the exit code is 77. With --renew the counts of this compiler are
-# written there anew: cmake --build --preset release --target renew_counts
+# from that in counts.txt by more than a tenth. Counts belong to a compiler (name-version-processor) that counts.txt
+# must know. With --renew the counts of this compiler are written there anew:
+#     cmake --build --preset release --target renew_counts
 set -euo pipefail
 
 program=$1 compiler=$2 renew=${3:-}
@@ -23,15 +23,15 @@ count() {
         "${files[@]}"
 }
 
+if [[ $renew != --renew ]] && ! grep -q "^$compiler " "$known"; then
+    echo "no counts of $compiler are known (--target renew_counts writes them)" >&2
+    exit 2
+fi
 count >"$folder/counts"
 if [[ $renew == --renew ]]; then
     { grep -sv "^$compiler " "$known" || true; cat "$folder/counts"; } >"$folder/all"
     cp "$folder/all" "$known"
     exit
-fi
-if ! grep -q "^$compiler " "$known"; then
-    echo "no counts of $compiler are known: nothing was compared (--target renew_counts writes them)"
-    exit 77
 fi
 awk -v compiler="$compiler" '
     $1 != compiler { next }

@@ -17,14 +17,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::vector<TextFile> pages() {
-    std::vector<TextFile> files = text_files(STEPLAB_SOURCE_DIR);
-    std::erase_if(files, [](const TextFile& file) { return file.path.extension() != ".md"; });
-    return files;
-}
-
 std::string page(const std::string& path) {
-    for (const TextFile& file : pages()) {
+    for (const TextFile& file : pages(STEPLAB_SOURCE_DIR)) {
         if (file.path == path) return file.text;
     }
     throw std::runtime_error(path + " is not in the repository");
@@ -32,11 +26,61 @@ std::string page(const std::string& path) {
 
 std::string made(const std::string& name) { return docs::section(name, std::string(STEPLAB_BINARY_DIR) + "/bin"); }
 
-TEST(Docs, made_sections_are_up_to_date) {
-    for (const TextFile& file : pages()) {
-        EXPECT_TRUE(docs::with_sections_made(file.text, made) == file.text)
-            << file.path << ": run scripts/update-docs.sh";
+/// A section of a page that is made, with its marks.
+struct MadeSection {
+    std::string page;
+    std::size_t number = 0;  ///< in its page
+    std::string text;
+
+    friend std::ostream& operator<<(std::ostream& out, const MadeSection& section) {
+        return out << section.page << ", made section " << section.number;
     }
+};
+
+/// Those of a page. One without an end reaches to that of the page.
+std::vector<MadeSection> made_sections_of(const TextFile& page) {
+    const std::string begin_mark = "\n<!-- made: ", end_mark = "<!-- made end -->\n";
+    std::vector<MadeSection> sections;
+    for (std::size_t at = 0; (at = page.text.find(begin_mark, at)) != std::string::npos; ++at) {
+        const std::size_t end = page.text.find(end_mark, at), length = end + end_mark.size() - at - 1;
+        sections.push_back({page.path.string(), sections.size() + 1,
+                            page.text.substr(at + 1, end == std::string::npos ? end : length)});
+    }
+    return sections;
+}
+
+std::vector<MadeSection> made_sections() {
+    std::vector<MadeSection> all;
+    for (const TextFile& page : pages(STEPLAB_SOURCE_DIR)) {
+        for (const MadeSection& section : made_sections_of(page)) all.push_back(section);
+    }
+    return all;
+}
+
+/// The page, the number of the section there, and what it is of: "README_2_methods".
+std::string section_name(const testing::TestParamInfo<MadeSection>& test) {
+    const std::string of = test.param.text.substr(10, test.param.text.find(" -->") - 10);
+    return name_in_tests(fmt::format("{}_{}_{}", name_in_tests(test.param.page), test.param.number, of.substr(0, 40)));
+}
+
+class MadeSections : public testing::TestWithParam<MadeSection> {};
+
+TEST_P(MadeSections, are_up_to_date) {
+    EXPECT_EQ(docs::with_sections_made(GetParam().text, made), GetParam().text)
+        << GetParam().page << ": run scripts/update-docs.sh";
+}
+
+INSTANTIATE_TEST_SUITE_P(Docs, MadeSections, testing::ValuesIn(made_sections()), section_name);
+
+TEST(Docs, made_sections_are_found) {
+    const std::string two = "<!-- made: a -->\nb\n<!-- made end -->\n", more = "<!-- made: c -->\n<!-- made end -->\n";
+    const auto sections = made_sections_of({"x.md", "# Page\n" + two + "made:\n" + more});
+    ASSERT_EQ(sections.size(), 2u);
+    EXPECT_EQ(sections[0].text, two);
+    EXPECT_EQ(sections[1].text, more);
+    const auto broken = made_sections_of({"x.md", "# Page\n<!-- made: keys -->\nold\n"});
+    ASSERT_EQ(broken.size(), 1u);
+    EXPECT_THROW(docs::with_sections_made(broken[0].text, made), std::runtime_error);
 }
 
 TEST(Docs, section_out_of_date_is_made_anew) {
@@ -91,7 +135,7 @@ TEST(Docs, every_hard_case_has_its_table_and_diagram) {
 
 TEST(Docs, links_lead_to_files) {
     const std::filesystem::path root = STEPLAB_SOURCE_DIR;
-    for (const TextFile& file : pages()) {
+    for (const TextFile& file : pages(STEPLAB_SOURCE_DIR)) {
         for (const std::string& target : docs::linked_files(file.text)) {
             EXPECT_TRUE(std::filesystem::exists(root / file.path.parent_path() / target))
                 << file.path << ": " << target;

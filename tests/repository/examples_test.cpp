@@ -25,19 +25,36 @@ int expected_code(const std::string& command) {
 #endif
 }
 
-TEST(Examples, of_the_documentation_do_what_they_say) {
-    const TemporaryFolder folder;
-    std::size_t count = 0;
-    for (const TextFile& file : text_files(STEPLAB_SOURCE_DIR)) {
-        if (file.path.extension() != ".md") continue;
-        for (const std::string& command : docs::examples(file.text)) {
-            ++count;
-            const auto outcome = docs::run(command + " 2>&1", folder.path(), std::string(STEPLAB_BINARY_DIR) + "/bin");
-            EXPECT_EQ(outcome.code, expected_code(command)) << file.path << ": " << command << '\n' << outcome.output;
-        }
+/// The examples of a page.
+struct PageOfExamples {
+    std::string page;
+    std::vector<std::string> commands;
+
+    friend std::ostream& operator<<(std::ostream& out, const PageOfExamples& examples) { return out << examples.page; }
+};
+
+std::vector<PageOfExamples> pages_with_examples() {
+    std::vector<PageOfExamples> found;
+    for (const TextFile& file : pages(STEPLAB_SOURCE_DIR)) {
+        const std::vector<std::string> commands = docs::examples(file.text);
+        if (!commands.empty()) found.push_back({file.path.string(), commands});
     }
-    EXPECT_GT(count, 5u);  // the examples were found
+    return found;
 }
+
+class ExamplesOf : public testing::TestWithParam<PageOfExamples> {};
+
+// One after the other in one folder, as somebody who reads the page would.
+TEST_P(ExamplesOf, the_documentation_do_what_they_say) {
+    const TemporaryFolder folder;
+    for (const std::string& command : GetParam().commands) {
+        const auto outcome = docs::run(command + " 2>&1", folder.path(), std::string(STEPLAB_BINARY_DIR) + "/bin");
+        EXPECT_EQ(outcome.code, expected_code(command)) << command << '\n' << outcome.output;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Docs, ExamplesOf, testing::ValuesIn(pages_with_examples()),
+                         [](const auto& test) { return name_in_tests(test.param.page); });
 
 TEST(Examples, wrong_example_fails) {
     const TemporaryFolder folder;

@@ -40,6 +40,21 @@ std::vector<TextFile> text_files(const fs::path& root) {
     return files;
 }
 
+std::vector<TextFile> pages(const fs::path& root) {
+    std::vector<TextFile> files = text_files(root);
+    std::erase_if(files, [](const TextFile& file) { return file.path.extension() != ".md"; });
+    return files;
+}
+
+std::string name_in_tests(const std::string& text) {
+    std::string name;
+    for (const char c : text.substr(0, text.ends_with(".md") ? text.size() - 3 : text.size())) {
+        const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (kept || !name.ends_with('_')) name += kept ? c : '_';
+    }
+    return name;
+}
+
 std::vector<std::string> lines_of(const std::string& text) {
     std::istringstream stream(text);
     std::vector<std::string> lines;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,6 +80,38 @@ inline std::vector<MethodCase> all_methods() {
         for (const Precision precision : precisions) cases.push_back({&method.info, precision});
     }
     return cases;
+}
+
+/// What is left of a list without that of which `holds` is not true. Throws std::logic_error if that is nothing: a test
+/// of nothing would pass.
+template <class T, class Holds>
+std::vector<T> those_where(std::vector<T> all, const Holds& holds) {
+    std::erase_if(all, [&](const T& one) { return !holds(one); });
+    if (all.empty()) throw std::logic_error("a test is to be made of nothing");
+    return all;
+}
+
+/// The methods of which `holds` is true, a function of a MethodCase.
+template <class Holds>
+std::vector<MethodCase> methods_where(const Holds& holds) {
+    return those_where(all_methods(), holds);
+}
+template <class Holds>
+std::vector<MethodCase> working_methods_where(const Holds& holds) {
+    return those_where(working_methods(), holds);
+}
+
+/// Steps as long as dt, errors of their own.
+inline bool has_fixed_steps(const MethodCase& c) { return !c.info->adaptive; }
+/// Steps as long as dt that solve no equations: each costs the same.
+inline bool has_equal_steps(const MethodCase& c) { return !c.info->adaptive && !c.info->implicit; }
+
+/// The models of which `holds` is true, a function of a Model.
+template <class Holds>
+std::vector<const Model*> models_where(const Holds& holds) {
+    std::vector<const Model*> all;
+    for (const Model& model : models()) all.push_back(&model);
+    return those_where(all, [&](const Model* model) { return holds(*model); });
 }
 
 /// The models that a method runs at their defaults: all, but those that it refuses by name

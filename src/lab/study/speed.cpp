@@ -18,9 +18,6 @@ namespace steplab {
 
 namespace {
 
-/// A batch is long enough for the clock, and there are enough batches for one to be undisturbed.
-constexpr double seconds_a_batch = 0.004, seconds_a_scene = 0.25;
-
 /// Sizes of a model: the first is small, the second fits into the second-level cache, the last does not fit into any
 /// cache.
 struct Sizes {
@@ -50,16 +47,16 @@ double seconds_of(Simulation& simulation, std::uint64_t steps) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-double seconds_a_step(const RunDescription& run, const Execution& execution) {
+double seconds_a_step(const RunDescription& run, const Execution& execution, const MeasuringTime& time) {
     Simulation simulation(run, execution);
     std::uint64_t steps = 1;
-    while (seconds_of(simulation, steps) < seconds_a_batch) steps *= 2;
+    while (seconds_of(simulation, steps) < time.batch) steps *= 2;
     double least = std::numeric_limits<double>::infinity(), spent = 0;
-    while (spent < seconds_a_scene) {
+    do {
         const double seconds = seconds_of(simulation, steps);
         spent += seconds;
         least = std::min(least, seconds / static_cast<double>(steps));
-    }
+    } while (spent < time.run);
     return least;
 }
 
@@ -106,7 +103,8 @@ std::string_view text(Bound bound) {
     return texts[static_cast<std::size_t>(bound)];
 }
 
-MachineSpeed measure_machine(const std::string& method, const std::function<void(double)>& watch) {
+MachineSpeed measure_machine(const std::string& method, const std::function<void(double)>& watch,
+                             const MeasuringTime& time) {
     MachineSpeed speed;
     std::size_t count = 0, done = 0;
     for (const Sizes& model : sizes()) count += 2 * model.values.size();
@@ -116,8 +114,9 @@ MachineSpeed measure_machine(const std::string& method, const std::function<void
             for (const double value : model.values) {
                 const RunDescription run = run_of(model, value, method, precision);
                 watch(static_cast<double>(done++) / static_cast<double>(count));
-                speed.scenes.push_back(
-                    {.run = run, .particles = compared(run).particles, .seconds = seconds_a_step(run, {.threads = 1})});
+                speed.scenes.push_back({.run = run,
+                                        .particles = compared(run).particles,
+                                        .seconds = seconds_a_step(run, {.threads = 1}, time)});
             }
             find_bounds(std::span(speed.scenes).subspan(first), bytes_of_second_cache());
         }
@@ -127,13 +126,13 @@ MachineSpeed measure_machine(const std::string& method, const std::function<void
     mesh.scene.set("dim", 100);
     speed.instructions = compared(mesh);
     for (const Instructions instructions : instructions_here())
-        speed.instructions.seconds.emplace_back(id(instructions),
-                                                seconds_a_step(mesh, {.instructions = instructions, .threads = 1}));
+        speed.instructions.seconds.emplace_back(
+            id(instructions), seconds_a_step(mesh, {.instructions = instructions, .threads = 1}, time));
     mesh.scene.set("dim", 1000);
     speed.threads = compared(mesh);
     for (std::size_t threads = 1; threads <= processors(); threads *= 2)
         speed.threads.seconds.emplace_back(fmt::format("{} thread{}", threads, threads > 1 ? "s" : ""),
-                                           seconds_a_step(mesh, {.threads = threads}));
+                                           seconds_a_step(mesh, {.threads = threads}, time));
     return speed;
 }
 

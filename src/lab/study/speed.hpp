@@ -50,8 +50,15 @@ struct MachineSpeed {
     Comparison threads;         ///< 1, 2, 4, ... threads up to the processors of the machine
 };
 
+/// How long to measure, in seconds.
+struct MeasuringTime {
+    double batch = 0.004;  ///< minimum duration of the steps between two readings of the clock
+    double run = 0.25;     ///< duration of the batches of one run, at least one: enough for an undisturbed one
+};
+
 /// Measures the time per step of a method, the minimum over several batches. `watch` is called with the fraction that
 /// is done. Throws UsageError if there is no such method.
-MachineSpeed measure_machine(const std::string& method, const std::function<void(double)>& watch);
+MachineSpeed measure_machine(const std::string& method, const std::function<void(double)>& watch,
+                             const MeasuringTime& time = {});
 
 }  // namespace steplab

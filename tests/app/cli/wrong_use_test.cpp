@@ -1,4 +1,5 @@
 #include "app/program.hpp"
+#include "core/instructions.hpp"
 #include "io/files.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +32,7 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--precision", "half"}, {"unknown precision 'half'", "float", "double"}},
     {{"run", "--threads", "0"}, {"--threads", "0", "an integer from 1"}},
     {{"run", "--threads", "two"}, {"--threads", "two"}},
-    {{"run", "--isa", "sse9"}, {"unknown instruction set 'sse9'", "baseline"}},
+    {{"run", "--isa", "sse9"}, {"unknown instruction set 'sse9'", std::string(id(fastest_instructions()))}},
     {{"run", "--stpes", "5"}, {"unknown option '--stpes'", "did you mean '--steps'", "--until"}},
     {{"run", "--stpes=5"}, {"unknown option '--stpes'"}},
     {{"run", "-q"}, {"unknown option '-q'", "--model"}},

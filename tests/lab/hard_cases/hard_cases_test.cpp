@@ -7,8 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace steplab::test {
 namespace {
@@ -63,8 +66,25 @@ bool is_fit_to_draw(const Figure& figure) {
     return fit;
 }
 
-TEST(HardCase, diagrams_have_curves_and_labels) {
-    for (const HardCase& each : hard_cases()) EXPECT_TRUE(is_fit_to_draw(each.figure())) << each.id;
+std::vector<std::string> ids() {
+    std::vector<std::string> all;
+    for (const HardCase& each : hard_cases()) all.emplace_back(each.id);
+    return all;
+}
+
+class HardCaseOf : public testing::TestWithParam<std::string> {};
+
+TEST_P(HardCaseOf, this_id_has_a_diagram_of_curves_and_labels) {
+    EXPECT_TRUE(is_fit_to_draw(hard_case(GetParam()).figure()));
+}
+
+INSTANTIATE_TEST_SUITE_P(HardCases, HardCaseOf, testing::ValuesIn(ids()), [](const auto& test) {
+    std::string name = test.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+TEST(HardCase, diagrams_without_curves_or_with_wrong_labels_are_found) {
     EXPECT_FALSE(is_fit_to_draw(
         {.x = {.label = "t"}, .y = {.label = "particle's place"}, .curves = {{"rk4", {{0, 0}, {1, 1}}}}}));
     EXPECT_FALSE(is_fit_to_draw({.x = {.label = "t"}, .y = {.label = "x"}, .curves = {}}));

@@ -1,7 +1,15 @@
 #include "lab/study/speed.hpp"
 
+#include "core/error.hpp"
+#include "core/team.hpp"
+#include "sim/catalogue.hpp"
+
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace steplab {
@@ -64,6 +72,65 @@ TEST(Bounds, within_the_cache_are_arithmetic_however_slow) {
 TEST(Bounds, know_the_size_of_a_number) {
     EXPECT_EQ(bounds_of({{1000, 1}, {30000, 2}}), (Bounds{Bound::arithmetic, Bound::memory}));
     EXPECT_EQ(bounds_of({{1000, 1}, {30000, 2}}, Precision::float_), (Bounds{Bound::arithmetic, Bound::arithmetic}));
+}
+
+/// A step or two of each run. How long they take is the machine's: what is said of it is that they were timed.
+constexpr MeasuringTime at_once{.batch = 0, .run = 0};
+
+bool was_timed(double seconds) { return std::isfinite(seconds) && seconds > 0; }
+
+TEST(MachineSpeed, is_that_of_every_model_in_both_precisions) {
+    std::vector<double> parts;
+    const MachineSpeed speed = measure_machine(
+        "rk4", [&](double part) { parts.push_back(part); }, at_once);
+    std::set<std::pair<std::string, Precision>> found, expected;
+    for (std::size_t i = 0; i < speed.scenes.size(); ++i) {
+        const Speed& scene = speed.scenes[i];
+        EXPECT_EQ(scene.run.method, "rk4");
+        EXPECT_EQ(static_cast<double>(scene.particles), model(scene.run.model).particles(scene.run.scene));
+        EXPECT_TRUE(was_timed(scene.seconds)) << scene.run.model;
+        if (!found.emplace(scene.run.model, scene.run.precision).second) {
+            EXPECT_GT(scene.particles, speed.scenes[i - 1].particles) << "small ones first";
+        }
+    }
+    for (const Model& model : models()) {
+        for (const Precision precision : {Precision::float_, Precision::double_})
+            expected.emplace(model.info.id, precision);
+    }
+    EXPECT_EQ(found, expected);
+    ASSERT_EQ(parts.size(), speed.scenes.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        EXPECT_DOUBLE_EQ(parts[i], static_cast<double>(i) / static_cast<double>(parts.size()));
+}
+
+/// What a comparison compares. All of it was timed.
+std::vector<std::string> ways(const Comparison& comparison) {
+    std::vector<std::string> names;
+    for (const auto& [way, seconds] : comparison.seconds) {
+        EXPECT_TRUE(was_timed(seconds)) << way;
+        names.push_back(way);
+    }
+    return names;
+}
+
+TEST(MachineSpeed, compares_instruction_sets_and_threads) {
+    const MachineSpeed speed = measure_machine(
+        "velocity-verlet", [](double) {}, at_once);
+    std::vector<std::string> sets;
+    for (const Instructions instructions : instructions_here()) sets.emplace_back(id(instructions));
+    EXPECT_EQ(ways(speed.instructions), sets);
+    const std::vector<std::string> threads = ways(speed.threads);
+    ASSERT_FALSE(threads.empty());
+    EXPECT_EQ(threads.front(), "1 thread");
+    EXPECT_EQ(threads.size(), 1 + static_cast<std::size_t>(std::log2(processors())));
+    EXPECT_EQ(speed.instructions.run.method, "velocity-verlet");
+    EXPECT_GT(speed.threads.particles, speed.instructions.particles);
+}
+
+TEST(MachineSpeed, of_no_method_is_refused) {
+    EXPECT_THROW(measure_machine(
+                     "rk5", [](double) {}, at_once),
+                 UsageError);
 }
 
 }  // namespace

@@ -74,9 +74,11 @@ double float_error(const MethodCase& c, bool compensated) {
 // Plain sums of small steps lose half an ulp each, 2 10^5 times; compensated ones only what the coefficients of the
 // method in float are off by, at most 2e-7 of the path, which is 49.
 TEST(CompensatedSum, brings_float_closer_to_double_in_every_method) {
-    for (const MethodCase& c : working_methods()) {
-        if (c.precision == Precision::double_ || c.info->linear_limit == 0) continue;
-        if (!ParameterValues(c.info->parameters).contains("compensated")) continue;
+    const auto sums_in_float = [](const MethodCase& c) {
+        return c.precision == Precision::float_ && c.info->linear_limit != 0 &&
+               ParameterValues(c.info->parameters).contains("compensated");
+    };
+    for (const MethodCase& c : working_methods_where(sums_in_float)) {
         const double plain = float_error(c, false), compensated = float_error(c, true);
         EXPECT_LT(compensated, std::max(plain / 3, 98e-7)) << c;
     }

@@ -128,6 +128,7 @@ TEST(Clusters, list_each_pair_within_reach_once) {
                 expected += length({nearest(d.x), nearest(d.y), nearest(d.z)}) < 2.3 ? 1 : 0;
             }
         }
+        EXPECT_GT(expected, 0u) << period;
         EXPECT_EQ(found.size(), expected) << period;
     }
 }

@@ -114,13 +114,16 @@ TEST(Forces, of_every_layout_agree_with_the_plain_loop) {
 }
 
 TEST(Forces, never_move_a_fixed_particle) {
+    std::size_t fixed = 0;
     for (const auto& c : all_forces()) {
         const Field<double> a = accelerations(c.scene.forces, c.displacement);
         for (std::size_t i = 0; i < a.count(); ++i) {
             if (c.roles[i] != Role::fixed) continue;
+            ++fixed;
             EXPECT_EQ(a.at(i), Vec3{}) << c.name << " particle " << i;
         }
     }
+    EXPECT_GT(fixed, 0u);
 }
 
 TEST(Forces, leave_the_padding_zero) {
@@ -171,8 +174,8 @@ TEST(Forces, are_the_same_formulas_in_every_number_type) {
 TEST(Forces, have_their_exact_jacobian_in_dual_numbers) {
     for (const auto& c : all_forces()) {
         constexpr double h = 1e-6;
-        const std::size_t last = c.roles.size() - 1 - (c.name == "mesh" ? c.roles.size() / 2 - 5 : 0);
-        if (c.roles[last] == Role::fixed) continue;
+        std::size_t last = c.roles.size() - 1;
+        while (c.roles[last] == Role::fixed) --last;
         Field<double> above = c.displacement, below = above;
         above.y()[last] += h;
         below.y()[last] -= h;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace steplab::test {
@@ -74,8 +75,7 @@ TYPED_TEST(PairSums, agree_with_the_plain_loop) {
 
 TYPED_TEST(PairSums, of_other_forces_do_not) {
     constexpr double rounding = std::numeric_limits<TypeParam>::epsilon();
-    for (const std::size_t count : counts) {
-        if (count == 1) continue;
+    for (const std::size_t count : std::span(counts).subspan(1)) {  // one particle has no force
         EXPECT_GT(worst_error<TypeParam>(count, 1 + 1000 * rounding), 15 * 0.3 * rounding * static_cast<double>(count))
             << count;
     }

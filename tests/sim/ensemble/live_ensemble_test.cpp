@@ -85,21 +85,22 @@ TEST_P(LiveEnsembleOf, each_method_have_the_bits_of_runs_alone) {
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Methods, LiveEnsembleOf, testing::ValuesIn(test::all_methods()), test::case_name);
+
+/// Those without a tolerance: a jump of the force at the cutoff makes the steps of the others so small that this would
+/// take seconds.
+class LiveEnsembleWithoutToleranceOf : public testing::TestWithParam<MethodCase> {};
+
 /// Where their sums depend on where the lists of neighbours were made.
-TEST_P(LiveEnsembleOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
+TEST_P(LiveEnsembleWithoutToleranceOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
     using test::run_of;
     for (RunDescription description :
          {run_of("crystal", GetParam().id(), GetParam().precision, 0.02, {{"edge", 5}, {"kT", 1}}),
           run_of("morse", GetParam().id(), GetParam().precision, 0.02, {{"edge", 2}, {"cutoff", 1}})}) {
-        // A jump of the force at the cutoff makes their steps so small that this would take seconds.
-        if (description.method_parameters.contains("tolerance")) continue;
-        try {
-            check(description);
-        } catch (const UsageError&) {
-            continue;
-        }
         SCOPED_TRACE(description.model);
-        const std::uint64_t some = 30;
+        // Fast particles of the crystal leave their lists behind after four steps; those of implicit methods take long.
+        const std::uint64_t some = GetParam().info->implicit ? 6 : 30;
         Flock flock(description, {.runs = 3, .spread = "dt", .width = 0.1});
         flock.advance(some);
         flock.expect_the_bits_of_runs_alone();
@@ -120,7 +121,11 @@ TEST_P(LiveEnsembleOf, each_method_have_the_bits_of_runs_alone_with_a_cutoff) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, LiveEnsembleOf, testing::ValuesIn(test::all_methods()), test::case_name);
+INSTANTIATE_TEST_SUITE_P(Methods, LiveEnsembleWithoutToleranceOf,
+                         testing::ValuesIn(test::methods_where([](const MethodCase& it) {
+                             return !ParameterValues(it.info->parameters).contains("tolerance");
+                         })),
+                         test::case_name);
 
 TEST(LiveEnsemble, are_computed_in_lanes_where_the_method_goes_so) {
     const auto in_lanes = [](const char* model, const char* method) {

@@ -65,11 +65,14 @@ TEST(layout, twice_the_scale_is_twice_the_size) {
 TEST(layout, every_widget_of_the_bar_is_inside_the_window) {
     for (const int width : {400, 500, 640, 800, 1280, 3840}) {
         Desk desk(describe(), {width, 700, 1});
+        std::size_t of_the_bar = 0;
         for (const auto& [name, place] : desk.interface.widgets()) {
             if (place.bottom > 40) continue;
+            ++of_the_bar;
             EXPECT_GE(place.left, 0) << name << " at width " << width;
             EXPECT_LE(place.right, static_cast<float>(width)) << name << " at width " << width;
         }
+        EXPECT_GE(of_the_bar, 5u) << width;
     }
 }
 

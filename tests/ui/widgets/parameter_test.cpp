@@ -13,7 +13,7 @@ bool has_slider(const ParameterInfo& info) {
     return info.kind != ParameterInfo::Kind::choice && !is_switch;
 }
 
-/// Every parameter of every model and method: one test, as the catalogue is.
+/// A parameter of a model or method in the panel.
 struct Place {
     RunDescription description;
     std::string widget;
@@ -25,6 +25,7 @@ struct Place {
     }
 };
 
+/// Of every model and method: one test, as the catalogue is.
 std::vector<Place> all_parameters() {
     std::vector<Place> places;
     for (const Model& model : models()) {
@@ -40,9 +41,16 @@ std::vector<Place> all_parameters() {
     return places;
 }
 
+/// Those of them with a slider, or those without.
+std::vector<Place> parameters_with_slider(bool slider) {
+    std::vector<Place> places = all_parameters();
+    std::erase_if(places, [&](const Place& place) { return has_slider(place.info) != slider; });
+    EXPECT_FALSE(places.empty());
+    return places;
+}
+
 TEST(parameters, every_slider_moves_its_parameter_alone) {
-    for (const Place& place : all_parameters()) {
-        if (!has_slider(place.info)) continue;
+    for (const Place& place : parameters_with_slider(true)) {
         SCOPED_TRACE(place.description.model + " " + place.widget);
         Desk desk(place.description);
         desk.drag(place.widget, 0.3f, 0.6f);
@@ -58,8 +66,7 @@ TEST(parameters, every_slider_moves_its_parameter_alone) {
 }
 
 TEST(parameters, double_click_gives_every_slider_its_default) {
-    for (const Place& place : all_parameters()) {
-        if (!has_slider(place.info)) continue;
+    for (const Place& place : parameters_with_slider(true)) {
         SCOPED_TRACE(place.description.model + " " + place.widget);
         Desk desk(place.description);
         desk.drag(place.widget, 0.3f, 0.8f);
@@ -79,12 +86,13 @@ bool is_scene(const RunDescription& description) {
 }
 
 TEST(parameters, every_slider_takes_a_typed_value_of_any_size) {
-    for (const Place& place : all_parameters()) {
-        if (!has_slider(place.info)) continue;
+    std::size_t typed_in = 0;
+    for (const Place& place : parameters_with_slider(true)) {
         SCOPED_TRACE(place.description.model + " " + place.widget);
         Desk desk(place.description);
         const double beyond = place.info.slider_high + 1;
         if (beyond > place.info.maximum) continue;
+        ++typed_in;
         desk.click(place.widget + ".value");
         desk.type(format_value(place.info, beyond));
         desk.key(Key::enter);
@@ -97,6 +105,7 @@ TEST(parameters, every_slider_takes_a_typed_value_of_any_size) {
             EXPECT_TRUE(desk.recorder.changes.empty());
         }
     }
+    EXPECT_GT(typed_in, models().size());
 }
 
 TEST(parameters, text_entries_share_the_clipboard_of_other_programs) {
@@ -115,8 +124,7 @@ TEST(parameters, text_entries_share_the_clipboard_of_other_programs) {
 }
 
 TEST(parameters, choices_and_switches_are_clicked) {
-    for (const Place& place : all_parameters()) {
-        if (has_slider(place.info)) continue;
+    for (const Place& place : parameters_with_slider(false)) {
         SCOPED_TRACE(place.description.model + " " + place.widget);
         Desk desk(place.description);
         const double other = place.info.default_value == 0 ? 1 : 0;
