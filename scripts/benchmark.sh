@@ -25,7 +25,7 @@ programs=$root/build/release/benchmarks
 
 steps() { "$programs/steps" "${options[@]}" --benchmark_filter="${1:-.}" "${@:2}"; }
 
-# lammps ROW PARTICLES WHO SCRIPT STEPS VARIABLE...: the time of a step as LAMMPS tells it, in the columns of `steps`.
+# lammps ROW PARTICLES WHO SCRIPT STEPS VARIABLE...: the time of a step as LAMMPS prints it, in the columns of `steps`.
 lammps() {
     local row=$1 particles=$2 who=$3 script=$4 steps=$5
     shift 5

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes anew what is made in README.md and docs/: tables of models, methods and keys, the output of commands.
+# Renews the made sections of README.md and docs/: tables of models, methods and keys, the output of commands.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

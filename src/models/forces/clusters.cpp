@@ -91,10 +91,10 @@ std::vector<std::uint32_t> Clusters::former_order(std::size_t particles) const {
         for (std::size_t i = 0; i < particles; ++i) order.push_back(static_cast<std::uint32_t>(i));
         return order;
     }
-    constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> at(count_ * size, nobody);
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> at(count_ * size, none);
     for (std::size_t i = 0; i < particles; ++i) at[places_[i]] = static_cast<std::uint32_t>(i);
-    std::copy_if(at.begin(), at.end(), std::back_inserter(order), [](std::uint32_t i) { return i != nobody; });
+    std::copy_if(at.begin(), at.end(), std::back_inserter(order), [](std::uint32_t i) { return i != none; });
     return order;
 }
 

@@ -23,12 +23,12 @@ LiveEnsemble::Variation spread(const LiveEnsembleOptions& ensemble) {
     };
 }
 
-/// A run and the companions of it, to which the same is done.
+/// A run and the members of it, to which the same is done.
 struct Flock {
     Simulation run;
     std::vector<SegmentBegin> segments;
     LiveEnsemble live_ensemble;
-    std::vector<Simulation> alone;  ///< what the companions are to be
+    std::vector<Simulation> alone;  ///< what the members are to be
 
     Flock(const RunDescription& description, const LiveEnsembleOptions& wanted)
         : run(description), segments{{0, description}}, live_ensemble(wanted.runs, spread(wanted)), ensemble(wanted) {
@@ -61,7 +61,7 @@ struct Flock {
         for (std::size_t i = 0; i < ensemble.runs; ++i) {
             const auto begin = frame.ensemble.begin() + static_cast<std::ptrdiff_t>(i * run.particles());
             const std::vector<Vec3> places(begin, begin + static_cast<std::ptrdiff_t>(run.particles()));
-            ASSERT_EQ(places, alone[i].frame().positions) << "companion " << i << " at step " << run.step();
+            ASSERT_EQ(places, alone[i].frame().positions) << "member " << i << " at step " << run.step();
         }
     }
 
@@ -206,7 +206,7 @@ TEST(LiveEnsemble, are_dragged_along_in_one_segment) {
         }
         EXPECT_EQ(flock.segments.size(), 2u);
         flock.expect_the_bits_of_runs_alone();
-        // The last pull counts also where the companions have gone on from an earlier one.
+        // The last pull counts also where the members have gone on from an earlier one.
         flock.live_ensemble.go_to(40, flock.segments);
         flock.pull(5, {1.3, -0.5, 0.2});
         flock.advance(20);
@@ -262,7 +262,7 @@ TEST(LiveEnsemble, that_do_not_differ_stay_where_the_run_is) {
     }
 }
 
-/// How much farther from the run the companions are at the end than after a first time.
+/// How much farther from the run the members are at the end than after a first time.
 double growth(const RunDescription& description, double first, double end) {
     Flock flock(description, {.runs = 16, .spread = "v0", .width = 1e-6});
     Frame frame;
@@ -280,7 +280,7 @@ TEST(LiveEnsemble, swell_in_chaos_alone) {
 }
 
 TEST(LiveEnsemble, that_are_lost_are_left_out) {
-    // The stability limits are 1.01 and 1.43; the largest dt of the companions is 1.95 times that of the run. Springs
+    // The stability limits are 1.01 and 1.43; the largest dt of the members is 1.95 times that of the run. Springs
     // of rest length 0 are linear: beyond the limit nothing holds the particles.
     for (const auto& [method, dt] : {std::pair("velocity-verlet", 0.55), std::pair("rk4", 0.8)}) {
         const RunDescription description = test::run_of("chain", method, Precision::double_, dt, {{"L", 0}});
@@ -316,7 +316,7 @@ TEST(LiveEnsemble, too_many_or_of_other_sizes_are_refused) {
 }
 
 TEST(LiveEnsemble, that_need_more_memory_than_there_is_are_refused) {
-    // Thrown by the first companion: those that are let through are not made.
+    // Thrown by the first member: those that are let through are not made.
     struct Begun {};
     const auto begin = [](const char* method) {
         // 1729 particles and all their pairs: the series of taylor take more than a GB in each run.
@@ -328,7 +328,7 @@ TEST(LiveEnsemble, that_need_more_memory_than_there_is_are_refused) {
     EXPECT_THROW(begin("velocity-verlet"), Begun) << "it is the method's memory";
     try {
         begin("taylor");
-        ADD_FAILURE() << "no companions were made";
+        ADD_FAILURE() << "no members were made";
     } catch (const UsageError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("bytes of memory"));
         EXPECT_THAT(error.what(), testing::HasSubstr("runs at most"));

@@ -176,7 +176,7 @@ TEST_F(WorkerTest, of_several_views_the_newest_is_taken) {
 /// Sees the ensemble of the moment that the view shows.
 bool has_ensemble(const RunView& view) { return !view.frame.ensemble.empty(); }
 
-/// Where the companions of a run of this description are that nothing was done to.
+/// Where the members of a run of this description are that nothing was done to.
 EnsembleSpread reading_after(const RunDescription& description, const LiveEnsembleOptions& ensemble,
                              std::uint64_t steps) {
     Simulation simulation(description);
@@ -257,7 +257,7 @@ TEST_F(WorkerTest, waits_for_companions_that_begin_later) {
     worker.set_rate({true, 1});
     worker.play(true);
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step > 100000; }));
-    // So many steps of 256 companions take far longer than it computes between two looks at the commands.
+    // So many steps of 256 members take far longer than it computes between two looks at the commands.
     worker.show_ensemble({.runs = 256});
     ASSERT_TRUE(see([](const RunView& v) { return v.ensemble.runs == 256; }));
     EXPECT_FALSE(has_ensemble(view)) << "answers while they are on their way";
