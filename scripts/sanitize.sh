@@ -18,7 +18,7 @@ if [[ ${1:-} == --threads ]]; then
     shift
     build tsan -DSTEPLAB_WERROR=ON
     # not what runs out of memory: the sanitizer brings its own
-    quiet_tests tsan -R 'Team|Worker|Bands|LargePairs|Pieces|SideBySide|SpeedError|Limits|LiveEnsemble|Ensemble' \
+    quiet_tests tsan -R 'Team|Worker|Bands|LargePairs|Pieces|ParallelForEach|SpeedError|Limits|LiveEnsemble|Ensemble' \
         -E 'is_missing' "$@"
     exit
 fi

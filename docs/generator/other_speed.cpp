@@ -46,7 +46,7 @@ std::string method_text(const std::string& who) {
     const std::string text = is_dt        ? fmt::format("dt {}", match[3].str())
                              : value >= 1 ? fmt::format("{:.0f} steps", value)
                                           : fmt::format("tolerance {}", match[3].str());
-    const std::string force = match[4].matched ? "," + match[4].str() : "";
+    const std::string force = match[4].matched ? fmt::format(",{}", match[4].str()) : "";
     return fmt::format("{}, {}{}", match[1].str(), text, force);
 }
 
