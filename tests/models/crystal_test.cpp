@@ -198,9 +198,9 @@ TEST(NearPairsRun, continues_with_the_same_bits_after_observation_and_restoring)
         }
         EXPECT_EQ(observed.hash(), undisturbed.hash());
         back.advance(77);
-        const auto kept = back.save();
+        const auto saved = back.save();
         back.advance(60);
-        back.restore(kept);
+        back.restore(saved);
         back.advance(123);
         EXPECT_EQ(back.hash(), undisturbed.hash());
     }

@@ -256,8 +256,8 @@ HardCase folding_mesh() {
 HardCase grazing_hits() {
     return {"grazing",
             "Grazing and head-on collisions",
-            "A bullet passes a Morse particle at some distance aside, dt 0.01 s: the closer it passes, the "
-            "shorter the time in which the force turns.",
+            "A bullet passes a Morse particle with an impact parameter in m, dt 0.01 s: the smaller it is, the shorter "
+            "the time in which the force turns.",
             "Two particles that pass each other at t = 9: energy error against impact parameter",
             grazing_table,
             grazing_figure};

@@ -43,7 +43,7 @@ std::vector<Pixel> pixels(const Curve& curve, const Figure& figure, std::pair<do
 }
 
 /// Possible positions of a text next to a point: right, left, above and below.
-std::vector<Box> places_beside(Pixel p, const std::string& text) {
+std::vector<Box> places_next_to(Pixel p, const std::string& text) {
     const double width = 6.4 * static_cast<double>(text.size()) + 4;
     constexpr double height = 13, gap = 6;
     const auto box = [&](double left, double middle) {
@@ -78,7 +78,7 @@ std::vector<CurveLabel> curve_labels(const Figure& figure, std::pair<double, dou
         double least = 1e9;
         double from_end = 0;  // names at the end of a line are preferred
         for (auto point = marks[c].rbegin(); point != marks[c].rend(); ++point, from_end += 0.2) {
-            for (const Box& box : places_beside(*point, curve.name)) {
+            for (const Box& box : places_next_to(*point, curve.name)) {
                 const double sum = cost(box) + from_end;
                 if (sum < least) {
                     best = box;

@@ -10,7 +10,7 @@ namespace steplab {
 
 namespace {
 
-constexpr int most_texts = 9;  // that stand beside each other
+constexpr int most_texts = 9;  // that fit next to each other
 
 std::string text_of(double value, Quantity quantity) {
     if (quantity == Quantity::seconds) return duration_text(value);

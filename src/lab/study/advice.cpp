@@ -48,7 +48,7 @@ public:
         least_error_ = run.error;
         most_accurate_ = run.run.method;
     }
-    void kept(const Measurement& run) {
+    void reached(const Measurement& run) {
         const std::lock_guard lock(mutex_);
         evaluations_ = std::min(evaluations_, static_cast<double>(run.result.evaluations));
         seconds_ = std::min(seconds_, run.rough_seconds);
@@ -118,7 +118,7 @@ private:
             found_.abandoned();
         }
         if (!run) return;
-        found_.kept(*run);
+        found_.reached(*run);
         runs.push_back(std::move(*run));
     }
 
@@ -136,7 +136,7 @@ private:
         return result;
     }
 
-    bool kept(const Measurement& run) const { return !run.diverged() && run.error <= question_.error; }
+    bool keeps_error(const Measurement& run) const { return !run.diverged() && run.error <= question_.error; }
     bool is_classic() const { return method_ == classic; }
 
     bool too_costly(const Measurement& run) {
@@ -152,7 +152,7 @@ private:
         };
         std::uint64_t failed = 0;
         Measurement run = at(fewest_steps(plan, method_, question_.frequency));
-        for (GainWatch gain; !kept(run);) {
+        for (GainWatch gain; !keeps_error(run);) {
             if (too_costly(run) || (gain.gains_no_more(run) && run.error < 1e-3 * plan.time)) return std::nullopt;
             failed = run.steps;
             run = at(2 * failed);
@@ -167,7 +167,7 @@ private:
             const double between = std::sqrt(static_cast<double>(failed) * static_cast<double>(run.steps));
             const std::uint64_t middle = std::clamp(static_cast<std::uint64_t>(between), failed + 1, run.steps - 1);
             Measurement tried = at(middle);
-            if (kept(tried)) {
+            if (keeps_error(tried)) {
                 run = std::move(tried);
             } else {
                 failed = middle;
@@ -185,7 +185,7 @@ private:
                 RunDescription run = run_over(question_.plan, method_, precision_, 1);
                 set_parameter(run, "tolerance", fmt::format("{}e{}", digit, decade));
                 Measurement result = measured(run, 1);
-                if (kept(result)) return result;
+                if (keeps_error(result)) return result;
                 if (too_costly(result) || gain.gains_no_more(result)) return std::nullopt;
             }
         }

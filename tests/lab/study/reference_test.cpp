@@ -72,12 +72,12 @@ TEST(Reference, of_too_coarse_steps_has_a_large_estimate) {
 }
 
 TEST(Reference, keeps_to_the_allowed_cost) {
-    const Reference dear = reference_run(scene_of("mesh"), std::vector<double>{20}, {.most_particle_evaluations = 1});
+    const Reference cheap = reference_run(scene_of("mesh"), std::vector<double>{20}, {.most_particle_evaluations = 1});
     const Reference fine = reference_run(scene_of("mesh"), std::vector<double>{20});
-    EXPECT_GT(dear.moments[0].error, 100 * fine.moments[0].error);
+    EXPECT_GT(cheap.moments[0].error, 100 * fine.moments[0].error);
     EXPECT_LT(fine.moments[0].error, 1e-13);
-    EXPECT_LE(distance(dear.moments[0].state.displacement, fine.moments[0].state.displacement),
-              10 * dear.moments[0].error);
+    EXPECT_LE(distance(cheap.moments[0].state.displacement, fine.moments[0].state.displacement),
+              10 * cheap.moments[0].error);
 }
 
 // No distance is below 0.163 with this spacing up to t = 2; a run of another family agrees.

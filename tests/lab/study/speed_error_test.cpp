@@ -167,11 +167,11 @@ TEST(GainWatch, ends_after_two_that_cost_more_and_are_no_better) {
         m.result.evaluations = evaluations;
         return m;
     };
-    GainWatch dearer, equally_dear;
-    EXPECT_FALSE(dearer.gains_no_more(costing(100, 1e-9)));
-    EXPECT_FALSE(dearer.gains_no_more(costing(200, 1e-9)));
-    EXPECT_TRUE(dearer.gains_no_more(costing(400, 1e-9)));
-    for (int run = 0; run < 5; ++run) EXPECT_FALSE(equally_dear.gains_no_more(costing(100, 1e-9)));
+    GainWatch more_expensive, equally_expensive;
+    EXPECT_FALSE(more_expensive.gains_no_more(costing(100, 1e-9)));
+    EXPECT_FALSE(more_expensive.gains_no_more(costing(200, 1e-9)));
+    EXPECT_TRUE(more_expensive.gains_no_more(costing(400, 1e-9)));
+    for (int run = 0; run < 5; ++run) EXPECT_FALSE(equally_expensive.gains_no_more(costing(100, 1e-9)));
 }
 
 TEST(Advice, keeps_the_requested_error) {
