@@ -78,6 +78,7 @@ std::optional<PixelPoint> beside(const Edge& edge, Vec3 point, const Projection&
 double tick_step(double step, double pixels_per_step, double least) {
     while (pixels_per_step < least) {
         const double wider = nice_above(step);
+        if (!(wider > step)) break;
         pixels_per_step *= wider / step;
         step = wider;
     }

@@ -59,8 +59,8 @@ void explain(Divergence& divergence, const RunDescription& held, const std::opti
     divergence.dt = held.dt;
     if (limit && std::isfinite(limit->limit)) divergence.limit = limit->limit;
     divergence.message = fmt::format(
-        "The run diverged: step {} (t = {:.6g}) was the last good one, then particle {} was thrown off; {}.",
-        divergence.step, divergence.time, divergence.particle, reason(divergence, held));
+        "The run diverged: step {} (t = {:.6g}) was the last valid one; particle {} blew up in step {}: {}.",
+        divergence.step, divergence.time, divergence.particle, divergence.step + 1, reason(divergence, held));
     const bool beyond = divergence.limit && *divergence.limit > 0 && held.dt >= *divergence.limit;
     divergence.remedy_dt = nice_floor(beyond ? *divergence.limit / 2 : held.dt / 4);
 }
