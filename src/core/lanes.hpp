@@ -335,8 +335,7 @@ template <class T>
 using Lanes =
     std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>, RegisterLanes<T>, SingleLane<T>>;
 
-/// As many numbers as a cache line holds, on every machine: for sums, whose order must not depend on the width of
-/// registers.
+/// As many numbers as a cache line holds, on every machine: for sums, whose order must not depend on registers.
 template <class T>
 using CacheLineLanes = std::conditional_t<std::is_same_v<T, float> || std::is_same_v<T, double>,
                                           RegisterLanes<T, 64 / sizeof(T)>, SingleLane<T>>;

@@ -141,7 +141,7 @@ TEST(RunDescription, default_of_every_model_can_be_run_by_all_but_taylor_of_crys
         for (const Method& method : methods()) {
             const std::string refused = refusal([&] { check(describe(model.info.id, method.info.id)); });
             if (model.info.id == "crystal" && method.info.id == "taylor") {
-                EXPECT_THAT(refused, HasSubstr("comes into the cut-off"));
+                EXPECT_THAT(refused, HasSubstr("crosses the cut-off"));
             } else {
                 EXPECT_EQ(refused, "");
             }
