@@ -81,9 +81,24 @@ void draw_curves(const Context& context, const Plot& plot, const PlotAxes& axes,
     list.PopClipRect();
 }
 
-/// For each curve a short line in its style and its name, right-aligned.
-void draw_legend(const Context& context, const Plot& plot, float right, float y) {
+/// The names of the curves and, before each, 5 units of space, a line and more space: 35 in all.
+float legend_width(const Context& context, const Plot& plot) {
+    const WithFont font(context.theme.fonts().small);
+    float width = 0;
+    for (const Curve& curve : plot.curves) width += ImGui::CalcTextSize(curve.name.c_str()).x + context.px(35);
+    return width;
+}
+
+/// For each curve a short line in its style and its name, right-aligned: beside the title or, without room, in the
+/// frame.
+void draw_legend(const Context& context, const Plot& plot, const Area& area, const Area& frame) {
     if (plot.curves.size() < 2) return;
+    const ImFont& title_font = *context.theme.fonts().heading;
+    const float title = title_font.CalcTextSizeA(title_font.FontSize, 1e9f, 0, plot.title.c_str()).x;
+    const float room = area.width - context.px(14 + 46) - title;
+    const bool beside_title = legend_width(context, plot) <= room;
+    float right = beside_title ? area.right() - context.px(46) : frame.right() - context.px(4);
+    const float y = beside_title ? area.y + context.px(17) : frame.y + context.px(10);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(context.theme.fonts().small);
     const float thickness = context.theme.scale() * 1.6f;
@@ -166,7 +181,6 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area) {
     ImGui::SetCursorScreenPos({area.right() - context.px(36), area.y + context.px(3)});
     const bool save =
         icon_button(context, plot.widget + ".save", Icon::save, "save the plot as CSV or PNG", ButtonStyle::quiet);
-    draw_legend(context, plot, area.right() - context.px(46), area.y + context.px(17));
     ImGui::SetCursorScreenPos({frame.x, frame.y});
     ImGui::InvisibleButton("frame", {std::max(1.0f, frame.width), std::max(1.0f, frame.height)});
     context.mark(plot.widget);
@@ -176,6 +190,7 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area) {
         draw_grid(context, axes, frame);
         draw_axis_name(context, plot, area, frame);
         draw_curves(context, plot, axes, frame);
+        draw_legend(context, plot, area, frame);
         ImGui::SetCursorScreenPos({frame.x, frame.y});
         draw_values_under_pointer(context, plot, axes, frame);
     } else {
