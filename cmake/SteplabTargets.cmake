@@ -55,12 +55,15 @@ function(steplab_precompile target)
   endif()
 endfunction()
 
-# steplab_library(folder [LINK target...]): the static library steplab_<folder> of all sources in the current folder
+# steplab_library(folder [LINK target...] [SOURCES file...] [EXCLUDE regex]): the static library steplab_<folder> of all sources in the current folder
 # and the rooms below it.
 # It is compiled as position-independent code, because the off-screen modules link it too.
 function(steplab_library folder)
-  cmake_parse_arguments(ARG "" "" "LINK;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXCLUDE" "LINK;SOURCES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(ARG_EXCLUDE)
+    list(FILTER sources EXCLUDE REGEX ${ARG_EXCLUDE})
+  endif()
   set(target steplab_${folder})
   if(sources OR ARG_SOURCES)
     add_library(${target} STATIC ${sources} ${ARG_SOURCES})
@@ -164,6 +167,9 @@ foreach(set IN LISTS steplab_instruction_sets)
   endif()
 endforeach()
 
+# What is compiled in each instruction set beside the steppers of the methods: sources of src/sim/steppers.
+set(steplab_shared_steppers energy_sums erased_forces kick_drift_steps runge_kutta_steps)
+
 # steplab_catalogue(sources METHODS id... MODELS id... [INSTRUCTIONS set...]): the sources of a catalogue of these, written
 # from their ids, the steppers of its methods in each of the instruction sets among them.
 function(steplab_catalogue sources)
@@ -195,7 +201,7 @@ function(steplab_catalogue sources)
   endforeach()
   steplab_energy_sums("${ARG_INSTRUCTIONS}")
   configure_file(${folder}/catalogue_entries.cpp.in ${generated}/catalogue_entries.cpp @ONLY)
-  foreach(shared IN ITEMS energy_sums erased_forces kick_drift_steps runge_kutta_steps)
+  foreach(shared IN LISTS steplab_shared_steppers)
     list(APPEND steppers ${templates}/${shared}.cpp)
   endforeach()
   foreach(set IN LISTS ARG_INSTRUCTIONS)
