@@ -31,7 +31,8 @@ std::vector<TextFile> text_files(const fs::path& root) {
     std::vector<TextFile> files;
     for (auto entry = fs::recursive_directory_iterator(root); entry != fs::recursive_directory_iterator(); ++entry) {
         if (entry->is_directory() && !is_kept(entry->path())) entry.disable_recursion_pending();
-        if (!entry->is_regular_file()) continue;
+        // .git is a file in a further working tree
+        if (!entry->is_regular_file() || entry->path().filename() == ".git") continue;
         std::string text = read(entry->path());
         const bool binary = text.find('\0') != std::string::npos;
         if (!binary) files.push_back({entry->path().lexically_relative(root), text, has_run_bit(entry->path())});
