@@ -3,6 +3,7 @@
 #include "core/entry.hpp"
 #include "methods/engines/system.hpp"
 #include "models/forces/line.hpp"
+#include "support/all_at_once.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ struct CirclingBall {
     /// Where a method takes it in so many frames of dt.
     template <class Integrator>
     State<Real> after(std::size_t frames, Real dt, const ParameterValues& parameters) const {
-        auto ball = system(dt);
+        System ball(force_for<Integrator>(Line<Real>(forces)), drag, dt);
         State<Real> state = start();
         Integrator integrator(parameters);
         integrator.start(ball, state);

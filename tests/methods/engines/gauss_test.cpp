@@ -3,6 +3,7 @@
 #include "methods/gauss-16.hpp"
 #include "methods/rk4.hpp"
 #include "models/forces/layouts.hpp"
+#include "support/all_at_once.hpp"
 #include "support/circling_ball.hpp"
 #include "support/runs.hpp"
 
@@ -41,7 +42,7 @@ T apart(const State<T>& a, const State<T>& b) {
 /// The state after so many steps of dt from `state`.
 template <class Integrator, class T, class Forces>
 State<T> after(const Forces& forces, State<T> state, T drag, T dt, std::size_t steps, const ParameterValues& values) {
-    System system(engine<T>(forces), drag, dt);
+    System system(force_for<Integrator>(engine<T>(forces)), drag, dt);
     Integrator integrator(values);
     integrator.start(system, state);
     for (std::size_t i = 0; i < steps; ++i) integrator.step(system);
@@ -127,7 +128,7 @@ template <class Integrator>
 Trend energy_trend(std::size_t periods, double dt, double spoil, const ParameterValues& values) {
     constexpr std::size_t pieces = 50;
     const LineForces forces{.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0};
-    System system(engine<double>(forces), 0.0, dt);
+    System system(force_for<Integrator>(engine<double>(forces)), 0.0, dt);
     State<double> state = at_rest<double>(2);
     state.velocity.set(1, {1, 0, 0});
     Integrator integrator(values);

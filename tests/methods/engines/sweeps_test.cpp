@@ -6,6 +6,7 @@
 #include "methods/rk4.hpp"
 #include "methods/velocity-verlet.hpp"
 #include "models/forces/layouts.hpp"
+#include "support/all_at_once.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,18 +16,6 @@
 
 namespace steplab::test {
 namespace {
-
-/// A layout that does not sweep: all accelerations first, then all moves.
-template <class Force>
-struct AllAtOnce {
-    static constexpr ForceCapabilities capabilities{};
-    Force force;
-
-    template <class T>
-    void accelerations(const Field<T>& x, Field<T>& a) {
-        force.accelerations(x, a);
-    }
-};
 
 /// Every particle that can move has a place and a velocity of its own.
 template <class T, class Force>

@@ -3,6 +3,7 @@
 #include "methods/engines/system.hpp"
 #include "methods/rk4.hpp"
 #include "models/forces/line.hpp"
+#include "support/all_at_once.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,9 +30,8 @@ struct StrongKick {
 /// |x - sin t| of the oscillator at t = 2.
 template <class Integrator>
 double error(std::size_t steps) {
-    System<double, Line<double>> system(
-        Line<double>({.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0}), 0,
-        2 / static_cast<double>(steps));
+    const Line<double> spring({.count = 2, .first_fixed = true, .mass = 1, .k = 1, .rest_length = 0});
+    System system(test::force_for<Integrator>(spring), 0.0, 2 / static_cast<double>(steps));
     State<double> state{Field<double>(2), Field<double>(2)};
     state.velocity.x()[1] = 1;
     Integrator integrator{ParameterValues()};
