@@ -177,23 +177,29 @@ Json summary_of(std::vector<std::string> words) {
     return Json::parse(run_program(words).out);
 }
 
-TEST(Run, every_never_changes_the_result) {
-    for (const Method& method : methods()) {
-        const std::vector<std::string> words{"--model", "morse", "--method", std::string(method.info.id),
-                                             "--dt",    "0.003", "--steps",  "500"};
-        const Json rare = summary_of(words);
-        for (const char* every : {"1", "7", "500", "10000"}) {
-            std::vector<std::string> often = words;
-            often.insert(often.end(), {"--every", every, "--out", "/dev/null"});
-            const Json frequent = summary_of(often);
-            EXPECT_EQ(frequent.at("hash"), rare.at("hash")) << method.info.id << " every " << every;
-            EXPECT_EQ(frequent.at("evaluations"), rare.at("evaluations")) << method.info.id << " every " << every;
-        }
-        std::vector<std::string> longer = words;
-        longer.back() = "501";
-        EXPECT_NE(summary_of(longer).at("hash"), rare.at("hash"));
+class RunsOf : public testing::TestWithParam<test::MethodCase> {};
+
+// More steps than lie between two checks of the energy.
+TEST_P(RunsOf, each_method_are_the_same_whatever_every_is) {
+    const std::vector<std::string> words{"--model", "morse", "--method", GetParam().id(),
+                                         "--dt",    "0.003", "--steps",  "300"};
+    const Json rare = summary_of(words);
+    for (const char* every : {"1", "7", "300", "10000"}) {
+        std::vector<std::string> often = words;
+        often.insert(often.end(), {"--every", every, "--out", "/dev/null"});
+        const Json frequent = summary_of(often);
+        EXPECT_EQ(frequent.at("hash"), rare.at("hash")) << "every " << every;
+        EXPECT_EQ(frequent.at("evaluations"), rare.at("evaluations")) << "every " << every;
     }
+    std::vector<std::string> longer = words;
+    longer.back() = "301";
+    EXPECT_NE(summary_of(longer).at("hash"), rare.at("hash"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, RunsOf, testing::ValuesIn(test::methods_where([](const test::MethodCase& c) {
+                             return c.precision == Precision::double_;
+                         })),
+                         test::case_name);
 
 TEST(Run, first_and_last_step_are_the_rows_by_default) {
     const auto rows = [](const char* steps) {

@@ -71,18 +71,23 @@ double float_error(const MethodCase& c, bool compensated) {
     return largest;
 }
 
+/// In float; stable on the oscillator.
+bool has_compensated_sums_in_float(const MethodCase& c) {
+    return c.precision == Precision::float_ && c.info->linear_limit != 0 &&
+           ParameterValues(c.info->parameters).contains("compensated");
+}
+
+class CompensatedSumsOf : public testing::TestWithParam<MethodCase> {};
+
 // Plain sums of small steps lose half an ulp each, 2 10^5 times; compensated ones only what the coefficients of the
 // method in float are off by, at most 2e-7 of the path, which is 49.
-TEST(CompensatedSum, brings_float_closer_to_double_in_every_method) {
-    const auto sums_in_float = [](const MethodCase& c) {
-        return c.precision == Precision::float_ && c.info->linear_limit != 0 &&
-               ParameterValues(c.info->parameters).contains("compensated");
-    };
-    for (const MethodCase& c : working_methods_where(sums_in_float)) {
-        const double plain = float_error(c, false), compensated = float_error(c, true);
-        EXPECT_LT(compensated, std::max(plain / 3, 98e-7)) << c;
-    }
+TEST_P(CompensatedSumsOf, each_method_bring_float_closer_to_double) {
+    const double plain = float_error(GetParam(), false), compensated = float_error(GetParam(), true);
+    EXPECT_LT(compensated, std::max(plain / 3, 98e-7));
 }
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, CompensatedSumsOf,
+                         testing::ValuesIn(working_methods_where(has_compensated_sums_in_float)), case_name);
 
 // Float stagnates where a step's way is below half an ulp of the position; compensated, it goes on.
 TEST(CompensatedSum, moves_where_a_plain_sum_stands_still) {
