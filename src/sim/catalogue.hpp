@@ -15,7 +15,8 @@ namespace steplab {
 /// A method: how it describes itself and how its integrator is made.
 struct Method {
     MethodInfo info;
-    /// Its integrator for each of the instruction sets that were compiled, null for the others.
+    /// Its integrator for each of the instruction sets that were compiled, null for the others: all are in a catalogue
+    /// that only describes (off-screen modules).
     std::array<std::unique_ptr<Stepper> (*)(const StepperSetup&), 3> makers;
     /// The same for the runs of an ensemble in SIMD lanes; null for methods that have none.
     std::array<MakeEnsembleStepper, 3> ensemble_makers;

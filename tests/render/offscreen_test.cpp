@@ -121,5 +121,30 @@ TEST(Offscreen, file_that_is_not_a_module_is_reported) {
     EXPECT_THAT(message_of([&] { Offscreen("osmesa", folder.path()); }), HasSubstr(folder.file("osmesa.so")));
 }
 
+/// Limits of scenes with drag are found by stepping, which modules cannot: the view brings the method of its card.
+TEST(Offscreen, card_of_a_diverged_scene_with_drag_is_drawn) {
+    RunDescription description = describe("rope", "euler");
+    description.dt = 0.5;
+    Simulation simulation(description);
+    simulation.advance(10000);
+    PictureRequest request = request_of("rope", true);
+    request.view = view_of(simulation);
+    ASSERT_TRUE(request.view.divergence);
+    ASSERT_GT(description.scene["c"], 0);
+    Offscreen offscreen("auto");
+    const std::vector<std::uint8_t> with_card = offscreen.draw(request).rgba;
+    request.view.divergence.reset();
+    EXPECT_NE(with_card, offscreen.draw(request).rgba);
+}
+
+/// The program's own are not linked a second and a third time: 2 MB a module, not 15.
+TEST(Offscreen, modules_hold_no_integrators) {
+    const std::string build = STEPLAB_BINARY_DIR, integrator = "make_Rk4";
+    EXPECT_THAT(text_of(build + "/bin/steplab"), HasSubstr(integrator));
+    for (const char* module : {"osmesa", "egl"}) {
+        EXPECT_THAT(text_of(build + "/lib/steplab/" + module + ".so"), testing::Not(HasSubstr(integrator))) << module;
+    }
+}
+
 }  // namespace
 }  // namespace steplab

@@ -2,7 +2,6 @@
 
 #include "render/framing.hpp"
 #include "render/render_target.hpp"
-#include "sim/run/run_description.hpp"
 #include "ui/interface.hpp"
 
 #include <imgui.h>
@@ -50,24 +49,6 @@ Picture in_tiles(render::PictureSize size,
     return picture;
 }
 
-/// The same description with the parameters of this module's catalogue: those of the program refer to its own.
-RunDescription of_this_module(const RunDescription& description) {
-    RunDescription own = describe(description.model, description.method);
-    const auto take_over = [](const ParameterValues& from, ParameterValues& to) {
-        for (const ParameterInfo& info : from.infos()) to.set(info.name, from[info.name]);
-    };
-    take_over(description.scene, own.scene);
-    take_over(description.method_parameters, own.method_parameters);
-    own.precision = description.precision;
-    own.dt = description.dt;
-    return own;
-}
-
-RunView of_this_module(RunView view) {
-    view.description = of_this_module(view.description);
-    return view;
-}
-
 Picture paint_scene(render::SceneRenderer& scene, const PictureRequest& request) {
     const Frame& frame = request.view.frame;
     const render::Camera camera = render::camera_of(request.camera, frame, request.size);
@@ -81,11 +62,11 @@ class Panels {
 public:
     Panels(const PictureRequest& request, render::ImguiRenderer& renderer)
         : interface_({request.size.width, request.size.height, static_cast<float>(request.style.pixel_scale)}),
-          view_(of_this_module(request.view)),
+          view_(request.view),
           style_(request.style),
           renderer_(renderer) {
         renderer_.upload_fonts(interface_.fonts());
-        for (const RunView& moment : request.past) interface_.record(of_this_module(moment));
+        for (const RunView& moment : request.past) interface_.record(moment);
         interface_.record(view_);
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();

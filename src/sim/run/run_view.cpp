@@ -1,5 +1,7 @@
 #include "sim/run/run_view.hpp"
 
+#include "sim/run/remedy.hpp"
+
 #include <algorithm>
 
 namespace steplab {
@@ -13,14 +15,24 @@ Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_
     return tracked;
 }
 
+/// Limits of all methods are sought once a divergence, not once a view.
+void observe_divergence(const Simulation& simulation, RunView& view) {
+    const bool known = view.divergence && view.description == simulation.description();
+    view.divergence = simulation.divergence();
+    if (!view.divergence)
+        view.stable_method.reset();
+    else if (!known)
+        view.stable_method = stable_method(simulation.description());
+}
+
 }  // namespace
 
 void observe(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
+    observe_divergence(simulation, view);
     view.description = simulation.description();
     view.diagnostics = simulation.observe(view.frame);
     view.tracked.reset();
     if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
-    view.divergence = simulation.divergence();
     view.limit = simulation.limit();
     view.has_exact = simulation.has_exact();
     view.segment_start = simulation.segment_start();

@@ -33,6 +33,7 @@ struct RunView {
     Diagnostics diagnostics;
     std::optional<Tracked> tracked;
     std::optional<Divergence> divergence;
+    std::optional<std::string> stable_method;  ///< where it diverged: the id of a method stable at this dt, if any
     std::optional<StabilityLimit> limit;
     bool has_exact = false;
     bool playing = false;

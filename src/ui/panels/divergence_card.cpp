@@ -1,7 +1,6 @@
 #include "core/number_text.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/panels/remedy.hpp"
 #include "ui/widgets/cards.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -10,6 +9,11 @@
 
 namespace steplab::ui {
 namespace {
+
+RunDescription with_dt(RunDescription description, double dt) {
+    description.dt = dt;
+    return description;
+}
 
 /// Restarts the run with the remedy: the last valid state already has the energy of the blow-up.
 void apply(const Context& context, const RunDescription& remedy) {
@@ -29,10 +33,11 @@ void draw_buttons(const Context& context, const Divergence& divergence) {
         const std::string text = fmt::format("Use dt = {} s", setting_text(*divergence.remedy_dt));
         if (text_button(context, "remedy.dt", text, true)) apply(context, with_dt(now, *divergence.remedy_dt));
     }
-    if (const auto method = stable_method(now)) {
+    if (const auto& stable = context.view.stable_method) {
         next();
-        const std::string text = fmt::format("Use {}", steplab::method(method->method).info.name);
-        if (text_button(context, "remedy.method", text, !divergence.remedy_dt)) apply(context, *method);
+        const std::string text = fmt::format("Use {}", method(*stable).info.name);
+        if (text_button(context, "remedy.method", text, !divergence.remedy_dt))
+            apply(context, with_method(now, *stable));
     }
     next();
     if (text_button(context, "remedy.restart", "Restart")) context.commands.restart();

@@ -1,6 +1,5 @@
 #include "sim/catalogue.hpp"
 #include "ui/desk.hpp"
-#include "ui/panels/remedy.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,7 +61,9 @@ TEST(Divergence, card_asks_for_frames_until_it_stands) {
 TEST_F(Diverged, smaller_dt_restarts_and_plays) {
     desk.click("remedy.dt");
     EXPECT_THAT(desk.calls(), ElementsAre("change", "restart", "play"));
-    EXPECT_EQ(desk.wanted(), with_dt(desk.view.description, *desk.view.divergence->remedy_dt));
+    RunDescription expected = desk.view.description;
+    expected.dt = desk.view.divergence->remedy_dt.value();
+    EXPECT_EQ(desk.wanted(), expected);
     EXPECT_LT(desk.wanted().dt, 2 / 1.97272261) << "below Euler's limit of 2 / omega_max of ten points";
 }
 
@@ -103,21 +104,6 @@ TEST_F(Diverged, run_cannot_be_played_but_restarted) {
 TEST(divergence, a_good_run_has_no_card) {
     Desk desk;
     EXPECT_FALSE(desk.has("divergence"));
-}
-
-TEST(remedy, no_method_is_offered_where_none_is_stable) {
-    RunDescription description = describe("chain", "euler");
-    description.dt = 1000;
-    EXPECT_FALSE(stable_method(description));
-}
-
-TEST(remedy, the_cheapest_stable_method_is_offered) {
-    RunDescription description = describe("chain", "midpoint");
-    const auto remedy = stable_method(description);
-    ASSERT_TRUE(remedy);
-    const MethodInfo& info = method(remedy->method).info;
-    EXPECT_EQ(info.evaluations, 1);
-    EXPECT_FALSE(info.curiosity);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "ui/panels/remedy.hpp"
+#include "sim/run/remedy.hpp"
 
 #include "sim/catalogue.hpp"
 
-namespace steplab::ui {
+namespace steplab {
 namespace {
 
 // A nonlinear scene stiffens as it moves: a method close to its linear limit is no remedy.
@@ -15,13 +15,8 @@ bool keeps_stable(const RunDescription& description) {
 
 }  // namespace
 
-RunDescription with_dt(RunDescription description, double dt) {
-    description.dt = dt;
-    return description;
-}
-
-std::optional<RunDescription> stable_method(const RunDescription& description) {
-    std::optional<RunDescription> best;
+std::optional<std::string> stable_method(const RunDescription& description) {
+    std::optional<std::string> best;
     double best_cost = infinity;
     for (const Method& entry : methods()) {
         // a remedy keeps the kind of method: explicit, in steps of dt
@@ -30,10 +25,10 @@ std::optional<RunDescription> stable_method(const RunDescription& description) {
         const RunDescription candidate = with_method(description, entry.info.id);
         const double cost = evaluations_per_step(entry.info, candidate.method_parameters);
         if (cost >= best_cost || !keeps_stable(candidate)) continue;
-        best = candidate;
+        best = candidate.method;
         best_cost = cost;
     }
     return best;
 }
 
-}  // namespace steplab::ui
+}  // namespace steplab
