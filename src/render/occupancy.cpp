@@ -1,14 +1,14 @@
 #include "render/occupancy.hpp"
 
+#include "core/clamped.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace steplab::render {
 namespace {
 
-int clamped_cell(double pixel, int cell, int count) {
-    return static_cast<int>(std::clamp(std::floor(pixel / cell), 0.0, static_cast<double>(count - 1)));
-}
+int clamped_cell(double pixel, int cell, int count) { return clamped_floor(pixel / cell, 0, count - 1); }
 
 }  // namespace
 
@@ -18,7 +18,8 @@ Occupancy::Occupancy(PictureSize size)
       cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
 
 void Occupancy::mark(PixelPoint centre, double radius) {
-    if (radius < cell / 2.0) {  // smaller than a cell
+    if (!std::isfinite(centre.x + centre.y) || std::isnan(radius)) return;  // nowhere in the picture
+    if (radius < cell / 2.0) {                                              // smaller than a cell
         if (!(centre.x >= 0 && centre.y >= 0 && centre.x < cell * columns_ && centre.y < cell * rows_)) return;
         const int row = static_cast<int>(centre.y) / cell, column = static_cast<int>(centre.x) / cell;
         const int place = row * columns_ + column;
@@ -47,7 +48,8 @@ double Occupancy::taken(PixelPoint low, PixelPoint high) const {
                             static_cast<std::size_t>(column)];
         }
     }
-    return static_cast<double>(taken) / ((right - left + 1) * (bottom - top + 1));
+    // ends that are not numbers may be in any order
+    return right < left || bottom < top ? 0 : static_cast<double>(taken) / ((right - left + 1) * (bottom - top + 1));
 }
 
 }  // namespace steplab::render
