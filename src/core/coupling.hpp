@@ -14,6 +14,10 @@ struct Coupling {
         all,    ///< each on all others
     };
 
+    /// Scenes of at most this many particles are small enough for the steps of methods to end where a pair crosses a
+    /// cut-off.
+    static constexpr std::size_t most_held = 50;
+
     Kind kind = Kind::none;
     std::size_t particles = 0;
 };

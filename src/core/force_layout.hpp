@@ -2,12 +2,15 @@
 
 #include "core/coupling.hpp"
 #include "core/field.hpp"
+#include "core/pair_range.hpp"
 #include "core/vector.hpp"
 
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace steplab {
 
@@ -30,6 +33,10 @@ struct ForceCapabilities {
     bool history = false;
     /// difference(u, i, j): u_j - u_i to the nearest image, where space is periodic.
     bool periodic = false;
+    /// range(): how the force between two particles changes with their distance (core/pair_range.hpp).
+    bool range = false;
+    /// hold(u, v), held(): the pairs within a cut-off can be held, so that nothing jumps where one crosses it.
+    bool holds = false;
     /// elastic_bound(u): an upper bound of the elastic energy divided by a particle's mass.
     bool bounds_energy = false;
 };
@@ -87,6 +94,17 @@ concept HasDifference = requires(const Force& force, const Field<T>& u) {
 };
 
 template <class Force, class T>
+concept HasRange = requires(const Force& force) {
+    { force.range() } -> std::convertible_to<std::optional<PairRange<T>>>;
+};
+
+template <class Force, class T>
+concept HasHold = requires(Force& force, const Force& same, const Field<T>& u) {
+    { force.hold(u, u) } -> std::same_as<bool>;
+    { same.held() } -> std::convertible_to<const std::vector<bool>&>;
+};
+
+template <class Force, class T>
 concept HasElasticBound = requires(const Force& force, const Field<T>& u) {
     { force.elastic_bound(u) } -> std::same_as<T>;
 };
@@ -133,6 +151,8 @@ concept ForceLayout = ForceEngine<Force, T> && requires(Force& force, const Forc
     detail::HasAlongX<Force, T>&& Force::capabilities.hands_out ==
     detail::HasEachAcceleration<Force, T>&& Force::capabilities.history ==
     detail::HasHistory<Force, T>&& Force::capabilities.periodic ==
-    detail::HasDifference<Force, T>&& Force::capabilities.bounds_energy == detail::HasElasticBound<Force, T>;
+    detail::HasDifference<Force, T>&& Force::capabilities.range ==
+    detail::HasRange<Force, T>&& Force::capabilities.holds ==
+    detail::HasHold<Force, T>&& Force::capabilities.bounds_energy == detail::HasElasticBound<Force, T>;
 
 }  // namespace steplab

@@ -1,4 +1,4 @@
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 
 #include <atomic>
 #include <csignal>
@@ -11,6 +11,8 @@ namespace {
 // A signal handler may use only such a variable; threads poll it.
 std::atomic<int> caught_signal = 0;
 static_assert(std::atomic<int>::is_always_lock_free);
+
+thread_local const std::atomic<bool>* asked_on_this_thread = nullptr;
 
 void remember(int signal) { caught_signal = signal; }
 
@@ -33,6 +35,10 @@ void catch_interruptions() {
 
 void check_interruption() {
     if (const int signal = caught_signal) throw Interrupted(signal);
+    if (asked_on_this_thread && *asked_on_this_thread) throw Interrupted(SIGTERM);
 }
+
+InterruptibleBy::InterruptibleBy(const std::atomic<bool>& asked) { asked_on_this_thread = &asked; }
+InterruptibleBy::~InterruptibleBy() { asked_on_this_thread = nullptr; }
 
 }  // namespace steplab

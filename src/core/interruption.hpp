@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <exception>
 
 namespace steplab {
@@ -19,7 +20,17 @@ private:
 
 /// From now on these signals are recorded instead of ending the program at once; system calls that wait return.
 void catch_interruptions();
-/// Throws Interrupted once such a signal has arrived. Long computations call this every few milliseconds.
+/// Throws Interrupted once such a signal has arrived. Long computations call this every few milliseconds, methods
+/// before each step of their own.
 void check_interruption();
+
+/// While it lives, check_interruption() on this thread throws also once `asked` is true.
+class InterruptibleBy {
+public:
+    explicit InterruptibleBy(const std::atomic<bool>& asked);
+    ~InterruptibleBy();
+    InterruptibleBy(const InterruptibleBy&) = delete;
+    InterruptibleBy& operator=(const InterruptibleBy&) = delete;
+};
 
 }  // namespace steplab

@@ -1,7 +1,7 @@
 #include "io/output_file.hpp"
 
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 
 #include <climits>
 #include <fmt/format.h>

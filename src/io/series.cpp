@@ -4,18 +4,17 @@
 
 namespace steplab {
 
-SeriesWriter::SeriesWriter(OutputFile& file, bool with_error, bool with_run)
-    : file_(file), with_error_(with_error), with_run_(with_run) {
-    if (with_run) file_.write("run,");
+SeriesWriter::SeriesWriter(OutputFile& file, const Columns& columns) : file_(file), columns_(columns) {
+    if (columns_.run) file_.write("run,");
     file_.write(
         "step,time,kinetic,potential,energy,energy_error,px,py,pz,lx,ly,lz,"
         "max_displacement,max_speed");
-    file_.write(with_error_ ? ",error\n" : "\n");
+    file_.write(columns_.error ? ",error\n" : "\n");
 }
 
 void SeriesWriter::add(std::uint64_t step, double time, const Diagnostics& d, std::size_t run) {
     std::string line;
-    if (with_run_) {
+    if (columns_.run) {
         append_number(line, run);
         line += ',';
     }
@@ -24,14 +23,18 @@ void SeriesWriter::add(std::uint64_t step, double time, const Diagnostics& d, st
         line += ',';
         append_number(line, value);
     };
-    for (const double value : {time, d.kinetic, d.potential, d.energy, d.energy_error}) append(value);
+    for (const double value : {time, d.kinetic, d.potential, d.energy}) append(value);
+    if (columns_.energy_error)
+        append(d.energy_error);
+    else
+        line += ',';
     for (const Vec3& v : {d.momentum, d.angular_momentum}) {
         for (const double value : {v.x, v.y, v.z}) append(value);
     }
     append(d.max_displacement);
     append(d.max_speed);
-    if (with_error_ && d.error) append(*d.error);
-    if (with_error_ && !d.error) line += ',';  // no longer known: an empty cell
+    if (columns_.error && d.error) append(*d.error);
+    if (columns_.error && !d.error) line += ',';  // no longer known: an empty cell
     line += '\n';
     file_.write(line);
 }

@@ -13,14 +13,19 @@ namespace steplab {
 /// solution is known, error.
 class SeriesWriter {
 public:
-    /// `file` must outlive the writer. `with_run`: every line begins with the number of the run.
-    SeriesWriter(OutputFile& file, bool with_error, bool with_run = false);
+    struct Columns {
+        bool error = false;        ///< against the exact solution
+        bool energy_error = true;  ///< else its cells are empty: with drag, E - E0 is no error
+        bool run = false;          ///< every line begins with the number of the run
+    };
+
+    /// `file` must outlive the writer.
+    SeriesWriter(OutputFile& file, const Columns& columns);
     void add(std::uint64_t step, double time, const Diagnostics& diagnostics, std::size_t run = 0);
 
 private:
     OutputFile& file_;
-    bool with_error_;
-    bool with_run_;
+    Columns columns_;
 };
 
 }  // namespace steplab

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace steplab {
 
@@ -27,6 +29,24 @@ nlohmann::ordered_json collisions_json(const CollisionRecord& collisions) {
     return {{"count", collisions.count()}, {"first", kept}};
 }
 
+/// Every parameter of model and method by its name: with the rest of a summary enough to repeat the run.
+nlohmann::ordered_json parameters_json(const RunDescription& run) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const ParameterValues* values : {&run.scene, &run.method_parameters}) {
+        for (const ParameterInfo& info : values->infos()) {
+            const double value = (*values)[info.name];
+            const std::string name(info.name);
+            if (info.kind == ParameterInfo::Kind::real)
+                json[name] = value;
+            else if (info.kind == ParameterInfo::Kind::integer)
+                json[name] = static_cast<std::int64_t>(value);
+            else
+                json[name] = format_value(info, value);
+        }
+    }
+    return json;
+}
+
 /// The fields that may differ between the runs of an ensemble, which have no wall time of their own.
 void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool timed) {
     const RunResult& result = summary.result;
@@ -37,11 +57,18 @@ void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool ti
     json["evaluations"] = result.evaluations;
     json["energy_start"] = result.energy_start;
     json["energy_end"] = result.energy_end;
+    // what drag takes is no error
     json["energy_error"] = result.energy_error;
+    if (has_drag(summary.run)) json["energy_change"] = std::exchange(json["energy_error"], nullptr);
+    if (summary.error) json["error"] = *summary.error;
+    if (timed) json["notes"] = summary.notes;
     if (timed) json["wall_seconds"] = summary.wall_seconds;
     json["hash"] = result.hash;
-    json["status"] = result.divergence ? "diverged" : "ok";
-    if (result.divergence) json["diverged_step"] = *result.diverged_step();
+    json["status"] = result.status();
+    if (result.divergence) {
+        json[result.status() + "_step"] = *result.diverged_step();
+        json["reason"] = result.divergence->message;
+    }
     if (result.collisions.count() > 0) json["collisions"] = collisions_json(result.collisions);
 }
 
@@ -60,8 +87,11 @@ std::string collisions_text(const CollisionRecord& collisions) {
 }  // namespace
 
 std::string summary_json(const RunSummary& summary) {
-    nlohmann::ordered_json json{
-        {"model", summary.run.model}, {"method", summary.run.method}, {"precision", id(summary.run.precision)}};
+    nlohmann::ordered_json json{{"version", STEPLAB_VERSION},
+                                {"model", summary.run.model},
+                                {"method", summary.run.method},
+                                {"precision", id(summary.run.precision)},
+                                {"parameters", parameters_json(summary.run)}};
     add_result(json, summary, true);
     return json.dump(2) + "\n";
 }
@@ -82,10 +112,11 @@ std::string summary_text(const RunSummary& summary) {
                                short_number(result.energy_end)));
     line(has_drag(run) ? "energy change" : "energy error",
          fmt::format("{} J at most, over the written steps (--every)", short_number(result.energy_error)));
+    if (summary.error) line("error", short_number(*summary.error) + " m at the end, against the exact solution");
     if (result.collisions.count() > 0) line("collisions", collisions_text(result.collisions));
     line("wall time", duration_text(summary.wall_seconds));
     line("hash", result.hash);
-    line("status", result.divergence ? fmt::format("diverged in step {}", *result.diverged_step()) : "ok");
+    line("status", result.divergence ? fmt::format("{} in step {}", result.status(), *result.diverged_step()) : "ok");
     return text;
 }
 
@@ -105,9 +136,11 @@ std::string summary_json(const EnsembleSummary& summary) {
         add_result(run, summary.runs[i].summary, false);
         runs.push_back(std::move(run));
     }
-    const nlohmann::ordered_json json{{"model", first.model},
+    const nlohmann::ordered_json json{{"version", STEPLAB_VERSION},
+                                      {"model", first.model},
                                       {"method", first.method},
                                       {"precision", id(first.precision)},
+                                      {"parameters", parameters_json(first)},
                                       {"ensemble", summary.runs.size()},
                                       {"spread", ranges},
                                       {"diverged", summary.diverged()},

@@ -4,6 +4,7 @@
 #include "sim/run/run_result.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ struct RunSummary {
     RunDescription run;
     RunResult result;  ///< energy_error over the written steps
     double wall_seconds = 0;
+    std::optional<double> error = {};  ///< largest distance of a particle from the exact solution, where one is known
+    std::vector<std::string> notes = {};  ///< of rounding (sim/run/notes.hpp)
 };
 
 /// One JSON object; numbers that are not finite are null. Collisions are in it if there were any: their number, and the

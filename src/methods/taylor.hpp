@@ -3,11 +3,13 @@
 #include "core/coupling.hpp"
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/interruption.hpp"
 #include "core/power.hpp"
 #include "methods/engines/accelerate.hpp"
 #include "methods/engines/adaptive.hpp"
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/encounters.hpp"
 #include "methods/engines/integrator.hpp"
 #include "methods/engines/series_forces.hpp"
 #include "methods/engines/series_motion.hpp"
@@ -34,7 +36,7 @@ struct Taylor {
 
     static double bytes_of_interactions(const Coupling&, double pairs) { return 1500 * pairs; }  // their series
     static std::optional<std::string> refusal(const Coupling& coupling) {
-        constexpr std::size_t most_near = 50, most_pairs = 2000;
+        constexpr std::size_t most_near = Coupling::most_held, most_pairs = 2000;
         const std::string not_for = " particles, not for " + std::to_string(coupling.particles);
         if (coupling.kind == Coupling::Kind::near && coupling.particles > most_near)
             return "a power series ends whenever a pair crosses the cut-off, which is practical for up to " +
@@ -75,11 +77,12 @@ class Taylor::Integrator {
     using Time = std::conditional_t<std::is_same_v<T, float>, double, T>;
 
 public:
-    static constexpr IntegratorCapabilities capabilities{.progress = true, .collisions = true};
+    static constexpr IntegratorCapabilities capabilities{.progress = true, .stops = true, .collisions = true};
 
     explicit Integrator(const ParameterValues& values)
-        : log_tolerance_(logarithm(std::clamp(values[tolerance_parameter.name],
-                                              2 * static_cast<double>(std::numeric_limits<T>::epsilon()), 0.1))),
+        : tolerance_(std::clamp(values[tolerance_parameter.name],
+                                2 * static_cast<double>(std::numeric_limits<T>::epsilon()), 0.1)),
+          log_tolerance_(logarithm(tolerance_)),
           last_(highest_order(log_tolerance_)),
           guard_(static_cast<T>(values[tolerance_parameter.name])) {}
 
@@ -90,6 +93,8 @@ public:
         a_ = end_ = Field<T>(state.displacement.count());
         x_[0] = state.displacement;
         v_ = state.velocity;
+        // passes through each other cost ten times the tolerance
+        log_tolerance_ = logarithm(tolerance_in(system, tolerance_) / (system.range() ? 8 : 1));
         forces_ = series_forces(system.force(), state, last_ - 1);
         progress_ = {};
         progress_.unit = power_of_two_below(system.dt());
@@ -102,12 +107,13 @@ public:
         ++progress_.frames;
         const Time target = frame_time(system);
         while (target - progress_.begin - progress_.begin_lost > static_cast<Time>(progress_.length)) {
+            check_interruption();
             advance(system);
             expand(system);
-            lengthen(static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon())));
             // below this time nothing moves by more than rounding: shorter steps are neither needed nor possible
             lengthen(
                 time_of_rounding(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_->axes()));
+            if (is_stuck(target)) return stop(system, target);
         }
     }
 
@@ -139,6 +145,8 @@ public:
         T length = T(0);                 ///< duration of the series
         T across = T(0);                 ///< time from its beginning to a collision within it, else 0
         T unit = T(1);
+        std::optional<OwnStop> stop;
+        int stuck = 0;  ///< series in a row that ended at once
         typename CollisionGuard<T>::State guard{};
     };
     Progress progress() const { return guard_.saved_in(progress_); }
@@ -148,6 +156,7 @@ public:
     }
 
     const CollisionRecord& collisions() const { return guard_.record(); }
+    std::optional<OwnStop> stopped() const { return progress_.stop; }
 
 private:
     using N = Lanes<T>;
@@ -159,6 +168,22 @@ private:
         return static_cast<std::size_t>(std::ceil(14 - log_tolerance / 4));
     }
     static constexpr double order_per_digit = 0.6;
+
+    /// A series may end at once, where two pairs cross a cut-off together, but not one after the other.
+    bool is_stuck(Time target) {
+        const T least = static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon()));
+        progress_.stuck = progress_.length > least ? 0 : progress_.stuck + 1;
+        lengthen(least);
+        return progress_.stuck > most_stuck;
+    }
+    static constexpr int most_stuck = 100;
+
+    template <class System>
+    void stop(const System& system, Time target) {
+        progress_.stop = own_stop(system, x_[0], static_cast<double>(progress_.begin), progress_.length);
+        progress_.begin = target;
+        std::fill(v_.flat().begin(), v_.flat().end(), std::numeric_limits<T>::quiet_NaN());
+    }
 
     void lengthen(T least) {
         if (!(progress_.length > least)) set_length(least);
@@ -202,6 +227,7 @@ private:
     /// The series of the motion from x_[0] and v_, in a unit of time that suits its duration.
     template <class System>
     void expand(System& system) {
+        system.hold(x_[0], v_);
         for (int attempt = 0; attempt < 40; ++attempt) {
             compute_series(system);
             const T share = reach();
@@ -212,7 +238,10 @@ private:
             if (fits || forces_->singular()) break;
             progress_.unit = power_of_two_below(progress_.length);
         }
-        if (system.force().coupling().kind == Coupling::Kind::near) end_at_jump(system);
+        progress_.length = longest_step(system, x_[0], v_, progress_.length, static_cast<T>(tolerance_));
+        if (!system.held().empty())
+            progress_.length = length_until_crossing(system, v_.count(), progress_.length,
+                                                     [this](T t, Motion<T>& then) { motion_at(t, then); });
         if (!forces_->singular()) end_at_collision(system);
     }
 
@@ -274,39 +303,25 @@ private:
     void behind_collision(const System& system, T since, State<T>& out) const {
         Field<T> a(v_.count());
         Motion<T> behind(v_.count());
+        system.hold(x_[0], v_);
         Uncounted<System> uncounted(system);
         const MotionOf<T> before = now(a);
         go_across(uncounted, before, progress_.across, behind);
         within_crossing(before, behind, progress_.across, since, out);
     }
 
-    /// Where a pair crosses the cut-off the force has a kink: the series ends just behind the first such time, found in
-    /// eighths of its duration and then by bisection.
-    template <class System>
-    void end_at_jump(System& system) {
-        const std::uint64_t now = pairs_at(system, T(0));
-        T before = T(0), behind = progress_.length;
-        for (int eighth = 1; eighth <= 8; ++eighth, before = behind) {
-            behind = progress_.length * (number(static_cast<std::size_t>(eighth)) / T(8));
-            if (pairs_at(system, behind) == now) continue;
-            while (behind - before > progress_.length * std::numeric_limits<T>::epsilon()) {
-                const T middle = before + (behind - before) / T(2);
-                (pairs_at(system, middle) == now ? before : behind) = middle;
-            }
-            progress_.length = behind;
-            return;
-        }
-    }
-
-    /// A hash of the set of pairs that interact at time t of the series.
-    template <class System>
-    std::uint64_t pairs_at(System& system, T t) {
-        displacements_at(t, end_);
-        std::uint64_t digest = 0;
-        system.force().each_interaction(end_, [&](std::size_t i, std::size_t j, std::size_t) {
-            digest = (digest ^ (std::uint64_t(i) << 32 | j)) * 0x9E3779B97F4A7C15;
+    /// Positions, velocities and accelerations at time t of the series.
+    void motion_at(T t, Motion<T>& then) const {
+        T *const x = then.x.flat().data(), *const v = then.v.flat().data();
+        const T *const x0 = x_[0].flat().data(), *const v0 = v_.flat().data();
+        then.x = x_[0];
+        then.v = v_;
+        each_change(t, [=](std::size_t p, N change_of_x, N change_of_v) {
+            (N::load(x0 + p) + change_of_x).store(x + p);
+            (N::load(v0 + p) + change_of_v).store(v + p);
         });
-        return digest;
+        each_series_bend(std::span<const Field<T>>(x_), progress_.unit, t, forces_->axes(),
+                         [a = then.a.flat().data()](std::size_t p, N bend) { bend.store(a + p); });
     }
 
     T reach() const {
@@ -333,7 +348,8 @@ private:
         system.count_evaluations(last_ - 1);
     }
 
-    double log_tolerance_;
+    double tolerance_;
+    double log_tolerance_;     ///< in this scene
     std::size_t last_;         ///< order of the last coefficient, K
     std::vector<Field<T>> x_;  ///< coefficients of the displacements
     Field<T> v_;               ///< velocities at the beginning of the series

@@ -1,9 +1,11 @@
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <thread>
 
 namespace steplab::test {
 namespace {
@@ -22,6 +24,18 @@ protected:
         std::_Exit(0);
     }
 };
+
+TEST(InterruptibleBy, throws_once_asked_on_this_thread_while_it_lives) {
+    std::atomic<bool> asked = false;
+    {
+        const InterruptibleBy interruptible(asked);
+        EXPECT_NO_THROW(check_interruption());
+        asked = true;
+        EXPECT_THROW(check_interruption(), Interrupted);
+        std::thread([] { EXPECT_NO_THROW(check_interruption()); }).join();
+    }
+    EXPECT_NO_THROW(check_interruption());
+}
 
 TEST_P(InterruptionDeathTest, is_thrown_the_first_time_and_ends_the_program_the_second) {
     EXPECT_EXIT(interrupt(0), testing::ExitedWithCode(0), "");

@@ -88,7 +88,7 @@ TEST(Trajectory, format_follows_the_extension) {
 TEST(Series, line_has_a_field_for_each_name) {
     const TemporaryFolder folder;
     OutputFile file(folder.file("a"));
-    SeriesWriter series(file, true);
+    SeriesWriter series(file, {.error = true});
     Diagnostics d;
     d.kinetic = 1;
     d.potential = 2;

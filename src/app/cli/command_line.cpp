@@ -2,8 +2,8 @@
 
 #include "app/cli/text_table.hpp"
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "core/text.hpp"
-#include "io/interruption.hpp"
 #include "io/output_file.hpp"
 
 #include <CLI/CLI.hpp>

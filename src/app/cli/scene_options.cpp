@@ -147,6 +147,10 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
     return steps_until(until, description.dt);
 }
 
+std::optional<double> TimeOptions::until() const {
+    return until_.empty() ? std::nullopt : std::optional(parse_value(until_info, until_));
+}
+
 double TimeOptions::duration(const RunDescription& description) const {
     const double time =
         until_.empty() ? static_cast<double>(steps(description)) * description.dt : parse_value(until_info, until_);

@@ -63,6 +63,8 @@ public:
     std::uint64_t steps(const RunDescription& description) const;
     /// The end time: --until, or the steps times dt. Throws UsageError unless it is > 0.
     double duration(const RunDescription& description) const;
+    /// The end time asked for, if one was.
+    std::optional<double> until() const;
 
 private:
     std::uint64_t default_steps_;

@@ -4,7 +4,7 @@
 #include "app/cli/progress.hpp"
 #include "app/commands/bench_text.hpp"
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "io/output_file.hpp"
 #include "io/trajectory.hpp"
 #include "io/trajectory_reader.hpp"

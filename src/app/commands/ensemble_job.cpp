@@ -4,7 +4,7 @@
 #include "app/commands/ensemble_rows.hpp"
 #include "app/commands/recorded_run.hpp"
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "io/summary.hpp"
 
 #include <fmt/format.h>

@@ -37,7 +37,11 @@ EnsembleRows::EnsembleRows(const OutputOptions& options, std::span<const Ensembl
     }
     if (!options.series.empty()) {
         series_file_.emplace(options.series);
-        series_.emplace(*series_file_, std::any_of(runs.begin(), runs.end(), has_exact), true);
+        const auto drags = [](const EnsembleRun& run) { return has_drag(run.description); };
+        series_.emplace(*series_file_,
+                        SeriesWriter::Columns{.error = std::any_of(runs.begin(), runs.end(), has_exact),
+                                              .energy_error = std::none_of(runs.begin(), runs.end(), drags),
+                                              .run = true});
     }
 }
 

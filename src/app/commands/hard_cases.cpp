@@ -3,7 +3,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/commands/hard_cases_text.hpp"
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 
 #include <string>
 #include <vector>

@@ -6,7 +6,7 @@
 #include "app/cli/scene_options.hpp"
 #include "app/commands/limits_text.hpp"
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "lab/limits/all_limits.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 #include "app/commands/recorded_run.hpp"
 
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "sim/run/confirmed_steps.hpp"
+#include "sim/run/notes.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +15,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+double farthest_displacement(const State<double>& state) {
+    double largest2 = 0;
+    for (std::size_t i = 0; i < state.displacement.count(); ++i)
+        largest2 = std::max(largest2, dot(state.displacement.at(i), state.displacement.at(i)));
+    return std::sqrt(largest2);
+}
+
+/// A run that diverged has a reason instead.
+std::vector<std::string> notes_of(const Simulation& simulation) {
+    if (simulation.divergence()) return {};
+    return notes_of_rounding(simulation.description(), simulation.limit(), farthest_displacement(simulation.state()));
+}
 
 }  // namespace
 
@@ -37,7 +51,9 @@ RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t
     const double wall_seconds = seconds_since(begin);
     return {.run = simulation.description(),
             .result = result_of(simulation, energy_start, energy_error),
-            .wall_seconds = wall_seconds};
+            .wall_seconds = wall_seconds,
+            .error = simulation.diagnostics().error,
+            .notes = notes_of(simulation)};
 }
 
 }  // namespace steplab

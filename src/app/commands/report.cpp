@@ -5,8 +5,8 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "core/text.hpp"
-#include "io/interruption.hpp"
 #include "lab/report/report.hpp"
 #include "sim/catalogue.hpp"
 

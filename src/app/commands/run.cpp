@@ -9,7 +9,8 @@
 #include "app/commands/recorded_run.hpp"
 #include "app/commands/run_outputs.hpp"
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
+#include "core/number_text.hpp"
 
 #include <fmt/format.h>
 
@@ -57,6 +58,7 @@ public:
                                                   [&outputs](const Simulation& now) { outputs.record(now); });
             outputs.commit(summary);
             output_.print_summary(summary_text(summary));
+            print_notes(summary);
         } catch (const Interrupted&) {
             print_interruption(fmt::format("interrupted after step {}", simulation.step()), outputs.keep_partial());
             throw;
@@ -66,6 +68,16 @@ public:
     }
 
 private:
+    /// What would be missed in the rows, on standard error.
+    void print_notes(const RunSummary& summary) const {
+        const RunResult& result = summary.result;
+        for (const std::string& note : summary.notes) fmt::print(stderr, "steplab run: note: {}\n", note);
+        const auto until = time_.until();
+        if (until && !result.divergence && result.time - *until > 1e-6 * result.dt)
+            fmt::print(stderr, "steplab run: note: {} steps of dt = {} s end at t = {} s, not at {} s\n", result.steps,
+                       typed(result.dt, 6), typed(result.time, 6), typed(*until, 6));
+    }
+
     int run_ensemble(const RunDescription& description) const {
         const std::vector<ParameterRange> ranges = ensemble_.ranges(description);
         EnsembleJob job{.ranges = ranges,

@@ -7,8 +7,8 @@
 #include "app/commands/snapshot_ensemble.hpp"
 #include "app/commands/snapshot_options.hpp"
 #include "app/png.hpp"
+#include "core/interruption.hpp"
 #include "core/number_text.hpp"
-#include "io/interruption.hpp"
 #include "io/output_file.hpp"
 #include "sim/run/confirmed_steps.hpp"
 

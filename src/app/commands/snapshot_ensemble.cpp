@@ -1,6 +1,6 @@
 #include "app/commands/snapshot_ensemble.hpp"
 
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "lab/hard_cases/hard_case.hpp"
 
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 
 #include <fmt/format.h>
 

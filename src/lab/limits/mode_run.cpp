@@ -1,7 +1,7 @@
 #include "lab/limits/mode_run.hpp"
 
 #include "core/flush_subnormals.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "models/forces/layouts.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/ensemble/lane_compatible.hpp"

@@ -2,8 +2,8 @@
 
 #include "core/entry.hpp"
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "core/text.hpp"
-#include "io/interruption.hpp"
 #include "io/temporary_folder.hpp"
 #include "lab/report/curve_labels.hpp"
 #include "lab/report/svg.hpp"

@@ -1,8 +1,8 @@
 #include "lab/study/advice.hpp"
 
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "core/number_text.hpp"
-#include "io/interruption.hpp"
 #include "lab/study/answers.hpp"
 #include "lab/study/gain_watch.hpp"
 #include "lab/study/lyapunov.hpp"

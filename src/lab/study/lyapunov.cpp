@@ -1,6 +1,6 @@
 #include "lab/study/lyapunov.hpp"
 
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "lab/limits/linearised.hpp"
 #include "methods/engines/extrapolation.hpp"
 #include "methods/engines/system.hpp"

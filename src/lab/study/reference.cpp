@@ -1,6 +1,6 @@
 #include "lab/study/reference.hpp"
 
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "lab/limits/linearised.hpp"
 #include "methods/engines/extrapolation.hpp"
 #include "methods/engines/system.hpp"

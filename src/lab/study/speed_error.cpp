@@ -1,7 +1,7 @@
 #include "lab/study/speed_error.hpp"
 
 #include "core/error.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "lab/limits/linearised.hpp"
 #include "lab/study/gain_watch.hpp"
 #include "lab/study/parallel.hpp"

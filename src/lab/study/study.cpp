@@ -1,6 +1,6 @@
 #include "lab/study/study.hpp"
 
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "lab/report/commit.hpp"
 #include "lab/study/parallel.hpp"
 #include "sim/catalogue.hpp"

@@ -3,11 +3,14 @@
 #include "core/elementwise.hpp"
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "core/interruption.hpp"
 #include "core/lanes.hpp"
+#include "core/number.hpp"
 #include "methods/engines/accelerate.hpp"
 #include "methods/engines/adaptive.hpp"
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/encounters.hpp"
 #include "methods/engines/integrator.hpp"
 #include "methods/engines/step_control.hpp"
 
@@ -16,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -67,7 +71,7 @@ private:
 template <class T, class Rule>
 class AdaptiveSteps {
 public:
-    static constexpr IntegratorCapabilities capabilities{.progress = true, .collisions = true};
+    static constexpr IntegratorCapabilities capabilities{.progress = true, .stops = true, .collisions = true};
 
     explicit AdaptiveSteps(const ParameterValues& values)
         : tolerance_(std::max(static_cast<T>(values[tolerance_parameter.name]),
@@ -86,6 +90,8 @@ public:
         accelerate(system, next_.x, next_.v, next_.a);
         progress_ = {};
         guard_.state({});
+        system.hold(next_.x, next_.v);
+        tolerance_here_ = tolerance_in(system, tolerance_);
         control_.length(first_length(system));
     }
 
@@ -105,6 +111,7 @@ public:
         } else if (progress_.across > T(0)) {
             within_crossing(from_, next_, progress_.across, progress_.length - before_end, out);
         } else {
+            system.hold(from_.x, from_.v);
             Uncounted<System> uncounted(system);
             rule_.between(uncounted, from_, next_, progress_.length, (progress_.length - before_end) / progress_.length,
                           out);
@@ -119,6 +126,7 @@ public:
     }
 
     const CollisionRecord& collisions() const { return guard_.record(); }
+    std::optional<OwnStop> stopped() const { return progress_.stop; }
 
 private:
     /// Times have the digits of double at least.
@@ -131,6 +139,9 @@ public:
         Time time = 0, lost = 0;  ///< of the end of the last step, and what rounding has cut off it
         T length = T(0);          ///< of the last step
         T across = T(0);          ///< if it went across a collision: the time from its beginning to there
+        std::optional<OwnStop> stop;
+        std::uint32_t crawled = 0;  ///< steps in a row
+        bool crossed = false;       ///< at its end other pairs act (encounters.hpp)
         typename StepControl<T>::State control{};
         typename CollisionGuard<T>::State guard{};
     };
@@ -156,36 +167,77 @@ private:
     /// One step of the method from next_, which becomes from_.
     template <class System>
     void inner_step(System& system, Time target) {
+        check_interruption();
         std::swap(from_, next_);
-        const T shortest = static_cast<T>(target) * std::numeric_limits<T>::epsilon();
+        system.hold(from_.x, from_.v);
+        if (progress_.crossed) accelerate(system, from_.x, from_.v, from_.a);
+        // behind a crossing the force is another one, of which no step has told anything yet
+        const T caution = progress_.crossed ? T(8) : T(1);
+        const T longest = longest_step(system, from_.x, from_.v, caution * control_.length(), tolerance_) / caution;
+        if (longest < control_.length()) {
+            control_.length(longest);
+            if (!(longest > shortest_step(target))) return stop(system, longest, target);
+        }
         const T wanted = guard_.behind(control_.length());
         T h = guard_.before(system, from_, wanted, static_cast<double>(progress_.time));
         while (!guard_.at_hand()) {
-            const double error = rule_.attempt(system, from_, h, next_, tolerance_);
+            const double error = rule_.attempt(system, from_, h, next_, tolerance_here_);
             if (std::isfinite(error) && guard_.passes(system, from_, next_.x, h)) continue;
-            if (error <= 1 || !(h > shortest)) return take(system, h, error, target);
+            if (error <= 1) {
+                rule_.finish(system, h, next_);
+                if (crossing(system, motion(from_), motion(next_), h) != Crosses::no) continue;
+                return crawls_on(h, target) ? stop(system, h, target) : take(system, h, error);
+            }
+            if (!(h > shortest_step(target))) return stop(system, h, target);
             control_.rejected(error, h);
             h = control_.length();
         }
         cross_collision(system);
     }
 
-    /// A step that cannot be made shorter is taken as it is; a motion that is lost does not come back.
+    T shortest_step(Time target) const { return static_cast<T>(target * std::numeric_limits<Time>::epsilon()); }
+
+    /// Steps in which nothing moves by more than some roundings of its position go up the stairs of rounding: a force
+    /// may be so steep that it takes them, but not for ever.
+    bool crawls_on(T h, Time target) {
+        const auto largest = [](const Field<T>& field) {
+            T most = T(0);
+            for (const T number : field.flat()) most = std::max(most, std::abs(number));
+            return most;
+        };
+        constexpr T rounding = T(64) * std::numeric_limits<T>::epsilon();
+        const bool may_crawl = h < square_root(rounding) * static_cast<T>(target);
+        const bool crawls = may_crawl && h * largest(from_.v) < rounding * (T(1) + largest(from_.x));
+        progress_.crawled = crawls ? progress_.crawled + 1 : 0;
+        return progress_.crawled > most_crawled;
+    }
+    static constexpr std::uint32_t most_crawled = 200000;
+
+    /// No step is short enough, or the motion is lost.
     template <class System>
-    void take(System& system, T h, double error, Time target) {
-        rule_.finish(system, h, next_);
+    void stop(const System& system, T h, Time target) {
+        progress_.stop = own_stop(system, from_.x, static_cast<double>(progress_.time), h);
+        std::fill(next_.x.flat().begin(), next_.x.flat().end(), std::numeric_limits<T>::quiet_NaN());
+        progress_.time = target;
+    }
+
+    template <class System>
+    void take(System& system, T h, double error) {
+        progress_.crossed = system.hold(next_.x, next_.v);
         if (!(h < control_.length())) control_.accepted(error);  // a step cut short says nothing about longer ones
         progress_.length = h;
         progress_.across = T(0);
         add_compensated(progress_.time, progress_.lost, static_cast<Time>(h));
-        if (!std::isfinite(error)) progress_.time = target;
     }
+
+    static MotionOf<T> motion(const Moment<T>& moment) { return {moment.x, moment.v, moment.a}; }
 
     template <class System>
     void cross_collision(System& system) {
         control_.length(guard_.scale());
         progress_.across = guard_.cross(system, from_, next_, static_cast<double>(progress_.time));
         progress_.length = T(2) * progress_.across;
+        progress_.crossed = system.hold(next_.x, next_.v);
         std::swap(next_.lost, from_.lost);
         add_compensated(progress_.time, progress_.lost, static_cast<Time>(progress_.length));
         rule_.forget();
@@ -238,6 +290,7 @@ private:
     }
 
     T tolerance_;
+    T tolerance_here_ = tolerance_;  ///< in this scene
     StepControl<T> control_;
     CollisionGuard<T> guard_;
     mutable Rule rule_{0};   ///< scratch

@@ -15,8 +15,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace steplab {
 
@@ -29,6 +31,7 @@ public:
         virtual ~Face() = default;
         virtual std::unique_ptr<Face> copy() const = 0;
         virtual void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a) = 0;
+        virtual void hold(const std::vector<bool>& acting) = 0;
         virtual void accelerations_along_x(const Field<Stages<T>>& x, Field<Stages<T>>& a) = 0;
     };
 
@@ -37,6 +40,8 @@ public:
     explicit ErasedStageForce(std::unique_ptr<Face> face) : face_(std::move(face)) {}
 
     void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a) { face_->accelerations(x, a); }
+    /// Holds the pairs that another engine of the same forces holds; none if it holds none.
+    void hold(const std::vector<bool>& acting) { face_->hold(acting); }
     void accelerations_along_x(const Field<Stages<T>>& x, Field<Stages<T>>& a) { face_->accelerations_along_x(x, a); }
 
 private:
@@ -73,6 +78,11 @@ public:
         virtual void each_block(const Field<T>& x, const BlockVisitor& f) = 0;
         virtual std::unique_ptr<SeriesForces<T>> series(const State<T>& state, std::size_t length) = 0;
 
+        /// None where the layout has none.
+        virtual std::optional<PairRange<T>> range() const = 0;
+        virtual bool hold(const Field<T>& x, const Field<T>& v) = 0;
+        virtual const std::vector<bool>& held() const = 0;
+
         virtual std::size_t moving_axes(const State<T>& state) const = 0;
         virtual std::size_t axes_of_steps(const State<T>& state) const = 0;
 
@@ -81,7 +91,8 @@ public:
         virtual void history(const Field<T>& made_at) = 0;
     };
 
-    static constexpr ForceCapabilities capabilities{.along_x = true, .hands_out = true, .history = true};
+    static constexpr ForceCapabilities capabilities{
+        .along_x = true, .hands_out = true, .history = true, .range = true, .holds = true};
 
     explicit ErasedForce(std::unique_ptr<Face> face) : face_(std::move(face)) {}
 
@@ -107,6 +118,11 @@ public:
     void each_interaction(const Field<T>& x, F f) {
         face_->each_interaction(x, std::ref(f));
     }
+
+    std::optional<PairRange<T>> range() const { return face_->range(); }
+    /// False where the layout holds no pairs.
+    bool hold(const Field<T>& x, const Field<T>& v) { return face_->hold(x, v); }
+    const std::vector<bool>& held() const { return face_->held(); }
 
     const Field<T>& history() const { return face_->history(); }
     void history(const Field<T>& made_at) { face_->history(made_at); }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "core/entry.hpp"
+#include "core/interruption.hpp"
 #include "core/root.hpp"
 #include "methods/engines/accelerate.hpp"
 #include "methods/engines/collisions.hpp"
+#include "methods/engines/encounters.hpp"
 #include "methods/engines/gauss_stages.hpp"
 #include "methods/engines/integrator.hpp"
 #include "methods/engines/moving_axes.hpp"
@@ -14,6 +16,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace steplab {
@@ -29,11 +32,10 @@ namespace steplab {
 template <class T>
 class Gauss {
 public:
-    static constexpr IntegratorCapabilities capabilities{.progress = true, .collisions = true};
+    static constexpr IntegratorCapabilities capabilities{.progress = true, .stops = true, .collisions = true};
 
     explicit Gauss(const ParameterValues& values)
         : tolerance_(values["tolerance"] > 0 ? kept_tolerance(static_cast<T>(values["tolerance"])) : T(0)),
-          aim_(std::min(T(longest), T(reach) * root(tolerance_, 16))),
           guard_(tolerance_) {}
 
     template <class System>
@@ -47,6 +49,8 @@ public:
         progress_.last = progress_.next = system.dt();
         guard_.state({});
         begin_a_ = Field<T>(end_.x.count());
+        aim_ = std::min(T(longest), T(reach) * root(tolerance_in(system, tolerance_), 16));
+        if (tolerance_ > T(0)) system.hold(end_.x, end_.v);
         system.accelerations(end_.x, begin_a_);
         guess(begin_a_);
         if (tolerance_ > T(0)) progress_.next = T(2) * aim_ * time_scale(system, end_.x, end_.v, begin_a_);
@@ -67,6 +71,7 @@ public:
         TwoPartState<T> seen = ahead > T(0) ? begin_ : end_;
         if (ahead > T(0)) {
             System copy = system;
+            if (tolerance_ > T(0)) copy.hold(begin_.x, begin_.v);
             GaussStages<T> inside = stages(seen.x.count());
             const T h = progress_.last - ahead;
             inside.solve(copy, seen, h, {known_, T(0), h / progress_.last});
@@ -76,6 +81,7 @@ public:
     }
 
     const CollisionRecord& collisions() const { return guard_.record(); }
+    std::optional<OwnStop> stopped() const { return progress_.stop; }
 
     template <class Self, class F>
     static void each_part(Self& self, F f) {
@@ -85,9 +91,10 @@ public:
     }
 
     struct Progress {
-        T last = T(0);     ///< length of the last step, to which the known forces belong
-        T next = T(0);     ///< of the next own step
-        T across = T(0);   ///< if the last one went across a collision: the time from its beginning to there
+        T last = T(0);    ///< length of the last step, to which the known forces belong
+        T next = T(0);    ///< of the next own step
+        T across = T(0);  ///< if the last one went across a collision: the time from its beginning to there
+        std::optional<OwnStop> stop;
         int halvings = 0;  ///< a step of dt is taken in 2^halvings pieces
         std::size_t axes = 3;
         InnerTime<T> time;  ///< of own steps
@@ -123,12 +130,13 @@ private:
         std::uint64_t pieces = std::uint64_t{1} << progress_.halvings;
         std::size_t iterations = 0;
         for (std::uint64_t i = 0; i < pieces;) {
+            check_interruption();
             const T h = system.dt() / static_cast<T>(pieces);
             if (take(system, h)) {
                 iterations = std::max(iterations, stages_.iterations());
                 ++i;
             } else if (progress_.halvings == most_halvings) {
-                return spoil();
+                return stop(system, end_, static_cast<double>(i) * static_cast<double>(h), h);
             } else {
                 ++progress_.halvings;
                 pieces *= 2;
@@ -155,19 +163,24 @@ private:
     /// From end_, which becomes begin_.
     template <class System>
     void own_step(System& system) {
+        check_interruption();
         std::swap(begin_, end_);
+        system.hold(begin_.x, begin_.v);
+        progress_.next = longest_step(system, begin_.x, begin_.v, progress_.next, tolerance_);
         T h = progress_.next;
         guard_.begin_step();
         if (guard_.approaching()) {
             h = guard_.before(system, beginning(system), h, now(system));
             if (!guard_.approaching()) progress_.next = h;
         }
-        for (int refused = 0; refused < most_refused; ++refused) {
+        const bool possible = progress_.next > T(0);
+        for (int refused = 0; possible && refused < most_refused; ++refused) {
             if (guard_.at_hand()) return cross_collision(system);
             const bool solved = stages_.solve(system, begin_, h, {known_, T(1), guess_ratio(h, progress_.last)});
             stages_.advance(begin_, end_);
             if (straddles(system, h)) continue;
             if (solved && fits(h)) {
+                if (crosses(system, h)) continue;
                 accept(h);
                 progress_.across = T(0);
                 return progress_.time.inner_step(h);
@@ -175,7 +188,7 @@ private:
             if (!solved) progress_.next = h / T(2);
             h = progress_.next;
         }
-        spoil();
+        stop(system, begin_, now(system), h);
         progress_.time.inner_step(system.dt());
     }
 
@@ -196,6 +209,12 @@ private:
     }
 
     template <class System>
+    bool crosses(System& system, T& h) {
+        if (system.held().empty()) return false;
+        return crosses_on_the_way(system, beginning(system), end_.x, end_.v, h);
+    }
+
+    template <class System>
     void cross_collision(System& system) {
         Motion<T> behind(begin_.x.count());
         const T length = guard_.scale();
@@ -210,6 +229,7 @@ private:
 
     template <class System>
     void synchronised_at_collision(const System& system, T ahead, State<T>& out) const {
+        system.hold(begin_.x, begin_.v);
         Uncounted<System> uncounted(system);
         Field<T> a(end_.x.count()), end_a(end_.x.count());
         accelerate(uncounted, begin_.x, begin_.v, a);
@@ -250,10 +270,14 @@ private:
     }
 
     /// No step is short enough: never silently wrong.
-    void spoil() { std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN()); }
+    template <class System>
+    void stop(const System& system, const TwoPartState<T>& at, double time, T h) {
+        progress_.stop = own_stop(system, at.x, time, h);
+        std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN());
+    }
 
     T tolerance_;
-    T aim_;                  ///< what z is kept at
+    T aim_ = T(0);           ///< what z is kept at
     TwoPartState<T> end_;    ///< of the last step
     TwoPartState<T> begin_;  ///< of the last own step
     Field<T> known_;         ///< forces at the stages of the last step

@@ -2,10 +2,12 @@
 
 #include "core/elementwise.hpp"
 #include "core/entry.hpp"
+#include "core/interruption.hpp"
 #include "core/root.hpp"
 #include "methods/engines/accelerate.hpp"
 #include "methods/engines/adaptive.hpp"
 #include "methods/engines/collisions.hpp"
+#include "methods/engines/encounters.hpp"
 #include "methods/engines/gauss_stages.hpp"
 #include "methods/engines/integrator.hpp"
 #include "methods/engines/own_steps.hpp"
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace steplab {
@@ -26,12 +29,10 @@ namespace steplab {
 template <class T, class Control = RadauControl>
 class GaussRadau {
 public:
-    static constexpr IntegratorCapabilities capabilities{.progress = true, .collisions = true};
+    static constexpr IntegratorCapabilities capabilities{.progress = true, .stops = true, .collisions = true};
 
     explicit GaussRadau(const ParameterValues& values)
-        : tolerance_(kept_tolerance(static_cast<T>(values[tolerance_parameter.name]))),
-          aim_(std::min(T(Control::longest), T(Control::reach) * root(tolerance_, 15))),
-          guard_(tolerance_) {}
+        : tolerance_(kept_tolerance(static_cast<T>(values[tolerance_parameter.name]))), guard_(tolerance_) {}
 
     template <class System>
     void start(System& system, const State<T>& state) {
@@ -40,6 +41,8 @@ public:
         const std::size_t count = end_.x.count();
         for (Field<T>* field : {&a_, &begin_a_, &x_, &f_, &last_a_}) *field = Field<T>(count);
         for (Terms* set : {&b_, &trial_, &g_}) set->fill(Field<T>(count));
+        aim_ = std::min(T(Control::longest), T(Control::reach) * root(tolerance_in(system, tolerance_), 15));
+        system.hold(end_.x, end_.v);
         system.accelerations(end_.x, a_);
         progress_ = {};
         progress_.next = aim_ * time_scale(system, end_.x, end_.v, a_);
@@ -66,6 +69,7 @@ public:
                             T(2) * across - ahead, out);
         } else {
             System copy = system;
+            copy.hold(begin_.x, begin_.v);
             GaussRadau inside = *this;
             inside.shorten_last_step(copy, progress_.last - ahead);
             out = {inside.end_.x, inside.end_.v};
@@ -73,6 +77,7 @@ public:
     }
 
     const CollisionRecord& collisions() const { return guard_.record(); }
+    std::optional<OwnStop> stopped() const { return progress_.stop; }
 
     template <class Self, class F>
     static void each_part(Self& self, F f) {
@@ -84,10 +89,12 @@ public:
     }
 
     struct Progress {
-        T last = T(0);      ///< length of the last own step
-        T next = T(0);      ///< of the next one
-        T across = T(0);    ///< if the last one went across a collision: the time from its beginning to there
-        InnerTime<T> time;  ///< of own steps
+        T last = T(0);    ///< length of the last own step
+        T next = T(0);    ///< of the next one
+        T across = T(0);  ///< if the last one went across a collision: the time from its beginning to there
+        std::optional<OwnStop> stop;
+        bool crossed = false;  ///< at the end of the last one other pairs act (encounters.hpp)
+        InnerTime<T> time;     ///< of own steps
         typename CollisionGuard<T>::State guard{};
     };
     Progress progress() const { return guard_.saved_in(progress_); }
@@ -110,24 +117,31 @@ private:
     template <class System>
     void own_step(System& system) {
         constexpr T any = std::numeric_limits<T>::max();
+        check_interruption();
+        system.hold(end_.x, end_.v);
+        if (progress_.crossed) accelerate(system, end_.x, end_.v, a_);
+        progress_.next = longest_step(system, end_.x, end_.v, progress_.next, tolerance_);
         T h = guard_.behind(progress_.next), before = any, converging = any;
         guard_.begin_step();
         if (guard_.approaching()) {
             h = guard_.before(system, now(), h, progress_.time.since_start(system.dt()));
             if (!guard_.approaching()) progress_.next = h;
         }
-        for (int refused = 0; refused < most_refused; ++refused) {
+        const bool possible = progress_.next > T(0);
+        for (int refused = 0; possible && refused < most_refused; ++refused) {
             if (guard_.at_hand()) return cross_collision(system);
             expect(guess_ratio(h, progress_.last));
             const bool converged = converge(system, h);
             if (straddles(system, h)) continue;
             if (converged && fits(h, before)) {
                 progress_.next = std::min(progress_.next, converging);
+                if (crosses(system, h)) continue;
                 return accept(system, h);
             }
             if (!converged) progress_.next = converging = h / T(2);
             h = progress_.next;
         }
+        progress_.stop = own_stop(system, end_.x, progress_.time.since_start(system.dt()), h);
         std::fill(end_.x.flat().begin(), end_.x.flat().end(), std::numeric_limits<T>::quiet_NaN());
         progress_.time.inner_step(system.dt());
     }
@@ -150,6 +164,14 @@ private:
         return any_pass(system, end_.x, x_) && std::isfinite(squares(x_)) && guard_.passes(system, now(), x_, h);
     }
 
+    template <class System>
+    bool crosses(System& system, T& h) {
+        if (system.held().empty()) return false;
+        TwoPartState<T> end = end_;
+        move_radau(end, a_, trial_, h, T(1));
+        return crosses_on_the_way(system, now(), end.x, end.v, h);
+    }
+
     MotionOf<T> now() const { return {end_.x, end_.v, a_}; }
 
     template <class System>
@@ -162,6 +184,7 @@ private:
         end_.x = behind.x;
         end_.v = behind.v;
         a_ = behind.a;
+        progress_.crossed = system.hold(end_.x, end_.v);
         b_.fill(Field<T>(a_.count()));
         progress_.last = progress_.next = length;
         progress_.time.inner_step(T(2) * progress_.across);
@@ -172,8 +195,9 @@ private:
         begin_ = end_;
         std::swap(begin_a_, a_);
         std::swap(b_, trial_);
-        move(end_, begin_a_, b_, h, T(1));
+        move_radau(end_, begin_a_, b_, h, T(1));
         accelerate(system, end_.x, end_.v, a_);
+        progress_.crossed = system.hold(end_.x, end_.v);
         progress_.last = h;
         progress_.across = T(0);
         progress_.time.inner_step(h);
@@ -194,7 +218,7 @@ private:
         }
         newton_form();
         converge(system, h);
-        move(end_, a_, trial_, h, T(1));
+        move_radau(end_, a_, trial_, h, T(1));
     }
 
     /// First guess of b: the last step's polynomial carried on (eq. 13). The correction by what the last guess was off
@@ -204,7 +228,7 @@ private:
         for (std::size_t j = 0; j < terms; ++j) {
             power *= ratio;
             T* const b = trial_[j].flat().data();
-            elementwise(a_.flat().size(), [=, last = numbers(b_)](std::size_t k) {
+            elementwise(a_.flat().size(), [=, last = Radau::numbers(b_)](std::size_t k) {
                 T sum = T(0);
                 for (std::size_t i = j; i < terms; ++i) sum += static_cast<T>(Radau::shift[j][i]) * last[i][k];
                 b[k] = power * sum;
@@ -217,7 +241,7 @@ private:
     void newton_form() {
         for (std::size_t j = terms; j-- > 0;) {
             const T* const b = trial_[j].flat().data();
-            elementwise(a_.flat().size(), [=, g = numbers(g_)](std::size_t k) {
+            elementwise(a_.flat().size(), [=, g = Radau::numbers(g_)](std::size_t k) {
                 T rest = b[k];
                 for (std::size_t i = j + 1; i < terms; ++i) rest -= static_cast<T>(Radau::from_newton[i][j]) * g[i][k];
                 g[j][k] = rest;
@@ -265,7 +289,7 @@ private:
         gaps[0] = T(1) / s;
         for (std::size_t i = 0; i < n; ++i) gaps[i + 1] = static_cast<T>(1 / (Radau::nodes[n] - Radau::nodes[i]));
         for (std::size_t j = 0; j <= n; ++j) weights[j] = static_cast<T>(Radau::from_newton[n][j]);
-        elementwise(a_.flat().size(), [=, g = numbers(g_), b = numbers(trial_)](std::size_t k) {
+        elementwise(a_.flat().size(), [=, g = Radau::numbers(g_), b = Radau::numbers(trial_)](std::size_t k) {
             T newest = (f[k] - a[k]) * gaps[0];
             for (std::size_t i = 0; i < n; ++i) newest = (newest - g[i][k]) * gaps[i + 1];
             const T change = newest - g[n][k];
@@ -277,36 +301,16 @@ private:
         return n + 2 < terms ? T(0) : squares(x_);
     }
 
-    template <class Fields>
-    static auto numbers(Fields& fields) {
-        std::array<decltype(fields[0].flat().data()), terms> all;
-        std::transform(fields.begin(), fields.end(), all.begin(), [](auto& f) { return f.flat().data(); });
-        return all;
-    }
-
     void move_to(T h, T s) {
-        const RadauSum<T> sum{RadauWeights<T>(s).position, a_.flat().data(), numbers(std::as_const(trial_))};
+        const RadauSum<T> sum{RadauWeights<T>(s).position, a_.flat().data(), Radau::numbers(std::as_const(trial_))};
         const T *const x = end_.x.flat().data(), *const v = end_.v.flat().data(),
                        *const lost = end_.lost.x.flat().data();
         T* const out = x_.flat().data();
         elementwise(a_.flat().size(), [=](std::size_t k) { out[k] = x[k] + (lost[k] + h * (s * v[k] + h * sum(k))); });
     }
 
-    static void move(TwoPartState<T>& state, const Field<T>& a, const Terms& b, T h, T s) {
-        const RadauWeights<T> at(s);
-        const RadauSum<T> position{at.position, a.flat().data(), numbers(b)},
-            velocity{at.velocity, position.a, position.b};
-        T *const x = state.x.flat().data(), *const v = state.v.flat().data();
-        T *const lost_x = state.lost.x.flat().data(), *const lost_v = state.lost.v.flat().data();
-        elementwise(a.flat().size(), [=](std::size_t k) {
-            lost_x[k] += s * h * lost_v[k];
-            add_compensated(x[k], lost_x[k], h * (s * v[k] + h * position(k)));
-            add_compensated(v[k], lost_v[k], h * velocity(k));
-        });
-    }
-
     void add_drag_at(T drag, T h, T s) {
-        const RadauSum<T> sum{RadauWeights<T>(s).velocity, a_.flat().data(), numbers(std::as_const(trial_))};
+        const RadauSum<T> sum{RadauWeights<T>(s).velocity, a_.flat().data(), Radau::numbers(std::as_const(trial_))};
         const T* const v = end_.v.flat().data();
         T* const out = f_.flat().data();
         elementwise(a_.flat().size(), [=](std::size_t k) { out[k] -= drag * (v[k] + h * sum(k)); });
@@ -330,7 +334,7 @@ private:
     }
 
     T tolerance_;
-    T aim_;                  ///< what omega h is kept at
+    T aim_ = T(0);           ///< what omega h is kept at
     TwoPartState<T> end_;    ///< of the last own step
     TwoPartState<T> begin_;  ///< its beginning
     Field<T> a_, begin_a_;   ///< accelerations there, drag included

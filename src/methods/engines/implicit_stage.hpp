@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/interruption.hpp"
 #include "methods/engines/newton_matrix.hpp"
 
 #include <algorithm>
@@ -53,6 +54,7 @@ private:
         std::fill(w.flat().begin(), w.flat().end(), T(0));
         T size = evaluate(system, x, v, tau, w);
         for (int iteration = 0; iteration < most_iterations; ++iteration) {
+            check_interruption();
             if (!std::isfinite(size) || !matrix_.factorise()) return false;
             matrix_.solve(residual_, update_);
             const T change = largest(update_);

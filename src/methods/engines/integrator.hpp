@@ -4,11 +4,13 @@
 #include "core/entry.hpp"
 #include "core/field.hpp"
 #include "core/lanes.hpp"
+#include "core/own_stop.hpp"
 #include "core/vector.hpp"
 
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace steplab {
@@ -30,6 +32,7 @@ struct IntegratorCapabilities {
     bool emits = false;       ///< emit(system, sink): sink(r, x, v) for every register r of particles
     bool reach = false;       ///< reach(): springs that a step reaches; without it a step needs the whole scene
     bool progress = false;    ///< Progress, progress(), progress(p): plain data of the internal state that is no field
+    bool stops = false;       ///< stopped(): it says where no step of its own does; a number of its state is none then
     bool collisions = false;  ///< collisions(): it finds collisions where a force jumps (collisions.hpp)
 };
 
@@ -58,6 +61,11 @@ template <class I>
 concept HasProgress = requires(I& integrator, const I& same, const typename I::Progress& progress) {
     { same.progress() } -> std::same_as<typename I::Progress>;
     integrator.progress(progress);
+};
+
+template <class I>
+concept HasStops = requires(const I& integrator) {
+    { integrator.stopped() } -> std::same_as<std::optional<OwnStop>>;
 };
 
 template <class I>
@@ -91,6 +99,7 @@ concept IntegratorOf = std::constructible_from<I, const ParameterValues&> &&
     I::each_part(integrator, detail::AnyPart());
 } && I::capabilities.advances == detail::HasAdvance<I, System>&& I::capabilities.emits ==
     detail::HasEmit<I, System>&& I::capabilities.reach == detail::HasReach<I>&& I::capabilities.progress ==
-    detail::HasProgress<I>&& I::capabilities.collisions == detail::HasCollisions<I>;
+    detail::HasProgress<I>&& I::capabilities.stops == detail::HasStops<I>&& I::capabilities.collisions ==
+    detail::HasCollisions<I>;
 
 }  // namespace steplab

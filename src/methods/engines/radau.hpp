@@ -1,5 +1,11 @@
 #pragma once
 
+#include "core/elementwise.hpp"
+#include "core/field.hpp"
+#include "methods/engines/compensated.hpp"
+#include "methods/engines/gauss_stages.hpp"
+
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -42,6 +48,14 @@ struct Radau {
         }
         return binomial;
     }();
+
+    /// The numbers of the coefficients' fields.
+    template <class Fields>
+    static auto numbers(Fields& fields) {
+        std::array<decltype(fields[0].flat().data()), terms> all;
+        std::transform(fields.begin(), fields.end(), all.begin(), [](auto& f) { return f.flat().data(); });
+        return all;
+    }
 };
 
 /// What a and b_0 ... b_6 add to a motion after s of a step, x0 and v0 left out: eq. 9 and 10.
@@ -71,6 +85,21 @@ struct RadauSum {
         return sum + weights[0] * a[k];
     }
 };
+
+/// A state on to s of a step of length h.
+template <class T>
+void move_radau(TwoPartState<T>& state, const Field<T>& a, const std::array<Field<T>, Radau::terms>& b, T h, T s) {
+    const RadauWeights<T> at(s);
+    const RadauSum<T> position{at.position, a.flat().data(), Radau::numbers(b)},
+        velocity{at.velocity, position.a, position.b};
+    T *const x = state.x.flat().data(), *const v = state.v.flat().data();
+    T *const lost_x = state.lost.x.flat().data(), *const lost_v = state.lost.v.flat().data();
+    elementwise(a.flat().size(), [=](std::size_t k) {
+        lost_x[k] += s * h * lost_v[k];
+        add_compensated(x[k], lost_x[k], h * (s * v[k] + h * position(k)));
+        add_compensated(v[k], lost_v[k], h * velocity(k));
+    });
+}
 
 /// How the steps follow from the tolerance.
 struct RadauControl {

@@ -44,6 +44,20 @@ void each_series_sum(std::span<const Field<T>> x, T unit, T t, std::size_t axes,
     }
 }
 
+/// Calls f(p, acceleration) in the same way.
+template <class T, class F>
+void each_series_bend(std::span<const Field<T>> x, T unit, T t, std::size_t axes, F f) {
+    using N = Lanes<T>;
+    const N time(t / unit), rate(T(1) / (unit * unit));
+    const std::size_t size = x[0].flat().size() / 3 * axes;
+    for (std::size_t p = 0; p < size; p += N::count) {
+        N sum(T(0));
+        for (std::size_t k = x.size() - 1; k >= 2; --k)
+            sum = sum * time + N(static_cast<T>(static_cast<int>(k * (k - 1)))) * N::load(x[k].flat().data() + p);
+        f(p, rate * sum);
+    }
+}
+
 /// The largest component along the first `axes` axes, not a number if one is none.
 template <class T>
 T largest_component(const Field<T>& field, std::size_t axes) {

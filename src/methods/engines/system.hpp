@@ -2,6 +2,7 @@
 
 #include "core/field.hpp"
 #include "core/force_layout.hpp"
+#include "core/pair_range.hpp"
 #include "core/stages.hpp"
 #include "methods/engines/sweeps.hpp"
 
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace steplab {
 
@@ -84,10 +86,36 @@ public:
     /// For methods that compute accelerations in ways of their own.
     void count_evaluations(std::uint64_t computed) { evaluations_ += computed; }
 
+    /// How the force between two particles changes with their distance; none where there is no such force.
+    std::optional<PairRange<T>> range() const {
+        if constexpr (Force::capabilities.range) return force_.range();
+        return std::nullopt;
+    }
+    /// From now on those pairs act on each other that do at x and v (NearPairs::hold()): until the next call nothing
+    /// jumps where a pair crosses the cut-off. True if they are others than before; false where no pairs are held.
+    /// To be called where a step begins, and so no part of the internal state.
+    bool hold(const Field<T>& x, const Field<T>& v) const {
+        if constexpr (Force::capabilities.holds) {
+            if (!force_.hold(x, v)) return false;
+            hold_at_stages();
+            return true;
+        }
+        return false;
+    }
+    /// Whether each pair i < j, row by row, acts; empty where no pairs are held.
+    const std::vector<bool>& held() const {
+        static const std::vector<bool> none;
+        if constexpr (Force::capabilities.holds) return force_.held();
+        return none;
+    }
+
     /// a(x) at the eight stages of a step at once: eight evaluations. With `axes` 1 all moves along x alone; the rest
     /// of `a` may be left as it is.
     void accelerations(const Field<Stages<T>>& x, Field<Stages<T>>& a, std::size_t axes = 3) {
-        if (!force_at_stages_) force_at_stages_.emplace(force_.template in<Stages<T>>());
+        if (!force_at_stages_) {
+            force_at_stages_.emplace(force_.template in<Stages<T>>());
+            hold_at_stages();
+        }
         evaluations_ += stage_count;
         if constexpr (Force::capabilities.along_x) {
             if (axes == 1) return force_at_stages_->accelerations_along_x(x, a);
@@ -106,9 +134,15 @@ public:
     void evaluations(std::uint64_t count) { evaluations_ = count; }
 
 private:
+    void hold_at_stages() const {
+        if constexpr (Force::capabilities.holds) {
+            if (force_at_stages_) force_at_stages_->hold(force_.held());
+        }
+    }
+
     /// Its memory is scratch, but for a history() on which accelerations hang beside positions.
     mutable Force force_;
-    std::optional<typename detail::AtStages<T, Force>::Type> force_at_stages_;  ///< once asked for
+    mutable std::optional<typename detail::AtStages<T, Force>::Type> force_at_stages_;  ///< once asked for
     Sweeps<T, Force> sweeps_;
     T drag_;
     T dt_;

@@ -5,6 +5,7 @@
 #include "core/force_layout.hpp"
 #include "core/stages.hpp"
 #include "models/forces/forces.hpp"
+#include "models/forces/held_pairs.hpp"
 #include "models/forces/interactions.hpp"
 #include "models/forces/morse_energies.hpp"
 #include "models/forces/morse_pair.hpp"
@@ -31,7 +32,8 @@ class NearPairs {
     static constexpr bool by_clusters = std::is_same_v<T, float> || std::is_same_v<T, double>;
 
 public:
-    static constexpr ForceCapabilities capabilities{.hands_out = by_clusters, .history = by_clusters, .periodic = true};
+    static constexpr ForceCapabilities capabilities{
+        .hands_out = by_clusters, .history = by_clusters, .periodic = true, .range = true, .holds = true};
 
     explicit NearPairs(const NearPairForces& forces)
         : NearPairs(forces, by_clusters ? std::make_shared<Team>(forces.threads) : nullptr) {}
@@ -53,7 +55,11 @@ public:
     }
 
     void accelerations(const Field<T>& u, Field<T>& a) {
-        if constexpr (by_clusters) {
+        if (held_.any()) {
+            held_.accelerations(
+                morse_, [&](std::size_t i, std::size_t j) { return separation(u, i, j); }, a);
+            balance_.take_off(a);
+        } else if constexpr (by_clusters) {
             each_acceleration(u, [to = FieldLanes<T>(a)](std::size_t r, const auto& of) { to.set(r, of); });
         } else {
             sum_neighbours(u, a);
@@ -100,6 +106,26 @@ public:
         return energies.sum();
     }
 
+    /// From now on exactly those pairs act on each other that are nearer than the cut-off at these positions, those at
+    /// it if they approach. In between the force is smooth. True if they are others than before.
+    bool hold(const Field<T>& u, const Field<T>& v) {
+        ActingPairs acting;
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (std::size_t j = i + 1; j < count_; ++j) acting.push_back(acts(u, v, i, j));
+        }
+        return hold(std::move(acting));
+    }
+    bool hold(ActingPairs acting) { return held_.hold(std::move(acting), count_); }
+    const ActingPairs& held() const { return held_.acting(); }
+
+    PairRange<T> range() const {
+        PairRange<T> range = pair_range<T>(forces_, morse_);
+        range.cutoff = morse_.cutoff;
+        range.length = std::min(range.length, range.cutoff / T(2));
+        range.period = static_cast<T>(forces_.period);
+        return range;
+    }
+
     /// Calls f(i, j), i < j, for pairs within reach that pass each other between two positions.
     template <class F>
     void passing_pairs(const Field<T>& from, const Field<T>& to, F f) {
@@ -125,9 +151,10 @@ public:
 
     std::array<MorseFormula<T, CutMorseConstants>, 1> formulas() const { return {{{morse_}}}; }
 
-    /// The pairs nearer than the cut-off.
+    /// The pairs nearer than the cut-off, or those held.
     template <class F>
     void each_interaction(const Field<T>& u, F f) {
+        if (held_.any()) return held_.each([&](std::size_t i, std::size_t j) { f(i, j, std::size_t(0)); });
         each_near_pair(u, [&](std::size_t i, std::size_t j, const T&) { f(i, j, std::size_t(0)); });
     }
 
@@ -143,6 +170,14 @@ private:
     struct SumsOf<true, Number> {
         using Type = PairList<Number>;
     };
+
+    bool acts(const Field<T>& u, const Field<T>& v, std::size_t i, std::size_t j) const {
+        const Vector<T> d = separation(u, i, j);
+        const Vector<T> w{v.x()[j] - v.x()[i], v.y()[j] - v.y()[i], v.z()[j] - v.z()[i]};
+        const T beyond = square_root(d.x * d.x + d.y * d.y + d.z * d.z) - morse_.cutoff;
+        if (magnitude(beyond) > cutoff_width(morse_.cutoff)) return beyond < T(0);
+        return d.x * w.x + d.y * w.y + d.z * w.z < T(0);
+    }
 
     /// Calls f(i, j, squared distance), i < j, for pairs nearer than the cut-off.
     template <class F>
@@ -190,6 +225,7 @@ private:
     Balance<T> balance_;
     typename SumsOf<by_clusters, T>::Type sums_;
     Neighbours neighbours_;
+    HeldPairs<T> held_;
 };
 
 }  // namespace steplab

@@ -28,6 +28,11 @@ MorseConstants<T> morse_constants(const PairForces& forces) {
 }
 
 template <class T>
+PairRange<T> pair_range(const PairForces& forces, const MorseConstants<T>& morse) {
+    return {morse.r0, T(1) / morse.b, static_cast<T>(4 * forces.depth / forces.mass)};
+}
+
+template <class T>
 CutMorseConstants<T> morse_constants(const NearPairForces& forces) {
     const MorseConstants<T> uncut = morse_constants<T>(static_cast<const PairForces&>(forces));
     const T cutoff = static_cast<T>(forces.cutoff);
@@ -66,7 +71,7 @@ private:
 template <class T>
 class Pairs {
 public:
-    static constexpr ForceCapabilities capabilities{};
+    static constexpr ForceCapabilities capabilities{.range = true};
 
     explicit Pairs(const PairForces& forces)
         : forces_(forces), count_(forces.count), morse_(morse_constants<T>(forces)), balance_(forces) {}
@@ -121,6 +126,8 @@ public:
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {
         return {u.x()[j] - u.x()[i], u.y()[j] - u.y()[i], u.z()[j] - u.z()[i]};
     }
+
+    PairRange<T> range() const { return pair_range(forces_, morse_); }
 
     Coupling coupling() const { return {Coupling::Kind::all, count_}; }
     bool moves(std::size_t) const { return true; }

@@ -1,5 +1,6 @@
 #include "sim/run/divergence.hpp"
 
+#include "core/number_text.hpp"
 #include "core/ticks.hpp"
 #include "sim/catalogue.hpp"
 
@@ -23,6 +24,8 @@ std::string reason(const Divergence& divergence, const RunDescription& held) {
     const std::string dt = fmt::format("dt = {:.4g}", held.dt);
     if (method(held.method).info.curiosity)
         return fmt::format("{} repeats a mistake that makes it fail at any dt", held.method);
+    if (chooses_its_steps(held))
+        return fmt::format("the numbers of {} leave what {} holds, whatever dt is", held.method, id(held.precision));
     if (!divergence.limit) return fmt::format("{} is too large for {} on this scene", dt, held.method);
     if (*divergence.limit == 0)
         return fmt::format("{} gains energy at any dt, the faster the larger dt is ({})", held.method, dt);
@@ -32,6 +35,25 @@ std::string reason(const Divergence& divergence, const RunDescription& held) {
     }
     return fmt::format("{} is below the stability limit {:.4g} of {} at rest, but the motion is too violent for it", dt,
                        *divergence.limit, held.method);
+}
+
+std::string encounter(const OwnStop& stop) {
+    if (stop.first == stop.second) return {};
+    return fmt::format("; nearest to each other are particles {} and {}, {} m apart", stop.first, stop.second,
+                       typed(stop.distance, 3));
+}
+
+std::string stop_message(const Divergence& divergence, const RunDescription& held) {
+    const bool has_tolerance = chooses_its_steps(held);
+    const std::string what = has_tolerance
+                                 ? fmt::format("meets its tolerance of {:.3g}", held.method_parameters["tolerance"])
+                                 : "solves its equations";
+    return fmt::format(
+        "The run stopped: step {} (t = {:.6g}) was the last valid one; at t = {:.10g} no step of {} {}, not even one "
+        "of "
+        "{} s{}.",
+        divergence.step, divergence.time, divergence.stop->time, held.method, what, typed(divergence.stop->step, 3),
+        encounter(*divergence.stop));
 }
 
 }  // namespace
@@ -57,12 +79,16 @@ std::size_t wildest_particle(const State<double>& state) {
 
 void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit) {
     divergence.dt = held.dt;
+    if (divergence.stop) {
+        divergence.message = stop_message(divergence, held);
+        return;
+    }
     if (limit && std::isfinite(limit->limit)) divergence.limit = limit->limit;
     divergence.message = fmt::format(
         "The run diverged: step {} (t = {:.6g}) was the last valid one; particle {} blew up in step {}: {}.",
         divergence.step, divergence.time, divergence.particle, divergence.step + 1, reason(divergence, held));
     const bool beyond = divergence.limit && *divergence.limit > 0 && held.dt >= *divergence.limit;
-    divergence.remedy_dt = nice_floor(beyond ? *divergence.limit / 2 : held.dt / 4);
+    if (!chooses_its_steps(held)) divergence.remedy_dt = nice_floor(beyond ? *divergence.limit / 2 : held.dt / 4);
 }
 
 }  // namespace steplab

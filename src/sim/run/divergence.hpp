@@ -3,6 +3,8 @@
 #include "sim/run/energy.hpp"
 #include "sim/run/simulation.hpp"
 
+#include <optional>
+
 namespace steplab {
 
 /// False where the energy has risen beyond what any usable run of the scene does (docs/divergence.md): by more than

@@ -24,7 +24,9 @@ struct RunResult {
     std::optional<Divergence> divergence = {};
     CollisionRecord collisions = {};  ///< that an adaptive method found and restarted from
 
-    /// The step in which the run diverged. None if it did not.
+    /// "ok", "diverged", or "stopped" where no step of the method met its tolerance.
+    std::string status() const { return !divergence ? "ok" : divergence->stop ? "stopped" : "diverged"; }
+    /// The step in which the run diverged or stopped. None if it did not.
     std::optional<std::uint64_t> diverged_step() const { return divergence ? std::optional(steps + 1) : std::nullopt; }
 };
 

@@ -1,5 +1,6 @@
 #include "sim/run/run_view.hpp"
 
+#include "sim/run/notes.hpp"
 #include "sim/run/remedy.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ void observe_divergence(const Simulation& simulation, RunView& view) {
     view.divergence = simulation.divergence();
     if (!view.divergence)
         view.stable_method.reset();
-    else if (!known)
+    else if (!known && !view.divergence->stop)
         view.stable_method = stable_method(simulation.description());
 }
 
@@ -34,6 +35,9 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     view.tracked.reset();
     if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
     view.limit = simulation.limit();
+    view.notes.clear();
+    if (!view.divergence)
+        view.notes = notes_of_rounding(view.description, view.limit, view.diagnostics.max_displacement);
     view.has_exact = simulation.has_exact();
     view.segment_start = simulation.segment_start();
     view.baseline_step = simulation.baseline_step();

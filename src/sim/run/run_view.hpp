@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace steplab {
 
@@ -35,6 +36,7 @@ struct RunView {
     std::optional<Divergence> divergence;
     std::optional<std::string> stable_method;  ///< where it diverged: the id of a method stable at this dt, if any
     std::optional<StabilityLimit> limit;
+    std::vector<std::string> notes;  ///< of rounding (notes.hpp)
     bool has_exact = false;
     bool playing = false;
     bool can_step_back = false;

@@ -21,6 +21,7 @@ struct Divergence {
     std::size_t particle = 0;  ///< the particle that left first (largest speed, or not finite) in the step after
     double dt = 0;
     std::optional<double> limit;  ///< the method's stability limit for this scene, where known; 0 = unstable at any dt
+    std::optional<OwnStop> stop;  ///< if no step of the method met its tolerance; its time that of the run
     std::string message;          ///< one sentence: what happened, why
     std::optional<double> remedy_dt;  ///< a dt that should work, where known
 };

@@ -118,7 +118,9 @@ void Simulation::Body::go_back_to_last_good() {
     while (is_good());
     divergence.emplace();
     divergence->particle = wildest_particle(state());
+    divergence->stop = segment.stepper->stopped();
     const std::uint64_t good = step - 1;
+    if (divergence->stop) divergence->stop->time += chooses_its_steps(segment.held) ? segment_time : time_at(good);
     go_back_to_kept();
     take(good - kept_step);
     diverged();

@@ -1,5 +1,7 @@
 #include "sim/run/worker_body.hpp"
 
+#include "core/interruption.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -15,6 +17,7 @@ constexpr Pace::Duration stale{0.05};
 }  // namespace
 
 void Worker::Body::loop() {
+    const InterruptibleBy asked(stopping);
     while (true) {
         wait_for_work();
         {

@@ -6,6 +6,7 @@
 #include "sim/run/share.hpp"
 #include "sim/run/worker.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
@@ -34,8 +35,8 @@ struct Worker::Body {
     std::condition_variable changed;
     std::deque<std::function<void(Body&)>> commands;
     std::optional<RunDescription> wanted;  // the newest change asked for; older ones it overtook are never computed
-    bool stopping = false;
-    bool fresh = false;  // `ready` has not been taken yet
+    std::atomic<bool> stopping = false;    // also in the middle of a long step
+    bool fresh = false;                    // `ready` has not been taken yet
     RunView ready;
     void (*wake)() = nullptr;
 

@@ -3,7 +3,9 @@
 #include "methods/engines/sweeps.hpp"
 #include "models/forces/layouts.hpp"
 
+#include <optional>
 #include <variant>
+#include <vector>
 
 // Every layout behind the face of ErasedForce: compiled once for all methods of long steps, in each instruction set.
 
@@ -26,6 +28,10 @@ public:
         } else {
             force_.accelerations(x, a);
         }
+    }
+
+    void hold(const std::vector<bool>& acting) override {
+        if constexpr (Force::capabilities.holds) force_.hold(acting);
     }
 
 private:
@@ -83,6 +89,28 @@ public:
         return series_forces(force_, state, length);
     }
 
+    std::optional<PairRange<T>> range() const override {
+        if constexpr (Force::capabilities.range) {
+            return force_.range();
+        } else {
+            return std::nullopt;
+        }
+    }
+    bool hold(const Field<T>& x, const Field<T>& v) override {
+        if constexpr (Force::capabilities.holds) {
+            return x.count() <= Coupling::most_held && force_.hold(x, v);
+        } else {
+            return false;
+        }
+    }
+    const std::vector<bool>& held() const override {
+        if constexpr (Force::capabilities.holds) {
+            return force_.held();
+        } else {
+            return none_held_;
+        }
+    }
+
     std::size_t moving_axes(const State<T>& state) const override { return steplab::moving_axes(force_, state); }
     std::size_t axes_of_steps(const State<T>& state) const override { return steplab::axes_of_steps(force_, state); }
 
@@ -100,6 +128,7 @@ public:
 private:
     Force force_;
     Field<T> no_history_;
+    std::vector<bool> none_held_;
     Field<T> accelerations_;  ///< scratch of each_acceleration()
 };
 

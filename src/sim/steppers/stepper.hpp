@@ -4,6 +4,7 @@
 #include "core/entry.hpp"
 #include "core/field.hpp"
 #include "core/instructions.hpp"
+#include "core/own_stop.hpp"
 #include "core/precision.hpp"
 #include "core/start.hpp"
 #include "models/model.hpp"
@@ -46,6 +47,8 @@ public:
     virtual std::uint64_t evaluations() const = 0;
     /// Collisions where a force jumps, as adaptive methods find them; their times since the stepper was made.
     virtual CollisionRecord collisions() const { return {}; }
+    /// Where no step of the method met its tolerance. A number of its state is none then.
+    virtual std::optional<OwnStop> stopped() const { return std::nullopt; }
     /// The internal state, to come back to; the memory of what `to` held before is used again.
     virtual void save(std::any& to) const = 0;
     virtual void restore(const std::any& saved) = 0;

@@ -87,6 +87,14 @@ public:
         }
     }
 
+    std::optional<OwnStop> stopped() const override {
+        if constexpr (Integrator::capabilities.stops) {
+            return integrator_.stopped();
+        } else {
+            return std::nullopt;
+        }
+    }
+
     void save(std::any& to) const override {
         if (!std::any_cast<Saved>(&to)) to = Saved{};
         Saved& saved = *std::any_cast<Saved>(&to);

@@ -59,7 +59,7 @@ void draw_divergence_card(const Context& context) {
     if (close_cross(context, "divergence.close")) dismissed = divergence->step;
     {
         const WithFont font(context.theme.fonts().strong);
-        ImGui::TextUnformatted("The run diverged");
+        ImGui::TextUnformatted(divergence->stop ? "The run stopped" : "The run diverged");
     }
     explanation(context, divergence->message, colour::text);
     ImGui::Dummy({0, context.px(4)});

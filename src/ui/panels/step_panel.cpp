@@ -90,6 +90,7 @@ void draw_step_panel(const Context& context) {
                             .set_text = [&](std::string_view typed) { ask(parse_value(info, typed)); },
                         });
     draw_verdict(context, result);
+    for (const std::string& note : context.view.notes) explanation(context, note, colour::text);
 }
 
 }  // namespace steplab::ui

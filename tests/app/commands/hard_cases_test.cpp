@@ -1,7 +1,7 @@
 #include "app/commands/commands.hpp"
 #include "app/program.hpp"
 #include "app/tables.hpp"
-#include "io/interruption.hpp"
+#include "core/interruption.hpp"
 #include "lab/hard_cases/hard_case.hpp"
 #include "sim/catalogue.hpp"
 

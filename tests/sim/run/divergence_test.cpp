@@ -1,16 +1,20 @@
 #include "sim/run/divergence.hpp"
 
+#include "core/interruption.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 
 namespace steplab::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(Divergence, ends_the_run_at_the_last_good_step) {
     for (const Precision precision : precisions) {
@@ -25,6 +29,51 @@ TEST(Divergence, ends_the_run_at_the_last_good_step) {
         EXPECT_EQ(simulation.step(), last_good) << "it goes no further";
     }
 }
+
+// A potential far narrower than the distance between two numbers near 9.5 m.
+TEST(Divergence, of_a_method_that_chooses_its_steps_never_blames_dt) {
+    int stopped = 0;
+    for (const MethodCase& c :
+         methods_where([](const MethodCase& m) { return m.info->order >= 12 && m.info->adaptive; })) {
+        RunDescription run = run_of("morse", c.id(), c.precision, 20, {{"edge", 1}, {"k", 1e20}});
+        run.method_parameters.set("tolerance", 1e-9);
+        Simulation simulation(run);
+        simulation.advance(1);
+        if (!simulation.divergence()) continue;
+        EXPECT_THAT(simulation.divergence()->message, Not(HasSubstr("dt = "))) << c;
+        EXPECT_FALSE(simulation.divergence()->remedy_dt) << c;
+        if (!simulation.divergence()->stop) continue;
+        ++stopped;
+        EXPECT_THAT(simulation.divergence()->message, HasSubstr("meets its tolerance of 1e-09")) << c;
+        EXPECT_THAT(simulation.divergence()->message, HasSubstr("particles 0 and 1, ")) << c;
+        EXPECT_NEAR(simulation.divergence()->stop->time, 9.5, 0.01) << c;  // where the bullet is at r0
+    }
+    EXPECT_GT(stopped, 0) << "nothing was tested";
+}
+
+/// A process of its own: the signal has come when the step begins.
+void step_interrupted(const RunDescription& run) {
+    Simulation simulation(run);
+    catch_interruptions();
+    std::raise(SIGTERM);
+    try {
+        simulation.advance(1);
+    } catch (const Interrupted&) {
+        std::_Exit(7);
+    }
+    std::_Exit(0);
+}
+
+class LongStepDeathTest : public testing::TestWithParam<MethodCase> {};
+
+TEST_P(LongStepDeathTest, is_left_in_its_middle_when_a_signal_comes) {
+    EXPECT_EXIT(step_interrupted(run_of("mesh", GetParam().id(), GetParam().precision, 100)),
+                testing::ExitedWithCode(7), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, LongStepDeathTest,
+                         testing::ValuesIn(methods_where([](const MethodCase& m) { return !has_equal_steps(m); })),
+                         case_name);
 
 TEST(Divergence, does_not_depend_on_who_looks) {
     for (const MethodCase& c : all_methods()) {

@@ -306,6 +306,12 @@ TEST_F(WorkerTest, lives_on_where_memory_for_moments_to_come_back_to_is_missing)
     EXPECT_EQ(view.error, "");
 }
 
+// A mesh has moved 10^7 s only after some hours.
+TEST(Worker, ends_in_the_middle_of_a_step) {
+    Worker worker(run_of("mesh", "taylor", Precision::double_, 1e7));
+    worker.step_forward();
+}
+
 TEST_F(WorkerTest, stops_while_playing) {
     worker.set_rate({true, 1});
     worker.play(true);
