@@ -60,7 +60,7 @@ void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool ti
     // what drag takes is no error
     json["energy_error"] = result.energy_error;
     if (has_drag(summary.run)) json["energy_change"] = std::exchange(json["energy_error"], nullptr);
-    if (summary.error) json["error"] = *summary.error;
+    if (timed && summary.error) json["error"] = *summary.error;
     if (timed) json["notes"] = summary.notes;
     if (timed) json["wall_seconds"] = summary.wall_seconds;
     json["hash"] = result.hash;

@@ -15,7 +15,6 @@
 #include "methods/engines/series_motion.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -174,9 +173,8 @@ private:
         const T least = static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon()));
         progress_.stuck = progress_.length > least ? 0 : progress_.stuck + 1;
         lengthen(least);
-        return progress_.stuck > most_stuck;
+        return progress_.stuck > 100;
     }
-    static constexpr int most_stuck = 100;
 
     template <class System>
     void stop(const System& system, Time target) {
@@ -240,8 +238,10 @@ private:
         }
         progress_.length = longest_step(system, x_[0], v_, progress_.length, static_cast<T>(tolerance_));
         if (!system.held().empty())
-            progress_.length = length_until_crossing(system, v_.count(), progress_.length,
-                                                     [this](T t, Motion<T>& then) { motion_at(t, then); });
+            progress_.length =
+                length_until_crossing(system, v_.count(), progress_.length, [this](T t, Motion<T>& then) {
+                    series_motion(std::span<const Field<T>>(x_), v_, progress_.unit, t, forces_->axes(), then);
+                });
         if (!forces_->singular()) end_at_collision(system);
     }
 
@@ -308,20 +308,6 @@ private:
         const MotionOf<T> before = now(a);
         go_across(uncounted, before, progress_.across, behind);
         within_crossing(before, behind, progress_.across, since, out);
-    }
-
-    /// Positions, velocities and accelerations at time t of the series.
-    void motion_at(T t, Motion<T>& then) const {
-        T *const x = then.x.flat().data(), *const v = then.v.flat().data();
-        const T *const x0 = x_[0].flat().data(), *const v0 = v_.flat().data();
-        then.x = x_[0];
-        then.v = v_;
-        each_change(t, [=](std::size_t p, N change_of_x, N change_of_v) {
-            (N::load(x0 + p) + change_of_x).store(x + p);
-            (N::load(v0 + p) + change_of_v).store(v + p);
-        });
-        each_series_bend(std::span<const Field<T>>(x_), progress_.unit, t, forces_->axes(),
-                         [a = then.a.flat().data()](std::size_t p, N bend) { bend.store(a + p); });
     }
 
     T reach() const {

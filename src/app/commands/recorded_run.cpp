@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace steplab {
 
@@ -16,17 +18,16 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-double farthest_displacement(const State<double>& state) {
-    double largest2 = 0;
-    for (std::size_t i = 0; i < state.displacement.count(); ++i)
-        largest2 = std::max(largest2, dot(state.displacement.at(i), state.displacement.at(i)));
-    return std::sqrt(largest2);
+/// They take memory of their own, which large scenes are spared.
+Diagnostics diagnostics_of(const Simulation& simulation) {
+    constexpr std::size_t most_particles = 100000;
+    return simulation.particles() <= most_particles ? simulation.diagnostics() : Diagnostics();
 }
 
 /// A run that diverged has a reason instead.
-std::vector<std::string> notes_of(const Simulation& simulation) {
+std::vector<std::string> notes_of(const Simulation& simulation, const Diagnostics& end) {
     if (simulation.divergence()) return {};
-    return notes_of_rounding(simulation.description(), simulation.limit(), farthest_displacement(simulation.state()));
+    return notes_of_rounding(simulation.description(), simulation.limit(), end.max_displacement);
 }
 
 }  // namespace
@@ -49,11 +50,12 @@ RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t
         record(simulation);
     }
     const double wall_seconds = seconds_since(begin);
+    const Diagnostics end = diagnostics_of(simulation);
     return {.run = simulation.description(),
             .result = result_of(simulation, energy_start, energy_error),
             .wall_seconds = wall_seconds,
-            .error = simulation.diagnostics().error,
-            .notes = notes_of(simulation)};
+            .error = end.error,
+            .notes = notes_of(simulation, end)};
 }
 
 }  // namespace steplab

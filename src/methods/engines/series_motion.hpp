@@ -44,17 +44,23 @@ void each_series_sum(std::span<const Field<T>> x, T unit, T t, std::size_t axes,
     }
 }
 
-/// Calls f(p, acceleration) in the same way.
-template <class T, class F>
-void each_series_bend(std::span<const Field<T>> x, T unit, T t, std::size_t axes, F f) {
+/// Positions, velocities and accelerations at time t of the series, into the fields x, v and a of `then`.
+template <class T, class Motion>
+void series_motion(std::span<const Field<T>> x, const Field<T>& v, T unit, T t, std::size_t axes, Motion& then) {
     using N = Lanes<T>;
+    then.x = x[0];
+    then.v = v;
+    each_series_sum(x, unit, t, axes,
+                    [to_x = then.x.flat().data(), to_v = then.v.flat().data()](std::size_t p, N of_x, N of_v) {
+                        (N::load(to_x + p) + of_x).store(to_x + p);
+                        (N::load(to_v + p) + of_v).store(to_v + p);
+                    });
     const N time(t / unit), rate(T(1) / (unit * unit));
-    const std::size_t size = x[0].flat().size() / 3 * axes;
-    for (std::size_t p = 0; p < size; p += N::count) {
+    for (std::size_t p = 0; p < x[0].flat().size() / 3 * axes; p += N::count) {
         N sum(T(0));
         for (std::size_t k = x.size() - 1; k >= 2; --k)
             sum = sum * time + N(static_cast<T>(static_cast<int>(k * (k - 1)))) * N::load(x[k].flat().data() + p);
-        f(p, rate * sum);
+        (rate * sum).store(then.a.flat().data() + p);
     }
 }
 

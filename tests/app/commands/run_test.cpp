@@ -185,31 +185,6 @@ TEST_P(Runs, summary_agrees_with_the_simulation) {
     }
 }
 
-/// The command line that a summary describes.
-std::vector<std::string> words_of(const Json& summary) {
-    std::vector<std::string> words{"run"};
-    const auto text = [](const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); };
-    for (const char* name : {"model", "method", "precision", "dt", "steps"})
-        words.insert(words.end(), {std::string("--") + name, text(summary.at(name))});
-    for (const auto& [name, value] : summary.at("parameters").items())
-        words.insert(words.end(), {"--set", name + "=" + text(value)});
-    words.insert(words.end(), {"--summary", "-"});
-    return words;
-}
-
-TEST_P(Runs, are_repeated_from_their_summary) {
-    for (RunDescription run : all_runs(GetParam())) {
-        SCOPED_TRACE(command_line(run));
-        for (const ParameterInfo& info : run.scene.infos()) {
-            if (info.name == "k") run.scene.set("k", 1.1);
-        }
-        const Json first = Json::parse(run_program(arguments(run, {"--steps", "3", "--summary", "-"})).out);
-        const Json again = Json::parse(run_program(words_of(first)).out);
-        EXPECT_EQ(first.at("hash"), again.at("hash"));
-        EXPECT_EQ(first.at("parameters"), again.at("parameters"));
-    }
-}
-
 Json summary_of(std::vector<std::string> words) {
     words.insert(words.begin(), "run");
     words.insert(words.end(), {"--summary", "-"});
@@ -362,21 +337,6 @@ TEST(Run, memory_does_not_grow_with_the_number_of_steps) {
     };
     // The longer run writes 70 MB. Both reach the same few blocks in flight; 16 MB is room for chance.
     EXPECT_LT(kilobytes("1000000"), kilobytes("100000") + 16 * 1024);
-}
-
-// The whole process. Its programs and libraries are some 8 MB: 4 bytes a particle.
-TEST(LargeRun, takes_little_more_memory_than_positions_and_velocities) {
-    const auto bytes_a_particle = [](double particles, const char* model, const char* size, const char* method) {
-        const Outcome outcome =
-            run_program({"run", "--model", model, "--set", size, "--method", method, "--steps", "3", "--threads", "2"});
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return static_cast<double>(outcome.kilobytes) * 1024 / particles;
-    };
-    EXPECT_LT(bytes_a_particle(2.25e6, "mesh", "dim=1500", "velocity-verlet"), 64);
-    EXPECT_LT(bytes_a_particle(2.25e6, "chain", "n=2250000", "pefrl"), 64);
-    EXPECT_LT(bytes_a_particle(2.25e6, "mesh", "dim=1500", "rk4"), 200);
-    EXPECT_GT(bytes_a_particle(2.25e6, "mesh", "dim=1500", "rk4"), 96);  // there is something to be measured
-    EXPECT_LT(bytes_a_particle(1e6, "crystal", "edge=100", "velocity-verlet"), 400);  // lists of pairs are most of it
 }
 
 }  // namespace
