@@ -31,7 +31,7 @@ double phase_ahead(const State<double>& state, double t) {
 
 double phase_after(const Trial& trial, const Method& method) {
     Simulation simulation = trial.with(method.info.id);
-    advance_to(simulation, trial.steps());
+    simulation.advance(trial.steps() - simulation.step());
     return phase_ahead(simulation.state(), simulation.time());
 }
 
@@ -66,7 +66,7 @@ Curve float_phase_curve(std::string_view method, bool compensated, int colour) {
     Simulation in_double = swing(Precision::double_, compensated, 0).with(method);
     for (double steps = 10; steps <= 2e5; steps = std::ceil(steps * 1.3)) {
         for (Simulation* simulation : {&in_float, &in_double})
-            advance_to(*simulation, static_cast<std::uint64_t>(steps));
+            simulation->advance(static_cast<std::uint64_t>(steps) - simulation->step());
         const double t = in_double.time();
         const double apart = phase_ahead(in_float.state(), t) - phase_ahead(in_double.state(), t);
         curve.points.emplace_back(steps, std::abs(std::remainder(apart, 6.283185307179586)));
@@ -132,7 +132,7 @@ Figure stagnation_figure() {
         for (double dt = 5e-5; dt < 0.05; dt *= 1.1) {
             const Trial trial = crawling(Precision::float_, compensated, dt);
             Simulation simulation = trial.with(method);
-            advance_to(simulation, trial.steps());
+            simulation.advance(trial.steps() - simulation.step());
             curve.points.emplace_back(dt, fraction_covered(simulation) * crawl_time / simulation.time());
         }
         figure.curves.push_back(std::move(curve));

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "sim/run/samples.hpp"
 
 #include <fmt/format.h>
 
@@ -27,19 +28,8 @@ Trial trial(std::string_view model, Settings settings, double dt, double time) {
     return trial;
 }
 
-void advance_to(Simulation& simulation, std::uint64_t step) {
-    constexpr std::uint64_t steps_at_once = 64;  // less than a tenth of a second of any method on these scenes
-    while (simulation.step() < step && !simulation.divergence()) {
-        check_interruption();
-        simulation.advance(std::min(steps_at_once, step - simulation.step()));
-    }
-}
-
 bool observed(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Observer& observe) {
-    const std::uint64_t count = std::min(moments, steps);
-    for (std::uint64_t moment = 1; moment <= count && !simulation.divergence(); ++moment) {
-        advance_to(simulation, steps * moment / count);
-        if (moment == count) simulation.conclude();
+    for (Samples samples(steps, moments); samples.advance(simulation);) {
         if (simulation.divergence()) return false;
         observe(simulation);
     }

@@ -51,9 +51,6 @@ Trial trial(std::string_view model, Settings settings, double dt, double time);
 
 using Observer = std::function<void(Simulation&)>;
 
-/// Takes a run to this step, or to its last valid one. Throws Interrupted soon after a signal (check_interruption()).
-void advance_to(Simulation& simulation, std::uint64_t step);
-
 /// Runs the steps of a trial and calls `observe` at `moments` evenly spaced times, the last one at its end. False if it
 /// diverged.
 bool observed(Simulation& simulation, std::uint64_t steps, std::uint64_t moments, const Observer& observe);

@@ -37,7 +37,7 @@ Trial marginal(const Method& method, double factor) {
 /// Calls `observe` at logarithmically spaced steps. False if the run diverged.
 bool run_observed(Simulation& simulation, std::uint64_t most, const Observer& observe) {
     for (double steps = 1; steps <= static_cast<double>(most); steps = std::ceil(steps * 1.05)) {
-        advance_to(simulation, static_cast<std::uint64_t>(steps));
+        simulation.advance(static_cast<std::uint64_t>(steps) - simulation.step());
         if (simulation.divergence()) return false;
         observe(simulation);
     }

@@ -44,16 +44,15 @@ std::string encounter(const OwnStop& stop) {
 }
 
 std::string stop_message(const Divergence& divergence, const RunDescription& held) {
-    const bool has_tolerance = chooses_its_steps(held);
-    const std::string what = has_tolerance
-                                 ? fmt::format("meets its tolerance of {:.3g}", held.method_parameters["tolerance"])
+    const OwnStop& stop = *divergence.stop;
+    const std::string what = chooses_its_steps(held)
+                                 ? "meets its tolerance of " + typed(held.method_parameters["tolerance"], 3)
                                  : "solves its equations";
+    const std::string shortest =
+        stop.step > 0 ? fmt::format("not even one of {} s", typed(stop.step, 3)) : "however short";
     return fmt::format(
-        "The run stopped: step {} (t = {:.6g}) was the last valid one; at t = {:.10g} no step of {} {}, not even one "
-        "of "
-        "{} s{}.",
-        divergence.step, divergence.time, divergence.stop->time, held.method, what, typed(divergence.stop->step, 3),
-        encounter(*divergence.stop));
+        "The run stopped: step {} (t = {:.6g}) was the last valid one; at t = {:.8g} no step of {} {}, {}{}.",
+        divergence.step, divergence.time, stop.time, held.method, what, shortest, encounter(stop));
 }
 
 }  // namespace

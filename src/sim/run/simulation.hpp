@@ -52,7 +52,7 @@ public:
     /// Takes up to `steps` steps. If the run diverges, it goes back to the last good step, which may lie before where
     /// this call began, and no further. Numbers that are not finite are found before anybody sees them, an impossible
     /// energy on a fixed grid of steps (check_interval), so that it makes no difference in how many calls the steps are
-    /// taken.
+    /// taken. Throws Interrupted soon after a signal (check_interruption()); the run is lost then.
     void advance(std::uint64_t steps);
     /// Judges the energy of the present step too, as at the end of a run.
     void conclude();

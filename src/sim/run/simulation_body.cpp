@@ -1,6 +1,7 @@
 #include "sim/run/simulation_body.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "core/interruption.hpp"
 #include "sim/run/divergence.hpp"
 
 #include <algorithm>
@@ -87,6 +88,7 @@ void Simulation::Body::take(std::uint64_t steps) {
 void Simulation::Body::advance(std::uint64_t steps) {
     const FlushSubnormals flush;
     while (!divergence && steps > 0) {
+        check_interruption();
         const std::uint64_t taken = std::min(steps, steps_to_check());
         take(taken);
         steps -= taken;

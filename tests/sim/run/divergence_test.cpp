@@ -44,7 +44,7 @@ TEST(Divergence, of_a_method_that_chooses_its_steps_never_blames_dt) {
         EXPECT_FALSE(simulation.divergence()->remedy_dt) << c;
         if (!simulation.divergence()->stop) continue;
         ++stopped;
-        EXPECT_THAT(simulation.divergence()->message, HasSubstr("meets its tolerance of 1e-09")) << c;
+        EXPECT_THAT(simulation.divergence()->message, HasSubstr("meets its tolerance of 1e-9")) << c;
         EXPECT_THAT(simulation.divergence()->message, HasSubstr("particles 0 and 1, ")) << c;
         EXPECT_NEAR(simulation.divergence()->stop->time, 9.5, 0.01) << c;  // where the bullet is at r0
     }
