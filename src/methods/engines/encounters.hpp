@@ -28,7 +28,7 @@ namespace steplab {
 //     crossing(system, from, to, h)                     ends a step where a pair crosses the cut-off.
 
 /// Steps carry two particles that approach each other over this many lengths of the force at most: it grows by a factor
-/// of e^3, which the stages see.
+/// of e^2, which the stages see.
 inline constexpr double lengths_per_step = 2;
 
 /// From this distance on, two particles that approach change their velocities by less than a thousandth of the

@@ -70,7 +70,7 @@ private:
     template <class Separation>
     void add_register(const CutMorseConstants<N>& morse, Separation separation, std::size_t first, Field<T>& a) const {
         const std::size_t count = std::min(N::count, pairs_.size() - first);
-        std::array<std::array<T, N::count>, 3> along;
+        alignas(64) std::array<std::array<T, N::count>, 3> along;
         for (auto& axis : along) axis.fill(T(1));
         for (std::size_t lane = 0; lane < count; ++lane) {
             const auto d = separation(pairs_[first + lane].second, pairs_[first + lane].first);
