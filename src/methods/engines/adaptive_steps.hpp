@@ -140,7 +140,8 @@ public:
         T length = T(0);          ///< of the last step
         T across = T(0);          ///< if it went across a collision: the time from its beginning to there
         std::optional<OwnStop> stop;
-        std::uint32_t crawled = 0;  ///< steps in a row
+        std::uint32_t watched = 0;  ///< steps since
+        Time watched_from = 0;      ///< this time
         bool crossed = false;       ///< at its end other pairs act (encounters.hpp)
         typename StepControl<T>::State control{};
         typename CollisionGuard<T>::State guard{};
@@ -186,7 +187,8 @@ private:
             if (error <= 1) {
                 rule_.finish(system, h, next_);
                 if (crossing(system, motion(from_), motion(next_), h) != Crosses::no) continue;
-                return crawls_on(h, target) ? stop(system, h, target) : take(system, h, error);
+                take(system, h, error);
+                return stands_still(system.dt()) ? stop(system, h, target) : void();
             }
             if (!(h > shortest_step(target))) return stop(system, h, target);
             control_.rejected(error, h);
@@ -197,21 +199,16 @@ private:
 
     T shortest_step(Time target) const { return static_cast<T>(target * std::numeric_limits<Time>::epsilon()); }
 
-    /// Steps in which nothing moves by more than some roundings of its position go up the stairs of rounding: a force
-    /// may be so steep that it takes them, but not for ever.
-    bool crawls_on(T h, Time target) {
-        const auto largest = [](const Field<T>& field) {
-            T most = T(0);
-            for (const T number : field.flat()) most = std::max(most, std::abs(number));
-            return most;
-        };
-        constexpr T rounding = T(64) * std::numeric_limits<T>::epsilon();
-        const bool may_crawl = h < square_root(rounding) * static_cast<T>(target);
-        const bool crawls = may_crawl && h * largest(from_.v) < rounding * (T(1) + largest(from_.x));
-        progress_.crawled = crawls ? progress_.crawled + 1 : 0;
-        return progress_.crawled > most_crawled;
+    /// Where rounding is as steep as the force, steps shrink until time hardly goes on: at this rate a frame would take
+    /// more than 1e14 steps.
+    bool stands_still(T dt) {
+        if (++progress_.watched < steps_watched) return false;
+        const Time gone = progress_.time - progress_.watched_from;
+        progress_.watched = 0;
+        progress_.watched_from = progress_.time;
+        return gone < Time(1e-9) * static_cast<Time>(dt);
     }
-    static constexpr std::uint32_t most_crawled = 200000;
+    static constexpr std::uint32_t steps_watched = 131072;
 
     /// No step is short enough, or the motion is lost.
     template <class System>
@@ -219,6 +216,7 @@ private:
         progress_.stop = own_stop(system, from_.x, static_cast<double>(progress_.time), h);
         std::fill(next_.x.flat().begin(), next_.x.flat().end(), std::numeric_limits<T>::quiet_NaN());
         progress_.time = target;
+        progress_.lost = 0;  // else the clock may stand before the frame for ever
     }
 
     template <class System>

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -58,9 +59,10 @@ public:
     /// relative to tolerance (1 + |value|).
     template <class System>
     double attempt(System& system, const Moment<T>& from, T h, Moment<T>& next, T tolerance) {
+        if (system.drag() * h > most_damping) return std::numeric_limits<double>::infinity();
         stages_of_step(system, from, h);
         end(from, h, system.drag(), next, tolerance);
-        return static_cast<double>(std::max(largest_of(error_x_), largest_of(error_v_)));
+        return static_cast<double>(larger_of(largest_of(error_x_), largest_of(error_v_)));
     }
 
     template <class System>
@@ -81,6 +83,8 @@ public:
 private:
     using N = Lanes<T>;
     static constexpr auto& table = Table::table;
+    /// gamma h above which u and x are too far apart for any precision: e^16 times.
+    static constexpr T most_damping = T(32);
     static constexpr std::size_t stages = std::remove_cvref_t<decltype(Table::table)>::stages;
     template <std::size_t I>
     struct StageWeights {

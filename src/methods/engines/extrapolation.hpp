@@ -124,8 +124,8 @@ public:
         Extrapolation<T>::add(change.displacement, next.x, next.lost.x);
         Extrapolation<T>::add(change.velocity, next.v, next.lost.v);
         const State<T>& lower = method_.lower_order();
-        return std::max(error(next.x, change.displacement, lower.displacement, tolerance),
-                        error(next.v, change.velocity, lower.velocity, tolerance));
+        return larger_of(error(next.x, change.displacement, lower.displacement, tolerance),
+                         error(next.v, change.velocity, lower.velocity, tolerance));
     }
 
     template <class System>

@@ -88,4 +88,10 @@ T largest_of(const Field<T>& field) {
     return sum - sum == T(0) ? largest : std::numeric_limits<T>::quiet_NaN();
 }
 
+/// The larger of two; not a number if one of them is none.
+template <class T>
+T larger_of(T a, T b) {
+    return b > a || b != b ? b : a;
+}
+
 }  // namespace steplab

@@ -171,6 +171,21 @@ TEST_P(EncountersOf, without_a_cutoff_narrow_potentials_are_not_missed) {
     }
 }
 
+// From k = 1e12 on the potential is narrower than positions resolve at its place, up to a billion times.
+TEST_P(EncountersOf, forces_steeper_than_rounding_end_with_a_reason) {
+    for (const Precision precision : precisions) {
+        for (const double k : {1e8, 1e12, 1e16, 1e20, 1e24}) {
+            RunDescription run = run_of("morse", GetParam(), precision, 20, {{"edge", 1}, {"k", k}, {"cutoff", 2}});
+            Simulation simulation(with_tolerance(std::move(run), 1e-9));
+            simulation.advance(1);
+            // some times those of the steps that are watched, 131072; without that watch it is more than can be waited
+            // for
+            EXPECT_LT(simulation.evaluations(), 2e7) << id(precision) << ", k " << k;
+            EXPECT_TRUE(!simulation.divergence() || simulation.divergence()->stop) << id(precision) << ", k " << k;
+        }
+    }
+}
+
 TEST_P(EncountersOf, go_on_in_the_same_bits_from_a_saved_state) {
     for (const Precision precision : precisions) {
         const RunDescription description = with_tolerance(
