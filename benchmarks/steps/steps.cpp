@@ -119,7 +119,7 @@ Contestant ourselves(const RunDescription& description, std::size_t threads, boo
 std::vector<EnsembleRun> runs_with_other_k(const RunDescription& description, std::size_t runs, std::uint64_t steps) {
     const std::vector<ParameterRange> ranges{{"k", 1, 2}};
     std::vector<EnsembleRun> all;
-    for (std::size_t i = 0; i < runs; ++i) all.push_back({run_in_range(description, ranges, i, runs), steps});
+    for (std::size_t i = 0; i < runs; ++i) all.push_back({run_in_range(description, ranges, i, runs), {steps}});
     return all;
 }
 

@@ -34,4 +34,12 @@ std::string duration_text(double seconds) {
     return three_digits(seconds / units[unit].seconds) + " " + units[unit].name;
 }
 
+std::string bytes_text(double bytes) {
+    constexpr std::array names{"bytes", "kB", "MB", "GB", "TB", "PB"};
+    std::size_t unit = 0;
+    double value = bytes;
+    for (; unit + 1 < names.size() && value >= 999.5; ++unit) value /= 1000;
+    return value < 1000 ? three_digits(value) + " " + names[unit] : fmt::format("{:.3g} bytes", bytes);
+}
+
 }  // namespace steplab

@@ -3,6 +3,7 @@
 #include "core/duration.hpp"
 #include "core/number_text.hpp"
 #include "core/text.hpp"
+#include "io/commit.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -47,6 +48,9 @@ nlohmann::ordered_json parameters_json(const RunDescription& run) {
     return json;
 }
 
+/// What drag takes is no error.
+bool energy_error_is_change(const RunSummary& summary) { return has_drag(summary.run) && !summary.result.drag_work; }
+
 /// The fields that may differ between the runs of an ensemble, which have no wall time of their own.
 void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool timed) {
     const RunResult& result = summary.result;
@@ -57,9 +61,9 @@ void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool ti
     json["evaluations"] = result.evaluations;
     json["energy_start"] = result.energy_start;
     json["energy_end"] = result.energy_end;
-    // what drag takes is no error
     json["energy_error"] = result.energy_error;
-    if (has_drag(summary.run)) json["energy_change"] = std::exchange(json["energy_error"], nullptr);
+    if (result.drag_work) json["drag_work"] = *result.drag_work;
+    if (energy_error_is_change(summary)) json["energy_change"] = std::exchange(json["energy_error"], nullptr);
     if (timed && summary.error) json["error"] = *summary.error;
     if (timed) json["notes"] = summary.notes;
     if (timed) json["wall_seconds"] = summary.wall_seconds;
@@ -88,6 +92,7 @@ std::string collisions_text(const CollisionRecord& collisions) {
 
 std::string summary_json(const RunSummary& summary) {
     nlohmann::ordered_json json{{"version", STEPLAB_VERSION},
+                                {"commit", STEPLAB_COMMIT},
                                 {"model", summary.run.model},
                                 {"method", summary.run.method},
                                 {"precision", id(summary.run.precision)},
@@ -110,8 +115,9 @@ std::string summary_text(const RunSummary& summary) {
     line("evaluations", fmt::format("{}", result.evaluations));
     line("energy", fmt::format("{} J at the start, {} J at the end", short_number(result.energy_start),
                                short_number(result.energy_end)));
-    line(has_drag(run) ? "energy change" : "energy error",
+    line(energy_error_is_change(summary) ? "energy change" : "energy error",
          fmt::format("{} J at most, over the written steps (--every)", short_number(result.energy_error)));
+    if (result.drag_work) line("work of drag", short_number(*result.drag_work) + " J, counted in the energy error");
     if (summary.error) line("error", short_number(*summary.error) + " m at the end, against the exact solution");
     if (result.collisions.count() > 0) line("collisions", collisions_text(result.collisions));
     line("wall time", duration_text(summary.wall_seconds));
@@ -137,6 +143,7 @@ std::string summary_json(const EnsembleSummary& summary) {
         runs.push_back(std::move(run));
     }
     const nlohmann::ordered_json json{{"version", STEPLAB_VERSION},
+                                      {"commit", STEPLAB_COMMIT},
                                       {"model", first.model},
                                       {"method", first.method},
                                       {"precision", id(first.precision)},

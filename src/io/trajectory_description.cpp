@@ -1,5 +1,7 @@
 #include "io/trajectory_description.hpp"
 
+#include "io/commit.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "methods/engines/step_parts.hpp"
 #include "models/model.hpp"
 #include "sim/ensemble/ensemble_stepper.hpp"
 #include "sim/steppers/stepper.hpp"
@@ -20,6 +21,7 @@ struct Method {
     std::array<std::unique_ptr<Stepper> (*)(const StepperSetup&), 3> makers;
     /// The same for the runs of an ensemble in SIMD lanes; null for methods that have none.
     std::array<MakeEnsembleStepper, 3> ensemble_makers;
+    StepParts parts;
 
     std::unique_ptr<Stepper> make(const StepperSetup& setup) const {
         return makers[static_cast<std::size_t>(setup.instructions)](setup);

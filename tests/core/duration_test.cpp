@@ -34,5 +34,15 @@ TEST(Duration, is_readable_for_zero_tiny_and_infinite_values) {
     EXPECT_EQ(duration_text(infinity - infinity), "days");
 }
 
+TEST(Bytes, have_three_digits_in_the_unit_that_suits_them) {
+    EXPECT_EQ(bytes_text(0), "0 bytes");
+    EXPECT_EQ(bytes_text(512), "512 bytes");
+    EXPECT_EQ(bytes_text(999.6), "1 kB");
+    EXPECT_EQ(bytes_text(1536e3), "1.54 MB");
+    EXPECT_EQ(bytes_text(4.73e11), "473 GB");
+    EXPECT_EQ(bytes_text(9.99e17), "999 PB");
+    EXPECT_EQ(bytes_text(1e20), "1e+20 bytes");
+}
+
 }  // namespace
 }  // namespace steplab

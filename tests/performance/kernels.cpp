@@ -63,7 +63,7 @@ void count_ensemble(std::string_view method, Precision precision) {
     constexpr std::size_t runs = 64;
     constexpr unsigned steps = 8192;
     const Kernel kernel{"ensemble-10", "chain", {{"n", 10}}, 0.1, steps};
-    std::vector<EnsembleRun> all(runs, {run_of(kernel, method, precision), steps});
+    std::vector<EnsembleRun> all(runs, {run_of(kernel, method, precision), {steps}});
     for (std::size_t i = 0; i < runs; ++i) all[i].description.scene.set("k", 1 + 0.01 * static_cast<double>(i));
     const std::string name = fmt::format("{} {} {} {}", kernel.name, method, id(precision), runs * steps);
     CALLGRIND_ZERO_STATS;

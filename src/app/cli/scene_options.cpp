@@ -96,7 +96,7 @@ void SceneOptions::declare(CLI::App& app) {
     text_option(app, "--precision", precision_, "float|double",
                 fmt::format("Floating-point precision of the run (default {})", precision_), group);
     text_option(app, "--dt", dt_, "X", fmt::format("Time step [s] (default {})", dt_), group);
-    footer(app, catalogue_help);
+    footer(app, catalogue_hint);
 }
 
 bool SceneOptions::names_method() const { return is_given(*app_, "--method"); }
@@ -145,6 +145,11 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
                                      number_text(description.dt)));
     }
     return steps_until(until, description.dt);
+}
+
+RunEnd TimeOptions::end(const RunDescription& description) const {
+    const std::uint64_t number = steps(description);
+    return until_.empty() ? RunEnd{number} : run_end(description, *until());
 }
 
 std::optional<double> TimeOptions::until() const {

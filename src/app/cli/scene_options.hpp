@@ -61,6 +61,8 @@ public:
     void declare(CLI::App& app);
     /// Number of steps from the start. Throws UsageError.
     std::uint64_t steps(const RunDescription& description) const;
+    /// Where the run ends: after --steps, or by run_end() at --until. Throws UsageError.
+    RunEnd end(const RunDescription& description) const;
     /// The end time: --until, or the steps times dt. Throws UsageError unless it is > 0.
     double duration(const RunDescription& description) const;
     /// The end time asked for, if one was.

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 std::vector<RunSummary> computed(const EnsembleJob& job) {
     const std::uint64_t steps =
         std::accumulate(job.runs.begin(), job.runs.end(), std::uint64_t(0),
-                        [](std::uint64_t sum, const EnsembleRun& run) { return sum + run.steps; });
+                        [](std::uint64_t sum, const EnsembleRun& run) { return sum + run.end.step; });
     Progress progress(steps, isatty(STDERR_FILENO) != 0);
     const auto results = run_ensemble(job.runs, job.every, job.execution, [&](std::uint64_t done) {
         check_interruption();
@@ -45,8 +45,8 @@ std::vector<RunSummary> recorded(const EnsembleJob& job, EnsembleRows& rows) {
         const EnsembleRun& run = job.runs[i];
         rows.begin(i, run.description);
         Simulation simulation(run.description, job.execution);
-        summaries.push_back(record_run(simulation, run.steps, job.every, progress,
-                                       [&rows](const Simulation& now) { rows.record(now); }));
+        summaries.push_back(
+            record_run(simulation, run.end, job.every, progress, [&rows](const Simulation& now) { rows.record(now); }));
         check_interruption();
     }
     return summaries;

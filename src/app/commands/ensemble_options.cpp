@@ -52,8 +52,8 @@ std::vector<EnsembleRun> EnsembleOptions::runs(const RunDescription& description
     std::vector<EnsembleRun> runs;
     for (std::size_t i = 0; i < count(); ++i) {
         RunDescription run = run_in_range(description, ranges, i, count());
-        const std::uint64_t steps = time.steps(run);
-        runs.push_back({std::move(run), steps});
+        const RunEnd end = time.end(run);
+        runs.push_back({std::move(run), end});
     }
     return runs;
 }

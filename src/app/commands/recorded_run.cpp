@@ -32,8 +32,10 @@ std::vector<std::string> notes_of(const Simulation& simulation, const Diagnostic
 
 }  // namespace
 
-RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t every, Progress& progress,
+RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t every, Progress& progress,
                       const std::function<void(const Simulation&)>& record) {
+    const std::uint64_t steps = end.step;
+    simulation.end_at(end);
     ConfirmedSteps stepping(steps, [&progress](std::uint64_t step) {
         check_interruption();
         progress.at(step);
@@ -50,12 +52,12 @@ RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t
         record(simulation);
     }
     const double wall_seconds = seconds_since(begin);
-    const Diagnostics end = diagnostics_of(simulation);
+    const Diagnostics last = diagnostics_of(simulation);
     return {.run = simulation.description(),
             .result = result_of(simulation, energy_start, energy_error),
             .wall_seconds = wall_seconds,
-            .error = end.error,
-            .notes = notes_of(simulation, end)};
+            .error = last.error,
+            .notes = notes_of(simulation, last)};
 }
 
 }  // namespace steplab

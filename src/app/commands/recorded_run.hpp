@@ -11,7 +11,7 @@ namespace steplab {
 
 /// Runs a simulation from its start and calls record(simulation) at the start, after every K-th step and at the end. Of
 /// a run that diverges only valid steps are recorded.
-RunSummary record_run(Simulation& simulation, std::uint64_t steps, std::uint64_t every, Progress& progress,
+RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t every, Progress& progress,
                       const std::function<void(const Simulation&)>& record);
 
 }  // namespace steplab

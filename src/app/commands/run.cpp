@@ -40,21 +40,23 @@ public:
         ensemble_.declare(app);
         text_option(app, "--isa", isa_, "SET", "Instruction set (default: the fastest available)", "Computation");
         text_option(app, "--threads", threads_, "N", "Maximum number of threads (default: all cores)", "Computation");
-        footer(app, [] { return std::string(examples) + catalogue_help(); });
+        footer(app, [] { return std::string(examples) + catalogue_hint(); });
     }
 
     int run() override {
         const RunDescription description = scene_.description();
         output_.check();
         if (ensemble_.is_given()) return run_ensemble(description);
-        const std::uint64_t steps = time_.steps(description), rows_every = every(steps);
+        const RunEnd end = time_.end(description);
+        const std::uint64_t steps = end.step, rows_every = every(steps);
         catch_interruptions();
         RunOutputs outputs(output_, description);
         Simulation simulation(description, execution());
+        if (output_.asks_for_energy_error()) simulation.count_drag_work();
         try {
             const bool rows_on_terminal = output_.standard_output_taken() && isatty(STDOUT_FILENO) != 0;
             Progress progress(steps, isatty(STDERR_FILENO) != 0 && !rows_on_terminal);
-            const RunSummary summary = record_run(simulation, steps, rows_every, progress,
+            const RunSummary summary = record_run(simulation, end, rows_every, progress,
                                                   [&outputs](const Simulation& now) { outputs.record(now); });
             outputs.commit(summary);
             output_.print_summary(summary_text(summary));
@@ -85,7 +87,7 @@ private:
                         .output = output_,
                         .execution = execution()};
         std::uint64_t most = 0;
-        for (const EnsembleRun& run : job.runs) most = std::max(most, run.steps);
+        for (const EnsembleRun& run : job.runs) most = std::max(most, run.end.step);
         job.every = every(most);
         catch_interruptions();
         job.run();

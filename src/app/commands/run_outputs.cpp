@@ -80,7 +80,8 @@ RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& descr
     if (!options.series.empty()) {
         series_file_.emplace(options.series);
         series_.emplace(*series_file_, SeriesWriter::Columns{.error = scene.exact(description.scene) != nullptr,
-                                                             .energy_error = !has_drag(description)});
+                                                             .energy_error = !has_drag(description) ||
+                                                                             integrates_drag_work(description)});
     }
     if (!options.summary.empty()) summary_file_.emplace(options.summary);
 }

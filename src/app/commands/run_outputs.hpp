@@ -30,6 +30,8 @@ struct OutputOptions {
     void check() const;
     /// True if standard output belongs to rows, series or JSON.
     bool standard_output_taken() const;
+    /// True if energy errors are written.
+    bool asks_for_energy_error() const { return !series.empty() || !summary.empty(); }
     /// "chain.csv, energy.csv": the names of the files to write.
     std::string files() const;
     /// Prints a summary for people, with the names of the files: to standard output, or to standard error if standard

@@ -39,14 +39,15 @@ public:
 
     int run() override {
         const RunDescription description = scene_.description();
-        const std::uint64_t steps = time_.steps(description);
+        const RunEnd end = time_.end(description);
         PictureRequest request = picture_.request(description);
         catch_interruptions();
         std::optional<SnapshotEnsemble> ensemble = ensemble_of(description);
         OutputFile file(picture_.out());
         Offscreen offscreen(picture_.gl());
         Simulation simulation(description);
-        compute(simulation, steps, request);
+        simulation.end_at(end);
+        compute(simulation, end.step, request);
         if (ensemble) ensemble->put_into(request.view);
         const Picture picture = offscreen.draw(request);
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));

@@ -127,6 +127,12 @@ std::string study_section(const Study& study, std::span<const double> errors, co
     return text + "</section>\n";
 }
 
+/// Of a page of several scenes.
+std::string left_out_of(const std::vector<Study>& studies) {
+    if (studies.size() < 2) return "";
+    return fmt::format("<p class=\"quiet\">Not in this report: {}.</p>\n", escaped(left_out_text()));
+}
+
 }  // namespace
 
 std::string report_page(const std::vector<Study>& studies, std::span<const double> errors, const Circumstances& made) {
@@ -139,7 +145,8 @@ std::string report_page(const std::vector<Study>& studies, std::span<const doubl
     }
     const std::vector<std::string> svg = svg_figures(figures);
     std::string page = page_head("Speed against error", contents, made) + links(studies) + "<h2>Answers</h2>\n" +
-                       answers_explained + answers_table(studies, errors, colours) + times_explained;
+                       answers_explained + answers_table(studies, errors, colours) + times_explained +
+                       left_out_of(studies);
     std::size_t used = 0;
     for (std::size_t i = 0; i < studies.size(); ++i) {
         const std::size_t count = of_study[i].figures.size();

@@ -4,7 +4,9 @@
 #include "lab/report/figure.hpp"
 #include "lab/study/speed_error.hpp"
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace steplab {
@@ -20,9 +22,16 @@ struct Study {
 };
 
 /// The scenes of a report by default: the models at their defaults over a characteristic time; morse with spacing 0.3,
-/// because at its default particles pass through each other, where methods lose their order; not crystal, where they
-/// lose it at the kinks of the cut-off.
+/// because at its default particles pass through each other, where methods lose their order.
 std::vector<StudyPlan> default_plans(bool quick);
+
+/// A model without a scene in reports, and why.
+struct LeftOut {
+    std::string_view model, reason;
+};
+std::span<const LeftOut> left_out_of_plans();
+/// "crystal (why)".
+std::string left_out_text();
 
 /// Approximate share of this model in the work of a whole report.
 double share_of_work(const StudyPlan& plan);

@@ -4,6 +4,7 @@
 #include "core/lanes.hpp"
 #include "core/vector.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/step_parts.hpp"
 #include "methods/engines/synchronised.hpp"
 
 #include <array>
@@ -14,14 +15,6 @@
 #include <vector>
 
 namespace steplab {
-
-/// A stage of an explicit Runge-Kutta method each of whose stages starts along the slope of the one before alone.
-template <class T>
-struct RungeKuttaStage {
-    T weight{};          ///< of its slope at the end of the step
-    T ahead{};           ///< how far along its slope the next stage starts, in steps
-    bool counts = true;  ///< its weight is not zero
-};
 
 /// Takes the steps of RungeKutta, each number as that computes it, of a table that is known when the program runs: one
 /// piece of code for all such methods, for runs in SIMD lanes. Slopes are kept until the end of the step: that takes

@@ -5,6 +5,7 @@
 #include "core/phi.hpp"
 #include "methods/engines/compensated.hpp"
 #include "methods/engines/kick_drift.hpp"
+#include "methods/engines/step_parts.hpp"
 
 #include <array>
 #include <cstddef>
@@ -12,14 +13,6 @@
 #include <utility>
 
 namespace steplab {
-
-/// A kick v += kick dt a(x) and the drift x += drift dt v after it (McLachlan, Quispel, Acta Numerica 11 (2002) 341,
-/// section 3). Each kick costs one evaluation. A table begins with a kick, or with a drift alone; it ends with a drift,
-/// or, if it begins with a kick, with a kick alone, which then is one with the next step's first.
-struct KickAndDrift {
-    long double kick = 0;
-    long double drift = 0;
-};
 
 /// velocity-verlet applied with w[0] dt, w[1] dt, ...; the half kicks between two of them are one.
 template <std::size_t N>

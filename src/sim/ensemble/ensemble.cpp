@@ -49,13 +49,15 @@ private:
 EnsembleResult run_alone(const EnsembleRun& run, std::uint64_t every, Execution execution, const StepsDone& done) {
     execution.threads = 1;
     Simulation simulation(run.description, execution);
+    simulation.end_at(run.end);
+    const std::uint64_t steps = run.end.step;
     const double energy_start = simulation.energy();
     EnergyErrors errors;
     const std::uint64_t most = piece(simulation.particles());
-    for (std::uint64_t at = 0; at < run.steps && !simulation.divergence();) {
-        const std::uint64_t row = std::min(run.steps, at - at % every + every), to = std::min(row, at + most);
+    for (std::uint64_t at = 0; at < steps && !simulation.divergence();) {
+        const std::uint64_t row = std::min(steps, at - at % every + every), to = std::min(row, at + most);
         simulation.advance(to - at);
-        if (to == run.steps) simulation.conclude();
+        if (to == steps) simulation.conclude();
         if (to == row || simulation.divergence()) errors.add(simulation.step(), simulation.energy_error());
         done(to - at);
         at = to;

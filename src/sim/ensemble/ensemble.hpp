@@ -14,7 +14,7 @@ namespace steplab {
 /// One run of an ensemble.
 struct EnsembleRun {
     RunDescription description;
-    std::uint64_t steps = 0;
+    RunEnd end;
 };
 
 /// Its result, equal to that of a Simulation; energy_error is taken over every K-th step and the last.

@@ -32,7 +32,7 @@ struct Member {
         : held(as_held(run.description)),
           scene(model(held.model).scene(held.scene)),
           meter(scene, instructions_of(execution)),
-          steps(run.steps) {}
+          steps(run.end.step) {}
 
     StepperSetup setup(const Execution& execution) const {
         return segment_start(held, scene, instructions_of(execution));

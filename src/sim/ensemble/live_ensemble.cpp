@@ -1,5 +1,6 @@
 #include "sim/ensemble/live_ensemble.hpp"
 
+#include "core/duration.hpp"
 #include "core/error.hpp"
 #include "core/flush_subnormals.hpp"
 #include "sim/catalogue.hpp"
@@ -124,9 +125,8 @@ void LiveEnsemble::check_memory(const RunDescription& description) const {
     const double needed = static_cast<double>(runs_) * one, there = available_memory();
     if (needed <= there) return;
     throw UsageError(
-        fmt::format("an ensemble of {} runs needs {:.3g} bytes of memory, {:.3g} are available: choose {:.0f} "
-                    "runs at most",
-                    runs_, needed, there, std::floor(there / one)));
+        fmt::format("an ensemble of {} runs needs {} of memory, {} are available: choose {:.0f} runs at most", runs_,
+                    bytes_text(needed), bytes_text(there), std::floor(there / one)));
 }
 
 /// Begins a segment as Simulation does: at the synchronised state.

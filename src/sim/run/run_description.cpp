@@ -1,5 +1,6 @@
 #include "sim/run/run_description.hpp"
 
+#include "core/duration.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "sim/catalogue.hpp"
@@ -40,8 +41,8 @@ void check_memory(const RunDescription& description, double needed_for_interacti
     if (needed < 1e6) return;  // always there, and to ask the system takes longer than a short run
     const double there = available_memory();
     if (needed <= there && particles <= 4294967295.0) return;
-    throw UsageError(fmt::format("{} particles need {:.3g} bytes of memory, {:.3g} are available: choose a smaller {}",
-                                 number_text(particles), needed, there,
+    throw UsageError(fmt::format("{} particles need {} of memory, {} are available: choose a smaller {}",
+                                 number_text(particles), bytes_text(needed), bytes_text(there),
                                  description.scene.contains("dim")    ? "dim"
                                  : description.scene.contains("edge") ? "edge"
                                                                       : "n"));
@@ -148,6 +149,10 @@ bool has_drag(const RunDescription& description) {
     return description.scene.contains("c") && description.scene["c"] > 0;
 }
 
+bool integrates_drag_work(const RunDescription& description) {
+    return has_drag(description) && method(description.method).parts.known();
+}
+
 bool chooses_its_steps(const RunDescription& description) {
     const ParameterValues& values = description.method_parameters;
     return values.contains("tolerance") && values["tolerance"] > 0;
@@ -155,6 +160,14 @@ bool chooses_its_steps(const RunDescription& description) {
 
 std::uint64_t steps_until(double duration, double dt) {
     return static_cast<std::uint64_t>(std::ceil(duration / dt * (1 - 1e-12)));
+}
+
+RunEnd run_end(const RunDescription& description, double until) {
+    const std::uint64_t steps = steps_until(until, description.dt);
+    if (steps == 0 || !chooses_its_steps(description)) return {steps};
+    const double reached = static_cast<double>(steps) * rounded_to(description.precision, description.dt);
+    // up to rounding the steps end there anyway
+    return std::abs(reached - until) <= 1e-6 * description.dt ? RunEnd{steps} : RunEnd{steps, until};
 }
 
 }  // namespace steplab

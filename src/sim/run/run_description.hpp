@@ -67,10 +67,23 @@ std::optional<StabilityLimit> stability_limit(const RunDescription& description)
 /// True if the scene takes energy out of the motion: the energy then changes without any error.
 bool has_drag(const RunDescription& description);
 
+/// True if it has drag and the method's steps are of parts whose work of drag is known (drag_work.hpp).
+bool integrates_drag_work(const RunDescription& description);
+
 /// True if the method chooses its own steps within dt by its tolerance; false if every step is dt.
 bool chooses_its_steps(const RunDescription& description);
 
 /// ceil(duration / dt * (1 - 1e-12)): the steps that reach `duration`.
 std::uint64_t steps_until(double duration, double dt);
+
+/// Where a run ends: after so many steps, the last of which ends at `time` where that is given.
+struct RunEnd {
+    std::uint64_t step = 0;
+    std::optional<double> time = {};
+};
+
+/// The end of a run that is to reach `until` > 0: a method that chooses its own steps ends there, any other at the end
+/// of the step of dt that reaches it.
+RunEnd run_end(const RunDescription& description, double until);
 
 }  // namespace steplab

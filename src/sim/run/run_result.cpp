@@ -11,6 +11,7 @@ RunResult result_of(const Simulation& simulation, double energy_start, double en
             .energy_start = energy_start,
             .energy_end = simulation.energy(),
             .energy_error = energy_error,
+            .drag_work = simulation.drag_work(),
             .hash = simulation.hash(),
             .divergence = simulation.divergence(),
             .collisions = simulation.collisions()};

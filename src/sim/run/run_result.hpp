@@ -19,7 +19,8 @@ struct RunResult {
     std::uint64_t evaluations = 0;  ///< of the forces, start-up included
     double energy_start = 0;
     double energy_end = 0;
-    double energy_error = 0;  ///< largest |E - E0| over the steps at which it was measured
+    double energy_error = 0;  ///< largest |E - E0| over the steps at which it was measured, drag_work added if counted
+    std::optional<double> drag_work = {};  ///< what drag took, where it was counted
     std::string hash = {};
     std::optional<Divergence> divergence = {};
     CollisionRecord collisions = {};  ///< that an adaptive method found and restarted from

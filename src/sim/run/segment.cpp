@@ -14,13 +14,14 @@ Segment::Segment(const RunDescription& given, const Execution& how)
     restart();
 }
 
-Segment::Segment(const RunDescription& given, const Execution& how, const Start& start)
+Segment::Segment(const RunDescription& given, const Execution& how, const Start& start, std::optional<double> dt)
     : description(given),
       held(as_held(given)),
       execution(how),
       scene(model(held.model).scene(held.scene)),
       meter(scene, instructions_of(how)) {
     scene.start = start;
+    if (dt) held.dt = rounded_to(held.precision, *dt);
     restart();
 }
 

@@ -27,8 +27,9 @@ struct Segment {
 
     /// Begins at the scene's own start. Throws UsageError if the description cannot be run.
     explicit Segment(const RunDescription& description, const Execution& execution = {});
-    /// Begins at a synchronised state.
-    Segment(const RunDescription& description, const Execution& execution, const Start& start);
+    /// Begins at a synchronised state; with `dt`, its steps are of that length instead of the description's.
+    Segment(const RunDescription& description, const Execution& execution, const Start& start,
+            std::optional<double> dt = {});
 
     /// Puts the stepper back to where the segment began.
     void restart();

@@ -35,7 +35,10 @@ Simulation::Body& Simulation::settled() const {
 const RunDescription& Simulation::description() const { return body_->segment.description; }
 std::uint64_t Simulation::step() const { return settled().step; }
 double Simulation::time() const { return settled().time_at(settled().step); }
-double Simulation::dt() const { return body_->segment.held.dt; }
+double Simulation::dt() const {
+    const RunDescription& given = description();
+    return rounded_to(given.precision, given.dt);
+}
 std::size_t Simulation::particles() const { return body_->segment.scene.reference.count; }
 std::uint64_t Simulation::segment() const { return body_->segment_number; }
 double Simulation::segment_start() const { return body_->segment_time; }
@@ -55,6 +58,14 @@ Simulation::Advanced Simulation::advanced() const {
 }
 
 CollisionRecord Simulation::collisions() const { return settled().segment.stepper->collisions(); }
+
+void Simulation::end_at(const RunEnd& end) { body_->end = end.time ? std::optional(end) : std::nullopt; }
+
+bool Simulation::count_drag_work() { return settled().count_drag_work(); }
+std::optional<double> Simulation::drag_work() const {
+    const Body& body = settled();
+    return body.drag_work ? std::optional(body.drag_work->value()) : std::nullopt;
+}
 
 void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
 void Simulation::conclude() { body_->conclude(); }
@@ -134,14 +145,14 @@ Diagnostics Simulation::measured(const PortionSink& also) const {
     sums.kinetic = body.energy().kinetic;
     sums.potential = body.energy().potential.value;
     sums.energy = body.energy().total();
-    sums.energy_error = sums.energy - body.baseline.total();
+    sums.energy_error = body.energy_error();
     if (has_exact() && time() <= body.exact()->valid_until())
         sums.error = largest_error(body.state().displacement, *body.exact(), time());
     return sums;
 }
 
 double Simulation::energy() const { return settled().energy().total(); }
-double Simulation::energy_error() const { return energy() - body_->baseline.total(); }
+double Simulation::energy_error() const { return settled().energy_error(); }
 
 std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time) const {
     const ExactSolution* const exact = body_->exact();
@@ -185,7 +196,8 @@ Simulation::Snapshot Simulation::save() const {
     stepper.save(internal);
     Snapshot snapshot;
     snapshot.content_ = std::make_shared<const Snapshot::Content>(
-        Snapshot::Content{description(), body_->segment.scene.start, course, std::move(internal), stepper.bytes()});
+        Snapshot::Content{description(), body_->segment.scene.start, body_->segment.held.dt, course,
+                          std::move(internal), stepper.bytes()});
     return snapshot;
 }
 
@@ -193,8 +205,9 @@ void Simulation::restore(const Snapshot& snapshot) {
     const FlushSubnormals flush;
     const Snapshot::Content& content = *snapshot.content_;
     if (content.course.segment_number != segment())
-        body_->segment = Segment(content.description, Execution(body_->segment.execution), content.start);
+        body_->segment = Segment(content.description, Execution(body_->segment.execution), content.start, content.dt);
     static_cast<Course&>(*body_) = content.course;
+    body_->prepare_drag();
     body_->segment.stepper->restore(content.internal);
     body_->divergence.reset();
     body_->moved();

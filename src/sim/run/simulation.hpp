@@ -49,6 +49,14 @@ public:
     /// Collisions of the present segment where a force jumps, as adaptive methods find them; times since its start.
     CollisionRecord collisions() const;
 
+    /// Before the first step: where the last step ends before dt (run_end()). The run may go no further.
+    void end_at(const RunEnd& end);
+    /// Counts the work of drag from here on, which energy errors then contain, at the cost of another evaluation of
+    /// forces for each of the method's. False unless integrates_drag_work().
+    bool count_drag_work();
+    /// In J since the baseline; none if it is not counted.
+    std::optional<double> drag_work() const;
+
     /// Takes up to `steps` steps. If the run diverges, it goes back to the last good step, which may lie before where
     /// this call began, and no further. Numbers that are not finite are found before anybody sees them, an impossible
     /// energy on a fixed grid of steps (check_interval), so that it makes no difference in how many calls the steps are

@@ -77,19 +77,56 @@ void Simulation::Body::keep() {
         kept.reset();
     }
     kept_step = step;
+    kept_drag_work = drag_work;
 }
 
 void Simulation::Body::take(std::uint64_t steps) {
+    if (drag_work) return take_counting(steps);
     segment.stepper->advance(steps);
     step += steps;
     moved();
+}
+
+/// One by one, each with the work of drag in it.
+void Simulation::Body::take_counting(std::uint64_t steps) {
+    for (std::uint64_t i = 0; i < steps; ++i) {
+        drag_work->add(drag->of_step(state()));
+        segment.stepper->advance(1);
+        ++step;
+        moved();
+    }
+}
+
+bool Simulation::Body::count_drag_work() {
+    if (!integrates_drag_work(segment.held)) return false;
+    drag_work.emplace();
+    kept_drag_work = drag_work;
+    segment_begun();
+    return true;
+}
+
+void Simulation::Body::segment_begun() {
+    const StepParts& parts = method(segment.held.method).parts;
+    if (!parts.known()) drag_work.reset();
+    segment_drag_work = drag_work;
+    prepare_drag();
+}
+
+/// For the segment's method and dt.
+void Simulation::Body::prepare_drag() {
+    drag.reset();
+    if (drag_work) drag.emplace(segment.scene, method(segment.held.method).parts, segment.held.dt);
 }
 
 void Simulation::Body::advance(std::uint64_t steps) {
     const FlushSubnormals flush;
     while (!divergence && steps > 0) {
         check_interruption();
-        const std::uint64_t taken = std::min(steps, steps_to_check());
+        if (steps_to_shortened() == 0) {
+            shorten_last_step();
+            continue;
+        }
+        const std::uint64_t taken = std::min({steps, steps_to_check(), steps_to_shortened()});
         take(taken);
         steps -= taken;
         if (steps_to_check() != steps_between_checks) continue;
@@ -132,9 +169,13 @@ void Simulation::Body::go_back_to_kept() {
     if (kept.has_value()) {
         segment.stepper->restore(kept);
         step = kept_step;
+        drag_work = kept_drag_work;
+        moved();
     } else {
         segment.restart();
         step = segment_step;
+        drag_work = segment_drag_work;
+        moved();
         take(kept_step - segment_step);
     }
 }
@@ -147,9 +188,9 @@ void Simulation::Body::diverged() {
 }
 
 /// Begins a new segment at the synchronised state.
-void Simulation::Body::go_on(const RunDescription& description, bool energy_changed) {
+void Simulation::Body::go_on(const RunDescription& description, bool energy_changed, std::optional<double> dt) {
     const FlushSubnormals flush;
-    Segment next(description, segment.execution, Start(State<double>(state())));
+    Segment next(description, segment.execution, Start(State<double>(state())), dt);
     evaluations_before += segment.stepper->evaluations();
     segment_time = time_at(step);
     segment_step = step;
@@ -161,8 +202,18 @@ void Simulation::Body::go_on(const RunDescription& description, bool energy_chan
         baseline = energy();
         baseline_step = step;
         exact_scene.reset();
+        if (drag_work) drag_work.emplace();
     }
+    segment_begun();
     keep();
+}
+
+/// The last step ends at the time asked for, in a segment of its own.
+void Simulation::Body::shorten_last_step() {
+    settle();
+    if (divergence) return;
+    go_on(RunDescription(segment.description), false, *end->time - time_at(step));
+    shortened = true;
 }
 
 /// The particle stops at this displacement; a new segment begins.

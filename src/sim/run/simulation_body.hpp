@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/sum.hpp"
+#include "sim/run/drag_work.hpp"
 #include "sim/run/segment.hpp"
 #include "sim/run/simulation.hpp"
 
 #include <any>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -24,11 +27,16 @@ struct Course {
     std::uint64_t baseline_step = 0;
     /// What the motion is to be by its exact solution, if it has one: none once the scene was changed under way.
     std::optional<ParameterValues> exact_scene;
+    /// What drag has taken since the baseline; none if it is not counted.
+    std::optional<CompensatedSum> drag_work;
+    std::optional<CompensatedSum> segment_drag_work;  // where the segment began
+    bool shortened = false;                           // its one step ends at the time asked for, before dt
 };
 
 struct Simulation::Snapshot::Content {
     RunDescription description;
     Start start;  ///< of the segment
+    double dt;    ///< of its steps, as its precision holds it
     Course course;
     std::any internal;
     std::size_t bytes;
@@ -41,11 +49,15 @@ struct Simulation::Body : Course {
 
     std::any kept;  // internal state at a step known to be good; none of large scenes
     std::uint64_t kept_step = 0;
+    std::optional<CompensatedSum> kept_drag_work;  // there
     std::optional<Divergence> divergence;
+    std::optional<RunEnd> end;  // of a run whose last step ends before dt
+    std::optional<DragWork> drag;
 
     Body(const RunDescription& description, const Execution& execution);
 
     double time_at(std::uint64_t at) const {
+        if (end && at == end->step) return *end->time;
         return segment_time + static_cast<double>(at - segment_step) * segment.held.dt;
     }
 
@@ -59,22 +71,33 @@ struct Simulation::Body : Course {
     const ExactSolution* exact();
 
     bool energy_is_good();
+    /// E - E0, the work of drag added where it is counted.
+    double energy_error() { return energy().total() - baseline.total() + (drag_work ? drag_work->value() : 0); }
     bool is_good() { return segment.stepper->finite() && energy_is_good(); }
 
     void keep();
     void go_back_to_kept();
 
     std::uint64_t steps_to_check() const { return steps_between_checks - (step - segment_step) % steps_between_checks; }
+    std::uint64_t steps_to_shortened() const {
+        const bool ahead = end && !shortened && step < end->step;
+        return ahead ? end->step - 1 - step : std::numeric_limits<std::uint64_t>::max();
+    }
+    void shorten_last_step();
     void moved() { state_known = energy_known = settled = false; }
 
     void advance(std::uint64_t steps);
     void settle();
     void conclude();
     void take(std::uint64_t steps);
+    void take_counting(std::uint64_t steps);
+    bool count_drag_work();
+    void segment_begun();
+    void prepare_drag();
     void pull(std::size_t particle, Vec3 displacement);
     void go_back_to_last_good();
     void diverged();
-    void go_on(const RunDescription& description, bool energy_changed);
+    void go_on(const RunDescription& description, bool energy_changed, std::optional<double> dt = {});
 
 private:
     State<double> observed_state;

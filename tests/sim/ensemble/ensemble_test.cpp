@@ -53,7 +53,7 @@ const std::vector<Case>& cases() {
 std::vector<EnsembleRun> runs_of(RunDescription description, const std::vector<ParameterRange>& ranges,
                                  std::uint64_t steps, std::size_t runs = count) {
     std::vector<EnsembleRun> all;
-    for (std::size_t i = 0; i < runs; ++i) all.push_back({run_in_range(description, ranges, i, runs), steps});
+    for (std::size_t i = 0; i < runs; ++i) all.push_back({run_in_range(description, ranges, i, runs), {steps}});
     return all;
 }
 
@@ -62,8 +62,8 @@ RunResult alone(const EnsembleRun& run, std::uint64_t every) {
     Simulation simulation(run.description);
     const double energy_start = simulation.energy();
     double energy_error = 0;
-    while (simulation.step() < run.steps && !simulation.divergence()) {
-        simulation.advance(std::min(every - simulation.step() % every, run.steps - simulation.step()));
+    while (simulation.step() < run.end.step && !simulation.divergence()) {
+        simulation.advance(std::min(every - simulation.step() % every, run.end.step - simulation.step()));
         energy_error = std::max(energy_error, std::abs(simulation.energy_error()));
     }
     simulation.conclude();
@@ -188,7 +188,7 @@ TEST(Ensemble, runs_may_differ_in_everything) {
     for (const Case& scene : cases()) {
         for (const Method& method : methods()) {
             for (const Precision precision : test::precisions)
-                runs.push_back({scene.run(std::string(method.info.id), precision, 0.01), ++steps});
+                runs.push_back({scene.run(std::string(method.info.id), precision, 0.01), {++steps}});
         }
     }
     const auto results = run_ensemble(runs, 7);
@@ -197,7 +197,7 @@ TEST(Ensemble, runs_may_differ_in_everything) {
 
 TEST(Ensemble, runs_of_one_group_end_at_their_own_steps) {
     auto runs = runs_of(test::run_of("chain", "euler", Precision::double_, 0.02), {{"k", 1, 2}}, 0, 16);
-    for (std::size_t i = 0; i < runs.size(); ++i) runs[i].steps = i * i * 3;
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[i].end.step = i * i * 3;
     const auto results = run_ensemble(runs, 50);
     for (std::size_t i = 0; i < runs.size(); ++i) expect_same(results[i], alone(runs[i], 50));
     EXPECT_EQ(side_by_side(results), 16u);
