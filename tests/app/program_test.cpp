@@ -88,7 +88,7 @@ TEST(Program, help_is_a_command_too) {
     EXPECT_EQ(help.out, run_program({"--help"}).out);
     EXPECT_EQ(run_program({"help", "help"}).out, help.out);
     EXPECT_EQ(run_program({"help", "--help"}).out, help.out);
-    for (const char* code : {"0 done", "2 wrong", "3 a file", "4 the run diverged", "5 no OpenGL"})
+    for (const char* code : {"0 done", "2 wrong", "3 a file", "4 the run diverged", "5 no OpenGL", "6 a repeated run"})
         EXPECT_THAT(help.out, HasSubstr(code));
 }
 

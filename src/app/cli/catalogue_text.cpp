@@ -25,14 +25,21 @@ std::string parameter_rows(std::span<const ParameterInfo> parameters) {
         rows.push_back(
             {std::string(info.name), "default " + default_text(info), range_text(info), std::string(info.what)});
     }
-    return aligned(rows, 6);
+    return aligned(rows, 4);
 }
 
-template <class Info>
-std::string help_entry(const Info& info) {
-    std::string text = fmt::format("  {:<14}", info.id);
-    return text + wrapped(fmt::format("{}: {}", info.name, info.what), text.size()) + '\n' +
-           parameter_rows(info.parameters);
+/// Every entry with its parameters; all begin their descriptions at the same column.
+template <class Entry>
+std::string entries_with_parameters(std::span<const Entry> entries) {
+    std::size_t width = 0;
+    for (const Entry& entry : entries) width = std::max(width, entry.info.id.size());
+    std::string text;
+    for (const Entry& entry : entries) {
+        const std::string id = fmt::format("{:<{}}", entry.info.id, width + 2);
+        text += id + wrapped(fmt::format("{}: {}", entry.info.name, entry.info.what), id.size()) + '\n' +
+                parameter_rows(entry.info.parameters);
+    }
+    return text;
 }
 
 std::string settings(std::span<const ParameterInfo> parameters) {
@@ -64,12 +71,16 @@ std::string properties(const MethodInfo& info) {
 
 }  // namespace
 
-std::string catalogue_help() {
-    std::string text = "Models (--model) and their parameters (--set name=value)\n";
-    for (const Model& model : models()) text += help_entry(model.info);
-    text += "\nMethods (--method) and their parameters (--set name=value)\n";
-    for (const Method& method : methods()) text += help_entry(method.info);
-    return text.substr(0, text.size() - 1);
+std::string catalogue_hint() {
+    return "Models, methods and their parameters: steplab list, steplab list models, steplab list methods";
+}
+
+std::string models_with_parameters() {
+    return "Models (--model) and their parameters (--set name=value)\n\n" + entries_with_parameters(models());
+}
+
+std::string methods_with_parameters() {
+    return "Methods (--method) and their parameters (--set name=value)\n\n" + entries_with_parameters(methods());
 }
 
 std::string models_table() {

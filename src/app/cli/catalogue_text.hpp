@@ -6,8 +6,11 @@ namespace steplab {
 
 // The catalogue as text for a terminal: aligned, at most 100 columns wide. All of it comes from the entries.
 
-/// Models, methods and all their parameters with unit, default and range: the end of every command's help.
-std::string catalogue_help();
+/// Where the catalogue is shown: the end of every command's help.
+std::string catalogue_hint();
+/// The models, or the methods, and all their parameters with unit, default and range.
+std::string models_with_parameters();
+std::string methods_with_parameters();
 /// A short table of the models.
 std::string models_table();
 /// A short table of the methods.

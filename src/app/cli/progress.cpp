@@ -7,8 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace steplab {
+
+namespace {
+
+/// Of progress that is written as lines.
+constexpr std::chrono::seconds between_lines(5);
+
+}  // namespace
 
 std::string progress_text(double fraction, double elapsed_seconds) {
     constexpr int width = 30;
@@ -18,11 +26,19 @@ std::string progress_text(double fraction, double elapsed_seconds) {
                        duration_text(std::ceil(elapsed_seconds * (1 - fraction) / fraction)));
 }
 
-Progress::Progress(std::uint64_t total, bool visible) : total_(total), visible_(visible) {}
+std::string progress_line(const std::string& program, double fraction, double elapsed_seconds) {
+    return fmt::format("{}: {:.0f} %, {} left\n", program, std::floor(fraction * 100),
+                       duration_text(std::ceil(elapsed_seconds * (1 - fraction) / fraction)));
+}
+
+Progress::Progress(std::uint64_t total, bool visible, std::string program)
+    : total_(total), visible_(visible), program_(visible ? std::string() : std::move(program)) {
+    if (!program_.empty()) next_ = begin_ + between_lines;
+}
 
 Progress::~Progress() { clear(); }
 
-bool Progress::is_due() { return visible_ && Clock::now() >= next_; }
+bool Progress::is_due() { return (visible_ || !program_.empty()) && Clock::now() >= next_; }
 
 void Progress::draw(const std::string& line) {
     next_ = Clock::now() + std::chrono::milliseconds(100);
@@ -31,14 +47,23 @@ void Progress::draw(const std::string& line) {
     std::fflush(stderr);
 }
 
+void Progress::print_line(const std::string& line) {
+    next_ = Clock::now() + between_lines;
+    std::fputs(line.c_str(), stderr);
+}
+
 void Progress::at(std::uint64_t done) {
     if (!is_due()) return;
     const double fraction = static_cast<double>(done) / static_cast<double>(total_);
-    draw(progress_text(fraction, std::chrono::duration<double>(Clock::now() - begin_).count()));
+    const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
+    if (visible_)
+        draw(progress_text(fraction, elapsed));
+    else if (done > 0)
+        print_line(progress_line(program_, fraction, elapsed));
 }
 
 void Progress::stage(const std::string& text) {
-    if (is_due()) draw(text);
+    if (is_due()) visible_ ? draw(text) : print_line(program_ + ": " + text + '\n');
     begin_ = Clock::now();
 }
 

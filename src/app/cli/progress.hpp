@@ -9,11 +9,15 @@ namespace steplab {
 /// "[#######-------]  48 %  12 s left": the part of a long computation that is done, and the time left.
 std::string progress_text(double fraction, double elapsed_seconds);
 
+/// "steplab report: 48 %, 12 s left", a line for standard error where that is no terminal.
+std::string progress_line(const std::string& program, double fraction, double elapsed_seconds);
+
 /// A progress bar on standard error: from the first second on, cleared at the end.
 class Progress {
 public:
-    /// `visible`: standard error is a terminal that nothing else writes to. If false, nothing is shown.
-    Progress(std::uint64_t total, bool visible);
+    /// `visible`: standard error is a terminal that nothing else writes to. If false, nothing is shown; but if it is no
+    /// terminal and a program is named, a line every few seconds.
+    Progress(std::uint64_t total, bool visible, std::string program = {});
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -28,9 +32,11 @@ private:
     using Clock = std::chrono::steady_clock;
     bool is_due();
     void draw(const std::string& line);
+    void print_line(const std::string& line);
 
     std::uint64_t total_;
     bool visible_;
+    std::string program_;  ///< of lines; empty: none
     bool drawn_ = false;
     Clock::time_point begin_ = Clock::now();
     Clock::time_point next_ = begin_ + std::chrono::seconds(1);

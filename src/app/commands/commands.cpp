@@ -38,10 +38,11 @@ std::string program_help(const Commands& all) {
     text += fmt::format("  {:<12}{}\n", help_command, "Print this help, or that of a command");
     text += "\nWithout a command, the scene opens in a window: steplab --model rope --dt 0.02\n";
     text += "Options of a command: steplab help COMMAND, or steplab COMMAND --help\n";
+    text += catalogue_hint() + '\n';
     text += "Version: steplab --version\n\n";
-    text += "Exit codes: 0 done, 2 wrong command line, 3 a file cannot be read or written, 4 the run diverged,\n";
-    text += "5 no OpenGL, 128 + n ended by signal n\n\n";
-    return text + catalogue_help() + '\n';
+    text += "Exit codes: 0 done, 2 wrong command line, 3 a file cannot be read or written,\n";
+    text += "4 the run diverged or stopped, 5 no OpenGL, 6 a repeated run differs, 128 + n ended by signal n\n";
+    return text;
 }
 
 int run_command(Command& command, std::vector<std::string> arguments) {

@@ -33,7 +33,7 @@ public:
     void declare(CLI::App& app) override {
         scene_.declare(app);
         flag_option(app, "--json", json_, "Print JSON: time steps; 0: unstable at any dt, null: no limit", "Output");
-        footer(app, [] { return std::string(examples) + catalogue_help(); });
+        footer(app, [] { return std::string(examples) + catalogue_hint(); });
     }
 
     int run() override {
@@ -54,7 +54,7 @@ public:
 private:
     static std::vector<Limit> limits_of(const StabilityLab& lab, const std::vector<RunDescription>& runs) {
         if (runs.size() == 1) return {lab.limit(runs.front())};
-        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0);
+        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0, "steplab limits");
         return all_limits(lab, runs, [&](std::size_t found) { progress.at(found); });
     }
 

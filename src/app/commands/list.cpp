@@ -18,7 +18,8 @@ public:
     std::string_view what() const override { return "List the models and methods"; }
 
     void declare(CLI::App& app) override {
-        text_option(app, "kind", kind_, "models|methods", "List only these (default both)");
+        text_option(app, "kind", kind_, "models|methods",
+                    "Only these, with all their parameters (default: both, in short)");
         flag_option(app, "--json", json_, "Print JSON with all data of the entries");
     }
 
@@ -33,9 +34,11 @@ public:
     }
 
 private:
+    /// Short tables of both, or one of the lists with all parameters.
     static std::string tables(bool with_models, bool with_methods) {
-        const std::string between = with_models && with_methods ? "\n" : "";
-        return (with_models ? models_table() : "") + between + (with_methods ? methods_table() : "");
+        if (!with_methods) return models_with_parameters();
+        if (!with_models) return methods_table() + '\n' + methods_with_parameters();
+        return models_table() + '\n' + methods_table();
     }
 
     std::string kind_;

@@ -47,10 +47,11 @@ public:
         repeated_option(app, "--set", settings_, "name=value", "Parameter of the models or methods; repeatable");
         text_option(app, "--time", time_, "T", "End time of the runs [s] (default: one for each model)");
         repeated_option(app, "--error", errors_, "E", "Target error [m]; repeatable (default 1e-2 ... 1e-12)");
-        footer(app, [] { return std::string(examples) + catalogue_help(); });
+        footer(app, [] { return std::string(examples) + catalogue_hint(); });
     }
 
     int run() override {
+        for (const std::string& id : models_) refuse_left_out(model(id).info.id);
         if (out_.empty()) throw UsageError("--out DIR is required: the folder for speed_error.csv and report.html");
         if (thesis_) {
             refuse_beside_thesis();
@@ -59,7 +60,7 @@ public:
         ReportRequest request{.folder = out_, .plans = plans()};
         if (!errors_.empty()) request.errors = errors();
         catch_interruptions();
-        Progress bar(1000, isatty(STDERR_FILENO) != 0);
+        Progress bar(1000, isatty(STDERR_FILENO) != 0, "steplab report");
         try {
             write_report(request, [&](double part, const std::string&) {
                 check_interruption();
@@ -73,6 +74,7 @@ public:
         }
         bar.clear();
         print(fmt::format("wrote {}/speed_error.csv and {}/report.html\n", out_, out_));
+        if (models_.empty()) fmt::print(stderr, "steplab report: note: not in it: {}\n", left_out_text());
         return static_cast<int>(ExitCode::done);
     }
 
@@ -90,6 +92,12 @@ private:
         }
     }
 
+    static void refuse_left_out(std::string_view id) {
+        for (const LeftOut& scene : left_out_of_plans()) {
+            if (scene.model == id) throw UsageError(fmt::format("report has no scene of {}: {}", id, scene.reason));
+        }
+    }
+
     int write_thesis() const {
         write_thesis_page(out_);
         print(fmt::format("wrote {}/thesis.html\n", out_));
@@ -97,7 +105,6 @@ private:
     }
 
     std::vector<StudyPlan> plans() const {
-        for (const std::string& id : models_) model(id);
         for (const std::string& id : methods_) method(id);
         std::vector<StudyPlan> chosen = default_plans(quick_);
         const auto all = static_cast<double>(chosen.size());

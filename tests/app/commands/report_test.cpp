@@ -99,6 +99,27 @@ TEST(Report, resumes_after_an_interruption_with_the_same_result) {
     EXPECT_FALSE(std::filesystem::exists(folder.file("out/.measured")));
 }
 
+TEST(Report, refuses_a_model_that_it_has_no_scene_of_with_the_reason) {
+    const TemporaryFolder folder;
+    for (const LeftOut& scene : left_out_of_plans()) {
+        const Outcome outcome =
+            run_program({"report", "--model", std::string(scene.model), "--out", folder.file("out")});
+        EXPECT_EQ(outcome.code, 2);
+        EXPECT_THAT(outcome.err, HasSubstr(std::string(scene.reason)));
+        EXPECT_FALSE(std::filesystem::exists(folder.file("out")));
+    }
+}
+
+TEST(Report, has_a_scene_of_every_model_or_names_it_as_left_out) {
+    for (const Model& model : models()) {
+        const auto plans = default_plans(true);
+        const bool planned = std::any_of(plans.begin(), plans.end(),
+                                         [&](const StudyPlan& plan) { return plan.scene.model == model.info.id; });
+        const bool named = left_out_text().find(model.info.id) != std::string::npos;
+        EXPECT_NE(planned, named) << model.info.id;
+    }
+}
+
 TEST(Report, is_restricted_by_options) {
     const TemporaryFolder folder;
     const Outcome outcome =
