@@ -142,7 +142,7 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
     const double until = parse_value(until_info, until_);
     if (until / description.dt > most_steps) {
         throw UsageError(fmt::format("--until {} needs more than {} steps of dt {}", until_, number_text(most_steps),
-                                     number_text(description.dt)));
+                                     exact_text(description.dt)));
     }
     return steps_until(until, description.dt);
 }

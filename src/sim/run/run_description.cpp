@@ -22,7 +22,7 @@ void check_dt(const RunDescription& description) {
     check_value(dt_parameter, dt);
     if (!std::isfinite(held) || !(held > 0)) {
         throw UsageError(
-            fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", number_text(dt)));
+            fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", exact_text(dt)));
     }
 }
 
@@ -31,7 +31,7 @@ void check_fits(Precision precision, const ParameterInfo& info, double value) {
     const bool vanished = held == 0 && !info.minimum_included && info.minimum == 0;
     if (std::isfinite(held) && !vanished) return;
     throw UsageError(fmt::format("{} = {} is lost in float, which holds 1e-37 to 3e38: choose another value or double",
-                                 info.name, number_text(value)));
+                                 info.name, exact_text(value)));
 }
 
 void check_memory(const RunDescription& description, double needed_for_interactions) {
@@ -41,7 +41,7 @@ void check_memory(const RunDescription& description, double needed_for_interacti
     const double there = available_memory();
     if (needed <= there && particles <= 4294967295.0) return;
     throw UsageError(fmt::format("{} particles need {:.3g} bytes of memory, {:.3g} are available: choose a smaller {}",
-                                 number_text(particles), needed, there,
+                                 exact_text(particles), needed, there,
                                  description.scene.contains("dim")    ? "dim"
                                  : description.scene.contains("edge") ? "edge"
                                                                       : "n"));
@@ -130,7 +130,7 @@ std::string command_line(const RunDescription& description) {
     return fmt::format("--model {}{} --method {}{} --precision {} --dt {}", description.model,
                        changed_parameters(description.scene), description.method,
                        changed_parameters(description.method_parameters), id(description.precision),
-                       number_text(description.dt));
+                       exact_text(description.dt));
 }
 
 std::optional<StabilityLimit> stability_limit(const RunDescription& description) {
