@@ -154,6 +154,7 @@ const Model& crystal_model() {
              .what =
                  "A periodic Morse crystal at finite temperature; it relaxes into a denser lattice, or melts if hot.",
              .parameters = parameters},
+        .opening = {.method = "velocity-verlet", .dt = 0.05},
         .particles = particles,
         .scene = scene,
         .shape = shape,

@@ -148,6 +148,12 @@ bool has_drag(const RunDescription& description) {
     return description.scene.contains("c") && description.scene["c"] > 0;
 }
 
+double fastest_frequency(const RunDescription& description) {
+    const ParameterValues& values = description.scene;
+    if (const auto known = model(description.model).omega_max(values)) return *known;
+    return values.contains("k") && values.contains("m") ? std::sqrt(2 * values["k"] / values["m"]) : 0;
+}
+
 bool chooses_its_steps(const RunDescription& description) {
     const ParameterValues& values = description.method_parameters;
     return values.contains("tolerance") && values["tolerance"] > 0;

@@ -66,6 +66,10 @@ std::optional<StabilityLimit> stability_limit(const RunDescription& description)
 
 /// True if the scene takes energy out of the motion: the energy then changes without any error.
 bool has_drag(const RunDescription& description);
+/// The largest angular frequency of the scene at its start; of pairs, for which that is not known, sqrt(2 k / m) of
+/// one alone. 0 if nothing oscillates.
+double fastest_frequency(const RunDescription& description);
+
 
 /// True if the method chooses its own steps within dt by its tolerance; false if every step is dt.
 bool chooses_its_steps(const RunDescription& description);

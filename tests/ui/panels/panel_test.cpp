@@ -1,5 +1,6 @@
 #include "sim/catalogue.hpp"
 #include "ui/desk.hpp"
+#include "sim/run/opening.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ TEST(panel, model_is_chosen_from_its_menu) {
         desk.click("model");
         desk.click("model/" + std::string(model.info.id));
         ASSERT_EQ(desk.recorder.changes.size(), 1u) << model.info.id;
-        EXPECT_EQ(desk.wanted(), with_model(desk.view.description, model.info.id));
+        EXPECT_EQ(desk.wanted(), opening(with_model(desk.view.description, model.info.id)));
     }
 }
 
