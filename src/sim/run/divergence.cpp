@@ -1,7 +1,6 @@
 #include "sim/run/divergence.hpp"
 
 #include "core/number_text.hpp"
-#include "core/ticks.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -83,11 +82,10 @@ void explain(Divergence& divergence, const RunDescription& held, const std::opti
         return;
     }
     if (limit && std::isfinite(limit->limit)) divergence.limit = limit->limit;
-    divergence.message = fmt::format(
-        "The run diverged: step {} (t = {:.6g}) was the last valid one; particle {} blew up in step {}: {}.",
-        divergence.step, divergence.time, divergence.particle, divergence.step + 1, reason(divergence, held));
-    const bool beyond = divergence.limit && *divergence.limit > 0 && held.dt >= *divergence.limit;
-    if (!chooses_its_steps(held)) divergence.remedy_dt = nice_floor(beyond ? *divergence.limit / 2 : held.dt / 4);
+    divergence.message =
+        fmt::format("The run diverged: step {} (t = {}) was the last valid one; particle {} blew up in step {}: {}.",
+                    divergence.step, significant(divergence.time, 6), divergence.particle, divergence.step + 1,
+                    reason(divergence, held));
 }
 
 }  // namespace steplab

@@ -34,8 +34,10 @@ struct RunView {
     Diagnostics diagnostics;
     std::optional<Tracked> tracked;
     std::optional<Divergence> divergence;
-    std::optional<std::string> stable_method;  ///< where it diverged: the id of a method stable at this dt, if any
+    Remedies remedies;  ///< where it diverged
     std::optional<StabilityLimit> limit;
+    std::optional<Resolution> resolution;  ///< of the fastest oscillation
+    Conservation conservation;
     std::vector<std::string> notes;  ///< of rounding (notes.hpp)
     bool has_exact = false;
     bool playing = false;

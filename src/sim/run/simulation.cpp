@@ -45,6 +45,9 @@ const std::optional<StabilityLimit>& Simulation::limit() const { return body_->s
 const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
 
 std::uint64_t Simulation::evaluations() const {
+const std::optional<Resolution>& Simulation::resolution() const { return body_->segment.resolution(); }
+const Remedies& Simulation::remedies() const { return body_->segment.remedies(); }
+Conservation Simulation::conservation() const { return steplab::conservation(body_->segment.scene); }
     settled();
     return advanced().evaluations;
 }

@@ -2,8 +2,11 @@
 
 #include "core/diagnostics.hpp"
 #include "core/frame.hpp"
+#include "models/conservation.hpp"
 #include "sim/run/execution.hpp"
 #include "sim/run/run_description.hpp"
+#include "sim/run/remedy.hpp"
+#include "sim/run/resolution.hpp"
 #include "sim/steppers/stepper.hpp"
 
 #include <cstdint>
@@ -23,7 +26,6 @@ struct Divergence {
     std::optional<double> limit;  ///< the method's stability limit for this scene, where known; 0 = unstable at any dt
     std::optional<OwnStop> stop;  ///< if no step of the method met its tolerance; its time that of the run
     std::string message;          ///< one sentence: what happened, why
-    std::optional<double> remedy_dt;  ///< a dt that should work, where known
 };
 
 /// What a change of description did to the run.
@@ -66,7 +68,7 @@ public:
         bool diverged;
     };
     Advanced advanced() const;
-    /// stability_limit() of the present description, computed once.
+    /// stability_limit() of the present description, and how its steps treat the fastest oscillation: computed once.
     const std::optional<StabilityLimit>& limit() const;
 
     /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`.
@@ -74,6 +76,11 @@ public:
     void frame(Frame& out) const;
     Diagnostics diagnostics() const;
     /// Both, in one pass over the run's memory.
+    const std::optional<Resolution>& resolution() const;
+    /// What would work in place of the present description; computed once.
+    const Remedies& remedies() const;
+    /// What the scene as it is now lets a method keep.
+    Conservation conservation() const;
     Diagnostics observe(Frame& out) const;
     /// Those two of them that cost least.
     double energy() const;

@@ -165,12 +165,14 @@ TEST(panel, escape_leaves_an_entry_without_a_change) {
     EXPECT_THAT(desk.recorder.changes, IsEmpty());
 }
 
-TEST(panel, double_click_sets_dt_to_its_default) {
-    RunDescription description = describe();
-    description.dt = 0.02;
-    Desk desk(description);
-    desk.double_click("dt");
-    EXPECT_EQ(desk.wanted().dt, 0.1);
+TEST(panel, double_click_sets_dt_to_what_the_model_recommends) {
+    for (const Model& model : models()) {
+        RunDescription description = describe(model.info.id);
+        description.dt = 0.003;
+        Desk desk(description);
+        desk.double_click("dt");
+        EXPECT_EQ(desk.wanted().dt, model.opening.dt) << model.info.id;
+    }
 }
 
 TEST(panel, what_the_run_refused_is_shown_and_taken_back) {
