@@ -31,6 +31,7 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     if (!view.divergence)
         view.notes = notes_of_rounding(view.description, view.limit, view.diagnostics.max_displacement);
     view.has_exact = simulation.has_exact();
+    view.why_not_exact = simulation.why_not_exact();
     view.segment_start = simulation.segment_start();
     view.baseline_step = simulation.baseline_step();
     view.dt = simulation.dt();

@@ -40,6 +40,7 @@ struct RunView {
     Conservation conservation;
     std::vector<std::string> notes;  ///< of rounding (notes.hpp)
     bool has_exact = false;
+    std::string why_not_exact;  ///< why the position error is not known; empty if it is
     bool playing = false;
     bool can_step_back = false;
     Rate rate;

@@ -1,8 +1,11 @@
 #include "sim/run/simulation.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "core/number_text.hpp"
 #include "sim/run/measures.hpp"
 #include "sim/run/simulation_body.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -158,6 +161,16 @@ Change Simulation::change(const RunDescription& description) {
     if (!continues(now, description) || step() == 0) {
         const Change change = continues(now, description) ? Change::continued : Change::restarted;
         const std::uint64_t number = body_->segment_number;
+std::string Simulation::why_not_exact() const {
+    if (!body_->exact_scene) return "the scene was changed during the run";
+    const ExactSolution* const exact = body_->exact();
+    if (exact && time() <= exact->valid_until()) return {};
+    if (exact) return fmt::format("the exact solution ends at t = {} s", typed(exact->valid_until(), 4));
+    const Model& entry = model(body_->segment.held.model);
+    const bool for_others = entry.exact(ParameterValues(entry.info.parameters)) != nullptr;
+    return for_others ? "no exact solution for these parameters" : "no exact solution is known for this scene";
+}
+
         body_ = std::make_unique<Body>(description, body_->segment.execution);
         body_->segment_number = number + 1;
         return change;

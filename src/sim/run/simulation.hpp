@@ -101,6 +101,8 @@ public:
     /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
     Change change(const RunDescription& description);
     /// Moves a particle to a place, without velocity, and continues in a new segment with a new baseline of energy.
+    /// Why exact_position() is not known at the present step; empty if it is.
+    std::string why_not_exact() const;
     /// Fixed particles stay where they are.
     void pull(std::size_t particle, Vec3 position);
     void restart();
