@@ -102,7 +102,7 @@ void set_parameter(RunDescription& description, std::string_view name, std::stri
         unknown_word("parameter", name, known, fmt::format("{} and {}", description.model, description.method)));
 }
 
-void check(const RunDescription& description) {
+void check_values(const RunDescription& description) {
     check_dt(description);
     for (const ParameterValues& values : {description.scene, description.method_parameters}) {
         for (const auto& info : values.infos()) {
@@ -114,6 +114,10 @@ void check(const RunDescription& description) {
         if (const auto refused = refusal(description.scene)) throw UsageError(*refused);
     }
     check_memory(description, 0);
+}
+
+void check(const RunDescription& description) {
+    check_values(description);
     check_method(description);
 }
 
@@ -144,14 +148,14 @@ std::optional<StabilityLimit> stability_limit(const RunDescription& description)
     return StabilityLimit{std::min(limit(*omega), limit(0)), *omega};
 }
 
-bool has_drag(const RunDescription& description) {
-    return description.scene.contains("c") && description.scene["c"] > 0;
-}
-
 double fastest_frequency(const RunDescription& description) {
     const ParameterValues& values = description.scene;
     if (const auto known = model(description.model).omega_max(values)) return *known;
     return values.contains("k") && values.contains("m") ? std::sqrt(2 * values["k"] / values["m"]) : 0;
+}
+
+bool has_drag(const RunDescription& description) {
+    return description.scene.contains("c") && description.scene["c"] > 0;
 }
 
 bool chooses_its_steps(const RunDescription& description) {

@@ -53,7 +53,8 @@ struct RunView {
     /// Measured; none in still pictures.
     std::optional<double> steps_per_second;
     std::optional<double> evaluations_per_second;
-    std::string error;  ///< message of a command that was refused; empty if none
+    std::string error;           ///< message of a command that was refused; empty if none
+    std::uint64_t failures = 0;  ///< how many commands were refused so far
 };
 
 /// Fills in everything of `view` that the simulation knows, reusing its memory; `particle` is the one to track.

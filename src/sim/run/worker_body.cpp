@@ -126,6 +126,7 @@ void Worker::Body::publish() {
     {
         const std::lock_guard lock(mutex);
         if (playing && fresh && begin - published < stale) return;
+    view.failures = failures;
     }
     const bool seen = went_well([this] { see(); });
     if (!seen) give_up();
@@ -167,6 +168,7 @@ void Worker::Body::show_ensemble(LiveEnsembleOptions asked) {
     live_ensemble.emplace(ensemble.runs, [of = ensemble](const RunDescription& description, std::size_t member) {
         return run_in_range(description, std::vector{range_of(of, description)}, member, of.runs);
     });
+    older.failures = failures;
 }
 
 void Worker::Body::apply(const RunDescription& description) {

@@ -53,6 +53,7 @@ struct Worker::Body {
     std::uint64_t run = 0;
     std::string error;
     RunView view;
+    std::uint64_t failures = 0;
     Clock::time_point published;
     Share views{part_for_views, longest_without_view}, moments{part_for_history};
     std::thread thread;
@@ -82,6 +83,7 @@ struct Worker::Body {
         } catch (const std::exception& problem) {
             error = problem.what();
             return false;
+            ++failures;
         }
     }
 

@@ -1,6 +1,7 @@
+#include "core/error.hpp"
 #include "sim/catalogue.hpp"
-#include "ui/desk.hpp"
 #include "sim/run/opening.hpp"
+#include "ui/desk.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -177,14 +178,50 @@ TEST(panel, double_click_sets_dt_to_what_the_model_recommends) {
 
 TEST(panel, what_the_run_refused_is_shown_and_taken_back) {
     Desk desk;
-    desk.drag("dt", 0.5f, 0.6f);
+    for (int attempt = 0; attempt < 2; ++attempt) {  // the second time with the same words
+        desk.drag("dt", 0.5f, 0.6f);
+        desk.view.error = "no memory for this";
+        ++desk.view.failures;
+        desk.interface.record(desk.view);
+        desk.frame();
+        desk.frame();
+        EXPECT_TRUE(desk.has("refusal"));
+        desk.click("precision/float");
+        EXPECT_EQ(desk.wanted().dt, 0.1);
+        desk.view.description.precision = Precision::float_;
+        desk.click("precision/double");
+        desk.view.description.precision = Precision::double_;
+    }
+}
+
+// Views that come later carry the message on: it is of no request made since.
+TEST(panel, a_refusal_does_not_take_back_what_is_asked_for_after_it) {
+    Desk desk;
     desk.view.error = "no memory for this";
+    ++desk.view.failures;
     desk.interface.record(desk.view);
     desk.frame();
-    desk.frame();
-    EXPECT_TRUE(desk.has("refusal"));
+    desk.click("refusal.close");
     desk.click("precision/float");
-    EXPECT_EQ(desk.wanted().dt, 0.1);
+    desk.interface.record(desk.view);
+    desk.frame();
+    desk.drag("dt", 0.5f, 0.3f);
+    EXPECT_EQ(desk.wanted().precision, Precision::float_);
+}
+
+// The only thread that makes scenes is that of the run: what needs one, it says.
+TEST(panel, a_scene_is_not_made_to_refuse_it) {
+    Desk desk(with_method(describe("morse"), "taylor"));
+    desk.click("scene.edge.value");
+    desk.type("9");
+    desk.key(Key::enter);
+    desk.view.description.scene.set("edge", 9);
+    desk.calls();
+    desk.click("scene.cutoff.value");  // taylor refuses more than 50 particles with a cut-off
+    desk.type("2");
+    desk.key(Key::enter);
+    EXPECT_THAT(desk.calls(), Contains("change"));
+    EXPECT_THROW(check(desk.wanted()), UsageError);
 }
 
 TEST(panel, speed_has_a_slider_and_a_button_for_unlimited) {
@@ -226,16 +263,6 @@ TEST(panel, menu_copies_command_and_view) {
     EXPECT_EQ(requests[0].text.find("steplab"), std::string::npos);
 }
 
-TEST(panel, snapshot_button_requests_a_snapshot) {
-    Desk desk;
-    desk.click("snapshot");
-    const auto requests = desk.interface.take_requests();
-    ASSERT_EQ(requests.size(), 1u);
-    EXPECT_EQ(requests[0].kind, Request::Kind::save_snapshot);
-}
-
-}  // namespace
-}  // namespace steplab::ui
 TEST(panel, footer_takes_as_many_lines_as_it_needs) {
     Desk desk;
     const auto height = [&](std::optional<double> steps, std::optional<double> frame) {
@@ -248,3 +275,13 @@ TEST(panel, footer_takes_as_many_lines_as_it_needs) {
     EXPECT_GT(all, one_line + 8) << "steps, evaluations and the time of a frame are wider than the panel";
 }
 
+TEST(panel, snapshot_button_requests_a_snapshot) {
+    Desk desk;
+    desk.click("snapshot");
+    const auto requests = desk.interface.take_requests();
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(requests[0].kind, Request::Kind::save_snapshot);
+}
+
+}  // namespace
+}  // namespace steplab::ui
