@@ -45,12 +45,12 @@ double Simulation::segment_start() const { return body_->segment_time; }
 std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
 bool Simulation::has_exact() const { return body_->exact() != nullptr; }
 const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
-const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
-
-std::uint64_t Simulation::evaluations() const {
 const std::optional<Resolution>& Simulation::resolution() const { return body_->segment.resolution(); }
 const Remedies& Simulation::remedies() const { return body_->segment.remedies(); }
 Conservation Simulation::conservation() const { return steplab::conservation(body_->segment.scene); }
+const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
+
+std::uint64_t Simulation::evaluations() const {
     settled();
     return advanced().evaluations;
 }
@@ -65,6 +65,12 @@ CollisionRecord Simulation::collisions() const { return settled().segment.steppe
 void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
 void Simulation::conclude() { body_->conclude(); }
 std::uint64_t Simulation::check_interval() const { return steps_between_checks; }
+std::uint64_t Simulation::steps_to_check() const { return settled().steps_to_check(); }
+
+bool Simulation::is_plausible() const {
+    const FlushSubnormals flush;
+    return settled().energy_is_good();
+}
 
 Frame Simulation::frame() const {
     Frame out;
@@ -155,12 +161,6 @@ std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time
     return body_->segment.scene.reference.at(particle) + exact->displacement(particle, time);
 }
 
-Change Simulation::change(const RunDescription& description) {
-    const RunDescription& now = body_->segment.description;
-    if (description == now) return Change::none;
-    if (!continues(now, description) || step() == 0) {
-        const Change change = continues(now, description) ? Change::continued : Change::restarted;
-        const std::uint64_t number = body_->segment_number;
 std::string Simulation::why_not_exact() const {
     if (!body_->exact_scene) return "the scene was changed during the run";
     const ExactSolution* const exact = body_->exact();
@@ -171,6 +171,12 @@ std::string Simulation::why_not_exact() const {
     return for_others ? "no exact solution for these parameters" : "no exact solution is known for this scene";
 }
 
+Change Simulation::change(const RunDescription& description) {
+    const RunDescription& now = body_->segment.description;
+    if (description == now) return Change::none;
+    if (!continues(now, description) || step() == 0) {
+        const Change change = continues(now, description) ? Change::continued : Change::restarted;
+        const std::uint64_t number = body_->segment_number;
         body_ = std::make_unique<Body>(description, body_->segment.execution);
         body_->segment_number = number + 1;
         return change;

@@ -4,9 +4,9 @@
 #include "core/frame.hpp"
 #include "models/conservation.hpp"
 #include "sim/run/execution.hpp"
-#include "sim/run/run_description.hpp"
 #include "sim/run/remedy.hpp"
 #include "sim/run/resolution.hpp"
+#include "sim/run/run_description.hpp"
 #include "sim/steppers/stepper.hpp"
 
 #include <cstdint>
@@ -60,6 +60,11 @@ public:
     void conclude();
     /// Steps from one check of the energy to the next, counted from the start of the segment.
     std::uint64_t check_interval() const;
+    /// Steps from here to the next of them.
+    std::uint64_t steps_to_check() const;
+    /// False if the energy of the present step is impossible. Whether the run diverged is decided at the next check
+    /// all the same.
+    bool is_plausible() const;
     const std::optional<Divergence>& divergence() const;
     /// Where advance() has got to, without checking all particles: the other functions check them, and may find that
     /// the run diverged before.
@@ -70,17 +75,17 @@ public:
     Advanced advanced() const;
     /// stability_limit() of the present description, and how its steps treat the fastest oscillation: computed once.
     const std::optional<StabilityLimit>& limit() const;
+    const std::optional<Resolution>& resolution() const;
+    /// What would work in place of the present description; computed once.
+    const Remedies& remedies() const;
+    /// What the scene as it is now lets a method keep.
+    Conservation conservation() const;
 
     /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`.
     Frame frame() const;
     void frame(Frame& out) const;
     Diagnostics diagnostics() const;
     /// Both, in one pass over the run's memory.
-    const std::optional<Resolution>& resolution() const;
-    /// What would work in place of the present description; computed once.
-    const Remedies& remedies() const;
-    /// What the scene as it is now lets a method keep.
-    Conservation conservation() const;
     Diagnostics observe(Frame& out) const;
     /// Those two of them that cost least.
     double energy() const;
@@ -96,13 +101,13 @@ public:
     /// run left its conditions (a parameter of the scene was changed under way).
     std::optional<Vec3> exact_position(std::size_t particle, double time) const;
     bool has_exact() const;
+    /// Why exact_position() is not known at the present step; empty if it is.
+    std::string why_not_exact() const;
 
     /// Continues from the synchronised state with another method, dt, precision or live parameter, beginning a new
     /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
     Change change(const RunDescription& description);
     /// Moves a particle to a place, without velocity, and continues in a new segment with a new baseline of energy.
-    /// Why exact_position() is not known at the present step; empty if it is.
-    std::string why_not_exact() const;
     /// Fixed particles stay where they are.
     void pull(std::size_t particle, Vec3 position);
     void restart();
