@@ -94,7 +94,8 @@ std::string methods_table() {
 std::string models_in_full() {
     std::string text;
     for (const Model& model : models()) {
-        text += fmt::format("### `{}`: {}\n\n{}\n\n{}\n", model.info.id, model.info.name, model.info.what,
+        text += fmt::format("### `{}`: {}\n\n{} The window opens it with `{}` and dt = {} s.\n\n{}\n", model.info.id,
+                            model.info.name, model.info.what, model.opening.method, model.opening.dt,
                             parameter_table(model.info.parameters));
     }
     return text;

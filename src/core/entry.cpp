@@ -35,7 +35,7 @@ std::string range_text(const ParameterInfo& info) {
     if (info.kind == Kind::choice) return joined(info.choices, " or ");
     const bool integer = info.kind == Kind::integer;
     const std::string_view what = integer ? "an integer" : "a number";
-    const auto bound = [&](double value) { return integer ? fmt::format("{:.0f}", value) : number_text(value); };
+    const auto bound = [&](double value) { return integer ? fmt::format("{:.0f}", value) : exact_text(value); };
     const std::string_view least = info.minimum_included ? ">=" : ">";
     if (std::isfinite(info.maximum)) {
         if (integer && info.minimum == 0 && info.maximum == 1) return "0 or 1";
@@ -48,7 +48,7 @@ std::string range_text(const ParameterInfo& info) {
 }
 
 void check_value(const ParameterInfo& info, double value) {
-    if (!is_allowed(info, value)) refuse(info, number_text(value));
+    if (!is_allowed(info, value)) refuse(info, exact_text(value));
 }
 
 double parse_value(const ParameterInfo& info, std::string_view text) {
@@ -64,7 +64,7 @@ double parse_value(const ParameterInfo& info, std::string_view text) {
 
 std::string format_value(const ParameterInfo& info, double value) {
     if (info.kind == ParameterInfo::Kind::choice) return std::string(info.choices[static_cast<std::size_t>(value)]);
-    return number_text(value);
+    return exact_text(value);
 }
 
 ParameterValues::ParameterValues(std::span<const ParameterInfo> infos) : infos_(infos) {

@@ -26,10 +26,18 @@ struct Scientific {
     std::string text() const { return fmt::format("{}e{}", mantissa, exponent); }
 };
 
-Scientific scientific(double value, int digits) {
-    const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+/// Of a text with an exponent.
+Scientific taken_apart(const std::string& text) {
     const std::size_t e = text.find('e');
     return {text.substr(0, e), std::atoi(text.c_str() + e + 1)};
+}
+
+Scientific scientific(double value, int digits) { return taken_apart(fmt::format("{:.{}e}", value, digits - 1)); }
+
+/// "1e-07" -> "1e-7", "4.7e+11" -> "4.7e11"; other texts as they are.
+std::string with_plain_exponent(std::string number) {
+    const bool has_exponent = number.find('e') != std::string::npos;
+    return has_exponent ? taken_apart(number).text() : number;
 }
 
 /// Cuts zeros at the end of the decimals of which at least `kept` stay: "2.000" -> "2.0" or "2".
@@ -83,6 +91,7 @@ std::string fixed(double value, int digits) {
 
 std::string number_text(double value) { return shortest(value); }
 std::string number_text(float value) { return shortest(value); }
+std::string exact_text(double value) { return with_plain_exponent(shortest(value)); }
 
 std::optional<double> parse_number(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -102,6 +111,8 @@ std::string typed(double value, int digits) {
     if (is_short_decimal(value)) return decimal(value, digits);
     return without_zeros(scientific(value, digits), 0).text();
 }
+
+std::string significant(double value, int digits) { return with_plain_exponent(fmt::format("{:.{}g}", value, digits)); }
 
 std::string setting_text(double value, int digits) {
     if (auto text = digitless(value)) return *text;
@@ -136,7 +147,7 @@ std::string grouped(unsigned long long count) {
 
 std::string short_number(double value) {
     const bool has_long_integer_part = std::abs(value) >= 1000 && std::abs(value) < 1e7;
-    return has_long_integer_part ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+    return has_long_integer_part ? fmt::format("{:.0f}", value) : significant(value, 4);
 }
 
 }  // namespace steplab

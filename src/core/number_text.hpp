@@ -14,6 +14,9 @@ std::string number_text(double value);
 /// The same for a number of a float run: the shortest text that reads back as the same float.
 std::string number_text(float value);
 
+/// The same text with an exponent as people write it, for values that are typed and read: "1e-7" for "1e-07".
+std::string exact_text(double value);
+
 /// The number written as `text` (decimal or scientific, with an optional sign); nullopt if it is anything else.
 std::optional<double> parse_number(std::string_view text);
 
@@ -23,6 +26,9 @@ std::string readable(double value, int digits = 2);
 /// The same in characters that can be typed: "0.21", "2.3e-7", "1e-6".
 std::string typed(double value, int digits = 2);
 
+/// Readable, in a sentence: at most `digits` significant digits, without zeros at the end: "1.434", "120000", "1.2e-7".
+std::string significant(double value, int digits);
+
 /// Readable, a value that a person sets: without trailing zeros, but with one decimal. "2.0", "0.25", "1.9e6", "∞".
 std::string setting_text(double value, int digits = 4);
 /// Readable, a value that changes by itself: three digits with trailing zeros, so that its width is steady. "0.500".
@@ -31,7 +37,7 @@ std::string reading_text(double value);
 std::string rounded_text(double value);
 
 /// Readable, a result: at most 4 significant digits, but an integer part below 10 million is not rounded: "0.7",
-/// "68.1", "12346", "1.2e-07".
+/// "68.1", "12346", "1.2e-7".
 std::string short_number(double value);
 
 /// A count in groups of three digits, separated by narrow spaces that do not break: "12 345 678".

@@ -1,3 +1,4 @@
+#include "core/number_text.hpp"
 #include "models/model.hpp"
 #include "models/parameters.hpp"
 
@@ -113,9 +114,9 @@ std::optional<std::string> refusal(const ParameterValues& values) {
     const double least = 2.3 * values["cutoff"];  // pair lists extend 15 % further
     if (period(values) >= least) return std::nullopt;
     return fmt::format(
-        "edge * spacing = {:.6g} is less than 2.3 times the cutoff, {:.6g}: a particle would interact with two images "
+        "edge * spacing = {} is less than 2.3 times the cutoff, {}: a particle would interact with two images "
         "of another; choose a larger edge or a smaller cutoff",
-        period(values), least);
+        significant(period(values), 6), significant(least, 6));
 }
 
 Scene scene(const ParameterValues& values) {
@@ -153,6 +154,7 @@ const Model& crystal_model() {
              .what =
                  "A periodic Morse crystal at finite temperature; it relaxes into a denser lattice, or melts if hot.",
              .parameters = parameters},
+        .opening = {.method = "velocity-verlet", .dt = 0.05},
         .particles = particles,
         .scene = scene,
         .shape = shape,

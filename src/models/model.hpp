@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace steplab {
 
@@ -42,9 +43,17 @@ struct Scene {
     Start start;
 };
 
+/// How the window opens a model: a method and a dt that show its motion well at its default parameters
+/// (sim/run/opening.hpp).
+struct Opening {
+    std::string_view method = "rk4";
+    double dt = 0.1;
+};
+
 /// A model: its description, and what follows from its parameters. The functions take checked values.
 struct Model {
     ModelInfo info;
+    Opening opening = {};
     /// Number of particles, as a double because it may be too large for an integer.
     double (*particles)(const ParameterValues&);
     Scene (*scene)(const ParameterValues&);

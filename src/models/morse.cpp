@@ -77,6 +77,7 @@ const Model& morse_model() {
                  .name = "Morse cluster",
                  .what = "A cube of particles that interact by the Morse potential, and a bullet shot at it.",
                  .parameters = parameters},
+        .opening = {.method = "rk4", .dt = 0.01},
         .particles = particles,
         .scene = scene,
         .shape = shape,

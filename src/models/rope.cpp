@@ -65,6 +65,7 @@ const Model& rope_model() {
                  .what = "Particles connected by stiff springs, the first one fixed; the rope starts horizontal, falls "
                          "and swings with drag.",
                  .parameters = parameters},
+        .opening = {.method = "rk4", .dt = 0.02},
         .particles = [](const ParameterValues& values) { return values["n"]; },
         .scene = scene,
         .shape = shape,

@@ -2,6 +2,7 @@
 
 #include "render/framing.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/opening.hpp"
 #include "ui/input.hpp"
 #include "ui/rate.hpp"
 
@@ -29,7 +30,7 @@ void change_scene(const Context& context, std::ptrdiff_t offset) {
     const auto here = std::find_if(all.begin(), all.end(),
                                    [&](const Model& entry) { return entry.info.id == context.description().model; });
     const std::ptrdiff_t next = (here - all.begin() + offset + count) % count;
-    context.ask(with_model(context.description(), all[static_cast<std::size_t>(next)].info.id));
+    context.ask(opening(with_model(context.description(), all[static_cast<std::size_t>(next)].info.id)));
 }
 
 void toggle_panel(const Context& context) { context.session.panel = context.layout.panel.empty(); }

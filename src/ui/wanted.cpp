@@ -8,12 +8,11 @@ void Wanted::follow(const RunView& view, bool is_new) {
     playing_.follow(view.playing, is_new);
     rate_.follow(view.rate, is_new);
     ensemble_.follow(view.ensemble, is_new);
-    if (is_new && !view.error.empty()) ensemble_.refused();
     running_ = view.description;
     if (asked_ == running_) asked_.reset();
-    if (view.error == seen_error_) return;
-    seen_error_ = view.error;
-    if (view.error.empty()) return;
+    if (view.failures == seen_failures_) return;
+    seen_failures_ = view.failures;
+    ensemble_.refused();
     message_ = view.error;
     asked_.reset();
 }
@@ -21,7 +20,7 @@ void Wanted::follow(const RunView& view, bool is_new) {
 void Wanted::ask(const RunDescription& description, Commands& commands) {
     if (description == this->description()) return;
     try {
-        check(description);
+        check_values(description);
     } catch (const UsageError& error) {
         message_ = error.what();
         return;

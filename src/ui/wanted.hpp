@@ -2,6 +2,7 @@
 
 #include "sim/run/worker.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,7 +16,8 @@ public:
     void follow(const RunView& view, bool is_new);
 
     const RunDescription& description() const { return asked_ ? *asked_ : running_; }
-    /// Sends a change at once if it differs from the last request and can be run; otherwise message() gives the reason.
+    /// Sends a change at once if it differs from the last request; if its values are refused, message() gives the
+    /// reason. What can be said only of the scene itself, which is not made here, the run refuses.
     void ask(const RunDescription& description, Commands& commands);
     /// The same for playing or pausing, the speed and the ensemble.
     bool playing() const { return playing_.shown(); }
@@ -62,7 +64,7 @@ private:
     RunDescription running_;
     std::optional<RunDescription> asked_;
     std::string message_;
-    std::string seen_error_;
+    std::uint64_t seen_failures_ = 0;
 };
 
 }  // namespace steplab::ui

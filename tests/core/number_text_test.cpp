@@ -33,6 +33,29 @@ TEST(ReadableNumber, can_be_typed) {
     EXPECT_EQ(typed(0.01), "0.01");
 }
 
+TEST(ReadableNumber, of_a_sentence_has_as_many_digits_as_asked_for) {
+    EXPECT_EQ(significant(1.43377, 4), "1.434");
+    EXPECT_EQ(significant(0.1, 4), "0.1");
+    EXPECT_EQ(significant(120000, 6), "120000");
+    EXPECT_EQ(significant(-1.25e-7, 4), "-1.25e-7");
+    EXPECT_EQ(significant(4.73e11, 3), "4.73e11");
+    EXPECT_EQ(significant(1e-300, 3), "1e-300");
+}
+
+// Every number that a person reads: none has an exponent with a sign or zeros in front.
+TEST(ReadableNumber, exponents_are_plain) {
+    for (int exponent = -307; exponent <= 307; ++exponent) {
+        const double value = 1.2345678 * std::pow(10.0, exponent);
+        for (const std::string& text : {exact_text(value), significant(value, 3), typed(value), setting_text(value),
+                                        reading_text(value), rounded_text(value), short_number(value)}) {
+            EXPECT_EQ(text.find("e+"), text.npos) << text;
+            EXPECT_EQ(text.find("e0"), text.npos) << text;
+            EXPECT_EQ(text.find("e-0"), text.npos) << text;
+        }
+        EXPECT_EQ(parse_number(exact_text(value)), value) << "exact_text() loses nothing";
+    }
+}
+
 TEST(ReadableNumber, counts_in_groups_of_three) {
     EXPECT_EQ(grouped(999), "999");
     EXPECT_EQ(grouped(12345678), "12\u202f345\u202f678");

@@ -117,6 +117,14 @@ divergence_is_reported_and_cured() {
     close_window
 }
 
+# Two seconds a step: were it not for the first step beyond the bound, the check would come after minutes.
+blow_up_is_announced_at_once() {
+    start_display 1280x800
+    open_window --model chain --method rk4 --dt 2 --play
+    expect 'diverged [0-9]+' 'playing false' 'widget divergence [0-9].*'
+    close_window
+}
+
 window_takes_any_size() {
     start_display 3840x2160
     open_window --model rope --size 3840x2160 --scale 2

@@ -54,9 +54,13 @@ Json parameters_json(std::span<const ParameterInfo> parameters) {
     return list;
 }
 
-Json model_json(const ModelInfo& info) {
-    return {
-        {"id", info.id}, {"name", info.name}, {"what", info.what}, {"parameters", parameters_json(info.parameters)}};
+Json model_json(const Model& model) {
+    const ModelInfo& info = model.info;
+    return {{"id", info.id},
+            {"name", info.name},
+            {"what", info.what},
+            {"opening", {{"method", model.opening.method}, {"dt", model.opening.dt}}},
+            {"parameters", parameters_json(info.parameters)}};
 }
 
 Json method_json(const MethodInfo& info) {
@@ -85,7 +89,7 @@ std::string catalogue_json(bool with_models, bool with_methods) {
     Json json = Json::object();
     if (with_models) {
         json["models"] = Json::array();
-        for (const Model& model : models()) json["models"].push_back(model_json(model.info));
+        for (const Model& model : models()) json["models"].push_back(model_json(model));
     }
     if (with_methods) {
         json["methods"] = Json::array();

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/opening.hpp"
 
 #include <fmt/format.h>
 
@@ -92,21 +93,37 @@ void SceneOptions::declare(CLI::App& app) {
     repeated_option(app, "--set", settings_, "name=value", "Parameter of the model or method; repeatable", group);
     const std::string_view many = methods_ == Methods::one_or_all ? "; all: every method" : "";
     text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
-                fmt::format("Integration method (default {}{})", method_, many), group);
+                fmt::format("Integration method ({}{})", default_text(method_), many), group);
     text_option(app, "--precision", precision_, "float|double",
                 fmt::format("Floating-point precision of the run (default {})", precision_), group);
-    text_option(app, "--dt", dt_, "X", fmt::format("Time step [s] (default {})", dt_), group);
+    text_option(app, "--dt", dt_, "X", fmt::format("Time step [s] ({})", default_text(dt_)), group);
     footer(app, catalogue_hint);
 }
 
 bool SceneOptions::names_method() const { return is_given(*app_, "--method"); }
 bool SceneOptions::names_precision() const { return is_given(*app_, "--precision"); }
 
+std::string SceneOptions::default_text(std::string_view fixed) const {
+    return defaults_ == Defaults::fixed ? fmt::format("default {}", fixed) : "default: as suits the model";
+}
+
+/// The dt that a model recommends depends on the parameters of the scene.
+RunDescription SceneOptions::with_given_method(RunDescription scene) const {
+    const bool recommends = defaults_ == Defaults::recommended;
+    RunDescription description = recommends && !names_method() ? opening(scene) : with_method(scene, method_);
+    description.dt = recommends && !is_given(*app_, "--dt") ? opening_dt(scene) : parse_value(dt_option, dt_);
+    return description;
+}
+
 RunDescription SceneOptions::description() const {
-    RunDescription description = describe(model_, method_);
-    description.precision = precision_of(precision_);
-    description.dt = parse_value(dt_option, dt_);
-    for (const Setting& setting : parse_settings(settings_)) set_parameter(description, setting.name, setting.text);
+    const std::vector<Setting> settings = parse_settings(settings_);
+    RunDescription scene = describe(model_, method_);
+    scene.precision = precision_of(precision_);
+    for (const Setting& setting : settings) {
+        if (scene.scene.contains(setting.name)) scene.scene.set_text(setting.name, setting.text);
+    }
+    RunDescription description = with_given_method(scene);
+    for (const Setting& setting : settings) set_parameter(description, setting.name, setting.text);
     check(description);
     return description;
 }
@@ -142,7 +159,7 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
     const double until = parse_value(until_info, until_);
     if (until / description.dt > most_steps) {
         throw UsageError(fmt::format("--until {} needs more than {} steps of dt {}", until_, number_text(most_steps),
-                                     number_text(description.dt)));
+                                     exact_text(description.dt)));
     }
     return steps_until(until, description.dt);
 }

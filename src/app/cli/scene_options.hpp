@@ -29,7 +29,10 @@ class SceneOptions {
 public:
     /// Whether --method may be `all`.
     enum class Methods { one, one_or_all };
+    /// The method and dt that are not given: fixed ones, or those that the model recommends (Opening).
+    enum class Defaults { fixed, recommended };
     explicit SceneOptions(Methods methods = Methods::one) : methods_(methods) {}
+    explicit SceneOptions(Defaults defaults) : defaults_(defaults) {}
 
     /// Adds the options, and the table of models, methods and parameters at the end of the help.
     void declare(CLI::App& app);
@@ -45,7 +48,11 @@ public:
     bool names_precision() const;
 
 private:
-    Methods methods_;
+    std::string default_text(std::string_view fixed) const;
+    RunDescription with_given_method(RunDescription scene) const;
+
+    Methods methods_ = Methods::one;
+    Defaults defaults_ = Defaults::fixed;
     std::string model_;
     std::vector<std::string> settings_;
     std::string method_;

@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    SceneOptions scene_;
+    SceneOptions scene_{SceneOptions::Defaults::recommended};
     ViewOptions window_;
     std::vector<std::string> arguments_;
 };

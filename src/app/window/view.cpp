@@ -35,7 +35,7 @@ int open_window(const RunDescription& description, const WindowRequest& request)
 int run(const std::vector<std::string>& arguments) {
     CLI::App app("Show a simulation in a window", "steplab-view");
     app.set_version_flag("--version", std::string("steplab-view ") + STEPLAB_VERSION);
-    SceneOptions scene;
+    SceneOptions scene(SceneOptions::Defaults::recommended);
     ViewOptions options;
     bool keys = false;
     options.declare(app);

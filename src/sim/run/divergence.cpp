@@ -1,7 +1,6 @@
 #include "sim/run/divergence.hpp"
 
 #include "core/number_text.hpp"
-#include "core/ticks.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +20,7 @@ double squared_speed(const State<double>& state, std::size_t i) {
 }
 
 std::string reason(const Divergence& divergence, const RunDescription& held) {
-    const std::string dt = fmt::format("dt = {:.4g}", held.dt);
+    const std::string dt = "dt = " + significant(held.dt, 4);
     if (method(held.method).info.curiosity)
         return fmt::format("{} repeats a mistake that makes it fail at any dt", held.method);
     if (chooses_its_steps(held))
@@ -30,11 +29,11 @@ std::string reason(const Divergence& divergence, const RunDescription& held) {
     if (*divergence.limit == 0)
         return fmt::format("{} gains energy at any dt, the faster the larger dt is ({})", held.method, dt);
     if (held.dt >= *divergence.limit) {
-        return fmt::format("{} is beyond the stability limit {:.4g} of {} on this scene", dt, *divergence.limit,
-                           held.method);
+        return fmt::format("{} is beyond the stability limit {} of {} on this scene", dt,
+                           significant(*divergence.limit, 4), held.method);
     }
-    return fmt::format("{} is below the stability limit {:.4g} of {} at rest, but the motion is too violent for it", dt,
-                       *divergence.limit, held.method);
+    return fmt::format("{} is below the stability limit {} of {} at rest, but the motion is too violent for it", dt,
+                       significant(*divergence.limit, 4), held.method);
 }
 
 std::string encounter(const OwnStop& stop) {
@@ -50,9 +49,9 @@ std::string stop_message(const Divergence& divergence, const RunDescription& hel
                                  : "solves its equations";
     const std::string shortest =
         stop.step > 0 ? fmt::format("not even one of {} s", typed(stop.step, 3)) : "however short";
-    return fmt::format(
-        "The run stopped: step {} (t = {:.6g}) was the last valid one; at t = {:.8g} no step of {} {}, {}{}.",
-        divergence.step, divergence.time, stop.time, held.method, what, shortest, encounter(stop));
+    return fmt::format("The run stopped: step {} (t = {}) was the last valid one; at t = {} no step of {} {}, {}{}.",
+                       divergence.step, significant(divergence.time, 6), significant(stop.time, 8), held.method, what,
+                       shortest, encounter(stop));
 }
 
 }  // namespace
@@ -83,11 +82,10 @@ void explain(Divergence& divergence, const RunDescription& held, const std::opti
         return;
     }
     if (limit && std::isfinite(limit->limit)) divergence.limit = limit->limit;
-    divergence.message = fmt::format(
-        "The run diverged: step {} (t = {:.6g}) was the last valid one; particle {} blew up in step {}: {}.",
-        divergence.step, divergence.time, divergence.particle, divergence.step + 1, reason(divergence, held));
-    const bool beyond = divergence.limit && *divergence.limit > 0 && held.dt >= *divergence.limit;
-    if (!chooses_its_steps(held)) divergence.remedy_dt = nice_floor(beyond ? *divergence.limit / 2 : held.dt / 4);
+    divergence.message =
+        fmt::format("The run diverged: step {} (t = {}) was the last valid one; particle {} blew up in step {}: {}.",
+                    divergence.step, significant(divergence.time, 6), divergence.particle, divergence.step + 1,
+                    reason(divergence, held));
 }
 
 }  // namespace steplab

@@ -18,7 +18,7 @@ bool energy_is_surely_possible(double bound, const Energy& start, double floor);
 /// The particle farthest from its senses: not finite, or the fastest.
 std::size_t wildest_particle(const State<double>& state);
 
-/// Fills in dt, limit, message and remedy.
+/// Fills in dt, limit and message.
 void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit);
 
 }  // namespace steplab

@@ -20,9 +20,10 @@ Scene damped_oscillator(double omega, double gamma) {
             .start = {}};
 }
 
-/// Size of the larger eigenvalue of the 2 x 2 matrix of one step. Its columns are what a step makes of (x, v) = (1, 0)
-/// and (0, 1), which are taken in one run as two directions of space.
-double growth(const Method& method, const ParameterValues& parameters, const Scene& scene, double dt) {
+/// The eigenvalues of the 2 x 2 matrix of one step. Its columns are what a step makes of (x, v) = (1, 0) and (0, 1),
+/// which are taken in one run as two directions of space.
+std::array<std::complex<double>, 2> eigenvalues(const Method& method, const ParameterValues& parameters,
+                                                const Scene& scene, double dt) {
     State<double> state{Field<double>(2), Field<double>(2)};
     state.displacement.set(1, {1, 0, 0});
     state.velocity.set(1, {0, 1, 0});
@@ -34,7 +35,12 @@ double growth(const Method& method, const ParameterValues& parameters, const Sce
     // couples
     const double half_trace = (x.x + v.y) / 2, half_difference = (x.x - v.y) / 2;
     const std::complex<double> root = std::sqrt(std::complex<double>(half_difference * half_difference + x.y * v.x));
-    return std::max(std::abs(half_trace + root), std::abs(half_trace - root));
+    return {half_trace + root, half_trace - root};
+}
+
+double growth(const Method& method, const ParameterValues& parameters, const Scene& scene, double dt) {
+    const auto [one, other] = eigenvalues(method, parameters, scene, dt);
+    return std::max(std::abs(one), std::abs(other));
 }
 
 /// The first dt at which the damped motion grows, searched in steps of 2 % and bisected down to rounding.
@@ -61,6 +67,12 @@ double linear_limit(const Method& method, const ParameterValues& parameters, dou
     const bool always = phase == infinity;  // drag takes nothing from a method that is stable everywhere
     if (gamma == 0 || always || method.info.curiosity || method.info.adaptive) return undamped;
     return first_growth(method, parameters, omega, gamma);
+}
+
+std::array<std::complex<double>, 2> step_eigenvalues(const Method& method, const ParameterValues& parameters,
+                                                     double omega, double gamma, double dt) {
+    const FlushSubnormals flush;
+    return eigenvalues(method, parameters, damped_oscillator(omega, gamma), dt);
 }
 
 double step_growth(const Method& method, const ParameterValues& parameters, double omega, double gamma, double dt) {

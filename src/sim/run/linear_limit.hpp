@@ -2,6 +2,9 @@
 
 #include "sim/catalogue.hpp"
 
+#include <array>
+#include <complex>
+
 namespace steplab {
 
 /// The largest stable dt of a method on x'' = -omega^2 x - gamma x', found from the matrix that one of its steps makes
@@ -9,6 +12,10 @@ namespace steplab {
 /// is the entry's linear_limit over omega. The curiosities, which are unstable in other ways, are not asked: they get
 /// the limit without drag, as do the adaptive ones, whose steps follow the motion.
 double linear_limit(const Method& method, const ParameterValues& parameters, double omega, double gamma);
+
+/// The eigenvalues of that matrix for a step of dt.
+std::array<std::complex<double>, 2> step_eigenvalues(const Method& method, const ParameterValues& parameters,
+                                                     double omega, double gamma, double dt);
 
 /// The factor by which a step of dt lets that motion grow: the size of the matrix' larger eigenvalue.
 double step_growth(const Method& method, const ParameterValues& parameters, double omega, double gamma, double dt);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 
 namespace steplab {
@@ -22,9 +21,7 @@ double parameter(const RunDescription& run, std::string_view name) {
 
 /// The largest angular frequency; of pairs, for which none is known, that of one alone.
 double fastest(const RunDescription& run, const std::optional<StabilityLimit>& limit) {
-    if (limit) return limit->omega_max;
-    const double k = parameter(run, "k"), m = parameter(run, "m");
-    return k > 0 && m > 0 ? std::sqrt(2 * k / m) : 0;
+    return limit ? limit->omega_max : fastest_frequency(run);
 }
 
 /// A step moves a particle by about ω dt of its displacement. With less than these units of rounding, an increment

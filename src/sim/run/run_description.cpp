@@ -23,7 +23,7 @@ void check_dt(const RunDescription& description) {
     check_value(dt_parameter, dt);
     if (!std::isfinite(held) || !(held > 0)) {
         throw UsageError(
-            fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", number_text(dt)));
+            fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", exact_text(dt)));
     }
 }
 
@@ -32,7 +32,7 @@ void check_fits(Precision precision, const ParameterInfo& info, double value) {
     const bool vanished = held == 0 && !info.minimum_included && info.minimum == 0;
     if (std::isfinite(held) && !vanished) return;
     throw UsageError(fmt::format("{} = {} is lost in float, which holds 1e-37 to 3e38: choose another value or double",
-                                 info.name, number_text(value)));
+                                 info.name, exact_text(value)));
 }
 
 void check_memory(const RunDescription& description, double needed_for_interactions) {
@@ -42,7 +42,7 @@ void check_memory(const RunDescription& description, double needed_for_interacti
     const double there = available_memory();
     if (needed <= there && particles <= 4294967295.0) return;
     throw UsageError(fmt::format("{} particles need {} of memory, {} are available: choose a smaller {}",
-                                 number_text(particles), bytes_text(needed), bytes_text(there),
+                                 exact_text(particles), bytes_text(needed), bytes_text(there),
                                  description.scene.contains("dim")    ? "dim"
                                  : description.scene.contains("edge") ? "edge"
                                                                       : "n"));
@@ -103,7 +103,7 @@ void set_parameter(RunDescription& description, std::string_view name, std::stri
         unknown_word("parameter", name, known, fmt::format("{} and {}", description.model, description.method)));
 }
 
-void check(const RunDescription& description) {
+void check_values(const RunDescription& description) {
     check_dt(description);
     for (const ParameterValues& values : {description.scene, description.method_parameters}) {
         for (const auto& info : values.infos()) {
@@ -115,6 +115,10 @@ void check(const RunDescription& description) {
         if (const auto refused = refusal(description.scene)) throw UsageError(*refused);
     }
     check_memory(description, 0);
+}
+
+void check(const RunDescription& description) {
+    check_values(description);
     check_method(description);
 }
 
@@ -131,7 +135,7 @@ std::string command_line(const RunDescription& description) {
     return fmt::format("--model {}{} --method {}{} --precision {} --dt {}", description.model,
                        changed_parameters(description.scene), description.method,
                        changed_parameters(description.method_parameters), id(description.precision),
-                       number_text(description.dt));
+                       exact_text(description.dt));
 }
 
 std::optional<StabilityLimit> stability_limit(const RunDescription& description) {
@@ -143,6 +147,12 @@ std::optional<StabilityLimit> stability_limit(const RunDescription& description)
         return linear_limit(method(description.method), description.method_parameters, frequency, gamma);
     };
     return StabilityLimit{std::min(limit(*omega), limit(0)), *omega};
+}
+
+double fastest_frequency(const RunDescription& description) {
+    const ParameterValues& values = description.scene;
+    if (const auto known = model(description.model).omega_max(values)) return *known;
+    return values.contains("k") && values.contains("m") ? std::sqrt(2 * values["k"] / values["m"]) : 0;
 }
 
 bool has_drag(const RunDescription& description) {

@@ -47,6 +47,8 @@ void set_parameter(RunDescription& description, std::string_view name, std::stri
 /// Throws UsageError unless dt is finite, > 0 and not lost in the precision, every parameter fits into the precision,
 /// the particles fit into this machine's memory (the message names the bytes needed) and the method can run the scene.
 void check(const RunDescription& description);
+/// The part of check() that makes no scene: all but what method and memory say of its interactions.
+void check_values(const RunDescription& description);
 
 /// The description with dt and the scene's parameters as its precision holds them. Throws UsageError (check()).
 RunDescription as_held(RunDescription description);
@@ -63,6 +65,10 @@ struct StabilityLimit {
     double omega_max = 0;
 };
 std::optional<StabilityLimit> stability_limit(const RunDescription& description);
+
+/// The largest angular frequency of the scene at its start; of pairs, for which that is not known, sqrt(2 k / m) of
+/// one alone. 0 if nothing oscillates.
+double fastest_frequency(const RunDescription& description);
 
 /// True if the scene takes energy out of the motion: the energy then changes without any error.
 bool has_drag(const RunDescription& description);

@@ -1,7 +1,6 @@
 #include "sim/run/run_view.hpp"
 
 #include "sim/run/notes.hpp"
-#include "sim/run/remedy.hpp"
 
 #include <algorithm>
 
@@ -16,29 +15,23 @@ Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_
     return tracked;
 }
 
-/// Limits of all methods are sought once a divergence, not once a view.
-void observe_divergence(const Simulation& simulation, RunView& view) {
-    const bool known = view.divergence && view.description == simulation.description();
-    view.divergence = simulation.divergence();
-    if (!view.divergence)
-        view.stable_method.reset();
-    else if (!known && !view.divergence->stop)
-        view.stable_method = stable_method(simulation.description());
-}
-
 }  // namespace
 
 void observe(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
-    observe_divergence(simulation, view);
+    view.divergence = simulation.divergence();
+    view.remedies = view.divergence && !view.divergence->stop ? simulation.remedies() : Remedies{};
     view.description = simulation.description();
     view.diagnostics = simulation.observe(view.frame);
     view.tracked.reset();
     if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
     view.limit = simulation.limit();
+    view.resolution = simulation.resolution();
+    view.conservation = simulation.conservation();
     view.notes.clear();
     if (!view.divergence)
         view.notes = notes_of_rounding(view.description, view.limit, view.diagnostics.max_displacement);
     view.has_exact = simulation.has_exact();
+    view.why_not_exact = simulation.why_not_exact();
     view.segment_start = simulation.segment_start();
     view.baseline_step = simulation.baseline_step();
     view.dt = simulation.dt();

@@ -34,10 +34,13 @@ struct RunView {
     Diagnostics diagnostics;
     std::optional<Tracked> tracked;
     std::optional<Divergence> divergence;
-    std::optional<std::string> stable_method;  ///< where it diverged: the id of a method stable at this dt, if any
+    Remedies remedies;  ///< where it diverged
     std::optional<StabilityLimit> limit;
+    std::optional<Resolution> resolution;  ///< of the fastest oscillation
+    Conservation conservation;
     std::vector<std::string> notes;  ///< of rounding (notes.hpp)
     bool has_exact = false;
+    std::string why_not_exact;  ///< why the position error is not known; empty if it is
     bool playing = false;
     bool can_step_back = false;
     Rate rate;
@@ -50,7 +53,8 @@ struct RunView {
     /// Measured; none in still pictures.
     std::optional<double> steps_per_second;
     std::optional<double> evaluations_per_second;
-    std::string error;  ///< message of a command that was refused; empty if none
+    std::string error;           ///< message of a command that was refused; empty if none
+    std::uint64_t failures = 0;  ///< how many commands were refused so far
 };
 
 /// Fills in everything of `view` that the simulation knows, reusing its memory; `particle` is the one to track.

@@ -33,9 +33,18 @@ void Segment::restart() {
 }
 
 const std::optional<StabilityLimit>& Segment::limit() const {
-    if (!limit_known_) limit_ = stability_limit(held);
-    limit_known_ = true;
-    return limit_;
+    if (!limit_) limit_ = stability_limit(held);
+    return *limit_;
+}
+
+const std::optional<Resolution>& Segment::resolution() const {
+    if (!resolution_) resolution_ = limit() ? steplab::resolution(held, limit()->omega_max) : std::nullopt;
+    return *resolution_;
+}
+
+const Remedies& Segment::remedies() const {
+    if (!remedies_) remedies_ = steplab::remedies(description, scene);
+    return *remedies_;
 }
 
 }  // namespace steplab

@@ -3,6 +3,8 @@
 #include "sim/catalogue.hpp"
 #include "sim/run/energy.hpp"
 #include "sim/run/execution.hpp"
+#include "sim/run/remedy.hpp"
+#include "sim/run/resolution.hpp"
 #include "sim/run/run_description.hpp"
 
 #include <memory>
@@ -34,12 +36,16 @@ struct Segment {
     /// Puts the stepper back to where the segment began.
     void restart();
 
-    /// stability_limit() of the held description; computed when first asked for.
+    // Of the held description; each computed when it is first asked for.
     const std::optional<StabilityLimit>& limit() const;
+    /// Of the fastest oscillation, if its frequency is known.
+    const std::optional<Resolution>& resolution() const;
+    const Remedies& remedies() const;
 
 private:
-    mutable bool limit_known_ = false;
-    mutable std::optional<StabilityLimit> limit_;
+    mutable std::optional<std::optional<StabilityLimit>> limit_;
+    mutable std::optional<std::optional<Resolution>> resolution_;
+    mutable std::optional<Remedies> remedies_;
 };
 
 }  // namespace steplab

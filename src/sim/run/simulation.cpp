@@ -1,8 +1,11 @@
 #include "sim/run/simulation.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "core/number_text.hpp"
 #include "sim/run/measures.hpp"
 #include "sim/run/simulation_body.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -45,6 +48,9 @@ double Simulation::segment_start() const { return body_->segment_time; }
 std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
 bool Simulation::has_exact() const { return body_->exact() != nullptr; }
 const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
+const std::optional<Resolution>& Simulation::resolution() const { return body_->segment.resolution(); }
+const Remedies& Simulation::remedies() const { return body_->segment.remedies(); }
+Conservation Simulation::conservation() const { return steplab::conservation(body_->segment.scene); }
 const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
 
 std::uint64_t Simulation::evaluations() const {
@@ -70,6 +76,12 @@ std::optional<double> Simulation::drag_work() const {
 void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
 void Simulation::conclude() { body_->conclude(); }
 std::uint64_t Simulation::check_interval() const { return steps_between_checks; }
+std::uint64_t Simulation::steps_to_check() const { return settled().steps_to_check(); }
+
+bool Simulation::is_plausible() const {
+    const FlushSubnormals flush;
+    return settled().energy_is_good();
+}
 
 Frame Simulation::frame() const {
     Frame out;
@@ -158,6 +170,16 @@ std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time
     const ExactSolution* const exact = body_->exact();
     if (!exact || time > exact->valid_until()) return std::nullopt;
     return body_->segment.scene.reference.at(particle) + exact->displacement(particle, time);
+}
+
+std::string Simulation::why_not_exact() const {
+    if (!body_->exact_scene) return "the scene was changed during the run";
+    const ExactSolution* const exact = body_->exact();
+    if (exact && time() <= exact->valid_until()) return {};
+    if (exact) return fmt::format("the exact solution ends at t = {} s", typed(exact->valid_until(), 4));
+    const Model& entry = model(body_->segment.held.model);
+    const bool for_others = entry.exact(ParameterValues(entry.info.parameters)) != nullptr;
+    return for_others ? "no exact solution for these parameters" : "no exact solution is known for this scene";
 }
 
 Change Simulation::change(const RunDescription& description) {

@@ -2,7 +2,10 @@
 
 #include "core/diagnostics.hpp"
 #include "core/frame.hpp"
+#include "models/conservation.hpp"
 #include "sim/run/execution.hpp"
+#include "sim/run/remedy.hpp"
+#include "sim/run/resolution.hpp"
 #include "sim/run/run_description.hpp"
 #include "sim/steppers/stepper.hpp"
 
@@ -23,7 +26,6 @@ struct Divergence {
     std::optional<double> limit;  ///< the method's stability limit for this scene, where known; 0 = unstable at any dt
     std::optional<OwnStop> stop;  ///< if no step of the method met its tolerance; its time that of the run
     std::string message;          ///< one sentence: what happened, why
-    std::optional<double> remedy_dt;  ///< a dt that should work, where known
 };
 
 /// What a change of description did to the run.
@@ -66,6 +68,11 @@ public:
     void conclude();
     /// Steps from one check of the energy to the next, counted from the start of the segment.
     std::uint64_t check_interval() const;
+    /// Steps from here to the next of them.
+    std::uint64_t steps_to_check() const;
+    /// False if the energy of the present step is impossible. Whether the run diverged is decided at the next check
+    /// all the same.
+    bool is_plausible() const;
     const std::optional<Divergence>& divergence() const;
     /// Where advance() has got to, without checking all particles: the other functions check them, and may find that
     /// the run diverged before.
@@ -74,8 +81,13 @@ public:
         bool diverged;
     };
     Advanced advanced() const;
-    /// stability_limit() of the present description, computed once.
+    /// stability_limit() of the present description, and how its steps treat the fastest oscillation: computed once.
     const std::optional<StabilityLimit>& limit() const;
+    const std::optional<Resolution>& resolution() const;
+    /// What would work in place of the present description; computed once.
+    const Remedies& remedies() const;
+    /// What the scene as it is now lets a method keep.
+    Conservation conservation() const;
 
     /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`.
     Frame frame() const;
@@ -97,6 +109,8 @@ public:
     /// run left its conditions (a parameter of the scene was changed under way).
     std::optional<Vec3> exact_position(std::size_t particle, double time) const;
     bool has_exact() const;
+    /// Why exact_position() is not known at the present step; empty if it is.
+    std::string why_not_exact() const;
 
     /// Continues from the synchronised state with another method, dt, precision or live parameter, beginning a new
     /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.

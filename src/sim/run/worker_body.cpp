@@ -26,20 +26,20 @@ void Worker::Body::loop() {
         }
         bool to_show = carry_out_commands();
         const std::uint64_t before = simulation.advanced().step;
-        const bool behind = ensemble_is_behind();
+        const bool doubted = doubtful, behind = !doubted && ensemble_is_behind();
         if (behind) bring_ensemble(slice);
-        if (playing && !went_well([this] { take_steps(); })) {
-            give_up();
-            to_show = true;
-        }
+        const bool well = went_well([this] { doubtful ? step_to_check() : take_steps(); });
+        if (!well) give_up();
+        if (doubtful) continue;
+        to_show = to_show || doubted || !well;
         const auto [step, evaluations, diverged] = simulation.advanced();
-        if (to_show || ((behind || step != before || diverged) && affordable())) publish();
+        if (to_show || ((behind || step != before || diverged) && affordable())) publish(to_show, well);
     }
 }
 
 void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
-    if (ensemble_is_behind()) return;
+    if (doubtful || ensemble_is_behind()) return;
     const auto called = [this] { return stopping || !commands.empty() || wanted; };
     if (!playing) return changed.wait(lock, called);
     const auto now = Clock::now(), due = pace.next_due(now, rate, simulation.dt());
@@ -56,6 +56,7 @@ bool Worker::Body::carry_out_commands() {
     }
     if (taken.empty() && !description) return false;
     error.clear();
+    doubtful = false;  // of what was before
     went_well([&] {
         if (playing && simulation.divergence()) playing = false;  // before a command begins something new
         if (description) apply(*description);
@@ -75,7 +76,7 @@ void Worker::Body::bring_ensemble(Pace::Duration most) {
 /// Of the run and its ensemble, so that they stay together. Whether all numbers are finite is checked when they are
 /// read: after every few steps it would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
-    if (ensemble_is_behind()) return;
+    if (!playing || ensemble_is_behind()) return;
     const auto begin = Clock::now();
     const std::uint64_t due = pace.steps_due(begin, rate, simulation.dt(), slice);
     if (due == 0) return;
@@ -88,6 +89,15 @@ void Worker::Body::take_steps() {
               static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), rate);
     keep_moment();
     if (simulation.advanced().diverged) playing = false;
+}
+
+/// To the next check of the energy without regard to the pace, but no longer at a time than commands may wait.
+void Worker::Body::step_to_check() {
+    const auto begin = Clock::now();
+    std::uint64_t left = simulation.divergence() ? 0 : simulation.steps_to_check();
+    for (; left > 0 && Clock::now() - begin < slice; --left) simulation.advance(1);
+    doubtful = left > 0 && !simulation.advanced().diverged;
+    pace.begin(Clock::now());
 }
 
 /// Something to come back to; in a large scene that is a copy as costly as some steps.
@@ -116,19 +126,23 @@ void Worker::Body::see() {
     view.rate = rate;
     view.run = run;
     view.error = error;
+    view.failures = failures;
     view.steps_per_second = pace.steps_per_second();
     view.evaluations_per_second = pace.evaluations_per_second();
 }
 
-/// Hands over a view of the present moment, unless the last one is still waiting and has not grown stale.
-void Worker::Body::publish() {
+/// Hands over a view of the present moment, unless the last one is still waiting and has not grown stale. A moment
+/// whose energy is impossible is not shown, if it is to be `judged`: whether the run diverged is decided first.
+void Worker::Body::publish(bool at_once, bool judged) {
     const auto begin = Clock::now();
     {
         const std::lock_guard lock(mutex);
-        if (playing && fresh && begin - published < stale) return;
+        if (!at_once && playing && fresh && begin - published < stale) return;
     }
     const bool seen = went_well([this] { see(); });
     if (!seen) give_up();
+    doubtful = judged && seen && !view.divergence && !simulation.is_plausible();
+    if (doubtful) return;
     void (*call)() = nullptr;
     {
         const std::lock_guard lock(mutex);
@@ -147,13 +161,14 @@ void Worker::Body::publish() {
 
 /// After something went wrong that is no fault of a command, as a rule because there is no memory left.
 void Worker::Body::give_up() {
-    playing = false;
+    playing = doubtful = false;
     show_ensemble({});
 }
 
 /// In an older view: what went wrong since.
 void Worker::Body::tell_in(RunView& older) const {
     older.error = error;
+    older.failures = failures;
     older.playing = playing;
     older.ensemble = ensemble;
     older.frame.ensemble.clear();

@@ -46,12 +46,14 @@ struct Worker::Body {
     Pace pace;
     Rate rate;
     bool playing = false;
+    bool doubtful = false;  // the energy is impossible, and the check that decides about it has not come yet
     std::optional<std::size_t> tracked;
     std::vector<SegmentBegin> segments;  // of the run so far
     LiveEnsembleOptions ensemble;
     std::optional<LiveEnsemble> live_ensemble;
     std::uint64_t run = 0;
     std::string error;
+    std::uint64_t failures = 0;
     RunView view;
     Clock::time_point published;
     Share views{part_for_views, longest_without_view}, moments{part_for_history};
@@ -81,6 +83,7 @@ struct Worker::Body {
             return true;
         } catch (const std::exception& problem) {
             error = problem.what();
+            ++failures;
             return false;
         }
     }
@@ -89,12 +92,13 @@ struct Worker::Body {
     void wait_for_work();
     bool carry_out_commands();
     void take_steps();
+    void step_to_check();
     bool ensemble_is_behind() const { return live_ensemble && !live_ensemble->are_at(simulation.step(), segments); }
     void bring_ensemble(Pace::Duration most);
     void keep_moment();
     bool affordable() const;
     void see();
-    void publish();
+    void publish(bool at_once, bool judged);
     void give_up();
     void tell_in(RunView& older) const;
     void show_ensemble(LiveEnsembleOptions asked);

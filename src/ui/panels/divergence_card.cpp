@@ -22,22 +22,22 @@ void apply(const Context& context, const RunDescription& remedy) {
     context.session.wanted.play(true, context.commands);
 }
 
-void draw_buttons(const Context& context, const Divergence& divergence) {
+void draw_buttons(const Context& context, const Remedies& remedies) {
     const RunDescription& now = context.description();
     auto next = [&, first = true]() mutable {
         if (!first) ImGui::SameLine();
         first = false;
     };
-    if (divergence.remedy_dt) {
+    if (remedies.dt) {
         next();
-        const std::string text = fmt::format("Use dt = {} s", setting_text(*divergence.remedy_dt));
-        if (text_button(context, "remedy.dt", text, true)) apply(context, with_dt(now, *divergence.remedy_dt));
+        const std::string text = fmt::format("Use dt = {} s", setting_text(*remedies.dt));
+        if (text_button(context, "remedy.dt", text, true)) apply(context, with_dt(now, *remedies.dt));
     }
-    if (const auto& stable = context.view.stable_method) {
+    if (remedies.method) {
         next();
-        const std::string text = fmt::format("Use {}", method(*stable).info.name);
-        if (text_button(context, "remedy.method", text, !divergence.remedy_dt))
-            apply(context, with_method(now, *stable));
+        const std::string text = fmt::format("Use {}", method(*remedies.method).info.name);
+        if (text_button(context, "remedy.method", text, !remedies.dt))
+            apply(context, with_method(now, *remedies.method));
     }
     next();
     if (text_button(context, "remedy.restart", "Restart")) context.commands.restart();
@@ -63,7 +63,7 @@ void draw_divergence_card(const Context& context) {
     }
     explanation(context, divergence->message, colour::text);
     ImGui::Dummy({0, context.px(4)});
-    draw_buttons(context, *divergence);
+    draw_buttons(context, context.view.remedies);
 }
 
 }  // namespace steplab::ui

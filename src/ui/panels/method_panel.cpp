@@ -1,10 +1,13 @@
 #include "sim/catalogue.hpp"
+#include "ui/panels/method_text.hpp"
 #include "ui/panels/panels.hpp"
-#include "ui/widgets/format.hpp"
 #include "ui/widgets/parameter_rows.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <fmt/format.h>
+
+#include <string>
+#include <vector>
 
 namespace steplab::ui {
 namespace {
@@ -21,18 +24,6 @@ std::vector<ComboItem> method_items(std::string_view shown, std::size_t& chosen)
     return items;
 }
 
-/// "order 4 · 4 force evaluations per step · symplectic · conserves momentum".
-std::string description_line(const MethodInfo& info, const RunDescription& description) {
-    const int order = has_drag(description) ? info.order_with_drag : info.order;
-    const double evaluations = evaluations_per_step(info, description.method_parameters);
-    std::string line =
-        fmt::format("order {} · {} per step", order, counted(evaluations, "force evaluation", "force evaluations"));
-    if (info.symplectic) line.append(" · symplectic");
-    if (info.reversible) line.append(" · time-reversible");
-    if (!info.conserves.empty()) line.append(" · conserves ").append(info.conserves);
-    return line;
-}
-
 }  // namespace
 
 void draw_method_panel(const Context& context) {
@@ -44,7 +35,7 @@ void draw_method_panel(const Context& context) {
         context.ask(with_method(description, items[chosen].id));
     }
     const MethodInfo& info = method(description.method).info;
-    explanation(context, description_line(info, description));
+    explanation(context, method_text(info, description, context.view.conservation));
     tooltip(context, fmt::format("{}\n{}", info.what, info.source));
     parameter_rows(context, "method", description.method_parameters, [&](const ParameterValues& values) {
         RunDescription changed = description;

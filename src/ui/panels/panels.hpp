@@ -19,8 +19,6 @@ void draw_show_panel(const Context& context);
 /// Rows of the previous section.
 void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
-/// Measured rates, at the bottom of the side panel.
-void draw_footer(const Context& context);
 void draw_plots_panel(const Context& context);
 
 /// Over the scene: readings of time, step and errors; messages; the card of a diverged run; help.

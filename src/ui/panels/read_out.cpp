@@ -16,12 +16,18 @@ struct Line {
     bool strong = false;
 };
 
-/// "5.3 correct digits", green if there is at least one.
-Line digits_line(double error, double scale) {
-    if (error == 0) return {"all digits correct", colour::good};
-    const auto digits = correct_digits(error, scale);
-    if (!digits) return {};
-    return {fmt::format("{:.1f} correct digits", *digits), *digits < 1 ? colour::bad : colour::good};
+/// The error of the moment, and the digits that the largest one so far has left; or why they are not known.
+void append_error(std::vector<Line>& lines, const RunView& view, const History& history) {
+    const auto error = view.diagnostics.error;
+    if (!error) {
+        if (!view.why_not_exact.empty()) lines.push_back({"position error unknown: " + view.why_not_exact});
+        return;
+    }
+    lines.push_back({"position error: " + with_unit(rounded_text(*error), "m") + " (against the exact solution)"});
+    const double scale = std::max(history.largest_displacement(), view.diagnostics.max_displacement);
+    const double worst = std::max(history.largest_error(), *error);
+    const auto digits = correct_digits(worst, scale, view.description.precision);
+    if (digits) lines.push_back({digits_text(*digits), *digits < 1 ? colour::bad : colour::good});
 }
 
 std::vector<Line> lines_of(const Context& context) {
@@ -32,12 +38,7 @@ std::vector<Line> lines_of(const Context& context) {
     const std::string energy = has_drag(view.description) ? "energy change: " : "energy error: ";
     lines.push_back({energy + with_unit(rounded_text(view.diagnostics.energy_error), "J")});
     if (view.baseline_step > 0) lines.push_back({fmt::format("relative to the energy at step {}", view.baseline_step)});
-    if (const auto error = view.diagnostics.error) {
-        const double scale =
-            std::max(context.session.history.largest_displacement(), view.diagnostics.max_displacement);
-        lines.push_back({"position error: " + with_unit(rounded_text(*error), "m") + " (against the exact solution)"});
-        lines.push_back(digits_line(*error, scale));
-    }
+    append_error(lines, view, context.session.history);
     if (!view.frame.ensemble.empty())
         lines.push_back({"ensemble spread: max " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });

@@ -1,4 +1,5 @@
 #include "sim/catalogue.hpp"
+#include "sim/run/opening.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/parameter_rows.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -24,7 +25,7 @@ void draw_scene_panel(const Context& context) {
     std::size_t chosen = 0;
     const auto items = model_items(description.model, chosen);
     if (combo(context, "model", items, chosen, ImGui::GetContentRegionAvail().x)) {
-        context.ask(with_model(description, items[chosen].id));
+        context.ask(opening(with_model(description, items[chosen].id)));
     }
     explanation(context, model(description.model).info.what);
     parameter_rows(context, "scene", description.scene, [&](const ParameterValues& values) {

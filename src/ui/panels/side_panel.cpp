@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 namespace steplab::ui {
 namespace {
 
@@ -14,16 +18,49 @@ constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiW
 /// "420", "1.9e6".
 std::string frequency(double value) { return value < 1000 ? fmt::format("{:.0f}", value) : rounded_text(value); }
 
-/// "1.9e6 steps/s · 7.6e6 force evaluations/s · 4.1 ms per frame"; values that are not known are left out.
+/// "1.9e6 steps/s · 7.6e6 force evaluations/s · 4.1 ms per frame"; values that are not known are left out. Lines break
+/// between them only: the blanks within are such that do not break.
 std::string footer_text(const RunView& view, const Measured& measured) {
     std::string text;
-    const auto add = [&](const std::string& part) { text.append(text.empty() ? "" : " · ").append(part); };
-    if (view.steps_per_second.value_or(0) > 0) add(frequency(*view.steps_per_second) + " steps/s");
+    const auto add = [&](const std::string& value, const char* unit) {
+        text.append(text.empty() ? "" : " · ").append(value).append("\u00a0").append(unit);
+    };
+    if (view.steps_per_second.value_or(0) > 0) add(frequency(*view.steps_per_second), "steps/s");
     if (view.evaluations_per_second.value_or(0) > 0)
-        add(frequency(*view.evaluations_per_second) + " force evaluations/s");
-    if (measured.frame_seconds) add(setting_text(1e3 * *measured.frame_seconds, 2) + " ms per frame");
+        add(frequency(*view.evaluations_per_second), "force\u00a0evaluations/s");
+    if (measured.frame_seconds) add(setting_text(1e3 * *measured.frame_seconds, 2), "ms\u00a0per\u00a0frame");
     return text;
 }
+
+/// Measured rates at the bottom of the side panel, in as many lines as they need.
+class Footer {
+public:
+    explicit Footer(const Context& context)
+        : context_(context),
+          text_(footer_text(context.view, context.measured)),
+          width_(context.layout.panel.width - 2 * context.px(14)) {
+        const WithFont font(context.theme.fonts().tiny);
+        height_ = std::round(ImGui::CalcTextSize(text_.c_str(), nullptr, false, width_).y);
+    }
+
+    /// With the margins; of one line if nothing is known.
+    float height() const { return std::max(height_, context_.theme.fonts().tiny->FontSize) + context_.px(15); }
+
+    void draw() const {
+        const Area& area = context_.layout.panel;
+        const ImFont* font = context_.theme.fonts().tiny;
+        const ImVec2 corner{area.x + context_.px(14), area.bottom() - height() + context_.px(6)};
+        ImGui::GetWindowDrawList()->AddText(font, font->FontSize, corner, colour::text_faint, text_.c_str(), nullptr,
+                                            width_);
+        context_.mark("footer", {area.x, area.bottom() - height(), area.right(), area.bottom()});
+    }
+
+private:
+    const Context& context_;
+    std::string text_;
+    float width_;
+    float height_ = 0;
+};
 
 void draw_sections(const Context& context) {
     draw_scene_panel(context);
@@ -42,22 +79,15 @@ void draw_side_panel(const Context& context) {
     ImGui::SetNextWindowSize({area.width, area.height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::Begin("side panel", nullptr, fixed_window);
-    const float footer = context.px(28);
+    const Footer footer(context);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(6)});
-    ImGui::BeginChild("sections", {0, area.height - footer}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::BeginChild("sections", {0, area.height - footer.height()}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     draw_sections(context);
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
-    draw_footer(context);
+    footer.draw();
     ImGui::GetWindowDrawList()->AddLine({area.right() - 1, area.y}, {area.right() - 1, area.bottom()}, colour::line);
     ImGui::End();
-}
-
-void draw_footer(const Context& context) {
-    const Area& area = context.layout.panel;
-    const WithFont font(context.theme.fonts().tiny);
-    text_left(area.x + context.px(14), area.bottom() - context.px(15), footer_text(context.view, context.measured),
-              colour::text_faint);
 }
 
 }  // namespace steplab::ui

@@ -1,59 +1,58 @@
 #include "core/number_text.hpp"
+#include "sim/run/opening.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/panels/step_verdict.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/parameter_rows.hpp"
 #include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
-
-#include <fmt/format.h>
 
 #include <cmath>
 
 namespace steplab::ui {
 namespace {
 
-/// How dt stands to the stability limit: the line below the slider, and its tooltip.
-struct Verdict {
-    std::string text;
-    ImU32 ink = colour::text_dim;
-    bool passed = false;  ///< dt is beyond the limit
-    std::string tooltip = "from linear theory for the scene at rest";
-};
-
-std::string share_text(double share) {
-    if (share < 0.01) return "< 0.01";
-    return share < 10 ? fmt::format("{:.2f}", share) : rounded_text(share);
+/// Of the run as it is: nothing is said of a change that it has not made yet.
+StepVerdict shown_verdict(const Context& context) {
+    if (context.description() == context.view.description) return step_verdict(context.view);
+    return {Lamp::none, "waiting for the run", "the change has been requested"};
 }
 
-Verdict verdict(const std::optional<StabilityLimit>& known, const RunDescription& description) {
-    if (chooses_its_steps(description))
-        return {.text = "step size chosen by the method",
-                .ink = colour::good,
-                .tooltip = "the method keeps its tolerance; dt is the time between two frames"};
-    if (!known) return {.text = "stability limit unknown", .tooltip = "linear theory does not cover this scene"};
-    if (known->limit == 0) return {.text = "unstable at any dt: the energy grows", .ink = colour::bad, .passed = true};
-    if (std::isinf(known->limit)) return {.text = "stable at any dt", .ink = colour::good};
-    const bool unstable = description.dt > known->limit;
-    return {.text = fmt::format("{}: {} of the limit {} s", unstable ? "unstable" : "stable",
-                                share_text(description.dt / known->limit), reading_text(known->limit)),
-            .ink = unstable ? colour::bad : colour::good,
-            .passed = unstable,
-            .tooltip = fmt::format("dt relative to the stability limit, from linear theory for the scene at rest;\n"
-                                   "largest angular frequency ω_max = {} rad/s",
-                                   reading_text(known->omega_max))};
+ImU32 ink_of(Lamp lamp, ImU32 none) {
+    switch (lamp) {
+        case Lamp::good:
+            return colour::good;
+        case Lamp::caution:
+            return colour::caution;
+        case Lamp::bad:
+            return colour::bad;
+        case Lamp::none:
+            break;
+    }
+    return none;
 }
 
-void draw_verdict(const Context& context, const Verdict& verdict) {
+void draw_verdict(const Context& context, const StepVerdict& verdict) {
     const WithFont font(context.theme.fonts().small);
+    const ImU32 ink = ink_of(verdict.lamp, colour::text_dim);
     const float radius = context.px(3.5f);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float y = corner.y + 0.5f * ImGui::GetTextLineHeight();
-    if (verdict.ink != colour::text_dim) {
-        ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + radius + 1, y}, radius, verdict.ink);
+    if (verdict.lamp != Lamp::none) {
+        ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + radius + 1, y}, radius, ink);
         ImGui::SetCursorScreenPos({corner.x + context.px(14), corner.y});
     }
-    explanation(context, verdict.text, verdict.ink);
+    explanation(context, verdict.text, ink);
     tooltip(context, verdict.tooltip);
+}
+
+/// The stability limit, as long as it is that of the scene and method on the panel.
+std::optional<double> limit_mark(const Context& context) {
+    RunDescription asked = context.description();
+    asked.dt = context.view.description.dt;
+    const auto& known = context.view.limit;
+    if (!known || !(known->limit > 0) || std::isinf(known->limit)) return std::nullopt;
+    return asked == context.view.description ? std::optional(known->limit) : std::nullopt;
 }
 
 }  // namespace
@@ -65,12 +64,9 @@ void draw_step_panel(const Context& context) {
         changed.dt = dt;
         context.ask(changed);
     };
-    // While a change is on its way to the run, the limit is that of the requested description.
-    const bool current = description == context.view.description;
-    const auto limit = current ? context.view.limit : stability_limit(description);
-    const Verdict result = verdict(limit, description);
-    const bool marked = limit && limit->limit > 0 && std::isfinite(limit->limit);
-    const ParameterInfo& info = dt_parameter;
+    const StepVerdict verdict = shown_verdict(context);
+    ParameterInfo info = dt_parameter;
+    info.default_value = opening_dt(description);
     const std::string help = parameter_help(info);
     heading(context, "TIME STEP");
     slider_row(context, {
@@ -82,15 +78,12 @@ void draw_step_panel(const Context& context) {
                             .value = description.dt,
                             .default_value = info.default_value,
                             .range = {info.slider_low, info.slider_high, info.slider_logarithmic, false},
-                            .style = {.fill = result.passed ? colour::bad
-                                              : limit       ? colour::good
-                                                            : colour::accent,
-                                      .mark = marked ? std::optional(limit->limit) : std::nullopt},
+                            .style = {.fill = ink_of(verdict.lamp, colour::accent), .mark = limit_mark(context)},
                             .set = ask,
                             .set_text = [&](std::string_view typed) { ask(parse_value(info, typed)); },
                         });
-    draw_verdict(context, result);
-    for (const std::string& note : context.view.notes) explanation(context, note, colour::text);
+    draw_verdict(context, verdict);
+    for (const std::string& note : context.view.notes) explanation(context, note, colour::caution);
 }
 
 }  // namespace steplab::ui

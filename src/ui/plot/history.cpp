@@ -9,8 +9,14 @@ namespace {
 constexpr std::size_t most_whole = 8192;
 constexpr std::size_t most_recent = 600;
 
-Sample sample_of(const RunView& view) {
-    Sample sample{view.frame.time, std::abs(view.diagnostics.energy_error), view.diagnostics.max_displacement, {}, {}};
+/// `before`: the sample before it.
+Sample sample_of(const RunView& view, const Sample& before) {
+    Sample sample{.time = view.frame.time,
+                  .energy_error = std::abs(view.diagnostics.energy_error),
+                  .farthest = std::max(before.farthest, view.diagnostics.max_displacement),
+                  .worst = std::max(before.worst, view.diagnostics.error.value_or(0)),
+                  .displacement = {},
+                  .exact_displacement = {}};
     if (view.tracked) {
         sample.displacement = view.tracked->displacement;
         sample.exact_displacement = view.tracked->exact_displacement;
@@ -33,17 +39,11 @@ std::span<const Sample> History::recent() const {
     return std::span(recent_).last(count);
 }
 
-double History::largest_displacement() const {
-    double largest = 0;
-    for (const Sample& sample : whole_) largest = std::max(largest, sample.max_displacement);
-    return largest;
-}
-
 void History::record(const RunView& view) {
     if (run_ != view.run) begin(view);
     follow(view.tracked);
     forget_from(view.frame.time);
-    append(sample_of(view));
+    append(sample_of(view, last()));
 }
 
 void History::begin(const RunView& view) {
@@ -55,6 +55,12 @@ void History::forget_from(double time) {
     if (recent_.empty() || recent_.back().time < time) return;
     drop_from(whole_, time);
     drop_from(recent_, time);
+}
+
+/// Of the samples left; a long way back only those of the whole run are.
+Sample History::last() const {
+    if (!recent_.empty()) return recent_.back();
+    return whole_.empty() ? Sample{} : whole_.back();
 }
 
 void History::follow(const std::optional<Tracked>& tracked) {

@@ -13,7 +13,8 @@ namespace steplab::ui {
 struct Sample {
     double time = 0;
     double energy_error = 0;                 ///< |E - E0|
-    double max_displacement = 0;             ///< largest of all particles
+    double farthest = 0;                     ///< largest displacement of a particle in the run so far
+    double worst = 0;                        ///< largest position error in the run so far, where one is known
     std::optional<Vec3> displacement;        ///< of the followed particle from its rest position
     std::optional<Vec3> exact_displacement;  ///< the same in the exact solution
 };
@@ -33,14 +34,16 @@ public:
     std::optional<std::size_t> particle() const { return particle_; }
     /// The axis of its largest displacement: 0 x, 1 y, 2 z.
     int direction() const { return direction_; }
-    /// Largest displacement of all particles over the whole run.
-    double largest_displacement() const;
+    /// Largest displacement and position error of all particles in the run so far, 0 if none is known.
+    double largest_displacement() const { return recent_.empty() ? 0 : recent_.back().farthest; }
+    double largest_error() const { return recent_.empty() ? 0 : recent_.back().worst; }
 
 private:
     void begin(const RunView& view);
     void forget_from(double time);
     void follow(const std::optional<Tracked>& tracked);
     void append(const Sample& sample);
+    Sample last() const;
 
     std::optional<std::uint64_t> run_;
     std::optional<std::size_t> particle_;

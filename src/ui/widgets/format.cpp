@@ -29,9 +29,16 @@ std::string counted(double count, std::string_view one, std::string_view many) {
     return fmt::format("{:g} {}", count, count == 1 ? one : many);
 }
 
-std::optional<double> correct_digits(double error, double scale) {
-    if (!(error > 0) || !(scale > 0) || !std::isfinite(error) || !std::isfinite(scale)) return std::nullopt;
-    return std::max(0.0, -std::log10(error / scale));
+std::optional<double> correct_digits(double error, double scale, Precision precision) {
+    if (!(error >= 0) || !(scale > 0) || !std::isfinite(error) || !std::isfinite(scale)) return std::nullopt;
+    // half a unit in the last place: 7.2 digits and 15.9, not rounded up
+    const double most = precision == Precision::float_ ? 7.2 : 15.9;
+    return std::clamp(-std::log10(error / scale), 0.0, most);
+}
+
+std::string digits_text(double digits) {
+    if (digits < 1) return "wrong: not one correct digit";
+    return fmt::format("{:.1f} correct digits so far", digits);
 }
 
 double rounded_for_slider(double value, double low, double high, bool logarithmic) {

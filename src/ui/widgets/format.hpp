@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/precision.hpp"
 #include "core/vec3.hpp"
 
 #include <optional>
@@ -17,9 +18,12 @@ std::string time_text(double time, double dt);
 /// "1 step", "2 steps".
 std::string counted(double count, std::string_view one, std::string_view many);
 
-/// Number of correct decimal digits: -log10(error / scale), at least 0. None if the error or the scale is not positive
-/// and finite.
-std::optional<double> correct_digits(double error, double scale);
+/// Number of correct decimal digits: -log10(error / scale), at least 0 and at most those of the precision. None if the
+/// error is negative or the scale is not positive, or one of them is not finite.
+std::optional<double> correct_digits(double error, double scale, Precision precision);
+
+/// "5.3 correct digits so far"; below one: "wrong: not one correct digit".
+std::string digits_text(double digits);
 
 /// `value` rounded to three digits (of high - low on a linear slider): less than a pixel of a slider over low .. high.
 double rounded_for_slider(double value, double low, double high, bool logarithmic);

@@ -30,6 +30,7 @@ inline constexpr ImU32 accent = rgb(0x4ea1ff);
 inline constexpr ImU32 accent_hover = rgb(0x6cb2ff);
 inline constexpr ImU32 on_accent = rgb(0xffffff);
 inline constexpr ImU32 good = rgb(0x3fb37f);
+inline constexpr ImU32 caution = rgb(0xe0a33e);  ///< works, but not well
 inline constexpr ImU32 bad = rgb(0xe06c6c);
 inline constexpr ImU32 exact = rgb(0xe8b866);  ///< the exact solution in plots
 }  // namespace colour

@@ -130,6 +130,8 @@ TEST(List, json_agrees_with_the_catalogue) {
         EXPECT_EQ(entry.at("id"), models()[i].info.id);
         EXPECT_EQ(entry.at("name"), models()[i].info.name);
         EXPECT_EQ(entry.at("what"), models()[i].info.what);
+        EXPECT_EQ(entry.at("opening").at("method"), models()[i].opening.method);
+        EXPECT_EQ(entry.at("opening").at("dt"), models()[i].opening.dt);
         expect_parameters(entry.at("parameters"), models()[i].info.parameters);
     }
     for (std::size_t i = 0; i < methods().size(); ++i) {

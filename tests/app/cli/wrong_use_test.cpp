@@ -102,8 +102,8 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--every", "-3"}, {"--every", "-3"}},
     {{"run", "--every", "2x"}, {"--every", "\"2x\""}},
     // more than fits into memory: refused before anything is allocated, with the bytes
-    {{"run", "--model", "free", "--set", "n=1e12"}, {"1e+12 particles", "bytes", "smaller n"}},
-    {{"run", "--model", "mesh", "--set", "dim=1000000"}, {"1e+12 particles", "bytes", "smaller dim"}},
+    {{"run", "--model", "free", "--set", "n=1e12"}, {"1e12 particles", "bytes", "smaller n"}},
+    {{"run", "--model", "mesh", "--set", "dim=1000000"}, {"1e12 particles", "bytes", "smaller dim"}},
     {{"run", "--model", "morse", "--set", "edge=100000"}, {"particles", "bytes", "smaller edge"}},
     {{"run", "--model", "rope", "--set", "n=1e300"}, {"n", "1e300"}},
     // particles

@@ -41,7 +41,7 @@ TEST(Divergence, of_a_method_that_chooses_its_steps_never_blames_dt) {
         simulation.advance(1);
         if (!simulation.divergence()) continue;
         EXPECT_THAT(simulation.divergence()->message, Not(HasSubstr("dt = "))) << c;
-        EXPECT_FALSE(simulation.divergence()->remedy_dt) << c;
+        EXPECT_FALSE(simulation.remedies().dt) << c;
         if (!simulation.divergence()->stop) continue;
         ++stopped;
         EXPECT_THAT(simulation.divergence()->message, HasSubstr("meets its tolerance of 1e-9")) << c;
@@ -117,7 +117,7 @@ TEST(Divergence, says_where_and_why_and_what_to_do) {
     EXPECT_THAT(divergence.message, HasSubstr("particle " + std::to_string(divergence.particle)));
     EXPECT_THAT(divergence.message, HasSubstr("step " + std::to_string(divergence.step)));
     RunDescription remedied = simulation.description();
-    remedied.dt = divergence.remedy_dt.value();
+    remedied.dt = simulation.remedies().dt.value();
     Simulation again(remedied);
     again.advance(2000);
     EXPECT_EQ(again.step(), 2000u);

@@ -59,7 +59,7 @@ TEST(RunDescription, refuses_what_float_cannot_hold) {
     EXPECT_THAT(refusal([] {
                     check(run_of("chain", "rk4", Precision::float_, 0.1, {{"v0", 1e300}}));
                 }),
-                HasSubstr("v0 = 1e+300"));
+                HasSubstr("v0 = 1e300"));
     EXPECT_THAT(refusal([] {
                     check(run_of("chain", "rk4", Precision::float_, 0.1, {{"m", 1e-60}}));
                 }),

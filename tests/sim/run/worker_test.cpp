@@ -1,4 +1,4 @@
-#include "sim/run/worker.hpp"
+#include "sim/run/worker_test.hpp"
 
 #include "sim/allocations.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
@@ -7,54 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
 #include <new>
-#include <utility>
 #include <vector>
 
 namespace steplab::test {
 namespace {
-
-/// Told by the worker when there is a new view: tests wait for what they expect to see, not for time to pass.
-std::mutex mutex;
-std::condition_variable news;
-bool something_new = false;
-
-void wake() {
-    {
-        const std::lock_guard lock(mutex);
-        something_new = true;
-    }
-    news.notify_one();
-}
-
-class WorkerTest : public testing::Test {
-protected:
-    explicit WorkerTest(const RunDescription& description = run_of("chain", "rk4", Precision::double_, 0.1))
-        : worker(description) {
-        worker.on_view(wake);
-        worker.take(view);
-    }
-
-    /// Takes views until one fulfils the condition; the bound is for a broken worker only.
-    template <class Condition>
-    bool see(Condition condition) {
-        while (true) {
-            while (worker.take(view)) {
-                if (condition(view)) return true;
-            }
-            std::unique_lock lock(mutex);
-            if (!news.wait_for(lock, std::chrono::seconds(60), [] { return std::exchange(something_new, false); }))
-                return false;
-        }
-    }
-
-    Worker worker;
-    RunView view;
-};
 
 TEST_F(WorkerTest, shows_the_start_at_once) {
     EXPECT_EQ(view.frame.step, 0u);
@@ -131,6 +89,16 @@ TEST_F(WorkerTest, stops_where_the_run_diverges) {
     worker.restart();
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0; }));
     EXPECT_FALSE(view.divergence);
+}
+
+TEST_F(WorkerTest, counts_what_it_refuses) {
+    RunDescription wrong = view.description;
+    wrong.dt = -1;
+    for (std::uint64_t times = 1; times <= 2; ++times) {
+        worker.change(wrong);
+        ASSERT_TRUE(see([=](const RunView& v) { return v.failures == times; }));
+        EXPECT_THAT(view.error, testing::HasSubstr("dt must be"));
+    }
 }
 
 TEST_F(WorkerTest, tracks_a_particle_with_its_exact_solution) {

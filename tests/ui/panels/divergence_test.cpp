@@ -36,7 +36,7 @@ protected:
 
 TEST_F(Diverged, card_appears_with_its_remedies) {
     ASSERT_TRUE(desk.view.divergence);
-    ASSERT_TRUE(desk.view.divergence->remedy_dt);
+    ASSERT_TRUE(desk.view.remedies.dt);
     EXPECT_FALSE(desk.view.divergence->message.empty());
     EXPECT_TRUE(desk.has("divergence"));
     EXPECT_TRUE(desk.has("remedy.dt"));
@@ -62,7 +62,7 @@ TEST_F(Diverged, smaller_dt_restarts_and_plays) {
     desk.click("remedy.dt");
     EXPECT_THAT(desk.calls(), ElementsAre("change", "restart", "play"));
     RunDescription expected = desk.view.description;
-    expected.dt = desk.view.divergence->remedy_dt.value();
+    expected.dt = desk.view.remedies.dt.value();
     EXPECT_EQ(desk.wanted(), expected);
     EXPECT_LT(desk.wanted().dt, 2 / 1.97272261) << "below Euler's limit of 2 / omega_max of ten points";
 }

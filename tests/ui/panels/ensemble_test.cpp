@@ -84,6 +84,7 @@ TEST_F(EnsemblePanel, shows_the_state_of_the_run_once_an_ensemble_is_refused) {
         EXPECT_TRUE(desk.has("ensemble spread")) << "it was asked for, no answer yet";
         // A paused run sends only one view, with the reason.
         desk.view.error = "an ensemble of 64 runs is too large";
+        ++desk.view.failures;
         desk.interface.record(desk.view);
         desk.frame();
         desk.frame();

@@ -1,4 +1,6 @@
+#include "core/error.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/opening.hpp"
 #include "ui/desk.hpp"
 
 #include <gmock/gmock.h>
@@ -19,7 +21,7 @@ TEST(panel, model_is_chosen_from_its_menu) {
         desk.click("model");
         desk.click("model/" + std::string(model.info.id));
         ASSERT_EQ(desk.recorder.changes.size(), 1u) << model.info.id;
-        EXPECT_EQ(desk.wanted(), with_model(desk.view.description, model.info.id));
+        EXPECT_EQ(desk.wanted(), opening(with_model(desk.view.description, model.info.id)));
     }
 }
 
@@ -164,24 +166,62 @@ TEST(panel, escape_leaves_an_entry_without_a_change) {
     EXPECT_THAT(desk.recorder.changes, IsEmpty());
 }
 
-TEST(panel, double_click_sets_dt_to_its_default) {
-    RunDescription description = describe();
-    description.dt = 0.02;
-    Desk desk(description);
-    desk.double_click("dt");
-    EXPECT_EQ(desk.wanted().dt, 0.1);
+TEST(panel, double_click_sets_dt_to_what_the_model_recommends) {
+    for (const Model& model : models()) {
+        RunDescription description = describe(model.info.id);
+        description.dt = 0.003;
+        Desk desk(description);
+        desk.double_click("dt");
+        EXPECT_EQ(desk.wanted().dt, model.opening.dt) << model.info.id;
+    }
 }
 
 TEST(panel, what_the_run_refused_is_shown_and_taken_back) {
     Desk desk;
-    desk.drag("dt", 0.5f, 0.6f);
+    for (int attempt = 0; attempt < 2; ++attempt) {  // the second time with the same words
+        desk.drag("dt", 0.5f, 0.6f);
+        desk.view.error = "no memory for this";
+        ++desk.view.failures;
+        desk.interface.record(desk.view);
+        desk.frame();
+        desk.frame();
+        EXPECT_TRUE(desk.has("refusal"));
+        desk.click("precision/float");
+        EXPECT_EQ(desk.wanted().dt, 0.1);
+        desk.view.description.precision = Precision::float_;
+        desk.click("precision/double");
+        desk.view.description.precision = Precision::double_;
+    }
+}
+
+// Views that come later carry the message on: it is of no request made since.
+TEST(panel, a_refusal_does_not_take_back_what_is_asked_for_after_it) {
+    Desk desk;
     desk.view.error = "no memory for this";
+    ++desk.view.failures;
     desk.interface.record(desk.view);
     desk.frame();
-    desk.frame();
-    EXPECT_TRUE(desk.has("refusal"));
+    desk.click("refusal.close");
     desk.click("precision/float");
-    EXPECT_EQ(desk.wanted().dt, 0.1);
+    desk.interface.record(desk.view);
+    desk.frame();
+    desk.drag("dt", 0.5f, 0.3f);
+    EXPECT_EQ(desk.wanted().precision, Precision::float_);
+}
+
+// The only thread that makes scenes is that of the run: what needs one, it says.
+TEST(panel, a_scene_is_not_made_to_refuse_it) {
+    Desk desk(with_method(describe("morse"), "taylor"));
+    desk.click("scene.edge.value");
+    desk.type("9");
+    desk.key(Key::enter);
+    desk.view.description.scene.set("edge", 9);
+    desk.calls();
+    desk.click("scene.cutoff.value");  // taylor refuses more than 50 particles with a cut-off
+    desk.type("2");
+    desk.key(Key::enter);
+    EXPECT_THAT(desk.calls(), Contains("change"));
+    EXPECT_THROW(check(desk.wanted()), UsageError);
 }
 
 TEST(panel, speed_has_a_slider_and_a_button_for_unlimited) {
@@ -221,6 +261,18 @@ TEST(panel, menu_copies_command_and_view) {
     requests = desk.interface.take_requests();
     ASSERT_EQ(requests.size(), 1u);
     EXPECT_EQ(requests[0].text.find("steplab"), std::string::npos);
+}
+
+TEST(panel, footer_takes_as_many_lines_as_it_needs) {
+    Desk desk;
+    const auto height = [&](std::optional<double> steps, std::optional<double> frame) {
+        desk.view.steps_per_second = desk.view.evaluations_per_second = steps;
+        desk.interface.draw(desk.view, desk.recorder, {desk.camera, desk.style}, {.frame_seconds = frame});
+        return desk.widget("footer").bottom - desk.widget("footer").top;
+    };
+    const float one_line = height({}, {}), all = height(1.9e6, 0.0041);
+    EXPECT_EQ(height(420, {}), one_line);
+    EXPECT_GT(all, one_line + 8) << "steps, evaluations and the time of a frame are wider than the panel";
 }
 
 TEST(panel, snapshot_button_requests_a_snapshot) {

@@ -50,6 +50,25 @@ TEST(history, what_was_taken_back_counts_no_longer_as_reached) {
     EXPECT_EQ(history.largest_displacement(), 1);
 }
 
+TEST(history, the_largest_error_so_far_is_kept) {
+    History history;
+    const auto record = [&](std::uint64_t step, std::optional<double> error) {
+        RunView view = moment(step);
+        view.diagnostics.error = error;
+        history.record(view);
+    };
+    record(0, 0);
+    record(1, 0.5);
+    record(2, 1e-3);
+    EXPECT_EQ(history.largest_error(), 0.5);
+    record(1, 0.25);
+    EXPECT_EQ(history.largest_error(), 0.25) << "what was taken back counts no longer";
+    for (std::uint64_t step = 2; step < 50000; ++step) record(step, step == 777 ? 2 : 1e-3);
+    EXPECT_EQ(history.largest_error(), 2) << "also where samples are left out";
+    record(50000, std::nullopt);
+    EXPECT_EQ(history.largest_error(), 2);
+}
+
 TEST(history, a_new_run_begins_anew) {
     History history;
     history.record(moment(7, {5, 0, 0}, 0));

@@ -23,11 +23,25 @@ TEST(format, time_shows_what_a_step_changes) {
 }
 
 TEST(format, correct_digits_are_those_of_the_scene) {
-    EXPECT_NEAR(correct_digits(1e-5, 2).value(), 5.30, 0.005);
-    EXPECT_EQ(correct_digits(3, 1), 0);
-    EXPECT_FALSE(correct_digits(0, 1).has_value());
-    EXPECT_FALSE(correct_digits(1, 0).has_value());
-    EXPECT_FALSE(correct_digits(NAN, 1).has_value());
+    EXPECT_NEAR(correct_digits(1e-5, 2, Precision::double_).value(), 5.30, 0.005);
+    EXPECT_EQ(correct_digits(3, 1, Precision::double_), 0);
+    EXPECT_FALSE(correct_digits(-1, 1, Precision::double_).has_value());
+    EXPECT_FALSE(correct_digits(1, 0, Precision::double_).has_value());
+    EXPECT_FALSE(correct_digits(NAN, 1, Precision::double_).has_value());
+}
+
+// Half a unit in the last place is 2^-24 and 2^-53 of a number: 7.22 and 15.95 digits.
+TEST(format, correct_digits_end_where_those_of_the_precision_do) {
+    for (const double error : {0.0, 1e-300, 1e-18}) {
+        EXPECT_EQ(correct_digits(error, 3.4, Precision::float_), 7.2) << error;
+        EXPECT_EQ(correct_digits(error, 3.4, Precision::double_), 15.9) << error;
+    }
+    EXPECT_EQ(digits_text(correct_digits(3e-18, 0.5, Precision::double_).value()), "15.9 correct digits so far");
+}
+
+TEST(format, less_than_one_correct_digit_is_wrong) {
+    EXPECT_EQ(digits_text(correct_digits(3.4, 4.3, Precision::double_).value()), "wrong: not one correct digit");
+    EXPECT_EQ(digits_text(1), "1.0 correct digits so far");
 }
 
 TEST(format, dragged_values_are_short_to_write) {

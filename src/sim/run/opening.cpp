@@ -1,0 +1,22 @@
+#include "sim/run/opening.hpp"
+
+#include "core/ticks.hpp"
+#include "sim/catalogue.hpp"
+
+#include <utility>
+
+namespace steplab {
+
+double opening_dt(const RunDescription& scene) {
+    const double dt = model(scene.model).opening.dt;
+    const double usual = fastest_frequency(with_model(scene, scene.model)), here = fastest_frequency(scene);
+    return here > usual && usual > 0 ? nice_floor(dt * usual / here) : dt;
+}
+
+RunDescription opening(RunDescription scene) {
+    scene = with_method(std::move(scene), model(scene.model).opening.method);
+    scene.dt = opening_dt(scene);
+    return scene;
+}
+
+}  // namespace steplab

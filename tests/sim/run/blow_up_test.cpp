@@ -1,0 +1,112 @@
+#include "sim/catalogue.hpp"
+#include "sim/run/worker_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+
+namespace steplab {
+
+void PrintTo(const RunDescription& run, std::ostream* out) { *out << command_line(run); }
+
+}  // namespace steplab
+
+namespace steplab::test {
+namespace {
+
+/// Steps one by one until the run is said to have diverged, and sees every moment up to then.
+class BlowUp : public WorkerTest, public testing::WithParamInterface<RunDescription> {
+protected:
+    BlowUp() : WorkerTest(GetParam()) {}
+
+    /// The velocities that a curiosity shows are not judged.
+    static bool is_beyond_bound(const RunView& view, double start) {
+        const Diagnostics& now = view.diagnostics;
+        const double energy = method(GetParam().method).info.curiosity ? now.potential : now.energy;
+        return energy - start > 1000 * (std::abs(start) + 1e-6);
+    }
+    /// As it goes without anybody looking.
+    static Simulation left_alone() {
+        Simulation simulation(GetParam());
+        simulation.advance(100000);
+        return simulation;
+    }
+};
+
+// The energy is judged on every 256th step: at two seconds a step the card would come after minutes.
+TEST_P(BlowUp, is_announced_with_the_first_step_beyond_the_bound) {
+    const Simulation alone = left_alone();
+    ASSERT_TRUE(alone.divergence());
+    const std::uint64_t last_good = alone.step();
+    const double start = view.diagnostics.energy;
+    for (std::uint64_t step = 1; step <= last_good; ++step) {
+        worker.step_forward();
+        ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step == step; }));
+        ASSERT_FALSE(view.divergence) << step;
+        ASSERT_FALSE(is_beyond_bound(view, start)) << step;
+    }
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.divergence.has_value(); }));
+    EXPECT_EQ(view.divergence->message, alone.divergence()->message) << "the verdict is that of the grid";
+    EXPECT_EQ(view.frame.step, last_good);
+    EXPECT_EQ(view.frame.positions, alone.frame().positions);
+    EXPECT_EQ(view.frame.velocities, alone.frame().velocities);
+    EXPECT_FALSE(view.playing);
+}
+
+TEST_P(BlowUp, is_never_shown_while_playing) {
+    const double start = view.diagnostics.energy;
+    worker.set_rate({true, 1});
+    worker.play(true);
+    ASSERT_TRUE(see([=](const RunView& v) {
+        EXPECT_FALSE(is_beyond_bound(v, start)) << v.frame.step;
+        return v.divergence.has_value();
+    }));
+    EXPECT_EQ(view.divergence->message, left_alone().divergence()->message);
+}
+
+std::string run_name(const testing::TestParamInfo<RunDescription>& run) {
+    const RunDescription& of = run.param;
+    std::string name = of.model + "_" + of.method + "_" + std::string(id(of.precision));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
+
+// All of them start with kinetic energy alone: it is the measure of the bound.
+INSTANTIATE_TEST_SUITE_P(Runs, BlowUp,
+                         testing::Values(run_of("chain", "rk4", Precision::double_, 2),
+                                         run_of("chain", "rk4", Precision::float_, 2),
+                                         run_of("chain", "verlet", Precision::double_, 1.2),
+                                         run_of("chain", "verlet-2008", Precision::double_, 1.2),
+                                         run_of("oscillator", "euler", Precision::double_, 2.5),
+                                         run_of("oscillator", "midpoint", Precision::double_, 0.9),
+                                         run_of("mesh", "velocity-verlet", Precision::double_, 1),
+                                         run_of("mesh", "rk4", Precision::float_, 1.5)),
+                         run_name);
+
+// Head on, the bullet lands on the target itself: there the energy of the pair is enormous, but no force acts, and the
+// next step carries it through. The check at step 256 finds nothing.
+class PassingThrough : public WorkerTest {
+protected:
+    PassingThrough() : WorkerTest(run_of("morse", "euler", Precision::double_, 10, {{"edge", 1}, {"k", 2000}})) {}
+};
+
+TEST_F(PassingThrough, is_shown_once_a_check_has_cleared_it_of_suspicion) {
+    Simulation alone(view.description);
+    alone.advance(1);
+    ASSERT_FALSE(alone.is_plausible());
+    ASSERT_EQ(alone.steps_to_check(), 255u);
+    alone.advance(255);
+    ASSERT_FALSE(alone.divergence());
+    worker.step_forward();
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step > 0; }));
+    EXPECT_EQ(view.frame.step, 256u);
+    EXPECT_FALSE(view.divergence);
+    EXPECT_EQ(view.frame.positions, alone.frame().positions);
+}
+
+}  // namespace
+}  // namespace steplab::test

@@ -1,0 +1,104 @@
+#include "ui/panels/step_verdict.hpp"
+
+#include "sim/catalogue.hpp"
+#include "sim/run/opening.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string_view>
+
+namespace steplab::ui {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+StepVerdict verdict(std::string_view model, std::string_view method, double dt, Precision precision) {
+    RunDescription description = describe(model, method);
+    description.dt = dt;
+    description.precision = precision;
+    return step_verdict(view_of(Simulation(description)));
+}
+
+StepVerdict verdict(std::string_view model, std::string_view method, double dt) {
+    return verdict(model, method, dt, Precision::double_);
+}
+
+TEST(step_verdict, is_green_where_the_motion_is_resolved) {
+    const StepVerdict found = verdict("chain", "rk4", 0.1);
+    EXPECT_EQ(found.lamp, Lamp::good);
+    EXPECT_EQ(found.text, "stable: 0.07 of the limit 1.43 s");
+    EXPECT_THAT(found.tooltip, HasSubstr("32 steps per period"));
+    EXPECT_EQ(verdict("free", "rk4", 5).text, "stable at any dt");
+    EXPECT_EQ(verdict("chain", "implicit-midpoint", 0.1).lamp, Lamp::good);
+    EXPECT_EQ(verdict("morse", "dopri5", 5).lamp, Lamp::good);
+}
+
+TEST(step_verdict, is_amber_where_it_is_stable_and_no_more) {
+    const StepVerdict rope = verdict("rope", "rk4", 0.1);  // 0.974 of its limit; nothing of the stretching is left
+    EXPECT_EQ(rope.lamp, Lamp::caution);
+    EXPECT_EQ(rope.text, "stable, but only 2.3 steps per period");
+    EXPECT_EQ(verdict("chain", "pefrl", 2.1 / 1.9727).text, "stable, but only 3 steps per period");
+    for (const std::string_view method : {"implicit-midpoint", "tr-bdf2"}) {
+        const StepVerdict found = verdict("chain", method, 1.5);
+        EXPECT_EQ(found.lamp, Lamp::caution) << method;
+        EXPECT_THAT(found.text, StartsWith("stable, but only 2.1 steps")) << method;
+    }
+}
+
+// With drag the limit may be that of motion without any spring: nothing oscillates too fast, and the limit is near.
+TEST(step_verdict, is_amber_close_to_the_limit) {
+    RunDescription description = describe("oscillator", "rk4");
+    description.scene.set("c", 100);
+    description.scene.set("k", 0.01);
+    description.dt = 0.95 * stability_limit(description)->limit;
+    const StepVerdict found = step_verdict(view_of(Simulation(description)));
+    EXPECT_EQ(found.lamp, Lamp::caution);
+    EXPECT_THAT(found.text, StartsWith("stable, but only just: 0.95 of the limit"));
+    description.dt *= 0.5;
+    EXPECT_EQ(step_verdict(view_of(Simulation(description))).lamp, Lamp::good);
+}
+
+TEST(step_verdict, is_red_beyond_the_limit) {
+    const StepVerdict found = verdict("chain", "rk4", 2);
+    EXPECT_EQ(found.lamp, Lamp::bad);
+    EXPECT_EQ(found.text, "unstable: 1.39 of the limit 1.43 s");
+    EXPECT_EQ(verdict("chain", "midpoint", 0.01).lamp, Lamp::bad);
+}
+
+TEST(step_verdict, says_where_nothing_is_known) {
+    EXPECT_EQ(verdict("morse", "rk4", 0.01).lamp, Lamp::none);
+    EXPECT_EQ(verdict("morse", "rk4", 0.01).text, "stability limit unknown");
+}
+
+TEST(step_verdict, is_amber_where_rounding_rules_the_run) {
+    for (const std::string_view model : {"chain", "morse"}) {
+        RunDescription description = describe(model, "velocity-verlet");
+        description.precision = Precision::float_;
+        description.dt = 1e-6;
+        RunView view = view_of(Simulation(description));
+        ASSERT_FALSE(view.notes.empty()) << model;
+        EXPECT_EQ(step_verdict(view).lamp, Lamp::caution) << model;
+        view.notes.clear();
+        EXPECT_NE(step_verdict(view).lamp, Lamp::caution) << model;
+    }
+    RunView unstable = view_of(Simulation(describe("chain", "midpoint")));
+    unstable.notes = {"a note"};
+    EXPECT_EQ(step_verdict(unstable).lamp, Lamp::bad) << "the worse of the two";
+}
+
+TEST(step_verdict, of_every_model_as_it_opens_is_not_amber) {
+    for (const Model& model : models()) {
+        for (const Precision precision : {Precision::float_, Precision::double_}) {
+            RunDescription description = opening(describe(model.info.id));
+            description.precision = precision;
+            const Lamp lamp = step_verdict(view_of(Simulation(description))).lamp;
+            EXPECT_TRUE(lamp == Lamp::good || lamp == Lamp::none) << model.info.id;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace steplab::ui
