@@ -69,9 +69,10 @@ public:
     /// stability_limit() of the present description, computed once.
     const std::optional<StabilityLimit>& limit() const;
 
-    /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`.
+    /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`; those that
+    /// are not wanted are left empty.
     Frame frame() const;
-    void frame(Frame& out) const;
+    void frame(Frame& out, const FrameParts& wanted = {}) const;
     Diagnostics diagnostics() const;
     /// Both, in one pass over the run's memory.
     Diagnostics observe(Frame& out) const;
@@ -125,7 +126,7 @@ public:
 private:
     struct Body;
     void fill(Frame& out, const Portion& portion) const;
-    void prepare(Frame& out) const;
+    void prepare(Frame& out, const FrameParts& wanted) const;
     Diagnostics measured(const PortionSink& also) const;
     /// The run after its numbers were checked: if they are not finite, it stands at the last good step.
     Body& settled() const;
