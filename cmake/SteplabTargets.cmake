@@ -149,7 +149,9 @@ set(steplab_flags_of_avx512 -mavx512f -mavx512vl -mavx512dq -mavx512bw -mbmi -mb
 # steplab_instruction_sets: those that methods are compiled for. `native` stands for the best that this processor has,
 # alone: a third of the time to build.
 set(steplab_instruction_sets baseline)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND STEPLAB_INSTRUCTION_SETS STREQUAL native)
+if(STEPLAB_INSTRUCTION_SETS STREQUAL none)
+  set(steplab_instruction_sets "")
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND STEPLAB_INSTRUCTION_SETS STREQUAL native)
   if(NOT STEPLAB_NATIVE_SET)
     try_run(ran compiled ${PROJECT_BINARY_DIR}/native ${PROJECT_SOURCE_DIR}/cmake/native_set.cpp
             CMAKE_FLAGS -DINCLUDE_DIRECTORIES=${PROJECT_SOURCE_DIR}/src CXX_STANDARD 20
@@ -163,7 +165,7 @@ endif()
 set(steplab_flags_of_baseline "")
 foreach(set IN LISTS steplab_instruction_sets)
   if(NOT DEFINED steplab_flags_of_${set})
-    message(FATAL_ERROR "STEPLAB_INSTRUCTION_SETS names '${set}'; known are avx2 and avx512, or native by itself")
+    message(FATAL_ERROR "STEPLAB_INSTRUCTION_SETS names '${set}'; known are avx2 and avx512, or native or none by itself")
   endif()
 endforeach()
 

@@ -56,6 +56,7 @@ Frame multiplied(const Frame& frame, std::size_t particles) {
     };
     multiply(frame.positions, large.positions);
     multiply(frame.velocities, large.velocities);
+    large.displacements = large.positions;
     Shape shape;
     shape.roles.assign(particles, Role::moving);
     large.shape = std::make_shared<const Shape>(std::move(shape));

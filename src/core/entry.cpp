@@ -1,6 +1,7 @@
 #include "core/entry.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ namespace {
 constexpr double largest_integer = 9007199254740992.0;
 
 [[noreturn]] void refuse(const ParameterInfo& info, std::string_view text) {
-    throw UsageError(fmt::format("{} must be {} (got \"{}\")", info.name, range_text(info), text));
+    throw UsageError(fmt::format("{} must be {} (got \"{}\")", info.name, range_text(info), shown(text)));
 }
 
 bool is_allowed(const ParameterInfo& info, double value) {

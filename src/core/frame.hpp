@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lattice.hpp"
 #include "core/precision.hpp"
 #include "core/shape.hpp"
 #include "core/vec3.hpp"
@@ -9,6 +10,12 @@
 #include <vector>
 
 namespace steplab {
+
+/// The vectors that are wanted of a frame, beside velocities.
+struct FrameParts {
+    bool positions = true;
+    bool displacements = false;
+};
 
 /// The state of a run at one step, as plain data: all that drawing, files and panels use.
 struct Frame {
@@ -20,9 +27,20 @@ struct Frame {
     /// Positions in the runs of the ensemble at the same step, run after run; empty without an ensemble.
     std::vector<Vec3> ensemble;
     std::shared_ptr<const Shape> shape;
+    /// From the reference positions, with all digits that the run has; empty unless they are asked for.
+    std::vector<Vec3> displacements = {};
+    Lattice reference = {};  ///< position = reference + displacement, rounded to the run's precision
+    double mass = 0;         ///< of each particle; 0: not known
 
     /// The position at which a particle is drawn (Shape::seen).
     Vec3 seen(std::size_t particle) const { return shape->seen(positions[particle]); }
 };
+
+/// Where a particle is, as frames and files of this precision have it.
+inline Vec3 position_of(Vec3 reference, Vec3 displacement, Precision precision) {
+    const Vec3 sum = reference + displacement;
+    if (precision == Precision::double_) return sum;
+    return {rounded_to(precision, sum.x), rounded_to(precision, sum.y), rounded_to(precision, sum.z)};
+}
 
 }  // namespace steplab

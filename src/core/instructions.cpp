@@ -1,6 +1,7 @@
 #include "core/instructions.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,8 @@ Instructions parse_instructions(std::string_view text) {
         if (id(instructions) == text) return instructions;
         known += (known.empty() ? "" : ", ") + std::string(id(instructions));
     }
-    throw UsageError(fmt::format("unknown instruction set '{}' (this processor and program have {})", text, known));
+    throw UsageError(
+        fmt::format("unknown instruction set '{}' (this processor and program have {})", shown(text), known));
 }
 
 }  // namespace steplab

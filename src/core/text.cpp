@@ -1,5 +1,7 @@
 #include "core/text.hpp"
 
+#include "core/shown.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +47,7 @@ std::string joined(std::span<const std::string_view> words, std::string_view sep
 std::string unknown_word(std::string_view kind, std::string_view word, std::span<const std::string_view> known,
                          std::string_view of) {
     const auto guess = nearest(word, known);
-    return fmt::format("unknown {} '{}'{}{}{}; known: {}", kind, word, of.empty() ? "" : " of ", of,
+    return fmt::format("unknown {} '{}'{}{}{}; known: {}", kind, shown(word), of.empty() ? "" : " of ", of,
                        guess ? fmt::format(" (did you mean '{}'?)", *guess) : "", joined(known));
 }
 

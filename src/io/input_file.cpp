@@ -1,6 +1,7 @@
 #include "io/input_file.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@ namespace steplab {
 namespace {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
-    throw FileError(fmt::format("cannot read '{}': {}", name, reason));
+    throw FileError(fmt::format("cannot read '{}': {}", shown(name), reason));
 }
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
@@ -35,7 +36,12 @@ InputFile::InputFile(std::string name)
     refuse(name_, S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a regular file");
 }
 
-InputFile::~InputFile() { close(descriptor_); }
+InputFile::InputFile(InputFile&& other) noexcept
+    : name_(std::move(other.name_)), descriptor_(std::exchange(other.descriptor_, -1)), size_(other.size_) {}
+
+InputFile::~InputFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
 
 std::string InputFile::read(std::uint64_t place, std::uint64_t bytes) const {
     if (place >= size_) return {};

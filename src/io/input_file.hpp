@@ -11,8 +11,8 @@ public:
     /// Throws FileError if it does not exist, or is a folder, a pipe or a device.
     explicit InputFile(std::string name);
     ~InputFile();
-    InputFile(const InputFile&) = delete;
-    InputFile& operator=(const InputFile&) = delete;
+    InputFile(InputFile&& other) noexcept;
+    InputFile& operator=(InputFile&&) = delete;
 
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return size_; }

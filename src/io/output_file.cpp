@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/shown.hpp"
 
 #include <climits>
 #include <fmt/format.h>
@@ -74,7 +75,8 @@ bool same_output(const std::string& a, const std::string& b) {
     return !first && !second && resolved(a) == resolved(b);
 }
 
-OutputFile::OutputFile(std::string name) : name_(std::move(name)) {
+OutputFile::OutputFile(std::string name, Compression compression)
+    : name_(std::move(name)), compressor_(compressor(compression)) {
     if (name_.empty()) throw FileError("cannot write a file with an empty name");
     buffer_.reserve(block_size);
     if (name_ == "-") {
@@ -113,7 +115,8 @@ void OutputFile::open_beside() {
     if (old && access(target_.c_str(), W_OK) != 0) fail("write", errno);
     const fs::path folder = target_.parent_path();
     if (!fs::is_directory(folder, ignored)) {
-        throw FileError(fmt::format("cannot write '{}': there is no folder '{}'", name_, folder.string()));
+        throw FileError(
+            fmt::format("cannot write '{}': there is no folder '{}'", shown(name_), shown(folder.string())));
     }
     for (int attempt = 0; descriptor_ < 0; ++attempt) {
         const fs::path candidate = folder / fmt::format(".steplab-{}-{}", getpid(), attempt);
@@ -126,7 +129,22 @@ void OutputFile::open_beside() {
 }
 
 void OutputFile::write(std::string_view bytes) {
-    if (buffer_.size() + bytes.size() > block_size) flush();
+    if (!compressor_) return put(bytes);
+    compressed_.clear();
+    compressor_->add(bytes, compressed_);
+    put(compressed_);
+}
+
+void OutputFile::end_compression() {
+    if (!compressor_) return;
+    compressed_.clear();
+    compressor_->finish(compressed_);
+    compressor_.reset();
+    put(compressed_);
+}
+
+void OutputFile::put(std::string_view bytes) {
+    if (buffer_.size() + bytes.size() > block_size) send_buffer();
     if (bytes.size() >= block_size) {
         send(bytes);
     } else {
@@ -135,6 +153,15 @@ void OutputFile::write(std::string_view bytes) {
 }
 
 void OutputFile::flush() {
+    if (compressor_) {
+        compressed_.clear();
+        compressor_->flush(compressed_);
+        put(compressed_);
+    }
+    send_buffer();
+}
+
+void OutputFile::send_buffer() {
     send(buffer_);
     buffer_.clear();
 }
@@ -165,6 +192,7 @@ void OutputFile::wait_for_reader() const {
 }
 
 void OutputFile::commit() {
+    end_compression();
     flush();
     if (temporary_.empty()) return;
     if (fsync(descriptor_) != 0 && errno != EINVAL) fail("write", errno);
@@ -182,6 +210,7 @@ void OutputFile::commit() {
 
 std::optional<std::string> OutputFile::keep_partial() {
     if (temporary_.empty()) return std::nullopt;
+    end_compression();
     flush();
     struct stat status {};
     if (fstat(descriptor_, &status) != 0 || status.st_size == 0) return std::nullopt;
@@ -195,8 +224,8 @@ std::optional<std::string> OutputFile::keep_partial() {
 
 void OutputFile::fail(std::string_view action, int error) const {
     const std::string reason = error == EISDIR ? "it is a folder" : std::generic_category().message(error);
-    throw FileError(
-        fmt::format("cannot {} {}: {}", action, descriptor_ == STDOUT_FILENO ? name_ : "'" + name_ + "'", reason));
+    throw FileError(fmt::format("cannot {} {}: {}", action,
+                                descriptor_ == STDOUT_FILENO ? name_ : "'" + shown(name_) + "'", reason));
 }
 
 }  // namespace steplab

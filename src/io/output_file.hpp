@@ -1,9 +1,12 @@
 #pragma once
 
+#include "io/compression.hpp"
+
 #include <atomic>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,8 +30,9 @@ public:
 ///     file.commit();
 class OutputFile {
 public:
-    /// Throws FileError if the file cannot be written: missing folder, a folder itself, no permission.
-    explicit OutputFile(std::string name);
+    /// Throws FileError if the file cannot be written: missing folder, a folder itself, no permission. What is written
+    /// is compressed on the way to the file.
+    explicit OutputFile(std::string name, Compression compression = Compression::none);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
@@ -53,6 +57,9 @@ public:
 private:
     void open_beside();
     void open_directly(const std::string& path);
+    void put(std::string_view bytes);
+    void send_buffer();
+    void end_compression();
     void send(std::string_view bytes);
     void wait_for_reader() const;
     [[noreturn]] void fail(std::string_view action, int error) const;
@@ -65,6 +72,8 @@ private:
     std::size_t piece_ = 0;  ///< most bytes of one system call
     std::atomic<bool> waits_ = true;
     std::string buffer_;
+    std::unique_ptr<Compressor> compressor_;  ///< null: bytes go to the file as they are
+    std::string compressed_;                  ///< memory for what it returns
 };
 
 /// True if both names lead to one file, pipe or standard output, so that two outputs would overwrite each other. False

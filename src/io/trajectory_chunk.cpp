@@ -1,5 +1,9 @@
 #include "io/trajectory_chunk.hpp"
 
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
 #include <array>
 #include <bit>
 #include <type_traits>
@@ -61,9 +65,10 @@ std::vector<Integer> take_by_bytes(std::string_view& bytes, std::size_t count) {
 
 /// Calls visit(place, number) for each number of the block in the order of the file.
 template <class Block, class Visit>
-void visit_numbers(Block& block, const Visit& visit) {
+void visit_numbers(Block& block, Version version, const Visit& visit) {
     std::size_t place = 0;
-    for (auto* vectors : {&block.positions, &block.velocities}) {
+    auto& where = version == Version::positions ? block.positions : block.displacements;
+    for (auto* vectors : {&where, &block.velocities}) {
         for (const auto component : {&Vec3::x, &Vec3::y, &Vec3::z}) {
             for (std::size_t row = 0; row < block.rows; ++row) {
                 for (std::size_t moment = 0; moment < block.moments.size(); ++moment)
@@ -74,9 +79,9 @@ void visit_numbers(Block& block, const Visit& visit) {
 }
 
 template <class Number>
-void append_numbers(std::string& bytes, const FrameBlock& block) {
-    ByBytes<Bits<Number>> numbers(bytes, block.positions.size() * components);
-    visit_numbers(block, [&](std::size_t, double number) {
+void append_numbers(std::string& bytes, const FrameBlock& block, Version version) {
+    ByBytes<Bits<Number>> numbers(bytes, block.all_rows() * components);
+    visit_numbers(block, version, [&](std::size_t, double number) {
         numbers.add(std::bit_cast<Bits<Number>>(static_cast<Number>(number)));
     });
     numbers.flush();
@@ -90,22 +95,22 @@ void append_moments(std::string& bytes, const FrameBlock& block) {
 }
 
 template <class Number>
-void take_numbers(std::string_view& bytes, FrameBlock& block) {
-    const auto values = take_by_bytes<Bits<Number>>(bytes, block.positions.size() * components);
-    visit_numbers(block, [&](std::size_t place, double& number) {
+void take_numbers(std::string_view& bytes, FrameBlock& block, Version version) {
+    const auto values = take_by_bytes<Bits<Number>>(bytes, block.all_rows() * components);
+    visit_numbers(block, version, [&](std::size_t place, double& number) {
         number = static_cast<double>(std::bit_cast<Number>(values[place]));
     });
 }
 
 }  // namespace
 
-void append_chunk(std::string& bytes, std::string& scratch, const FrameBlock& block) {
+void append_chunk(std::string& bytes, std::string& scratch, const FrameBlock& block, Version version) {
     scratch.clear();
     append_moments(scratch, block);
-    if (block.precision == Precision::float_) {
-        append_numbers<float>(scratch, block);
+    if (block.scene.precision == Precision::float_) {
+        append_numbers<float>(scratch, block, version);
     } else {
-        append_numbers<double>(scratch, block);
+        append_numbers<double>(scratch, block, version);
     }
     BlockHead head;
     head.frames = static_cast<std::uint32_t>(block.moments.size());
@@ -114,35 +119,42 @@ void append_chunk(std::string& bytes, std::string& scratch, const FrameBlock& bl
     head.rows = block.rows;
     const std::size_t begin = bytes.size() + BlockHead::bytes;
     bytes.resize(begin + ZSTD_compressBound(scratch.size()));
-    char* const content = bytes.data() + begin;
-    bytes.resize(begin +
-                 ZSTD_compress(content, bytes.size() - begin, scratch.data(), scratch.size(), compression_level));
+    const std::size_t size =
+        ZSTD_compress(bytes.data() + begin, bytes.size() - begin, scratch.data(), scratch.size(), compression_level);
+    if (ZSTD_isError(size))
+        throw FileError(fmt::format("cannot compress frame {}: {}", block.first_frame, ZSTD_getErrorName(size)));
+    bytes.resize(begin + size);
     bytes.replace(begin - BlockHead::bytes, BlockHead::bytes, head_bytes(head, std::string_view(bytes).substr(begin)));
 }
 
-std::optional<FrameBlock> parse_chunk(const BlockHead& head, std::string_view content, Precision precision) {
+std::size_t most_content_bytes() {
+    return ZSTD_compressBound(most_rows * (2 * sizeof(std::uint64_t) + components * sizeof(double)));
+}
+
+std::optional<FrameBlock> parse_chunk(const BlockHead& head, std::string_view content, Precision precision,
+                                      Version version) {
     if (head.frames == 0 || head.rows == 0 || head.rows > most_rows || head.frames > most_rows / head.rows)
         return std::nullopt;
     const std::size_t rows = head.frames * head.rows;
     const std::size_t number = precision == Precision::float_ ? sizeof(float) : sizeof(double);
     std::string large(2 * sizeof(std::uint64_t) * head.frames + components * number * rows, '\0');
     const std::size_t size = ZSTD_decompress(large.data(), large.size(), content.data(), content.size());
-    if (size != large.size()) return std::nullopt;  // an error code is larger than any size
+    if (ZSTD_isError(size) || size != large.size()) return std::nullopt;
     std::string_view bytes = large;
     const auto moments = take_by_bytes<std::uint64_t>(bytes, 2 * head.frames);
     FrameBlock block;
-    block.precision = precision;
+    block.scene.precision = precision;
     block.first_frame = head.first_frame;
     block.first_row = head.first_row;
     block.rows = head.rows;
     for (std::size_t i = 0; i < head.frames; ++i)
         block.moments.push_back({moments[i], std::bit_cast<double>(moments[head.frames + i])});
-    block.positions.resize(rows);
+    (version == Version::positions ? block.positions : block.displacements).resize(rows);
     block.velocities.resize(rows);
     if (precision == Precision::float_) {
-        take_numbers<float>(bytes, block);
+        take_numbers<float>(bytes, block, version);
     } else {
-        take_numbers<double>(bytes, block);
+        take_numbers<double>(bytes, block, version);
     }
     return block;
 }

@@ -16,6 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::size_t count_of(const Json& json) {
+    if (!json.is_number_unsigned()) throw std::runtime_error("no count");
+    return json;
+}
+
 /// A choice as its word, everything else as a number.
 Json json_of(const ParameterValues& values) {
     Json json = Json::object();
@@ -52,47 +57,39 @@ void set_parameters(ParameterValues& values, const Json& json) {
 }
 
 /// [[0, 4], [9, 1]]: the particles 0 to 3 and 9.
-Json particle_runs(const FrameBlock& block) {
-    std::vector<std::pair<std::size_t, std::size_t>> runs;
-    for (std::size_t row = 0; row < block.frame_rows; ++row) {
-        const std::size_t particle = block.particle(row);
-        if (runs.empty() || runs.back().first + runs.back().second != particle) runs.emplace_back(particle, 0);
-        ++runs.back().second;
-    }
-    return runs;
-}
-
-/// [["fixed", 1], ["moving", 9]]
-Json role_runs(const FrameBlock& block) {
-    std::vector<std::pair<std::string_view, std::size_t>> runs;
-    for (std::size_t row = 0; row < block.frame_rows; ++row) {
-        const std::string_view role = id(block.role(row));
-        if (runs.empty() || runs.back().first != role) runs.emplace_back(role, 0);
-        ++runs.back().second;
-    }
-    return runs;
-}
-
-Json box_json(const Shape& shape) {
-    return {{"edge", shape.period}, {"corner", {shape.corner.x, shape.corner.y, shape.corner.z}}};
-}
-
-void set_box(Shape& shape, const Json& json) {
-    shape.period = json.at("edge");
-    if (!(shape.period > 0)) throw std::runtime_error("no box");
-    const Json& corner = json.at("corner");
-    shape.corner = {corner.at(0), corner.at(1), corner.at(2)};
-}
-
-std::size_t count_of(const Json& json) {
-    if (!json.is_number_unsigned()) throw std::runtime_error("no count");
+Json json_of(const Runs<std::uint64_t>& particles) {
+    Json json = Json::array();
+    for (const auto& run : particles.runs()) json.push_back({run.value, run.count});
     return json;
 }
 
+/// [["fixed", 1], ["moving", 9]]
+Json json_of(const Runs<Role>& roles) {
+    Json json = Json::array();
+    for (const auto& run : roles.runs()) json.push_back({id(run.value), run.count});
+    return json;
+}
+
+Json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
+Vec3 vector_of(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+
+Json json_of(const Lattice& lattice) {
+    return {{"columns", lattice.columns},
+            {"along_row", json_of(lattice.along_row)},
+            {"between_rows", json_of(lattice.between_rows)}};
+}
+
+Lattice lattice_of(const Json& json) {
+    Lattice lattice;
+    lattice.columns = count_of(json.at("columns"));
+    if (lattice.columns == 0) throw std::runtime_error("no columns");
+    lattice.along_row = vector_of(json.at("along_row"));
+    lattice.between_rows = vector_of(json.at("between_rows"));
+    return lattice;
+}
+
 Role role_of(std::string_view name) {
-    for (const Role role : {Role::moving, Role::fixed, Role::kicked, Role::bullet}) {
-        if (id(role) == name) return role;
-    }
+    if (const auto role = parse_role(name)) return *role;
     throw std::runtime_error("no role");
 }
 
@@ -101,48 +98,92 @@ Precision precision_of(const Json& run) {
     throw std::runtime_error("no precision");
 }
 
+/// The dictionaries of a description lie in each other four deep; deeper ones may overflow the stack later.
+Json parse_json(std::string_view text) {
+    constexpr int deepest = 16;
+    return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
+        if (depth > deepest) throw std::runtime_error("too deep");
+        return true;
+    });
+}
+
+/// Files of the first version have the mass among the parameters of the run alone.
+double mass_of(const Json& json, Precision precision) {
+    if (json.contains("mass")) return json.at("mass");
+    const Json& parameters = json.at("run").at("parameters");
+    return parameters.contains("m") ? rounded_to(precision, parameters.at("m")) : 0;
+}
+
+FileScene scene_of(const Json& json, Version version) {
+    FileScene scene;
+    scene.precision = precision_of(json.at("run"));
+    scene.mass = mass_of(json, scene.precision);
+    if (version == Version::displacements) scene.reference = lattice_of(json.at("reference"));
+    if (!json.contains("box")) return scene;
+    scene.period = json.at("box").at("edge");
+    if (!(scene.period > 0)) throw std::runtime_error("no box");
+    scene.corner = vector_of(json.at("box").at("corner"));
+    return scene;
+}
+
 }  // namespace
 
-std::string description_json(const RunDescription& run, const FrameBlock& block) {
-    Json json{{"program", "steplab " STEPLAB_VERSION},
-              {"run", json_of(run)},
-              {"rows", block.frame_rows},
-              {"particles", particle_runs(block)},
-              {"roles", role_runs(block)}};
-    if (block.shape->period != 0) json["box"] = box_json(*block.shape);
+void RowList::name(FrameBlock& block) const {
+    particles.each(block.first_row, block.rows,
+                   [&](std::uint64_t first, std::uint64_t offset) { block.particles.push_back(first + offset); });
+    roles.each(block.first_row, block.rows, [&](Role role, std::uint64_t) { block.roles.push_back(role); });
+}
+
+RowList row_list(const Frame& frame, const ParticleChoice& chosen) {
+    RowList list;
+    const std::size_t rows = FrameBlock::rows_of(frame, chosen);
+    const auto particle = [&](std::size_t row) { return chosen ? (*chosen)[row] : row; };
+    const auto role = [&](std::size_t row) { return frame.shape->roles[particle(row)]; };
+    for (std::size_t begin = 0, end = 0; begin < rows; begin = end) {
+        while (end < rows && particle(end) - particle(begin) == end - begin) ++end;
+        list.particles.add(particle(begin), end - begin);
+    }
+    for (std::size_t begin = 0, end = 0; begin < rows; begin = end) {
+        while (end < rows && role(end) == role(begin)) ++end;
+        list.roles.add(role(begin), end - begin);
+    }
+    return list;
+}
+
+std::string description_json(const RunDescription& run, const FileScene& scene, const RowList& rows) {
+    Json json{{"program", "steplab " STEPLAB_VERSION}, {"run", json_of(run)},          {"rows", rows.particles.size()},
+              {"particles", json_of(rows.particles)},  {"roles", json_of(rows.roles)}, {"mass", scene.mass}};
+    if (scene.reference) json["reference"] = json_of(*scene.reference);
+    if (scene.period != 0) json["box"] = {{"edge", scene.period}, {"corner", json_of(scene.corner)}};
     return json.dump() + "\n";
 }
 
-Description parse_description(std::string_view text, std::uint64_t most_rows) {
-    const Json json = Json::parse(text);
+Description parse_description(std::string_view text, Version version) {
+    const Json json = parse_json(text);
     Description description;
     description.program = json.at("program");
     description.run = json.at("run").dump();
-    description.precision = precision_of(json.at("run"));
     description.rows = count_of(json.at("rows"));
-    if (description.rows == 0 || description.rows > most_rows) throw std::runtime_error("no such number of rows");
-    std::vector<std::size_t> particles;
+    description.scene = scene_of(json, version);
+    if (description.rows == 0) throw std::runtime_error("no rows");
+    RowList& list = description.list;
     for (const Json& run : json.at("particles")) {
-        const std::size_t first = count_of(run.at(0)), count = count_of(run.at(1));
-        if (count > description.rows - particles.size()) throw std::runtime_error("too many particles");
-        for (std::size_t i = 0; i < count; ++i) particles.push_back(first + i);
+        const std::uint64_t count = count_of(run.at(1));
+        if (count == 0 || count > description.rows - list.particles.size()) throw std::runtime_error("no particles");
+        list.particles.add(count_of(run.at(0)), count);
     }
-    Shape shape;
     for (const Json& run : json.at("roles")) {
-        const std::size_t count = count_of(run.at(1));
-        if (count > description.rows - shape.roles.size()) throw std::runtime_error("too many roles");
-        shape.roles.insert(shape.roles.end(), count, role_of(run.at(0).get<std::string>()));
+        const std::uint64_t count = count_of(run.at(1));
+        if (count == 0 || count > description.rows - list.roles.size()) throw std::runtime_error("no roles");
+        list.roles.add(role_of(run.at(0).get<std::string>()), count);
     }
-    if (particles.size() != description.rows || shape.roles.size() != description.rows)
+    if (list.particles.size() != description.rows || list.roles.size() != description.rows)
         throw std::runtime_error("too few particles");
-    if (json.contains("box")) set_box(shape, json.at("box"));
-    description.particles = std::make_shared<const std::vector<std::size_t>>(std::move(particles));
-    description.shape = std::make_shared<const Shape>(std::move(shape));
     return description;
 }
 
 RunDescription parse_run(const std::string& text) {
-    const Json json = Json::parse(text);
+    const Json json = parse_json(text);
     RunDescription run = describe(json.at("model").get<std::string>(), json.at("method").get<std::string>());
     set_parameters(run.scene, json.at("parameters"));
     set_parameters(run.method_parameters, json.at("method_parameters"));

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "io/frame_block.hpp"
+#include "io/runs.hpp"
+#include "io/trajectory_layout.hpp"
 #include "sim/run/run_description.hpp"
 
 #include <cstdint>
@@ -9,20 +11,30 @@
 
 namespace steplab::trajectory {
 
-/// The description at the beginning of a trajectory file.
-struct Description {
-    std::string program;  ///< that wrote it: "steplab 0.1.0"
-    std::string run;      ///< the RunDescription as JSON (parse_run)
-    Precision precision = Precision::double_;
-    std::size_t rows = 0;                ///< of a frame
-    ParticleChoice particles;            ///< those of the scene that are in the file
-    std::shared_ptr<const Shape> shape;  ///< their roles, and the periodic box
+/// The rows of each frame of a file.
+struct RowList {
+    Runs<std::uint64_t> particles;  ///< their numbers in the scene, ascending by one within a run
+    Runs<Role> roles;
+
+    /// Fills in the particles and roles of the rows of a block.
+    void name(FrameBlock& block) const;
 };
 
-/// As JSON, readable for people too. `block`: any block of the trajectory.
-std::string description_json(const RunDescription& run, const FrameBlock& block);
-/// Throws a std::exception for a text that is not a description, or has more rows than a file of its size can hold.
-Description parse_description(std::string_view json, std::uint64_t most_rows);
+RowList row_list(const Frame& frame, const ParticleChoice& chosen);
+
+/// The description at the beginning of a trajectory file.
+struct Description {
+    std::string program;     ///< that wrote it: "steplab 0.1.0"
+    std::string run;         ///< the RunDescription as JSON (parse_run)
+    std::uint64_t rows = 0;  ///< of a frame
+    RowList list;
+    FileScene scene;
+};
+
+/// As JSON, readable for people too.
+std::string description_json(const RunDescription& run, const FileScene& scene, const RowList& rows);
+/// Its memory is proportional to the text. Throws a std::exception for a text that is not a description.
+Description parse_description(std::string_view json, Version version);
 /// Throws UsageError for an unknown model, method or parameter, another std::exception for a text that is not a run.
 RunDescription parse_run(const std::string& json);
 

@@ -1,14 +1,15 @@
 #include "io/trajectory_format.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
+#include "io/compression.hpp"
 #include "io/output_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <system_error>
 
@@ -17,6 +18,9 @@ namespace steplab {
 namespace {
 
 constexpr std::array<std::string_view, 3> format_names{"csv", "xyz", "trajectory"};
+
+/// A further file name extension of XYZ.
+constexpr std::string_view extended_xyz = "extxyz";
 
 }  // namespace
 
@@ -29,15 +33,21 @@ TrajectoryFormat trajectory_format(std::string_view name) {
 TrajectoryFormat trajectory_format_of(const std::string& file) {
     std::error_code ignored;  // a folder is refused as such when it is opened
     if (written_directly(file) || std::filesystem::is_directory(file, ignored)) return TrajectoryFormat::csv;
-    std::string ending = std::filesystem::path(file).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (!ending.empty()) ending.erase(0, 1);
+    const std::string ending = extension_of(without_compression(file));
+    if (ending == extended_xyz) return TrajectoryFormat::xyz;
     const auto found = std::find(format_names.begin(), format_names.end(), ending);
     if (found == format_names.end()) {
-        throw UsageError(fmt::format("the extension of '{}' is not a known format: use .{}, or add --format {}", file,
-                                     joined(format_names, " or ."), joined(format_names, " or --format ")));
+        throw UsageError(fmt::format("the extension of '{}' is not a known format: use .{}, or add --format {}",
+                                     shown(file), joined(format_names, " or ."),
+                                     joined(format_names, " or --format ")));
     }
     return static_cast<TrajectoryFormat>(found - format_names.begin());
+}
+
+void check_compression(TrajectoryFormat format, const std::string& file) {
+    if (format == TrajectoryFormat::trajectory && compression_of(file) != Compression::none)
+        throw UsageError(fmt::format(
+            "'{}': a trajectory file is compressed as it is; .gz and .zst follow .csv and .xyz", shown(file)));
 }
 
 }  // namespace steplab

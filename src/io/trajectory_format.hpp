@@ -8,13 +8,16 @@ namespace steplab {
 /// The formats of trajectories.
 enum class TrajectoryFormat {
     csv,         ///< step,time,particle,x,y,z,vx,vy,vz: one line for each particle
-    xyz,         ///< extended XYZ, for OVITO and ASE: type (the role), position, velocity
+    xyz,         ///< extended XYZ, for OVITO, ASE and others
     trajectory,  ///< all digits in compressed chunks with an index; see TrajectoryReader
 };
 
 /// The format of this name. Throws UsageError naming the known ones.
 TrajectoryFormat trajectory_format(std::string_view name);
-/// The format of a file by its extension; csv for "-", devices and pipes. Throws UsageError.
+/// The format of a file by its extension, ".gz" and ".zst" behind it left out; csv for "-", devices and pipes. Throws
+/// UsageError.
 TrajectoryFormat trajectory_format_of(const std::string& file);
+/// Throws UsageError for a file name that asks to compress what is not text.
+void check_compression(TrajectoryFormat format, const std::string& file);
 
 }  // namespace steplab

@@ -28,6 +28,19 @@ Integer take(std::string_view& bytes) {
 
 }  // namespace
 
+std::string signature(Version version) {
+    std::string bytes(magic);
+    put(bytes, static_cast<std::uint32_t>(version));
+    return bytes;
+}
+
+std::optional<Version> parse_signature(std::string_view bytes) {
+    for (const Version version : {Version::positions, Version::displacements}) {
+        if (bytes == signature(version)) return version;
+    }
+    return std::nullopt;
+}
+
 std::uint64_t hash_of(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
 std::string head_bytes(const BlockHead& head, std::string_view content) {

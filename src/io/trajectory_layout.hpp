@@ -12,9 +12,16 @@
 namespace steplab::trajectory {
 
 /// Of the file; it contains line ends of both kinds, so that a file damaged by a conversion of text is recognised. The
-/// last 4 bytes are the version of the format.
-inline constexpr std::string_view signature{"\x89steplab\r\n\x1a\n\x01\0\0\0", 16};
-inline constexpr std::size_t signature_without_version = 12;
+/// version of the format follows it in 4 bytes.
+inline constexpr std::string_view magic{"\x89steplab\r\n\x1a\n", 12};
+inline constexpr std::size_t signature_bytes = 16;
+
+/// What the first three numbers of a row are.
+enum class Version : std::uint32_t { positions = 1, displacements = 2 };
+
+std::string signature(Version version);
+/// The version of a file that begins like this; none if it is not one of these.
+std::optional<Version> parse_signature(std::string_view bytes);
 
 /// Largest number of rows (frames times particles) of a chunk; larger ones are refused before memory is allocated.
 inline constexpr std::uint64_t most_rows = 16384;

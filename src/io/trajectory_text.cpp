@@ -1,9 +1,12 @@
 #include "io/trajectory_text.hpp"
 
+#include "core/error.hpp"
 #include "core/text.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 
@@ -24,11 +27,10 @@ public:
     void add_number(Number value) {
         end_ = std::to_chars(end_, text_ + sizeof text_, value).ptr;
     }
-    template <class Number>
     void add_vector(char separator, Vec3 v) {
         for (const double value : {v.x, v.y, v.z}) {
             add(separator);
-            add_number(static_cast<Number>(value));
+            add_number(value);
         }
     }
     void append_to(std::string& text) const { text.append(text_, static_cast<std::size_t>(end_ - text_)); }
@@ -38,58 +40,136 @@ private:
     char* end_ = text_;
 };
 
-/// Appends a line for each row of one frame; `begin_line(line, row)` adds what precedes position and velocity.
-template <class Number, class BeginLine>
-void append_rows(std::string& text, const FrameBlock& block, std::size_t moment, char separator,
-                 const BeginLine& begin_line) {
+/// The numbers of a column in one frame of a block.
+struct Source {
+    const Vec3* rows;
+    double Vec3::*component;
+};
+
+std::vector<Source> sources(const FrameBlock& block, std::size_t moment, const Columns& columns) {
+    constexpr std::array<double Vec3::*, 3> components{&Vec3::x, &Vec3::y, &Vec3::z};
+    const std::array<const std::vector<Vec3>*, 3> vectors{&block.positions, &block.velocities, &block.displacements};
+    std::vector<Source> all;
+    for (const Column column : columns) {
+        const auto number = static_cast<std::size_t>(column);
+        all.push_back({vectors[number / 3]->data() + moment * block.rows, components[number % 3]});
+    }
+    return all;
+}
+
+/// Appends a line for each row of one frame: `begin(line, row)` adds what precedes the numbers of the columns,
+/// `end(line, row)` what follows them.
+template <class Number, class Begin, class End>
+void append_rows(std::string& text, const FrameBlock& block, std::size_t moment, const Columns& columns, char separator,
+                 const Begin& begin, const End& end) {
+    const std::vector<Source> numbers = sources(block, moment, columns);
     Line line;
     for (std::size_t row = 0; row < block.rows; ++row) {
         line.clear();
-        begin_line(line, block.first_row + row);
-        line.add_vector<Number>(separator, block.positions[moment * block.rows + row]);
-        line.add_vector<Number>(separator, block.velocities[moment * block.rows + row]);
+        begin(line, row);
+        for (const Source& source : numbers) {
+            line.add(separator);
+            line.add_number(static_cast<Number>(source.rows[row].*source.component));
+        }
+        end(line, row);
         line.add('\n');
         line.append_to(text);
     }
 }
 
-template <class BeginLine>
-void append_rows(std::string& text, const FrameBlock& block, std::size_t moment, char separator,
-                 const BeginLine& begin_line) {
-    if (block.precision == Precision::float_) {
-        append_rows<float>(text, block, moment, separator, begin_line);
+template <class Begin, class End>
+void append_rows(std::string& text, const FrameBlock& block, std::size_t moment, const Columns& columns, char separator,
+                 const Begin& begin, const End& end) {
+    if (block.scene.precision == Precision::float_) {
+        append_rows<float>(text, block, moment, columns, separator, begin, end);
     } else {
-        append_rows<double>(text, block, moment, separator, begin_line);
+        append_rows<double>(text, block, moment, columns, separator, begin, end);
     }
 }
 
+constexpr std::array position{Column::x, Column::y, Column::z};
+constexpr std::array velocity{Column::vx, Column::vy, Column::vz};
+constexpr std::array displacement{Column::ux, Column::uy, Column::uz};
+
+bool any_of(const std::array<Column, 3>& vector, const Columns& columns) {
+    return std::any_of(vector.begin(), vector.end(), [&](Column column) { return contains(columns, column); });
+}
+
+/// The columns of a frame in the order in which XYZ has them.
+struct XyzColumns {
+    Columns numbers;  ///< behind the species
+    bool momenta, masses, roles;
+
+    XyzColumns(const FrameBlock& block, const Columns& wanted)
+        : numbers(position.begin(), position.end()),
+          momenta(block.scene.mass > 0 && any_of(velocity, wanted)),
+          masses(block.scene.mass > 0),
+          roles(!block.roles.empty()) {
+        for (const auto& vector : {velocity, displacement}) {
+            if (any_of(vector, wanted)) numbers.insert(numbers.end(), vector.begin(), vector.end());
+        }
+    }
+    std::string properties() const {
+        std::string text = "species:S:1:pos:R:3";
+        if (any_of(velocity, numbers)) text += ":velo:R:3";
+        if (any_of(displacement, numbers)) text += ":disp:R:3";
+        if (momenta) text += ":momenta:R:3";
+        if (masses) text += ":masses:R:1";
+        return text + (roles ? ":role:S:1" : "");
+    }
+};
+
 /// The periodic box, or that there is none, in the words of extended XYZ.
-std::string box_text(const Shape& shape) {
-    if (shape.period == 0) return "pbc=\"F F F\"";
-    const std::string edge = number_text(shape.period);
+std::string box_text(const FileScene& scene) {
+    if (scene.period == 0) return "pbc=\"F F F\"";
+    const std::string edge = number_text(scene.period);
     return fmt::format("Lattice=\"{0} 0 0 0 {0} 0 0 0 {0}\" Origin=\"{1} {2} {3}\" pbc=\"T T T\"", edge,
-                       number_text(shape.corner.x), number_text(shape.corner.y), number_text(shape.corner.z));
+                       number_text(scene.corner.x), number_text(scene.corner.y), number_text(scene.corner.z));
 }
 
 }  // namespace
 
-void append_csv(std::string& text, const FrameBlock& block) {
+std::string csv_header(const Columns& columns) { return "step,time,particle," + names_of(columns) + "\n"; }
+
+void append_csv(std::string& text, const FrameBlock& block, const Columns& columns, std::string_view begin) {
     for (std::size_t i = 0; i < block.moments.size(); ++i) {
-        const std::string moment = fmt::format("{},{},", block.moments[i].step, number_text(block.moments[i].time));
-        append_rows(text, block, i, ',', [&](Line& line, std::size_t row) {
+        const std::string moment =
+            fmt::format("{}{},{},", begin, block.moments[i].step, number_text(block.moments[i].time));
+        const auto begin_line = [&](Line& line, std::size_t row) {
             line.add(moment);
             line.add_number(block.particle(row));
-        });
+        };
+        append_rows(text, block, i, columns, ',', begin_line, [](Line&, std::size_t) {});
     }
 }
 
-void append_xyz(std::string& text, const FrameBlock& block) {
+void check_xyz_columns(const Columns& columns) {
+    for (const auto& vector : {position, velocity, displacement}) {
+        const bool all =
+            std::all_of(vector.begin(), vector.end(), [&](Column column) { return contains(columns, column); });
+        if (all || (vector != position && !any_of(vector, columns))) continue;
+        throw UsageError(
+            fmt::format("XYZ holds whole vectors, the position always: --columns must name all of {} (got \"{}\")",
+                        names_of(Columns(vector.begin(), vector.end())), names_of(columns)));
+    }
+}
+
+void append_xyz(std::string& text, const FrameBlock& block, const Columns& columns) {
+    const XyzColumns kept(block, columns);
+    const double mass = block.scene.mass;
     for (std::size_t i = 0; i < block.moments.size(); ++i) {
         if (block.first_row == 0) {
-            text += fmt::format("{}\nProperties=type:S:1:pos:R:3:velo:R:3 Time={} Step={} {}\n", block.frame_rows,
-                                number_text(block.moments[i].time), block.moments[i].step, box_text(*block.shape));
+            text += fmt::format("{}\n{} Properties={} Time={} Step={} Precision={}\n", block.frame_rows,
+                                box_text(block.scene), kept.properties(), number_text(block.moments[i].time),
+                                block.moments[i].step, id(block.scene.precision));
         }
-        append_rows(text, block, i, ' ', [&](Line& line, std::size_t row) { line.add(id(block.role(row))); });
+        const auto end_line = [&](Line& line, std::size_t row) {
+            if (kept.momenta) line.add_vector(' ', mass * block.velocities[i * block.rows + row]);
+            if (kept.masses) line.add(' '), line.add_number(mass);
+            if (kept.roles) line.add(' '), line.add(id(block.roles[row]));
+        };
+        append_rows(
+            text, block, i, kept.numbers, ' ', [](Line& line, std::size_t) { line.add('X'); }, end_line);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
 #include "render/bounds.hpp"
 #include "render/drawn_sizes.hpp"
 
@@ -115,7 +116,7 @@ Camera camera_of(std::string_view text, const Frame& frame, PictureSize size) {
             fmt::format("--view must be default, front, side, top or yaw,pitch,distance,x,y,z with angles in degrees, "
                         "pitch from -90 to "
                         "90, distance > 0 and the point x,y,z at the centre (got \"{}\")",
-                        text));
+                        shown(text)));
     }
     return {{numbers[3], numbers[4], numbers[5]}, numbers[2], numbers[0], numbers[1]};
 }

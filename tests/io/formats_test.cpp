@@ -28,14 +28,17 @@ Frame sample_frame(Precision precision) {
     Shape shape;
     shape.roles = {Role::fixed, Role::kicked};
     frame.shape = std::make_shared<const Shape>(shape);
+    frame.displacements = {{tenth, 0, 0}, {0.25, 0.5, 0}};
+    frame.mass = rounded_to(precision, 2.1);
     return frame;
 }
 
-std::string written(const Frame& frame, TrajectoryFormat format, std::vector<std::size_t> particles = {}) {
+std::string written(const Frame& frame, TrajectoryFormat format, std::vector<std::size_t> particles = {},
+                    const Columns& columns = {}) {
     const TemporaryFolder folder;
     OutputFile file(folder.file("a"));
     {
-        TrajectoryWriter writer(file, format, describe("chain"), std::move(particles));
+        TrajectoryWriter writer(file, format, describe("chain"), {std::move(particles), columns});
         writer.add(frame);
         writer.finish();
     }
@@ -53,11 +56,34 @@ TEST(Trajectory, csv_holds_the_shortest_text_of_each_number) {
               "3,0.30000000000000004,0,0.1,-0,0,1e-07,0,12345679\n");
 }
 
-TEST(Trajectory, xyz_has_the_form_that_ovito_reads) {
-    EXPECT_EQ(written(sample_frame(Precision::double_), TrajectoryFormat::xyz, {1}),
-              "1\n"
-              "Properties=type:S:1:pos:R:3:velo:R:3 Time=0.30000000000000004 Step=3 pbc=\"F F F\"\n"
-              "kicked 1 2 3 0 0 0\n");
+TEST(Trajectory, csv_has_the_chosen_columns_in_their_order) {
+    EXPECT_EQ(written(sample_frame(Precision::double_), TrajectoryFormat::csv, {}, parse_columns("ux,vz,y")),
+              "step,time,particle,ux,vz,y\n"
+              "3,0.30000000000000004,0,0.1,12345679,-0\n"
+              "3,0.30000000000000004,1,0.25,0,2\n");
+}
+
+TEST(Trajectory, xyz_has_the_form_that_others_read) {
+    EXPECT_EQ(written(sample_frame(Precision::double_), TrajectoryFormat::xyz),
+              "2\n"
+              "pbc=\"F F F\" Properties=species:S:1:pos:R:3:velo:R:3:momenta:R:3:masses:R:1:role:S:1 "
+              "Time=0.30000000000000004 Step=3 Precision=double\n"
+              "X 0.1 -0 1e+300 1e-07 0 12345679 2.1e-07 0 25925925.900000002 2.1 fixed\n"
+              "X 1 2 3 0 0 0 0 0 0 2.1 kicked\n");
+}
+
+TEST(Trajectory, xyz_of_float_has_masses_and_momenta_in_double) {
+    EXPECT_THAT(written(sample_frame(Precision::float_), TrajectoryFormat::xyz, {1}),
+                testing::EndsWith("Precision=float\nX 1 2 3 0 0 0 0 0 0 2.0999999046325684 kicked\n"));
+}
+
+TEST(Trajectory, xyz_has_the_chosen_vectors) {
+    const Frame frame = sample_frame(Precision::double_);
+    EXPECT_THAT(written(frame, TrajectoryFormat::xyz, {1}, parse_columns("ux,uy,uz,x,y,z")),
+                testing::AllOf(HasSubstr("Properties=species:S:1:pos:R:3:disp:R:3:masses:R:1:role:S:1 "),
+                               HasSubstr("\nX 1 2 3 0.25 0.5 0 2.1 kicked\n")));
+    for (const char* columns : {"x", "ux,uy,uz", "x,y,z,vx", "vx,vy,vz"})
+        EXPECT_THROW(written(frame, TrajectoryFormat::xyz, {}, parse_columns(columns)), UsageError) << columns;
 }
 
 TEST(Trajectory, xyz_has_the_periodic_box) {
@@ -66,20 +92,34 @@ TEST(Trajectory, xyz_has_the_periodic_box) {
     shape.period = 6.5;
     shape.corner = {-0.5, 0, 1};
     frame.shape = std::make_shared<const Shape>(shape);
-    EXPECT_EQ(written(frame, TrajectoryFormat::xyz, {1}),
-              "1\n"
-              "Properties=type:S:1:pos:R:3:velo:R:3 Time=0.30000000000000004 Step=3 "
-              "Lattice=\"6.5 0 0 0 6.5 0 0 0 6.5\" Origin=\"-0.5 0 1\" pbc=\"T T T\"\n"
-              "kicked 1 2 3 0 0 0\n");
+    EXPECT_THAT(written(frame, TrajectoryFormat::xyz, {1}),
+                testing::StartsWith("1\n"
+                                    "Lattice=\"6.5 0 0 0 6.5 0 0 0 6.5\" Origin=\"-0.5 0 1\" pbc=\"T T T\" "
+                                    "Properties=species:S:1:pos:R:3:"));
+}
+
+TEST(Columns, are_read_from_a_list) {
+    EXPECT_EQ(parse_columns("x,y,z,vx,vy,vz"), usual_columns());
+    EXPECT_EQ(names_of(parse_columns("uz,x")), "uz,x");
+    for (const char* list : {"", "x,", ",x", "x,,y", "X", "w", "x y", "x,x"})
+        EXPECT_THROW(parse_columns(list), UsageError) << list;
+}
+
+TEST(Columns, of_a_trajectory_file_cannot_be_chosen) {
+    EXPECT_THROW(written(sample_frame(Precision::double_), TrajectoryFormat::trajectory, {}, parse_columns("x")),
+                 UsageError);
 }
 
 TEST(Trajectory, format_follows_the_extension) {
     EXPECT_EQ(trajectory_format_of("a.csv"), TrajectoryFormat::csv);
-    EXPECT_EQ(trajectory_format_of("b/a.XYZ"), TrajectoryFormat::xyz);
+    for (const char* file : {"b/a.XYZ", "a.extxyz", "a.xyz.gz", "a.extxyz.ZST"})
+        EXPECT_EQ(trajectory_format_of(file), TrajectoryFormat::xyz) << file;
+    for (const char* file : {"a.csv.gz", "a.b.csv.zst"})
+        EXPECT_EQ(trajectory_format_of(file), TrajectoryFormat::csv) << file;
     EXPECT_EQ(trajectory_format_of("a.trajectory"), TrajectoryFormat::trajectory);
     EXPECT_EQ(trajectory_format_of("-"), TrajectoryFormat::csv);
     EXPECT_EQ(trajectory_format_of("/dev/null"), TrajectoryFormat::csv);
-    for (const char* file : {"a", "a.", "a.txt", ".csv", "csv"})
+    for (const char* file : {"a", "a.", "a.txt", ".csv", "csv", "a.gz", "a.zst", "a.txt.gz", "a.csv.gz.gz"})
         EXPECT_THROW(trajectory_format_of(file), UsageError) << file;
     EXPECT_EQ(trajectory_format("xyz"), TrajectoryFormat::xyz);
     EXPECT_THROW(trajectory_format("XYZ "), UsageError);

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include <bit>
+#include <filesystem>
 
 namespace steplab {
 namespace {
@@ -17,22 +18,38 @@ using testing::HasSubstr;
 
 const TrajectoryFormat all_formats[] = {TrajectoryFormat::csv, TrajectoryFormat::xyz, TrajectoryFormat::trajectory};
 
-std::string written(const RunDescription& run, const std::vector<Frame>& frames, TrajectoryFormat format,
-                    const std::vector<std::size_t>& particles = {}) {
+/// What a writer makes of what `add(writer)` gives it.
+template <class Add>
+std::string written_by(const RunDescription& run, TrajectoryFormat format, const RowOptions& rows, const Add& add) {
     const TemporaryFolder folder;
     OutputFile file(folder.file("a"));
-    TrajectoryWriter writer(file, format, run, particles);
-    for (const Frame& frame : frames) writer.add(frame);
+    TrajectoryWriter writer(file, format, run, rows);
+    add(writer);
     writer.finish();
     file.commit();
     return text_of(folder.file("a"));
 }
 
+std::string written(const RunDescription& run, const std::vector<Frame>& frames, TrajectoryFormat format,
+                    const RowOptions& rows = {}) {
+    return written_by(run, format, rows, [&](TrajectoryWriter& writer) {
+        for (const Frame& frame : frames) writer.add(frame);
+    });
+}
+
+/// The same from a file, as `convert` does it.
+std::string converted(TrajectoryReader& reader, TrajectoryFormat format, const Columns& columns = {}) {
+    return written_by({}, format, {.columns = columns}, [&](TrajectoryWriter& writer) {
+        writer.describe(reader.version(), reader.description());
+        reader.each_block([&](FrameBlock block) { writer.add(std::move(block)); });
+    });
+}
+
 std::vector<Frame> frames_of(const RunDescription& run, std::size_t count) {
     Simulation simulation(run);
-    std::vector<Frame> frames;
-    for (std::size_t i = 0; i < count; ++i) {
-        frames.push_back(simulation.frame());
+    std::vector<Frame> frames(count);
+    for (Frame& frame : frames) {
+        simulation.frame(frame, {.displacements = true});
         simulation.advance(2);
     }
     return frames;
@@ -56,7 +73,7 @@ std::vector<Frame> read_all(TrajectoryReader& reader) {
 
 std::vector<std::uint64_t> bits_of(const Frame& frame) {
     std::vector<std::uint64_t> bits{frame.step, std::bit_cast<std::uint64_t>(frame.time)};
-    for (const auto* vectors : {&frame.positions, &frame.velocities}) {
+    for (const auto* vectors : {&frame.positions, &frame.displacements, &frame.velocities}) {
         for (const Vec3& v : *vectors) {
             for (const double value : {v.x, v.y, v.z}) bits.push_back(std::bit_cast<std::uint64_t>(value));
         }
@@ -77,29 +94,69 @@ TEST(TrajectoryFile, gives_back_every_bit_of_every_model_in_both_precisions) {
             run.precision = precision;
             const std::vector<Frame> frames = frames_of(run, 5);
             const Kept file(written(run, frames, TrajectoryFormat::trajectory));
-            TrajectoryReader reader(file.name());
+            TrajectoryReader reader(InputFile(file.name()));
             EXPECT_TRUE(reader.complete());
             EXPECT_EQ(reader.run(), run) << model.info.id;
-            const std::vector<Frame> back = read_all(reader);
-            EXPECT_TRUE(same_frames(back, frames)) << model.info.id;
+            EXPECT_TRUE(same_frames(read_all(reader), frames)) << model.info.id;
             for (const TrajectoryFormat format : all_formats)
-                EXPECT_EQ(written(run, back, format, reader.particles()), written(run, frames, format))
-                    << model.info.id;
+                EXPECT_EQ(converted(reader, format), written(run, frames, format)) << model.info.id;
         }
     }
+}
+
+TEST(TrajectoryFile, gives_every_digit_of_displacements) {
+    const Columns columns = parse_columns("ux,uy,uz,vx,x");
+    for (const Model& model : models()) {
+        for (const Precision precision : {Precision::float_, Precision::double_}) {
+            RunDescription run = describe(model.info.id);
+            run.precision = precision;
+            run.dt = 0.01;
+            const std::vector<Frame> frames = frames_of(run, 5);
+            const Kept file(written(run, frames, TrajectoryFormat::trajectory));
+            TrajectoryReader reader(InputFile(file.name()));
+            const std::string text = written(run, frames, TrajectoryFormat::csv, {.columns = columns});
+            EXPECT_EQ(converted(reader, TrajectoryFormat::csv, columns), text) << model.info.id;
+            EXPECT_THAT(text, testing::StartsWith("step,time,particle,ux,uy,uz,vx,x\n"));
+        }
+    }
+}
+
+TEST(TrajectoryFile, of_a_long_chain_holds_displacements_that_positions_lose) {
+    RunDescription run = describe("chain");
+    run.precision = Precision::float_;
+    run.scene.set("n", 5001);
+    const std::vector<Frame> frames = frames_of(run, 2);
+    const double moved = frames[1].displacements[5000].x, seen = frames[1].positions[5000].x - 10000;
+    EXPECT_GT(moved, 0.1);
+    EXPECT_NE(seen, moved);  // the spacing of floats near 10000 is 0.001
+    EXPECT_NEAR(seen, moved, 0.0005);
+    const Kept file(written(run, frames, TrajectoryFormat::trajectory));
+    TrajectoryReader reader(InputFile(file.name()));
+    EXPECT_EQ(read_all(reader)[1].displacements[5000].x, moved);
+}
+
+/// Files of steplab 0.2 have positions in place of displacements; their rows are those that it wrote as CSV itself.
+TEST(TrajectoryFile, of_the_first_version_is_read) {
+    const std::string folder = STEPLAB_SOURCE_DIR "/tests/io/";
+    TrajectoryReader reader(InputFile(folder + "version_1.trajectory"));
+    EXPECT_TRUE(reader.complete());
+    EXPECT_EQ(reader.scene().mass, static_cast<double>(0.7F));
+    EXPECT_EQ(converted(reader, TrajectoryFormat::csv), text_of(folder + "version_1.csv"));
+    EXPECT_EQ(converted(reader, TrajectoryFormat::trajectory), text_of(folder + "version_1.trajectory"));
+    EXPECT_NO_THROW(reader.require(usual_columns()));
+    EXPECT_THROW(reader.require(parse_columns("ux")), FileError);
 }
 
 TEST(TrajectoryFile, holds_the_chosen_particles_by_their_numbers) {
     const RunDescription run = describe("chain");
     const std::vector<std::size_t> chosen{0, 1, 2, 7, 9};
     const std::vector<Frame> frames = frames_of(run, 3);
-    const Kept file(written(run, frames, TrajectoryFormat::trajectory, chosen));
-    TrajectoryReader reader(file.name());
-    EXPECT_EQ(reader.particles(), chosen);
-    const std::vector<Frame> back = read_all(reader);
-    EXPECT_EQ(back[0].positions.size(), chosen.size());
+    const Kept file(written(run, frames, TrajectoryFormat::trajectory, {.particles = chosen}));
+    TrajectoryReader reader(InputFile(file.name()));
+    EXPECT_EQ(reader.rows(), chosen.size());
+    EXPECT_EQ(read_all(reader)[0].positions.size(), chosen.size());
     for (const TrajectoryFormat format : all_formats)
-        EXPECT_EQ(written(run, back, format, reader.particles()), written(run, frames, format, chosen));
+        EXPECT_EQ(converted(reader, format), written(run, frames, format, {.particles = chosen}));
 }
 
 /// Frames of `particles` whose numbers identify frame and particle.
@@ -108,14 +165,15 @@ std::vector<Frame> counted_frames(std::size_t particles, std::size_t count) {
     shape.roles.assign(particles, Role::moving);
     Frame frame;
     frame.shape = std::make_shared<const Shape>(std::move(shape));
+    frame.reference = {.count = particles};
     std::vector<Frame> frames;
     for (std::size_t k = 0; k < count; ++k) {
         frame.step = k * 3;
         frame.time = 0.1 * static_cast<double>(k);
         frame.positions.clear();
         for (std::size_t i = 0; i < particles; ++i)
-            frame.positions.push_back({static_cast<double>(k), static_cast<double>(i), -0.0});
-        frame.velocities = frame.positions;
+            frame.positions.push_back({static_cast<double>(k), static_cast<double>(i), 0});
+        frame.displacements = frame.velocities = frame.positions;
         frames.push_back(frame);
     }
     return frames;
@@ -126,8 +184,9 @@ TEST(TrajectoryFile, any_frame_is_found_whether_chunks_hold_many_or_pieces) {
     for (const std::size_t particles : {1000u, 16384u, 16385u, 40000u}) {
         const std::vector<Frame> frames = counted_frames(particles, 20);
         const Kept file(written(describe("chain"), frames, TrajectoryFormat::trajectory));
-        TrajectoryReader reader(file.name());
+        TrajectoryReader reader(InputFile(file.name()));
         ASSERT_EQ(reader.frames(), frames.size());
+        EXPECT_EQ(converted(reader, TrajectoryFormat::csv), written({}, frames, TrajectoryFormat::csv)) << particles;
         for (const std::size_t k : {19u, 0u, 7u, 16u, 15u, 17u}) {
             Frame frame;
             reader.frame(k, frame);
@@ -148,7 +207,7 @@ struct Reading {
 Reading reading_of(const std::string& file) {
     Reading reading;
     try {
-        TrajectoryReader reader(file);
+        TrajectoryReader reader((InputFile(file)));
         reading.complete = reader.complete();
         reading.frames = read_all(reader);
     } catch (const FileError& error) {
@@ -223,8 +282,8 @@ TEST_F(SmallFile, changed_anywhere_gives_right_frames_or_is_refused) {
 template <class Forge>
 std::string forged(const std::string& bytes, std::size_t which, const Forge& forge) {
     using namespace trajectory;
-    std::string made(signature);
-    std::size_t place = signature.size();
+    std::string made = bytes.substr(0, signature_bytes);
+    std::size_t place = signature_bytes;
     std::uint64_t index_place = 0;
     for (std::size_t i = 0; place + ending_bytes < bytes.size(); ++i) {
         BlockHead head = parse_head(std::string_view(bytes).substr(place)).value();
@@ -268,13 +327,81 @@ TEST_F(SmallFile, forged_with_right_hashes_is_read_or_refused) {
 
 TEST_F(SmallFile, that_is_none_is_refused_with_the_reason) {
     std::string newer = bytes_;
-    newer[12] = 2;
+    newer[12] = 3;
     EXPECT_THAT(reading_of_bytes("").refusal, HasSubstr("it is not a trajectory"));
     EXPECT_THAT(reading_of_bytes("step,time,particle\n").refusal, HasSubstr("it is not a trajectory"));
     EXPECT_THAT(reading_of_bytes(newer).refusal, HasSubstr("version"));
     EXPECT_THAT(reading_of_bytes(bytes_.substr(0, 20)).refusal, HasSubstr("damaged at its beginning"));
     for (const std::string& name : {std::string("/dev/null"), folder_.path(), folder_.file("missing")})
         EXPECT_THAT(reading_of(name).refusal, HasSubstr("cannot read '" + name + "'"));
+}
+
+/// The file with another description.
+std::string described(const std::string& bytes, const std::string& description) {
+    return forged(bytes, 0, [&](auto&, std::string& content) { content = description; });
+}
+
+TEST_F(SmallFile, that_nests_brackets_is_refused_whatever_their_depth) {
+    for (const std::size_t depth : {20u, 1000u, 50000u, 1000000u}) {
+        for (const std::string& run : {std::string(depth, '['), std::string(depth, '[') + std::string(depth, ']')}) {
+            const Reading reading = reading_of_bytes(described(bytes_, "{\"program\":\"\",\"run\":" + run + "}"));
+            EXPECT_THAT(reading.refusal, HasSubstr("the description of its run is not valid")) << depth;
+        }
+    }
+}
+
+/// The same description, of the same length, with other rows: `rows` of them, all moving.
+std::string with_rows(const std::string& bytes, const std::string& rows) {
+    const auto head = trajectory::parse_head(std::string_view(bytes).substr(trajectory::signature_bytes)).value();
+    std::string text = bytes.substr(trajectory::signature_bytes + trajectory::BlockHead::bytes, head.content_bytes);
+    const auto replace = [&text](std::string_view from, std::string_view to, const std::string& with) {
+        const std::size_t begin = text.find(from);
+        text.replace(begin, text.find(to, begin) - begin, with);
+    };
+    replace(",\"command_line\"", "}", "");
+    replace("\"rows\":", ",\"mass\"",
+            "\"rows\":" + rows + ",\"particles\":[[0," + rows + "]],\"roles\":[[\"moving\"," + rows + "]]");
+    text.resize(std::max<std::size_t>(text.size(), head.content_bytes), ' ');
+    return described(bytes, text);
+}
+
+TEST_F(SmallFile, that_claims_many_rows_is_refused_without_making_them) {
+    EXPECT_TRUE(reading_of_bytes(with_rows(bytes_, "10")).refusal.empty());
+    for (const std::string rows : {"11", "300000000", "1000000000000000", "18446744073709551615"})
+        EXPECT_THAT(reading_of_bytes(with_rows(bytes_, rows)).refusal, HasSubstr("not complete")) << rows;
+    for (const std::string rows : {"0", "9", "-1", "1.5", "18446744073709551616"})
+        EXPECT_FALSE(reading_of_bytes(with_rows(bytes_, rows)).refusal.empty()) << rows;
+}
+
+TEST_F(SmallFile, with_a_hole_behind_it_is_read_up_to_there) {
+    for (const std::uintmax_t size : {std::uintmax_t{1} << 30, std::uintmax_t{1} << 40}) {
+        for (const std::size_t kept : {bytes_.size(), bytes_.size() - 40, std::size_t{100}}) {
+            reading_of_bytes(std::string_view(bytes_).substr(0, kept));
+            std::filesystem::resize_file(name_, size);
+            const Reading reading = reading_of(name_);
+            EXPECT_EQ(reading.complete, kept == bytes_.size());  // the index is found without its place at the end
+            EXPECT_EQ(reading.frames.size(), kept > 100 ? 3u : 0u);
+        }
+    }
+}
+
+/// A block whose content is said to fill the rest of a file that holds nothing.
+TEST_F(SmallFile, whose_blocks_claim_a_hole_is_refused) {
+    using namespace trajectory;
+    for (const BlockKind kind : {BlockKind::description, BlockKind::frames, BlockKind::index}) {
+        const std::uint64_t index = parse_ending(bytes_.substr(bytes_.size() - ending_bytes)).value();
+        const std::string bytes = bytes_.substr(0, kind == BlockKind::description ? signature_bytes : index);
+        std::string head = head_bytes({.kind = kind, .frames = 1, .first_frame = 3, .rows = 10}, "");
+        const std::uint64_t claimed = std::uint64_t{1} << 39;
+        for (std::size_t i = 0; i < 8; ++i) head[32 + i] = static_cast<char>(claimed >> (8 * i) & 0xff);
+        const std::uint64_t hash = hash_of(head.substr(0, 48));
+        for (std::size_t i = 0; i < 8; ++i) head[48 + i] = static_cast<char>(hash >> (8 * i) & 0xff);
+        reading_of_bytes(bytes + head);
+        std::filesystem::resize_file(name_, std::uintmax_t{1} << 40);
+        const Reading reading = reading_of(name_);
+        EXPECT_FALSE(reading.complete);
+        EXPECT_EQ(reading.frames.size(), kind == BlockKind::description ? 0u : 3u);
+    }
 }
 
 }  // namespace

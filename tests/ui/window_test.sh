@@ -41,6 +41,11 @@ keys_drive_the_window() {
     close_window
 }
 
+trace_that_cannot_be_written_is_an_error() {
+    start_display 1280x800
+    refused 3 "cannot write '/dev/full': No space left on device" "$program" --trace /dev/full
+}
+
 mouse_moves_the_camera() {
     start_display 1280x800
     open_window --model chain

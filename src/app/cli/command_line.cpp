@@ -3,6 +3,7 @@
 #include "app/cli/text_table.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/output_file.hpp"
 
@@ -32,7 +33,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 [[noreturn]] void refuse_extra(const CLI::App& app, const std::string& word) {
     if (!word.starts_with('-'))
-        throw UsageError(fmt::format("unexpected argument '{}': values follow the name of an option", word));
+        throw UsageError(fmt::format("unexpected argument '{}': values follow the name of an option", shown(word)));
     const std::vector<std::string> names = option_names(app);
     const std::vector<std::string_view> known(names.begin(), names.end());
     throw UsageError(unknown_word("option", word.substr(0, word.find('=')), known));
@@ -50,7 +51,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
 void refuse_empty_values(const std::vector<std::string>& arguments) {
     for (const std::string& argument : arguments) {
         if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) {
-            throw UsageError(fmt::format("{} needs a value", argument.substr(0, argument.size() - 1)));
+            throw UsageError(fmt::format("{} needs a value", shown(argument.substr(0, argument.size() - 1))));
         }
     }
 }
@@ -85,7 +86,7 @@ std::string help_text(const std::string& what) {
 
 /// One line on standard error; lost if that is closed.
 void print_error(const std::string& program, const char* message) {
-    std::fputs(fmt::format("{}: {}\n", program, message).c_str(), stderr);
+    std::fputs(fmt::format("{}: {}\n", program, safe_message(message)).c_str(), stderr);
 }
 
 }  // namespace

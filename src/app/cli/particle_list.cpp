@@ -1,6 +1,7 @@
 #include "app/cli/particle_list.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 
 #include <fmt/format.h>
 
@@ -16,11 +17,11 @@ std::size_t parse_index(std::string_view text, std::string_view list, std::size_
     std::size_t index = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), index);
     if (result.ec == std::errc::invalid_argument || result.ptr != text.data() + text.size()) {
-        throw UsageError(fmt::format("--particles '{}' is not a list of particles such as 9,0-3", list));
+        throw UsageError(fmt::format("--particles '{}' is not a list of particles such as 9,0-3", shown(list)));
     }
     if (result.ec != std::errc{} || index >= count) {
-        throw UsageError(fmt::format("--particles {}: no particle {}; this scene has {}, numbered 0 to {}", list, text,
-                                     count, count - 1));
+        throw UsageError(fmt::format("--particles {}: no particle {}; this scene has {}, numbered 0 to {}", shown(list),
+                                     shown(text), count, count - 1));
     }
     return index;
 }
@@ -36,7 +37,8 @@ std::vector<std::size_t> parse_particles(std::string_view text, std::size_t coun
         const std::size_t first = parse_index(item.substr(0, dash), text, count);
         const std::size_t last =
             dash == std::string_view::npos ? first : parse_index(item.substr(dash + 1), text, count);
-        if (last < first) throw UsageError(fmt::format("--particles {}: the range {} is backwards", text, item));
+        if (last < first)
+            throw UsageError(fmt::format("--particles {}: the range {} is backwards", shown(text), shown(item)));
         std::fill_n(chosen.begin() + static_cast<std::ptrdiff_t>(first), last - first + 1, true);
         begin = end + 1;
     }

@@ -3,6 +3,7 @@
 #include "app/cli/catalogue_text.hpp"
 #include "app/cli/command_line.hpp"
 #include "core/error.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/opening.hpp"
@@ -46,10 +47,11 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw UsageError(fmt::format("--set '{}' is not of the form name=value, such as --set n=20", text));
+            throw UsageError(fmt::format("--set '{}' is not of the form name=value, such as --set n=20", shown(text)));
         const std::string name = text.substr(0, equals);
         for (const Setting& earlier : settings) {
-            if (earlier.name == name) throw UsageError(fmt::format("parameter '{}' is set more than once", name));
+            if (earlier.name == name)
+                throw UsageError(fmt::format("parameter '{}' is set more than once", shown(name)));
         }
         settings.push_back({name, text.substr(equals + 1)});
     }
@@ -158,8 +160,8 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
     if (until_.empty()) return default_steps_;
     const double until = parse_value(until_info, until_);
     if (until / description.dt > most_steps) {
-        throw UsageError(fmt::format("--until {} needs more than {} steps of dt {}", until_, number_text(most_steps),
-                                     exact_text(description.dt)));
+        throw UsageError(fmt::format("--until {} needs more than {} steps of dt {}", shown(until_),
+                                     number_text(most_steps), exact_text(description.dt)));
     }
     return steps_until(until, description.dt);
 }

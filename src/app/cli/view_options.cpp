@@ -3,6 +3,7 @@
 #include "app/cli/command_line.hpp"
 #include "core/entry.hpp"
 #include "core/error.hpp"
+#include "core/shown.hpp"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,7 @@ void read_size(std::string_view text, WindowRequest& request) {
     const auto allowed = [](int length) { return length >= smallest && length <= largest; };
     if (has_cross && text.empty() && allowed(request.width) && allowed(request.height)) return;
     throw UsageError(fmt::format("--size must be WIDTHxHEIGHT in pixels, {} to {} each, such as 1280x800 (got \"{}\")",
-                                 smallest, largest, all));
+                                 smallest, largest, shown(all)));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace steplab {
 
-/// `steplab convert FILE.trajectory [--out FILE|-] [--format ...]`: the frames of a file in another format.
+/// `steplab convert FILE [--out FILE|-] [--format ...] [--columns ...]`: the frames of a file in another format.
 std::unique_ptr<Command> convert_command();
 
 }  // namespace steplab

@@ -76,7 +76,7 @@ std::string divergence_message(const EnsembleSummary& summary) {
 void EnsembleJob::run() const {
     EnsembleRows rows(output, runs);
     std::optional<OutputFile> summary_file;
-    if (!output.summary.empty()) summary_file.emplace(output.summary);
+    if (!output.summary.empty()) summary_file.emplace(output.summary, compression_of(output.summary));
     const auto begin = Clock::now();
     try {
         const auto done = rows.wanted() ? recorded(*this, rows) : computed(*this);

@@ -2,6 +2,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "core/error.hpp"
+#include "core/shown.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ std::vector<ParameterRange> EnsembleOptions::ranges(const RunDescription& descri
         ranges.push_back(parse_parameter_range(description, text));
         for (std::size_t i = 0; i + 1 < ranges.size(); ++i) {
             if (ranges[i].name == ranges.back().name)
-                throw UsageError(fmt::format("--spread names '{}' more than once", ranges[i].name));
+                throw UsageError(fmt::format("--spread names '{}' more than once", shown(ranges[i].name)));
         }
     }
     return ranges;

@@ -2,24 +2,17 @@
 
 #include "app/cli/particle_list.hpp"
 #include "core/error.hpp"
-#include "io/number_append.hpp"
+#include "io/trajectory_text.hpp"
 #include "sim/catalogue.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <memory>
+#include <string>
 #include <utility>
 
 namespace steplab {
 
 namespace {
-
-void append_number_of(std::string& line, Precision precision, double value) {
-    if (precision == Precision::float_) {
-        append_number(line, static_cast<float>(value));
-    } else {
-        append_number(line, value);
-    }
-}
 
 bool has_exact(const EnsembleRun& run) { return model(run.description.model).exact(run.description.scene) != nullptr; }
 
@@ -28,15 +21,16 @@ bool has_exact(const EnsembleRun& run) { return model(run.description.model).exa
 EnsembleRows::EnsembleRows(const OutputOptions& options, std::span<const EnsembleRun> runs)
     : chosen_(options.particles) {
     if (!options.out.empty()) {
-        const TrajectoryFormat format =
-            options.format.empty() ? trajectory_format_of(options.out) : trajectory_format(options.format);
+        const TrajectoryFormat format = options.rows_format();
         if (format != TrajectoryFormat::csv)
             throw UsageError("--out of an ensemble must be CSV: no other format has a column for the run");
-        rows_file_.emplace(options.out);
-        rows_file_->write("run,step,time,particle,x,y,z,vx,vy,vz\n");
+        columns_ = options.columns.empty() ? usual_columns() : options.chosen_columns();
+        needs_ = parts_of(columns_);
+        rows_file_.emplace(options.out, compression_of(options.out));
+        rows_file_->write("run," + csv_header(columns_));
     }
     if (!options.series.empty()) {
-        series_file_.emplace(options.series);
+        series_file_.emplace(options.series, compression_of(options.series));
         const auto drags = [](const EnsembleRun& run) { return has_drag(run.description); };
         series_.emplace(*series_file_,
                         SeriesWriter::Columns{.error = std::any_of(runs.begin(), runs.end(), has_exact),
@@ -47,39 +41,29 @@ EnsembleRows::EnsembleRows(const OutputOptions& options, std::span<const Ensembl
 
 void EnsembleRows::begin(std::size_t run, const RunDescription& description) {
     run_ = run;
+    if (chosen_.empty()) return;
     const auto count = static_cast<std::size_t>(model(description.model).particles(description.scene));
-    if (!chosen_.empty()) {
-        particles_ = parse_particles(chosen_, count);
-    } else {
-        particles_.resize(count);
-        std::iota(particles_.begin(), particles_.end(), std::size_t(0));
-    }
+    particles_ = std::make_shared<const std::vector<std::size_t>>(parse_particles(chosen_, count));
 }
 
 void EnsembleRows::record(const Simulation& simulation) {
     if (series_) series_->add(simulation.step(), simulation.time(), simulation.diagnostics(), run_);
     if (!rows_file_) return;
-    simulation.frame(frame_);
+    simulation.frame(frame_, needs_);
     write_rows();
 }
 
 void EnsembleRows::write_rows() {
-    std::string moment, line;
-    append_number(moment, run_);
-    moment += ',';
-    append_number(moment, frame_.step);
-    moment += ',';
-    append_number(moment, frame_.time);
-    for (const std::size_t particle : particles_) {
-        line = moment + ',';
-        append_number(line, particle);
-        for (const Vec3& vector : {frame_.positions[particle], frame_.velocities[particle]}) {
-            for (const double value : {vector.x, vector.y, vector.z}) {
-                line += ',';
-                append_number_of(line, frame_.precision, value);
-            }
-        }
-        rows_file_->write(line + '\n');
+    constexpr std::size_t most = 4096;
+    const std::size_t all = FrameBlock::rows_of(frame_, particles_);
+    const std::string begin = std::to_string(run_) + ',';
+    std::string text;
+    for (std::size_t first = 0; first < all; first += most) {
+        FrameBlock block;
+        block.append(frame_, needs_, particles_, first, std::min(most, all - first));
+        text.clear();
+        append_csv(text, block, columns_, begin);
+        rows_file_->write(text);
     }
 }
 

@@ -36,8 +36,10 @@ private:
     std::optional<OutputFile> rows_file_;
     std::optional<OutputFile> series_file_;
     std::optional<SeriesWriter> series_;
+    Columns columns_;
+    FrameParts needs_;
     std::size_t run_ = 0;
-    std::vector<std::size_t> particles_;  ///< of the present run
+    ParticleChoice particles_;  ///< of the present run
     Frame frame_;
 };
 

@@ -6,6 +6,7 @@
 #include "app/cli/scene_options.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 #include "lab/report/report.hpp"
 #include "sim/catalogue.hpp"
@@ -141,7 +142,7 @@ private:
             }
         }
         if (!known)
-            throw UsageError(fmt::format("no model or method of the report has a parameter '{}'", setting.name));
+            throw UsageError(fmt::format("no model or method of the report has a parameter '{}'", shown(setting.name)));
     }
 
     std::vector<double> errors() const {

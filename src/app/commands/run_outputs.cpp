@@ -3,6 +3,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/particle_list.hpp"
 #include "core/error.hpp"
+#include "core/shown.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ void OutputOptions::declare(CLI::App& app) {
     text_option(app, "--format", format, "csv|xyz|trajectory", "Format of --out (default: by its file name extension)",
                 group);
     text_option(app, "--particles", particles, "9,0-3", "Particles in --out (default all)", group);
+    text_option(app, "--columns", columns, "x,ux,...", columns_help, group);
     text_option(app, "--series", series, "FILE", "Energy, momentum and other diagnostics over time (CSV)", group);
     text_option(app, "--summary", summary, "FILE|-", "Summary of the run (JSON)", group);
 }
@@ -27,6 +29,7 @@ void OutputOptions::check() const {
     if (out.empty() && !format.empty()) throw UsageError("--format is that of --out, but there is no --out");
     if (out.empty() && !particles.empty())
         throw UsageError("--particles selects those in --out, but there is no --out");
+    if (out.empty() && !columns.empty()) throw UsageError("--columns selects those of --out, but there is no --out");
     const std::array<std::pair<std::string_view, const std::string*>, 3> files{
         {{"--out", &out}, {"--series", &series}, {"--summary", &summary}}};
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -34,19 +37,28 @@ void OutputOptions::check() const {
             const std::string& a = *files[j].second;
             const std::string& b = *files[i].second;
             if (a.empty() || b.empty() || !same_output(a, b)) continue;
-            const std::string where = b == "-" ? "standard output" : fmt::format("'{}'", b);
+            const std::string where = b == "-" ? "standard output" : fmt::format("'{}'", shown(b));
             throw UsageError(fmt::format("{} and {} both write to {}: give each a file of its own", files[j].first,
                                          files[i].first, where));
         }
     }
 }
 
+TrajectoryFormat OutputOptions::rows_format() const {
+    const TrajectoryFormat rows = format.empty() ? trajectory_format_of(out) : trajectory_format(format);
+    check_compression(rows, out);
+    check_columns(rows, chosen_columns());
+    return rows;
+}
+
+Columns OutputOptions::chosen_columns() const { return columns.empty() ? Columns() : parse_columns(columns); }
+
 bool OutputOptions::standard_output_taken() const { return out == "-" || series == "-" || summary == "-"; }
 
 std::string OutputOptions::files() const {
     std::string text;
     for (const std::string& file : {out, series, summary}) {
-        if (!file.empty() && file != "-") text += (text.empty() ? "" : ", ") + file;
+        if (!file.empty() && file != "-") text += (text.empty() ? "" : ", ") + shown(file);
     }
     return text;
 }
@@ -62,34 +74,34 @@ void OutputOptions::print_summary(std::string text) const {
 
 void print_interruption(std::string text, const std::vector<std::string>& kept) {
     if (!kept.empty()) text += fmt::format("; output so far is kept in '{}'", fmt::join(kept, "' and '"));
+    text = safe_message(text);
     std::fputs(fmt::format("steplab run: {}\n", text).c_str(), stderr);
 }
 
 RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& description) {
     const Model& scene = model(description.model);
     if (!options.out.empty()) {
-        const TrajectoryFormat format =
-            options.format.empty() ? trajectory_format_of(options.out) : trajectory_format(options.format);
+        const TrajectoryFormat format = options.rows_format();
         const auto count = static_cast<std::size_t>(scene.particles(description.scene));
-        const auto particles =
-            options.particles.empty() ? std::vector<std::size_t>() : parse_particles(options.particles, count);
-        rows_file_.emplace(options.out);
-        rows_.emplace(*rows_file_, format, description, particles);
+        RowOptions rows{.columns = options.chosen_columns()};
+        if (!options.particles.empty()) rows.particles = parse_particles(options.particles, count);
+        rows_file_.emplace(options.out, compression_of(options.out));
+        rows_.emplace(*rows_file_, format, description, std::move(rows));
         streamed_ = written_directly(options.out);
     }
     if (!options.series.empty()) {
-        series_file_.emplace(options.series);
+        series_file_.emplace(options.series, compression_of(options.series));
         series_.emplace(*series_file_, SeriesWriter::Columns{.error = scene.exact(description.scene) != nullptr,
                                                              .energy_error = !has_drag(description) ||
                                                                              integrates_drag_work(description)});
     }
-    if (!options.summary.empty()) summary_file_.emplace(options.summary);
+    if (!options.summary.empty()) summary_file_.emplace(options.summary, compression_of(options.summary));
 }
 
 void RunOutputs::record(const Simulation& simulation) {
     if (series_) series_->add(simulation.step(), simulation.time(), simulation.diagnostics());
     if (!rows_) return;
-    simulation.frame(frame_);
+    simulation.frame(frame_, rows_->needs());
     rows_->add(frame_);
     if (streamed_) flush_at_intervals();
 }

@@ -22,12 +22,17 @@ struct OutputOptions {
     std::string out;        ///< empty: no rows
     std::string format;     ///< empty: by the file name extension
     std::string particles;  ///< empty: all
+    std::string columns;    ///< empty: the usual ones
     std::string series;     ///< empty: none
     std::string summary;    ///< empty: only the text for people
 
     void declare(CLI::App& app);
     /// Throws UsageError for options that contradict each other.
     void check() const;
+    /// The format of --out, which is given. Throws UsageError if it does not go with the other options.
+    TrajectoryFormat rows_format() const;
+    /// Those of --out; empty: the usual ones.
+    Columns chosen_columns() const;
     /// True if standard output belongs to rows, series or JSON.
     bool standard_output_taken() const;
     /// True if energy errors are written.

@@ -2,6 +2,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "core/entry.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/output_file.hpp"
 #include "sim/catalogue.hpp"
@@ -43,7 +44,7 @@ render::PictureSize parse_size(std::string_view text) {
     const auto allowed = [](int side) { return side >= 1 && side <= longest_side; };
     if (allowed(size.width) && allowed(size.height)) return size;
     throw UsageError(fmt::format("--size must be WIDTHxHEIGHT in pixels, 1 to {} each, such as 1280x720 (got \"{}\")",
-                                 longest_side, text));
+                                 longest_side, shown(text)));
 }
 
 std::size_t parse_particle(std::string_view text, const RunDescription& description) {
@@ -67,7 +68,7 @@ double usual_scale(render::PictureSize size) {
 void check_file(const std::string& name) {
     if (name.empty()) throw UsageError("--out FILE.png is required: the file of the picture");
     if (!written_directly(name) && !name.ends_with(".png")) {
-        throw UsageError(fmt::format("--out must end in .png (got \"{}\")", name));
+        throw UsageError(fmt::format("--out must end in .png (got \"{}\")", shown(name)));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "lab/study/saved_study.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/output_file.hpp"
 #include "lab/study/speed_error_csv.hpp"
@@ -106,7 +107,8 @@ StudyState state_of(const Json& json, const StudyPlan& plan) {
 void make_folder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(fmt::format("cannot create the folder '{}': {}", folder.string(), error.message()));
+    if (error)
+        throw FileError(fmt::format("cannot create the folder '{}': {}", shown(folder.string()), error.message()));
 }
 
 SavedStudies::SavedStudies(const std::string& report_folder)

@@ -1,6 +1,7 @@
 #include "lab/study/speed_error_csv.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +51,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 [[noreturn]] void refuse(std::string_view line) {
-    throw FileError(fmt::format("'{}' is not a line of speed_error.csv", line));
+    throw FileError(fmt::format("'{}' is not a line of speed_error.csv", shown(line)));
 }
 
 std::optional<double> number(std::string_view cell, std::string_view line) {

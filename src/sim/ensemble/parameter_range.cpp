@@ -1,6 +1,7 @@
 #include "sim/ensemble/parameter_range.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 
 #include <fmt/format.h>
@@ -46,11 +47,12 @@ double ParameterRange::value(std::size_t run, std::size_t runs) const {
 ParameterRange parse_parameter_range(const RunDescription& description, const std::string& text) {
     const std::size_t equals = text.find('='), colon = text.find(':', equals);
     if (equals == std::string::npos || equals == 0 || colon == std::string::npos)
-        throw UsageError(fmt::format("--spread '{}' is not of the form name=a:b, such as --spread dt=0.01:0.1", text));
+        throw UsageError(
+            fmt::format("--spread '{}' is not of the form name=a:b, such as --spread dt=0.01:0.1", shown(text)));
     const ParameterInfo& info = info_of(description, text.substr(0, equals));
     if (info.kind == ParameterInfo::Kind::choice)
-        throw UsageError(fmt::format("--spread {}: only numbers can be spread, and {} is one of {}", text, info.name,
-                                     range_text(info)));
+        throw UsageError(fmt::format("--spread {}: only numbers can be spread, and {} is one of {}", shown(text),
+                                     info.name, range_text(info)));
     return {std::string(info.name), parse_value(info, text.substr(equals + 1, colon - equals - 1)),
             parse_value(info, text.substr(colon + 1))};
 }

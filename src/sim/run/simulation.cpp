@@ -89,38 +89,39 @@ Frame Simulation::frame() const {
     return out;
 }
 
-void Simulation::frame(Frame& out) const {
+void Simulation::frame(Frame& out, const FrameParts& wanted) const {
     Body& body = settled();
-    prepare(out);
+    prepare(out, wanted);
     body.emit([&](const Portion& portion) { fill(out, portion); });
 }
 
 /// All of a frame but for its particles.
-void Simulation::prepare(Frame& out) const {
+void Simulation::prepare(Frame& out, const FrameParts& wanted) const {
     out.step = step();
     out.time = time();
     out.precision = body_->segment.held.precision;
     out.shape = shape();
-    out.positions.resize(particles());
+    out.reference = body_->segment.scene.reference;
+    out.mass = body_->segment.scene.mass;
+    out.positions.resize(wanted.positions ? particles() : 0);
+    out.displacements.resize(wanted.displacements ? particles() : 0);
     out.velocities.resize(particles());
     out.ensemble.clear();
 }
 
 void Simulation::fill(Frame& out, const Portion& portion) const {
     const State<double>& state = portion.state;
-    const auto copy = [&](const auto& rounded) {
-        body_->segment.scene.reference.each(portion.first, portion.count, [&](std::size_t i, Vec3 reference) {
-            const std::size_t k = portion.place + (i - portion.first);
-            const Vec3 position = reference + state.displacement.at(k);
-            out.positions[i] = {rounded(position.x), rounded(position.y), rounded(position.z)};
-            out.velocities[i] = state.velocity.at(k);
-        });
-    };
-    if (out.precision == Precision::float_) {
-        copy([](double x) { return rounded_to(Precision::float_, x); });
-    } else {
-        copy([](double x) { return x; });
+    for (std::size_t k = 0; k < portion.count; ++k)
+        out.velocities[portion.first + k] = state.velocity.at(portion.place + k);
+    if (!out.displacements.empty()) {
+        for (std::size_t k = 0; k < portion.count; ++k)
+            out.displacements[portion.first + k] = state.displacement.at(portion.place + k);
     }
+    if (out.positions.empty()) return;
+    out.reference.each(portion.first, portion.count, [&](std::size_t i, Vec3 reference) {
+        const Vec3 displacement = state.displacement.at(portion.place + (i - portion.first));
+        out.positions[i] = position_of(reference, displacement, out.precision);
+    });
 }
 
 std::shared_ptr<const Shape> Simulation::shape() const {
@@ -144,7 +145,7 @@ Diagnostics Simulation::diagnostics() const {
 
 Diagnostics Simulation::observe(Frame& out) const {
     settled();
-    prepare(out);
+    prepare(out, {});
     return measured([&](const Portion& portion) { fill(out, portion); });
 }
 

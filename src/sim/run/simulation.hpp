@@ -89,9 +89,10 @@ public:
     /// What the scene as it is now lets a method keep.
     Conservation conservation() const;
 
-    /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`.
+    /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`; those that
+    /// are not wanted are left empty.
     Frame frame() const;
-    void frame(Frame& out) const;
+    void frame(Frame& out, const FrameParts& wanted = {}) const;
     Diagnostics diagnostics() const;
     /// Both, in one pass over the run's memory.
     Diagnostics observe(Frame& out) const;
@@ -147,7 +148,7 @@ public:
 private:
     struct Body;
     void fill(Frame& out, const Portion& portion) const;
-    void prepare(Frame& out) const;
+    void prepare(Frame& out, const FrameParts& wanted) const;
     Diagnostics measured(const PortionSink& also) const;
     /// The run after its numbers were checked: if they are not finite, it stands at the last good step.
     Body& settled() const;

@@ -212,5 +212,54 @@ TEST(WrongUse, values_at_the_end_of_the_numbers_never_crash) {
     }
 }
 
+/// Every place of the command line that repeats an argument in its message.
+const std::vector<std::vector<std::string>> places{{"run", "--model"},
+                                                   {"run", "--method"},
+                                                   {"run", "--precision"},
+                                                   {"run", "--set"},
+                                                   {"run", "--dt"},
+                                                   {"run", "--steps"},
+                                                   {"run", "--until"},
+                                                   {"run", "--every"},
+                                                   {"run", "--isa"},
+                                                   {"run", "--spread"},
+                                                   {"run", "--out"},
+                                                   {"run", "--out", "-", "--format"},
+
+                                                   {"run", "--out", "-", "--particles"},
+                                                   {"run", "--out", "-", "--columns"},
+                                                   {"convert"},
+                                                   {"convert", "missing", "--out"},
+                                                   {"snapshot", "--out"},
+                                                   {"list"},
+                                                   {"help"},
+                                                   {"run"},
+                                                   {"report", "--out", "/dev/null/o", "--set"},
+                                                   {"hard-cases"},
+                                                   {}};
+
+TEST(WrongUse, arguments_reach_the_terminal_shortened_and_without_control_characters) {
+    const TemporaryFolder folder;
+    for (std::vector<std::string> arguments : places) {
+        for (const std::string& argument : {std::string(5000, 'x'),
+                                            std::string("a/\x1b[2J\a\n\x7f"
+                                                        "b=\x1b"),
+                                            "--" + std::string(5000, 'x'), std::string("--\x1b[2J")}) {
+            std::vector<std::string> words = arguments;
+            words.push_back(argument);
+            const Outcome outcome = run_program(words, {.folder = folder.path()});
+            EXPECT_NE(outcome.code, 0) << testing::PrintToString(words);
+            EXPECT_EQ(outcome.signal, 0);
+            EXPECT_LT(outcome.err.size(), 2500u) << testing::PrintToString(words);
+            EXPECT_EQ(std::count_if(outcome.err.begin(), outcome.err.end(),
+                                    [](unsigned char c) { return (c < 0x20 && c != '\n') || c == 0x7f; }),
+                      0)
+                << outcome.err;
+            EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        }
+    }
+    EXPECT_TRUE(folder.empty());
+}
+
 }  // namespace
 }  // namespace steplab

@@ -52,7 +52,9 @@ TEST_F(Convert, refuses_what_it_cannot_read_or_write) {
     damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
     put_text(folder_.file("damaged.trajectory"), damaged);
     const std::string out = folder_.file("out.csv");
-    for (const std::string& file : {folder_.file("damaged.trajectory"), folder_.file("missing"), run_to("csv")}) {
+    put_text(folder_.file("a.txt"), "hello\n");
+    for (const std::string& file :
+         {folder_.file("damaged.trajectory"), folder_.file("missing"), folder_.file("a.txt")}) {
         const Outcome outcome = run_program({"convert", file, "--out", out});
         EXPECT_EQ(outcome.code, 3);
         EXPECT_THAT(outcome.err, HasSubstr("cannot read '" + file + "'"));

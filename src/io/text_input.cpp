@@ -1,0 +1,81 @@
+#include "io/text_input.hpp"
+
+#include "core/error.hpp"
+#include "core/shown.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::size_t piece = std::size_t{1} << 18;
+constexpr std::size_t longest_line = std::size_t{1} << 16;
+
+}  // namespace
+
+TextInput::TextInput(InputFile file)
+    : file_(std::move(file)), decompressor_(decompressor(compression_in(file_.read(0, 4)))) {}
+
+bool TextInput::fill() {
+    text_.erase(0, taken_);
+    taken_ = 0;
+    if (decompressor_) return decompress();
+    const std::string part = file_.read(place_, piece);
+    place_ += part.size();
+    text_ += part;
+    return !part.empty();
+}
+
+/// Until there is more text; false at the end of the file.
+bool TextInput::decompress() {
+    for (const std::size_t before = text_.size(); text_.size() == before;) {
+        if (used_ == raw_.size() && !more_) {
+            raw_ = file_.read(place_, piece);
+            used_ = 0;
+            place_ += raw_.size();
+            if (raw_.empty() && decompressor_->complete()) return false;
+            if (raw_.empty()) fail("its compressed data is truncated");
+        }
+        try {
+            std::string_view left = std::string_view(raw_).substr(used_);
+            more_ = decompressor_->take(left, text_);
+            used_ = raw_.size() - left.size();
+        } catch (const FileError& error) {
+            fail(fmt::format("its compressed data is damaged ({})", error.what()));
+        }
+    }
+    return true;
+}
+
+std::string_view TextInput::peek(std::size_t bytes) {
+    while (text_.size() - taken_ < bytes && fill()) {
+    }
+    return std::string_view(text_).substr(taken_, bytes);
+}
+
+std::optional<std::string_view> TextInput::line() {
+    std::size_t searched = 0, end = 0;
+    while ((end = text_.find('\n', taken_ + searched)) == std::string::npos) {
+        searched = text_.size() - taken_;
+        if (searched > longest_line) fail(fmt::format("line {} is too long for CSV or XYZ", lines_ + 1));
+        if (fill()) continue;
+        if (text_.empty()) return std::nullopt;
+        end = text_.size();  // the last line has no end
+        break;
+    }
+    std::string_view line = std::string_view(text_).substr(taken_, end - taken_);
+    taken_ = end < text_.size() ? end + 1 : end;
+    ++lines_;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+}
+
+void TextInput::fail(const std::string& reason) const {
+    const std::string line = lines_ == 0 ? "" : fmt::format("line {}: ", lines_);
+    throw FileError(fmt::format("cannot read '{}': {}{}", shown(file_.name()), line, reason));
+}
+
+}  // namespace steplab

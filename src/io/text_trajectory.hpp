@@ -1,0 +1,50 @@
+#pragma once
+
+#include "io/columns.hpp"
+#include "io/frame_block.hpp"
+#include "io/text_input.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace steplab {
+
+/// Reads the frames of a CSV or XYZ file as steplab writes them, also compressed, from front to back. Holds one frame.
+class TextTrajectory {
+public:
+    /// Throws FileError if the file cannot be read or begins like neither.
+    static std::unique_ptr<TextTrajectory> open(InputFile file);
+    virtual ~TextTrajectory() = default;
+
+    /// Those that the file has.
+    const Columns& columns() const { return columns_; }
+    /// Throws FileError if one of these is not among them.
+    void require(const Columns& columns) const;
+    /// The next frame; false at the end of the file. Throws FileError naming the line.
+    bool next(FrameBlock& frame);
+
+protected:
+    explicit TextTrajectory(TextInput input) : input_(std::move(input)) {}
+    virtual bool read(FrameBlock& frame) = 0;
+
+    /// Appends zeros for a row to each vector of which the file has a component.
+    void add_row(FrameBlock& frame) const;
+    /// Sets a number of the last row.
+    void set(FrameBlock& frame, Column column, std::string_view word) const;
+    template <class Number>
+    Number number(std::string_view word) const;
+
+    TextInput input_;
+    Columns columns_;
+
+private:
+    std::uint64_t frames_ = 0;
+};
+
+/// "step,time,particle" and columns. Its first line is not yet read.
+std::unique_ptr<TextTrajectory> csv_trajectory(TextInput input);
+/// Extended XYZ with Time and Step.
+std::unique_ptr<TextTrajectory> xyz_trajectory(TextInput input);
+
+}  // namespace steplab

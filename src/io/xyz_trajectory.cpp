@@ -1,0 +1,188 @@
+#include "core/shown.hpp"
+#include "io/text_trajectory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+/// The words of a line.
+std::vector<std::string_view> words_of(std::string_view line) {
+    std::vector<std::string_view> words;
+    for (auto begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+        words.push_back(line.substr(begin, end - begin));
+        begin = line.find_first_not_of(blanks, end);
+    }
+    return words;
+}
+
+/// The pairs of a comment line: key=value or key="a value of words".
+std::map<std::string, std::string, std::less<>> pairs_of(std::string_view line) {
+    std::map<std::string, std::string, std::less<>> pairs;
+    while (true) {
+        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+        const std::size_t equals = line.find('=');
+        if (equals == std::string_view::npos) return pairs;
+        const std::string key(line.substr(0, equals));
+        line.remove_prefix(equals + 1);
+        const bool quoted = line.starts_with('"');
+        if (quoted) line.remove_prefix(1);
+        const std::size_t end = std::min(quoted ? line.find('"') : line.find_first_of(blanks), line.size());
+        pairs[key] = std::string(line.substr(0, end));
+        line.remove_prefix(std::min(end + 1, line.size()));
+    }
+}
+
+/// What a word of a row is.
+enum class Word { number, mass, role, other };
+struct Place {
+    Word word = Word::other;
+    Column column = Column::x;  ///< of a number
+};
+
+struct Property {
+    std::string_view name;
+    std::size_t words;
+    Word word;
+    Column column = Column::x;  ///< of its first word
+};
+
+constexpr std::array properties{
+    Property{"pos", 3, Word::number, Column::x},
+    Property{"velo", 3, Word::number, Column::vx},
+    Property{"disp", 3, Word::number, Column::ux},
+    Property{"masses", 1, Word::mass},
+    Property{"role", 1, Word::role},
+    Property{"type", 1, Word::role},  // of steplab 0.2
+};
+
+class XyzTrajectory final : public TextTrajectory {
+public:
+    explicit XyzTrajectory(TextInput input) : TextTrajectory(std::move(input)) { read_head(); }
+
+private:
+    bool read(FrameBlock& frame) override {
+        if (!has_head_) return false;
+        frame.scene = scene_;
+        frame.moments.push_back(moment_);
+        for (std::uint64_t row = 0; row < rows_; ++row) {
+            const auto line = input_.line();
+            if (!line) input_.fail(fmt::format("it ends after {} of the {} rows of a frame", row, rows_));
+            read_row(frame, words_of(*line));
+        }
+        if (frame.roles.size() != frame.rows) frame.roles.clear();
+        if (!same_mass_) frame.scene.mass = 0;
+        read_head();
+        return true;
+    }
+
+    void read_row(FrameBlock& frame, const std::vector<std::string_view>& words) {
+        if (words.size() != places_.size())
+            input_.fail(
+                fmt::format("it has {} columns; by its Properties it should have {}", words.size(), places_.size()));
+        add_row(frame);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const Place& place = places_[i];
+            if (place.word == Word::number) set(frame, place.column, words[i]);
+            if (place.word == Word::mass) set_mass(frame, number<double>(words[i]));
+            if (place.word != Word::role) continue;
+            if (const auto role = parse_role(words[i])) frame.roles.push_back(*role);
+        }
+    }
+
+    /// All particles have one mass, or it is not known.
+    void set_mass(FrameBlock& frame, double mass) {
+        if (frame.rows == 1) frame.scene.mass = mass, same_mass_ = true;
+        same_mass_ = same_mass_ && frame.scene.mass == mass;
+    }
+
+    /// The two lines before the rows of a frame.
+    void read_head() {
+        const auto count = input_.line();
+        has_head_ = count.has_value() && !words_of(*count).empty();
+        if (!has_head_) return;
+        rows_ = number<std::uint64_t>(words_of(*count).front());
+        if (rows_ == 0) input_.fail("a frame has no rows");
+        const auto comment = input_.line();
+        const auto pairs = pairs_of(comment.value_or(""));
+        const auto value = [&](std::string_view key) -> const std::string& {
+            const auto pair = pairs.find(key);
+            if (pair == pairs.end()) input_.fail(fmt::format("the line of a frame has no {}=", key));
+            return pair->second;
+        };
+        moment_ = {number<std::uint64_t>(value("Step")), number<double>(value("Time"))};
+        const auto precision = pairs.find("Precision");
+        scene_ = {};
+        if (precision != pairs.end() && precision->second == id(Precision::float_))
+            scene_.precision = Precision::float_;
+        if (pairs.contains("Lattice")) read_box(value("Lattice"), value("Origin"));
+        read_properties(value("Properties"));
+    }
+
+    /// A cube along the axes is all that a scene has.
+    void read_box(std::string_view lattice, std::string_view origin) {
+        const auto edges = words_of(lattice), corner = words_of(origin);
+        if (edges.size() != 9 || corner.size() != 3) input_.fail("its Lattice or Origin is not one of steplab");
+        for (std::size_t i = 0; i < 9; ++i) {
+            const double edge = number<double>(edges[i]);
+            if (i == 0) scene_.period = edge;
+            if (edge != (i % 4 == 0 ? scene_.period : 0)) input_.fail("its Lattice is not a cube along the axes");
+        }
+        scene_.corner = {number<double>(corner[0]), number<double>(corner[1]), number<double>(corner[2])};
+    }
+
+    void read_properties(const std::string& text) {
+        if (text == properties_) return;
+        if (!properties_.empty()) input_.fail("its Properties are not those of the frame before");
+        properties_ = text;
+        std::vector<std::string> parts(1);
+        for (const char c : text) c == ':' ? parts.emplace_back() : parts.back().append(1, c);
+        if (parts.size() % 3 != 0) input_.fail("its Properties are not name:type:count ...");
+        for (std::size_t i = 0; i < parts.size(); i += 3) add_places(parts[i], number<std::uint64_t>(parts[i + 2]));
+    }
+
+    void add_places(std::string_view name, std::uint64_t words) {
+        constexpr std::uint64_t most = 64;
+        if (words == 0 || words > most) input_.fail(fmt::format("{} has {} columns", shown(name), words));
+        const auto known = std::find_if(properties.begin(), properties.end(), [&](const Property& property) {
+            return property.name == name && property.words == words;
+        });
+        for (std::uint64_t i = 0; i < words; ++i) {
+            Place place;
+            if (known != properties.end())
+                place = {known->word, static_cast<Column>(static_cast<std::uint64_t>(known->column) + i)};
+            if (place.word == Word::number && contains(columns_, place.column))
+                input_.fail(fmt::format("its Properties name {} twice", shown(name)));
+            if (place.word == Word::number) columns_.push_back(place.column);
+            places_.push_back(place);
+        }
+    }
+
+    bool has_head_ = false;
+    std::uint64_t rows_ = 0;
+    FrameBlock::Moment moment_;
+    FileScene scene_;
+    std::string properties_;
+    std::vector<Place> places_;  ///< of each word of a row
+    bool same_mass_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<TextTrajectory> xyz_trajectory(TextInput input) {
+    return std::make_unique<XyzTrajectory>(std::move(input));
+}
+
+}  // namespace steplab
