@@ -18,7 +18,7 @@ void Trace::Close::operator()(std::FILE* file) const {
     if (file != stdout) std::fclose(file);
 }
 
-Trace::Trace(const std::string& file) : name_(file == "-" ? "standard output" : "'" + shown(file) + "'") {
+Trace::Trace(const std::string& file) : name_(file == "-" ? "standard output" : fmt::format("'{}'", shown(file))) {
     if (file.empty()) return;
     out_.reset(file == "-" ? stdout : std::fopen(file.c_str(), "w"));
     if (!out_) fail();
