@@ -23,6 +23,8 @@ TrajectoryWriter::TrajectoryWriter(OutputFile& file, TrajectoryFormat format, Ru
                                    std::vector<std::size_t> particles)
     : file_(file), format_(format), run_(std::move(run)), writer_(file) {
     if (!particles.empty()) particles_ = std::make_shared<const std::vector<std::size_t>>(std::move(particles));
+    file.at_program_end(format == TrajectoryFormat::trajectory ? UnfinishedFile::AtEnd::kept
+                                                               : UnfinishedFile::AtEnd::kept_in_lines);
     if (format == TrajectoryFormat::csv) file.write(csv_header);
 }
 

@@ -33,6 +33,7 @@ EnsembleRows::EnsembleRows(const OutputOptions& options, std::span<const Ensembl
         if (format != TrajectoryFormat::csv)
             throw UsageError("--out of an ensemble must be CSV: no other format has a column for the run");
         rows_file_.emplace(options.out);
+        rows_file_->at_program_end(UnfinishedFile::AtEnd::kept_in_lines);
         rows_file_->write("run,step,time,particle,x,y,z,vx,vy,vz\n");
     }
     if (!options.series.empty()) {
