@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "io/output_file.hpp"
 #include "render/framing.hpp"
 
 #include <fmt/format.h>
@@ -16,12 +17,15 @@ void Trace::Close::operator()(std::FILE* file) const {
     if (file != stdout) std::fclose(file);
 }
 
-Trace::Trace(const std::string& file) {
+Trace::Trace(const std::string& file) : name_(file) {
     if (file.empty()) return;
     out_.reset(file == "-" ? stdout : std::fopen(file.c_str(), "w"));
-    if (!out_) {
-        throw FileError(fmt::format("cannot write '{}': {}", file, std::generic_category().message(errno)));
-    }
+    if (!out_) fail();
+}
+
+void Trace::fail() const {
+    if (errno == EPIPE) throw ReaderGone();
+    throw FileError(fmt::format("cannot write '{}': {}", name_, std::generic_category().message(errno)));
 }
 
 void Trace::report(std::string_view name, const std::string& value) {
@@ -29,8 +33,8 @@ void Trace::report(std::string_view name, const std::string& value) {
     const auto last = reported_.find(name);
     if (last != reported_.end() && last->second == value) return;
     reported_.insert_or_assign(std::string(name), value);
-    fmt::print(out_.get(), "{} {}\n", name, value);
-    std::fflush(out_.get());
+    std::fputs(fmt::format("{} {}\n", name, value).c_str(), out_.get());
+    if (std::fflush(out_.get()) != 0) fail();
 }
 
 void Trace::report(const RunView& view) {

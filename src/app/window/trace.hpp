@@ -20,7 +20,8 @@ public:
     explicit Trace(const std::string& file);
 
     bool wanted() const { return out_ != nullptr; }
-    /// Writes "name value" if the value has changed since it was last written under this name.
+    /// Writes "name value" if the value has changed since it was last written under this name. Throws FileError, and
+    /// ReaderGone for a closed pipe.
     void report(std::string_view name, const std::string& value);
     void report(const RunView& view);
     void report(const render::Camera& camera);
@@ -32,6 +33,9 @@ private:
     struct Close {
         void operator()(std::FILE* file) const;
     };
+    [[noreturn]] void fail() const;
+
+    std::string name_;
     std::unique_ptr<std::FILE, Close> out_;
     std::map<std::string, std::string, std::less<>> reported_;  ///< last value under each name
     ui::WidgetMap before_;                                      ///< widgets of the previous frame
