@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# The core under sanitizers, assertions on, hardly optimised: scripts/sanitize.sh [--threads] [arguments of ctest]
+# The core under sanitizers, assertions on, hardly optimised: scripts/sanitize.sh [--threads | --all] [arguments of ctest]
 #
 # With --threads what several threads do together, under the sanitizer of threads; without, all else, under those of
-# memory and undefined behaviour.
+# memory and undefined behaviour. With --all the same of the whole program: window, off-screen modules, their tests, and
+# a monkey at the window for ten minutes (scripts/monkey.sh).
 #
 # Its results have to be the same bits there too. It has to build where no OpenGL package is installed: nothing it
 # compiled has read a header of one. Takes half an hour on two cores, which is why .ci/run leaves it out: run it before
@@ -22,10 +23,21 @@ if [[ ${1:-} == --threads ]]; then
         -E 'is_missing' "$@"
     exit
 fi
+# Minutes of runs through code that other tests run too, and memory that a sanitizer adds to or does not let be limited.
+left_out='HardCase|LongTime|LargeRun|MemoryLimits|repository'
+if [[ ${1:-} == --all ]]; then
+    shift
+    ensure_packages graphics tests
+    build asan-all -DSTEPLAB_WERROR=ON
+    # drivers of OpenGL leak, and a request for too much memory is an exception, not an end
+    export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1
+    quiet_tests asan-all -E "$left_out" "$@"
+    "$root/scripts/monkey.sh" --program "$root/build/asan-all/bin/steplab-view"
+    exit
+fi
 build asan -DSTEPLAB_WERROR=ON # by clang++, which takes half of the time that g++ takes here
 say "no OpenGL, GLFW or ImGui header was read"
 if ninja -C "$root/build/asan" -t deps | grep -E '/(GL|GLES[0-9]*|EGL|KHR|GLFW|glm|imgui)/|imgui\.h'; then
     fail "the core has read the headers above"
 fi
-# minutes of runs through code that other tests run too, and memory that a sanitizer adds to
-quiet_tests asan -E 'HardCase|LongTime|LargeRun|repository' "$@"
+quiet_tests asan -E "$left_out" "$@"

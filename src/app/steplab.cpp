@@ -4,5 +4,5 @@
 int main(int argc, char** argv) {
     steplab::prepare_standard_streams();
     steplab::keep_no_freed_memory();
-    return steplab::run_steplab({argv + (argc > 0 ? 1 : 0), argv + argc});
+    return steplab::guarded("steplab", [&] { return steplab::run_steplab({argv + (argc > 0 ? 1 : 0), argv + argc}); });
 }

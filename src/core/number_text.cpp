@@ -13,6 +13,7 @@ namespace {
 
 template <class T>
 std::string shortest(T value) {
+    if (std::isnan(value)) return "nan";  // whatever its sign
     char buffer[32];
     const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
     return std::string(buffer, result.ptr);
@@ -55,7 +56,7 @@ Scientific without_zeros(Scientific number, std::size_t kept) {
 
 bool is_short_decimal(double value) {
     const double size = std::abs(value);
-    return value == 0 || !std::isfinite(value) || (size >= 9.995e-4 && size < 9999.5);
+    return value == 0 || (size >= 9.995e-4 && size < 9999.5);
 }
 
 /// All digits before the point, `digits` significant ones after it.
@@ -102,12 +103,14 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::string readable(double value, int digits) {
+    if (auto text = digitless(value)) return *text;
     if (is_short_decimal(value)) return decimal(value, digits);
     const auto [mantissa, exponent] = without_zeros(scientific(value, digits), 0);
     return (mantissa == "1" ? "10" : mantissa + "·10") + raised(exponent);
 }
 
 std::string typed(double value, int digits) {
+    if (!std::isfinite(value)) return shortest(value);
     if (is_short_decimal(value)) return decimal(value, digits);
     return without_zeros(scientific(value, digits), 0).text();
 }
@@ -146,6 +149,7 @@ std::string grouped(unsigned long long count) {
 }
 
 std::string short_number(double value) {
+    if (auto text = digitless(value)) return *text;
     const bool has_long_integer_part = std::abs(value) >= 1000 && std::abs(value) < 1e7;
     return has_long_integer_part ? fmt::format("{:.0f}", value) : significant(value, 4);
 }

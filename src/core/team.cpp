@@ -25,13 +25,13 @@ void Rendezvous::wait() {
 
 Team::Team(std::size_t members) : members_(std::max<std::size_t>(1, members)), meeting_(members_) {
     try {
+        others_.reserve(members_ - 1);
         for (std::size_t member = 1; member < members_; ++member) {
             others_.emplace_back([this, member] { serve(member); });
         }
-    } catch (...) {
-        meeting_.expect(others_.size() + 1);
-        dismiss();
-        throw;
+    } catch (const std::exception&) {
+        members_ = others_.size() + 1;
+        meeting_.expect(members_);
     }
 }
 
@@ -71,13 +71,14 @@ void Team::share(std::size_t count, const std::function<void(std::size_t)>& f) {
     if (failure) std::rethrow_exception(failure);
 }
 
+/// Before the first meeting the number of members may still change, so it is not read.
 void Team::serve(std::size_t member) {
     while (true) {
-        meet();
+        meeting_.wait();
         if (!work_) return;
         std::fesetenv(&mode_);
         (*work_)(member);
-        meet();
+        meeting_.wait();
     }
 }
 

@@ -32,7 +32,7 @@ private:
 /// A team of threads, including the caller's, that do the same work in parallel. They sleep between two runs.
 class Team {
 public:
-    /// The caller alone if `members` is less than 2. Throws std::system_error if a thread cannot be started.
+    /// The caller alone if `members` is less than 2. Fewer members where the system does not grant as many threads.
     explicit Team(std::size_t members);
     ~Team();
     Team(const Team&) = delete;

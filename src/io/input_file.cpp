@@ -2,12 +2,16 @@
 
 #include "core/error.hpp"
 #include "core/shown.hpp"
+#include "sim/run/memory.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
+#include <new>
+#include <stdexcept>
+#include <string>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -22,6 +26,17 @@ namespace {
 }
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
+
+/// Of a file that may claim anything of itself: memory that would be granted but is not there is not taken.
+std::string space(const std::string& name, std::uint64_t bytes) {
+    constexpr std::uint64_t surely_there = std::uint64_t{1} << 26;
+    try {
+        if (bytes <= surely_there || static_cast<double>(bytes) < available_memory()) return std::string(bytes, '\0');
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    }
+    refuse(name, fmt::format("{} of its bytes, which belong together, do not fit in memory", bytes));
+}
 
 }  // namespace
 
@@ -45,7 +60,7 @@ InputFile::~InputFile() {
 
 std::string InputFile::read(std::uint64_t place, std::uint64_t bytes) const {
     if (place >= size_) return {};
-    std::string text(std::min(bytes, size_ - place), '\0');
+    std::string text = space(name_, std::min(bytes, size_ - place));
     std::size_t done = 0;
     while (done < text.size()) {
         const ssize_t got =

@@ -39,11 +39,14 @@ public:
 
 private:
     void work(const std::stop_token& stop);
+    bool write_next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, std::string& bytes,
+                    std::string& scratch);
+    void start_thread();
     void wait_for_at_most(std::size_t blocks);
 
     OutputFile& file_;
-    std::size_t most_threads_;
-    std::mutex mutex_;  ///< of all members below; the file belongs to the thread whose turn it is
+    std::size_t most_threads_;  ///< no more than the system grants
+    std::mutex mutex_;          ///< of all members below; the file belongs to the thread whose turn it is
     std::condition_variable_any ready_;
     std::condition_variable_any turn_;
     std::deque<Block> waiting_;

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -58,6 +59,30 @@ void inherit(int descriptor, const struct stat& old) {
     fchmod(descriptor, old.st_mode & 07777);
 }
 
+/// True if the path leads to the open file.
+bool is_at(const fs::path& path, int descriptor) {
+    struct stat named {};
+    struct stat held {};
+    return lstat(path.c_str(), &named) == 0 && fstat(descriptor, &held) == 0 && named.st_dev == held.st_dev &&
+           named.st_ino == held.st_ino;
+}
+
+bool lock(int descriptor) { return flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
+
+fs::path hidden_file(const fs::path& folder, int number) { return folder / fmt::format(".steplab-{}", number); }
+
+/// Removes the hidden files that programs have left which were killed: whoever writes one has it locked.
+void remove_abandoned(const fs::path& folder) {
+    constexpr int most = 16;  // a program writes a few at a time
+    for (int number = 0; number < most; ++number) {
+        const fs::path hidden = hidden_file(folder, number);
+        const int descriptor = open(hidden.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor < 0) continue;
+        if (lock(descriptor) && is_at(hidden, descriptor)) unlink(hidden.c_str());
+        close(descriptor);
+    }
+}
+
 }  // namespace
 
 bool written_directly(const std::string& name) {
@@ -95,8 +120,9 @@ OutputFile::OutputFile(std::string name, Compression compression)
 }
 
 OutputFile::~OutputFile() {
-    if (owns_descriptor_ && descriptor_ >= 0) close(descriptor_);
     if (!temporary_.empty()) unlink(temporary_.c_str());
+    unfinished_.reset();
+    if (owns_descriptor_ && descriptor_ >= 0) close(descriptor_);
 }
 
 void OutputFile::open_directly(const std::string& path) {
@@ -118,14 +144,30 @@ void OutputFile::open_beside() {
         throw FileError(
             fmt::format("cannot write '{}': there is no folder '{}'", shown(name_), shown(folder.string())));
     }
-    for (int attempt = 0; descriptor_ < 0; ++attempt) {
-        const fs::path candidate = folder / fmt::format(".steplab-{}-{}", getpid(), attempt);
-        descriptor_ = open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor_ < 0 && errno != EEXIST) fail("write", errno);
-        if (descriptor_ >= 0) temporary_ = candidate;
+    remove_abandoned(folder);
+    for (int number = 0; temporary_.empty(); ++number) {
+        if (create_hidden(hidden_file(folder, number))) temporary_ = hidden_file(folder, number);
     }
     owns_descriptor_ = true;
+    at_program_end(UnfinishedFile::AtEnd::removed);
     if (old) inherit(descriptor_, *old);
+}
+
+/// False if another program writes there.
+bool OutputFile::create_hidden(const fs::path& candidate) {
+    descriptor_ = open(candidate.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST) fail("write", errno);
+    if (descriptor_ < 0) return false;
+    // Where files cannot be locked, nobody takes them for abandoned either.
+    if ((lock(descriptor_) || errno != EWOULDBLOCK) && is_at(candidate, descriptor_)) return true;
+    close(std::exchange(descriptor_, -1));
+    return false;
+}
+
+void OutputFile::at_program_end(UnfinishedFile::AtEnd what) {
+    if (temporary_.empty()) return;
+    unfinished_.reset();
+    unfinished_.emplace(descriptor_, temporary_, what, partial_name());
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -195,11 +237,10 @@ void OutputFile::commit() {
     end_compression();
     flush();
     if (temporary_.empty()) return;
+    check_interruption();
     if (fsync(descriptor_) != 0 && errno != EINVAL) fail("write", errno);
-    owns_descriptor_ = false;
-    if (close(std::exchange(descriptor_, -1)) != 0) fail("write", errno);
-    if (rename(temporary_.c_str(), target_.c_str()) != 0) fail("write", errno);
-    temporary_.clear();
+    check_interruption();
+    put_in_place(target_);
     // Makes the new name survive a loss of power, where folders can be synced.
     const int folder = open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {
@@ -208,18 +249,24 @@ void OutputFile::commit() {
     }
 }
 
+/// The file is locked until it has its name: under the hidden one it would be taken for abandoned.
+void OutputFile::put_in_place(const fs::path& place) {
+    unfinished_.reset();
+    if (rename(temporary_.c_str(), place.c_str()) != 0) fail("write", errno);
+    temporary_.clear();
+    owns_descriptor_ = false;
+    close(std::exchange(descriptor_, -1));
+}
+
 std::optional<std::string> OutputFile::keep_partial() {
     if (temporary_.empty()) return std::nullopt;
     end_compression();
     flush();
     struct stat status {};
     if (fstat(descriptor_, &status) != 0 || status.st_size == 0) return std::nullopt;
-    fsync(descriptor_);
-    const std::string partial = target_.string() + ".partial";
-    if (rename(temporary_.c_str(), partial.c_str()) != 0) fail("keep", errno);
-    temporary_.clear();
+    put_in_place(partial_name());
     std::error_code ignored;
-    return fs::is_symlink(name_, ignored) ? partial : name_ + ".partial";
+    return fs::is_symlink(name_, ignored) ? partial_name() : name_ + ".partial";
 }
 
 void OutputFile::fail(std::string_view action, int error) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/program_end.hpp"
 #include "io/compression.hpp"
 
 #include <atomic>
@@ -23,7 +24,8 @@ public:
 ///
 /// A file appears whole or not at all: its bytes go to a hidden file in the same folder, which commit() syncs and
 /// renames. Links are followed; an existing file keeps its permissions. Devices, pipes and standard output are written
-/// directly. Without commit() (an exception) the old file stays as it was and nothing else is left.
+/// directly. Without commit() (an exception) the old file stays as it was and nothing else is left. What a program that
+/// was killed has left is removed by the next one that writes into the folder.
 ///
 ///     OutputFile file("picture.png");
 ///     file.write(bytes);
@@ -43,9 +45,12 @@ public:
     /// To be called from another thread when the file is no longer needed: a write that waits for a reader then throws
     /// ReaderGone.
     void stop_waiting() { waits_ = false; }
+    /// What is made of the file if end_program() comes before it is complete: otherwise it is removed.
+    void at_program_end(UnfinishedFile::AtEnd what);
     /// Passes buffered bytes to the system, so that the reader of a pipe or terminal gets them.
     void flush();
-    /// The file is complete: puts it in place. Throws as write() does.
+    /// The file is complete: puts it in place. Throws as write() does; Interrupted if a signal has come, the old file
+    /// stays then.
     void commit();
     /// Keeps an incomplete file as NAME.partial and returns that name. None if it is not a regular file or nothing was
     /// written.
@@ -55,8 +60,11 @@ public:
     const std::string& name() const { return name_; }
 
 private:
+    std::string partial_name() const { return target_.string() + ".partial"; }
     void open_beside();
+    bool create_hidden(const std::filesystem::path& candidate);
     void open_directly(const std::string& path);
+    void put_in_place(const std::filesystem::path& place);
     void put(std::string_view bytes);
     void send_buffer();
     void end_compression();
@@ -69,6 +77,7 @@ private:
     std::filesystem::path temporary_;  ///< the hidden file, while there is one
     int descriptor_ = -1;
     bool owns_descriptor_ = false;
+    std::optional<UnfinishedFile> unfinished_;
     std::size_t piece_ = 0;  ///< most bytes of one system call
     std::atomic<bool> waits_ = true;
     std::string buffer_;

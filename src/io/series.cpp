@@ -5,6 +5,7 @@
 namespace steplab {
 
 SeriesWriter::SeriesWriter(OutputFile& file, const Columns& columns) : file_(file), columns_(columns) {
+    file_.at_program_end(UnfinishedFile::AtEnd::kept_in_lines);
     if (columns_.run) file_.write("run,");
     file_.write(
         "step,time,kinetic,potential,energy,energy_error,px,py,pz,lx,ly,lz,"

@@ -15,9 +15,11 @@ class TemporaryFolder {
 public:
     /// Throws FileError if it cannot be created.
     TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "steplab-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw FileError("cannot create a temporary folder '" + name + "'");
-        path_ = name;
+        std::error_code error;
+        const std::filesystem::path place = std::filesystem::temp_directory_path(error);
+        path_ = (place / "steplab-XXXXXX").string();
+        if (error || mkdtemp(path_.data()) == nullptr)
+            throw FileError("cannot create a temporary folder: TMPDIR must name a folder that can be written");
     }
     ~TemporaryFolder() {
         std::error_code ignored;

@@ -44,6 +44,8 @@ TrajectoryWriter::TrajectoryWriter(OutputFile& file, TrajectoryFormat format, Ru
     check_columns(format, rows.columns);
     if (!rows.particles.empty())
         particles_ = std::make_shared<const std::vector<std::size_t>>(std::move(rows.particles));
+    file.at_program_end(format == TrajectoryFormat::trajectory ? UnfinishedFile::AtEnd::kept
+                                                               : UnfinishedFile::AtEnd::kept_in_lines);
     if (format == TrajectoryFormat::csv) file.write(csv_header(*columns_));
 }
 

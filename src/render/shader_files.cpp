@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <fstream>
@@ -31,8 +32,10 @@ fs::path own_file() {
 }
 
 std::optional<std::string> text_of(const fs::path& path) {
+    constexpr std::uintmax_t largest = 1 << 20;  // of a text that people write
+    std::error_code none;
     std::ifstream file(path, std::ios::binary);
-    if (!file) return std::nullopt;
+    if (!file || fs::file_size(path, none) > largest) return std::nullopt;
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();
@@ -89,8 +92,18 @@ std::string named_line(std::string_view line, const std::vector<std::string>& fi
     return fmt::format("{}{}:{}{}", kind, files[*source], *number, rest);
 }
 
-void append(ShaderSource& source, const std::string& name, const std::vector<fs::path>& folders) {
+/// `within`: the files whose includes led here, outermost first.
+void append(ShaderSource& source, const std::string& name, const std::vector<fs::path>& folders,
+            std::vector<std::string> within) {
     const fs::path path = find(name, folders);
+    constexpr std::size_t most_files = 256;
+    const bool circular = std::find(within.begin(), within.end(), name) != within.end();
+    within.push_back(name);
+    if (circular) {
+        throw GraphicsError(fmt::format("the shader {} includes itself: {}", path.string(), fmt::join(within, " > ")));
+    }
+    if (source.files.size() == most_files)
+        throw GraphicsError(fmt::format("the shader {} includes more than {} files", within.front(), most_files));
     const auto text = text_of(path);
     if (!text) throw GraphicsError(fmt::format("cannot read the shader {}", path.string()));
     const std::size_t number = source.files.size();
@@ -102,7 +115,7 @@ void append(ShaderSource& source, const std::string& name, const std::vector<fs:
     for (std::string line; std::getline(lines, line);) {
         ++line_number;
         if (const auto included = included_name(line)) {
-            append(source, *included, folders);
+            append(source, *included, folders, within);
             source.text += fmt::format("#line {} {}\n", line_number + 1, number);
         } else {
             source.text += line + '\n';
@@ -122,7 +135,7 @@ std::vector<fs::path> shader_folders() {
 
 ShaderSource read_shader(const std::string& name, const std::vector<fs::path>& folders) {
     ShaderSource source;
-    append(source, name, folders);
+    append(source, name, folders, {});
     return source;
 }
 

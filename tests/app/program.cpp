@@ -20,6 +20,11 @@ std::string path_of(const std::string& program) {
     return program.find('/') == std::string::npos ? std::string(STEPLAB_BINARY_DIR) + "/bin/" + program : program;
 }
 
+void limit(int resource, rlim_t most) {
+    const rlimit both{most, most};
+    if (setrlimit(resource, &both) != 0) _exit(failed_before_start);
+}
+
 /// In the child: sets up the environment, then becomes the program.
 [[noreturn]] void become(const std::vector<std::string>& arguments, const Surroundings& surroundings, int out,
                          int err) {
@@ -31,10 +36,10 @@ std::string path_of(const std::string& program) {
     if (surroundings.standard_output_closed) close(STDOUT_FILENO);
     if (chdir(surroundings.folder.c_str()) != 0) _exit(failed_before_start);
     for (const std::string& setting : surroundings.environment) putenv(const_cast<char*>(setting.c_str()));
-    if (surroundings.largest_file) {
-        const rlimit limit{*surroundings.largest_file, *surroundings.largest_file};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
+    if (surroundings.largest_file) limit(RLIMIT_FSIZE, *surroundings.largest_file);
+    if (surroundings.most_memory) limit(RLIMIT_AS, *surroundings.most_memory);
+    // A thread's stack has the size of this limit, for which no machine has the memory.
+    if (surroundings.no_threads) limit(RLIMIT_STACK, 1UL << 50);
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);

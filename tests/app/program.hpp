@@ -15,6 +15,8 @@ struct Surroundings {
     std::string standard_output = {};           ///< a file to open for it; empty: the test reads it
     bool standard_output_closed = false;
     std::optional<unsigned long> largest_file = {};  ///< bytes a file may have, as on a full disk
+    std::optional<unsigned long> most_memory = {};   ///< bytes of address space (ulimit -v)
+    bool no_threads = false;                         ///< none can be started, as at a limit of processes
 };
 
 /// The result of a program.

@@ -1,11 +1,14 @@
 #include "core/interruption.hpp"
 
+#include "core/program_end.hpp"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
+#include <unistd.h>
 
 namespace steplab::test {
 namespace {
@@ -37,10 +40,31 @@ TEST(InterruptibleBy, throws_once_asked_on_this_thread_while_it_lives) {
     EXPECT_NO_THROW(check_interruption());
 }
 
-TEST_P(InterruptionDeathTest, is_thrown_the_first_time_and_ends_the_program_the_second) {
+TEST_P(InterruptionDeathTest, is_thrown_however_often_the_signal_comes) {
     EXPECT_EXIT(interrupt(0), testing::ExitedWithCode(0), "");
     EXPECT_EXIT(interrupt(1), testing::ExitedWithCode(7), "");
-    EXPECT_EXIT(interrupt(2), testing::KilledBySignal(GetParam()), "");
+    EXPECT_EXIT(interrupt(2), testing::ExitedWithCode(7), "");
+}
+
+/// Does not call check_interruption().
+[[noreturn]] void be_deaf(int signal) {
+    catch_interruptions();
+    std::raise(signal);
+    while (true) pause();
+}
+
+TEST_P(InterruptionDeathTest, ends_a_program_that_does_not_answer) {
+    EXPECT_EXIT(be_deaf(GetParam()), testing::ExitedWithCode(128 + GetParam()), "");
+}
+
+[[noreturn]] void have_nothing_to_finish(int signal) {
+    end_on_interruptions();
+    std::raise(signal);
+    std::_Exit(0);
+}
+
+TEST_P(InterruptionDeathTest, ends_a_program_at_once_that_has_nothing_to_finish) {
+    EXPECT_EXIT(have_nothing_to_finish(GetParam()), testing::ExitedWithCode(128 + GetParam()), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, InterruptionDeathTest, testing::Values(SIGINT, SIGTERM, SIGHUP));

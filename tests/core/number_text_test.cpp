@@ -18,6 +18,20 @@ TEST(ReadableNumber, is_a_decimal_where_that_is_short) {
 }
 
 // No "1e-06" and no "1.0·10⁻⁶": a power of ten is that alone.
+// The sign of what is no number means nothing, and differs between machines.
+TEST(NumberText, has_no_sign_of_what_is_no_number) {
+    const double none = std::nan("");
+    for (const double value : {none, -none}) {
+        EXPECT_EQ(number_text(value), "nan");
+        EXPECT_EQ(number_text(static_cast<float>(value)), "nan");
+        EXPECT_EQ(typed(value), "nan");
+        EXPECT_EQ(readable(value), "not a number");
+        EXPECT_EQ(short_number(value), "not a number");
+    }
+    EXPECT_EQ(short_number(HUGE_VAL), "∞");
+    EXPECT_EQ(typed(-HUGE_VAL), "-inf");
+}
+
 TEST(ReadableNumber, has_raised_digits_elsewhere) {
     EXPECT_EQ(readable(1e-6), "10⁻⁶");
     EXPECT_EQ(readable(2.34e-7), "2.3·10⁻⁷");

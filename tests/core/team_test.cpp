@@ -1,6 +1,7 @@
 #include "core/team.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "support/no_threads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,16 @@ TEST_P(TeamOf, computes_in_the_mode_of_the_caller) {
         EXPECT_EQ(subnormals(), 0u);
     }
     EXPECT_EQ(subnormals(), team.members());
+}
+
+TEST(TeamWithoutThreads, does_all_the_work_by_itself) {
+    const NoThreads none;
+    Team team(5);
+    EXPECT_EQ(team.members(), 1u);
+    std::size_t done = 0;
+    team.share(1000, [&](std::size_t) { ++done; });
+    EXPECT_EQ(done, 1000u);
+    team.run([&](std::size_t) { team.meet(); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, TeamOf, testing::Values(1, 2, 5));

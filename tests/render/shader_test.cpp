@@ -60,6 +60,26 @@ TEST_F(Shaders, error_after_an_included_file_names_the_right_line) {
     EXPECT_THAT(message([&] { compile(); }), HasSubstr(path("a.frag") + ":4"));
 }
 
+TEST_F(Shaders, that_include_themselves_are_refused) {
+    put_good_ones();
+    put("a.frag", "#version 330 core\n#include \"b.glsl\"\nvoid main() {}\n");
+    put("b.glsl", "#include \"c.glsl\"\n");
+    put("c.glsl", "#include \"b.glsl\"\n");
+    EXPECT_THAT(message([&] { compile(); }), HasSubstr("includes itself: a.frag > b.glsl > c.glsl > b.glsl"));
+}
+
+// Each file twice includes the next: twenty of them make a million.
+TEST_F(Shaders, that_include_too_much_are_refused) {
+    put_good_ones();
+    put("a.frag", "#version 330 core\n#include \"0.glsl\"\nvoid main() {}\n");
+    for (int i = 0; i < 20; ++i) {
+        const std::string next = "#include \"" + std::to_string(i + 1) + ".glsl\"\n";
+        put(std::to_string(i) + ".glsl", next + next);
+    }
+    put("20.glsl", "\n");
+    EXPECT_THAT(message([&] { compile(); }), HasSubstr("includes more than"));
+}
+
 TEST_F(Shaders, missing_one_names_the_searched_folders) {
     put_good_ones();
     const std::string text = message([&] { ShaderProgram("a.vert", "c.frag", {path("here"), path("there")}); });

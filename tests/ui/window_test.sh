@@ -41,9 +41,37 @@ keys_drive_the_window() {
     close_window
 }
 
-trace_that_cannot_be_written_is_an_error() {
+signals_end_it() {
+    local signal code
     start_display 1280x800
-    refused 3 "cannot write '/dev/full': No space left on device" "$program" --trace /dev/full
+    for signal in TERM HUP; do # a shell has its background programs ignore SIGINT
+        rm -f "$folder/trace"
+        open_window --model chain --play
+        kill -s $signal "$window_pid"
+        code=0
+        wait "$window_pid" || code=$?
+        window_pid=
+        ((code == 128 + $(kill -l $signal))) || fail "SIG$signal ended it with exit code $code"
+    done
+}
+
+a_trace_that_cannot_be_written_ends_it() {
+    start_display 1280x800
+    local code=0
+    "$program" --trace /dev/full 2>"$folder/errors" || code=$?
+    ((code == 3)) || fail "it ended with exit code $code"
+    grep -q "cannot write '/dev/full'" "$folder/errors" || fail "it wrote: $(cat "$folder/errors")"
+}
+
+losing_its_display_it_says_so() {
+    start_display 1280x800
+    open_window --model chain
+    kill "$display_pid"
+    local code=0
+    wait "$window_pid" || code=$?
+    window_pid=
+    ((code == 5)) || fail "it ended with exit code $code"
+    [[ $(cat "$folder/errors") == 'steplab-view: the connection to the display is lost' ]] || fail "it wrote: $(cat "$folder/errors")"
 }
 
 mouse_moves_the_camera() {

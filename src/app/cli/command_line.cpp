@@ -13,10 +13,14 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <fcntl.h>
+#include <filesystem>
 #include <initializer_list>
 #include <malloc.h>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 #include <unistd.h>
 
 namespace steplab {
@@ -84,9 +88,10 @@ std::string help_text(const std::string& what) {
     return fmt::format("{}", fmt::join(wrapped_lines(what, page_width - help_column), "\n"));
 }
 
-/// One line on standard error; lost if that is closed.
-void print_error(const std::string& program, const char* message) {
-    std::fputs(fmt::format("{}: {}\n", program, safe_message(message)).c_str(), stderr);
+/// One line on standard error; lost if that is closed. Needs no memory, of which there may be none.
+int failed(const std::string& program, ExitCode code, const char* message, const char* reason = "") {
+    std::fprintf(stderr, "%s: %s%s\n", program.c_str(), message, reason);
+    return static_cast<int>(code);
 }
 
 }  // namespace
@@ -153,15 +158,21 @@ int guarded(const std::string& program, const std::function<int()>& body) {
     try {
         return body();
     } catch (const Error& error) {
-        print_error(program, error.what());
-        return static_cast<int>(error.code());
+        return failed(program, error.code(), safe_message(error.what()).c_str());
     } catch (const ReaderGone&) {
         return static_cast<int>(ExitCode::done);
     } catch (const Interrupted& interrupted) {
         return interrupted.exit_code();
     } catch (const std::bad_alloc&) {
-        print_error(program, "not enough memory");
-        return static_cast<int>(ExitCode::usage);
+        return failed(program, ExitCode::usage, "not enough memory");
+    } catch (const std::length_error&) {
+        return failed(program, ExitCode::usage, "not enough memory: more than any array can hold");
+    } catch (const std::filesystem::filesystem_error& error) {
+        return failed(program, ExitCode::file, safe_message(error.what()).c_str());
+    } catch (const std::system_error& error) {
+        return failed(program, ExitCode::usage, "the system grants no more threads or memory: ", error.what());
+    } catch (const std::exception& error) {
+        return failed(program, ExitCode::usage, error.what());
     }
 }
 

@@ -41,7 +41,7 @@ std::optional<std::string> parse(CLI::App& app, std::vector<std::string> argumen
 /// Writes text to standard output. Throws FileError or ReaderGone unless all of it is written.
 void print(std::string_view text);
 
-/// Runs the body of a main. An error becomes one line on standard error, "program: message", and its exit code.
+/// Runs the body of a main. Any exception becomes one line on standard error, "program: message", and its exit code.
 int guarded(const std::string& program, const std::function<int()>& body);
 
 /// Opens standard input, output and error where they are closed, so that no file gets their numbers, and turns a write

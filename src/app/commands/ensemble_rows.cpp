@@ -27,6 +27,7 @@ EnsembleRows::EnsembleRows(const OutputOptions& options, std::span<const Ensembl
         columns_ = options.columns.empty() ? usual_columns() : options.chosen_columns();
         needs_ = parts_of(columns_);
         rows_file_.emplace(options.out, compression_of(options.out));
+        rows_file_->at_program_end(UnfinishedFile::AtEnd::kept_in_lines);
         rows_file_->write("run," + csv_header(columns_));
     }
     if (!options.series.empty()) {

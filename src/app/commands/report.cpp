@@ -56,6 +56,7 @@ public:
         if (out_.empty()) throw UsageError("--out DIR is required: the folder for speed_error.csv and report.html");
         if (thesis_) {
             refuse_beside_thesis();
+            catch_interruptions();
             return write_thesis();
         }
         ReportRequest request{.folder = out_, .plans = plans()};

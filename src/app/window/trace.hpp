@@ -20,8 +20,8 @@ public:
     explicit Trace(const std::string& file);
 
     bool wanted() const { return out_ != nullptr; }
-    /// Writes "name value" if the value has changed since it was last written under this name. Throws FileError, as all
-    /// others do, if it cannot be written.
+    /// Writes "name value" if the value has changed since it was last written under this name. Throws FileError, and
+    /// ReaderGone for a closed pipe.
     void report(std::string_view name, const std::string& value);
     void report(const RunView& view);
     void report(const render::Camera& camera);

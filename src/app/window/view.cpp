@@ -3,6 +3,7 @@
 #include "app/cli/view_options.hpp"
 #include "app/window/viewer.hpp"
 #include "core/error.hpp"
+#include "core/program_end.hpp"
 #include "ui/keys.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,7 @@ std::string way_out(const RunDescription& description) {
 }
 
 int open_window(const RunDescription& description, const WindowRequest& request) {
+    end_on_interruptions();
     std::optional<Viewer> viewer;
     try {
         viewer.emplace(description, request);
@@ -29,6 +31,7 @@ int open_window(const RunDescription& description, const WindowRequest& request)
         throw GraphicsError(fmt::format("{}; {}", error.what(), way_out(description)));
     }
     viewer->run();
+    end_program_soon(static_cast<int>(ExitCode::done));  // the last step of the run may take longer than anybody waits
     return static_cast<int>(ExitCode::done);
 }
 
@@ -55,6 +58,5 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
     prepare_standard_streams();
-    const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
-    return guarded("steplab-view", [&] { return run(arguments); });
+    return guarded("steplab-view", [&] { return run({argv + (argc > 0 ? 1 : 0), argv + argc}); });
 }

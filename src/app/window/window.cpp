@@ -1,5 +1,6 @@
 #include "app/window/window.hpp"
 
+#include "app/window/display_loss.hpp"
 #include "app/window/icon.hpp"
 #include "app/window/keys.hpp"
 #include "app/window/priority.hpp"
@@ -40,6 +41,7 @@ void hint_core_profile() {
 WindowSystem::WindowSystem() {
     // Mesa's EGL would print to standard error which drivers it tried without success.
     setenv("EGL_LOG_LEVEL", "fatal", 0);
+    answer_display_loss();
     if (glfwInit() == GLFW_TRUE) return;
     throw GraphicsError(fmt::format("cannot open a window: no display ({}, {}; {})", setting("DISPLAY"),
                                     setting("WAYLAND_DISPLAY"), last_error()));

@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <fcntl.h>
 #include <fstream>
+#include <poll.h>
 #include <spawn.h>
 #include <sstream>
 #include <sys/wait.h>
@@ -136,6 +138,33 @@ std::string style() {
                        placeholder(grid), placeholder(ink));
 }
 
+/// A program that was started. It ends with this object at the latest.
+class Child {
+public:
+    explicit Child(pid_t process) : process_(process) {}
+    ~Child() {
+        if (process_ <= 0) return;
+        kill(process_, SIGKILL);
+        waitpid(process_, nullptr, 0);
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Waits for its end and returns its status. Throws Interrupted.
+    int wait() {
+        int status = 0;
+        while (waitpid(process_, &status, WNOHANG) == 0) {
+            check_interruption();
+            poll(nullptr, 0, 10);  // milliseconds
+        }
+        process_ = -1;
+        return status;
+    }
+
+private:
+    pid_t process_;
+};
+
 /// Gnuplot's messages are not shown on the terminal: warnings are dropped, an error is quoted.
 void run_gnuplot(const std::string& script, const std::string& messages) {
     const std::array<const char*, 3> arguments{"gnuplot", script.c_str(), nullptr};
@@ -147,9 +176,7 @@ void run_gnuplot(const std::string& script, const std::string& messages) {
     const int error =
         posix_spawnp(&child, arguments[0], &files, nullptr, const_cast<char**>(arguments.data()), environ);
     posix_spawn_file_actions_destroy(&files);
-    int status = 0;
-    while (error == 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = error == 0 ? Child(child).wait() : 0;
     check_interruption();  // Ctrl+C interrupts gnuplot too
     if (error == 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
     const bool missing = error != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127);

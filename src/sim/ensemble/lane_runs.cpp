@@ -101,8 +101,8 @@ private:
         Member& member = *members_[run];
         const Energy& start = member.baseline;
         const double bound = 2 * member.scene.mass * group_.energy_bound(run);  // twice, for its rounding
-        if (energy_is_surely_possible(bound, start, member.meter.floor())) return true;
-        return energy_is_possible(energy(run), start, member.meter.floor());
+        const double floor = member.meter.floor(member.held.dt);
+        return energy_is_surely_possible(bound, start, floor) || energy_is_possible(energy(run), start, floor);
     }
 
     void finish(std::size_t run, double energy_end) {

@@ -3,6 +3,7 @@
 #include "core/sum.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <variant>
 
@@ -24,6 +25,19 @@ double floor_of(const GridForces& forces) {
     return spring_floor(forces.k, forces.rest_length, 4 * forces.rows * forces.columns);
 }
 double floor_of(const PairForces& forces) { return forces.depth * static_cast<double>(forces.count); }
+
+/// Half the mass times the sum of the squared accelerations.
+double outer_power_of(const ConstantForces& forces) {
+    const double n = static_cast<double>(forces.count);
+    return forces.mass / 2 * forces.step * forces.step * (n - 1) * n * (2 * n - 1) / 6;
+}
+double outer_power_of(const LineForces& forces) {
+    return forces.mass / 2 * forces.gravity * forces.gravity * static_cast<double>(forces.count);
+}
+template <class NoOuterForces>
+double outer_power_of(const NoOuterForces&) {
+    return 0;
+}
 
 /// Particles of a piece, about: some of them are in the first-level cache.
 constexpr std::size_t piece_length = 4096;
@@ -52,6 +66,7 @@ EnergyMeter::EnergyMeter(const Scene& scene, Instructions instructions)
       mass_(scene.mass),
       forces_(scene.forces),
       floor_(std::visit([](const auto& forces) { return floor_of(forces); }, forces_)),
+      outer_power_(std::visit([](const auto& forces) { return outer_power_of(forces); }, forces_)),
       count_(scene.reference.count),
       unit_(shared(forces_)),
       pieces_(pieces_of(scene)),
@@ -64,6 +79,11 @@ Energy EnergyMeter::energy(std::size_t parts, const Emit& emit, const PieceSink&
         if (also) also(piece);
     });
     return total();
+}
+
+double EnergyMeter::floor(double dt) const {
+    const double outer = outer_power_ * dt * dt;
+    return std::isfinite(outer) ? floor_ + outer : floor_;
 }
 
 EnergyMeter::Sums EnergyMeter::sums_of(const Piece& piece) {

@@ -35,8 +35,9 @@ public:
     /// The same of parts that may be emitted in parallel. Each piece is passed on to `also`, unless that is empty.
     Energy energy(std::size_t parts, const Emit& emit, const PieceSink& also);
     std::size_t pieces() const { return sums_.size(); }
-    /// An energy no run of this scene may be judged by the changes of: rounding, and the depth of potential wells.
-    double floor() const { return floor_; }
+    /// An energy no run of this scene may be judged by the changes of: rounding, the depth of potential wells, and what
+    /// outer forces give within one step from rest, in which positions of some methods do not follow yet.
+    double floor(double dt) const;
 
 private:
     struct Sums {
@@ -51,8 +52,9 @@ private:
     double mass_;
     Forces forces_;
     double floor_;
-    std::size_t count_;  ///< particles of the scene
-    std::size_t unit_;   ///< particles that pieces have in common: one of a chain, a row of a grid
+    double outer_power_;  ///< what outer forces give within a short time from rest, divided by its square
+    std::size_t count_;   ///< particles of the scene
+    std::size_t unit_;    ///< particles that pieces have in common: one of a chain, a row of a grid
     Pieces pieces_;
     std::vector<Sums> sums_;  ///< of each piece
     Field<double> whole_;     ///< all displacements, where forces are not only those of neighbours

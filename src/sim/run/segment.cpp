@@ -3,14 +3,38 @@
 #include "core/flush_subnormals.hpp"
 #include "sim/steppers/bands.hpp"
 
+#include <algorithm>
+#include <variant>
+
 namespace steplab {
+
+namespace {
+
+/// Pairs whose forces an evaluation sums for each particle, about.
+double pairs_of(const PairForces& forces) { return static_cast<double>(forces.count) / 2; }
+double pairs_of(const NearPairForces&) { return 50; }
+template <class OfNeighbours>
+double pairs_of(const OfNeighbours&) {
+    return 1;
+}
+
+std::uint64_t most_at_once(const RunDescription& held, const Scene& scene) {
+    constexpr double most_work = 1e8;
+    const double evaluations = evaluations_per_step(method(held.method).info, held.method_parameters);
+    const double pairs = std::visit([](const auto& layout) { return pairs_of(layout); }, scene.forces);
+    const double work = static_cast<double>(scene.reference.count) * pairs;
+    return static_cast<std::uint64_t>(std::clamp(most_work / std::max(1.0, evaluations * work), 1.0, most_work));
+}
+
+}  // namespace
 
 Segment::Segment(const RunDescription& given, const Execution& how)
     : description(given),
       held(as_held(given)),
       execution(how),
       scene(model(held.model).scene(held.scene)),
-      meter(scene, instructions_of(how)) {
+      meter(scene, instructions_of(how)),
+      steps_at_once(most_at_once(held, scene)) {
     restart();
 }
 
@@ -19,7 +43,8 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
       held(as_held(given)),
       execution(how),
       scene(model(held.model).scene(held.scene)),
-      meter(scene, instructions_of(how)) {
+      meter(scene, instructions_of(how)),
+      steps_at_once(most_at_once(held, scene)) {
     scene.start = start;
     if (dt) held.dt = rounded_to(held.precision, *dt);
     restart();

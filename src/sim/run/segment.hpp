@@ -7,6 +7,7 @@
 #include "sim/run/resolution.hpp"
 #include "sim/run/run_description.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -25,6 +26,7 @@ struct Segment {
     Execution execution;
     Scene scene;  ///< its start is that of the segment
     EnergyMeter meter;
+    std::uint64_t steps_at_once;  ///< that take no longer than some tenths of a second, or one
     std::unique_ptr<Stepper> stepper;
 
     /// Begins at the scene's own start. Throws UsageError if the description cannot be run.

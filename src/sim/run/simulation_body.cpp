@@ -67,7 +67,7 @@ const ExactSolution* Simulation::Body::exact() {
 /// The velocities a curiosity shows may be wrong while its positions are right: they are left out.
 bool Simulation::Body::energy_is_good() {
     const double kinetic = method(segment.held.method).info.curiosity ? 0 : energy().kinetic;
-    return energy_is_possible({kinetic, energy().potential}, baseline, segment.meter.floor());
+    return energy_is_possible({kinetic, energy().potential}, baseline, segment.meter.floor(segment.held.dt));
 }
 
 void Simulation::Body::keep() {
@@ -126,7 +126,7 @@ void Simulation::Body::advance(std::uint64_t steps) {
             shorten_last_step();
             continue;
         }
-        const std::uint64_t taken = std::min({steps, steps_to_check(), steps_to_shortened()});
+        const std::uint64_t taken = std::min({steps, steps_to_check(), steps_to_shortened(), segment.steps_at_once});
         take(taken);
         steps -= taken;
         if (steps_to_check() != steps_between_checks) continue;

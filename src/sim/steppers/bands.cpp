@@ -57,8 +57,9 @@ struct Band {
 /// piece, to the last bit.
 class Bands final : public Stepper {
 public:
-    Bands(const Method& method, const StepperSetup& setup, Units units, std::size_t count, std::size_t reach)
-        : unit_(units.particles), particles_(units.count * units.particles), team_(count) {
+    Bands(const Method& method, const StepperSetup& setup, Units units, std::size_t threads, std::size_t reach)
+        : unit_(units.particles), particles_(units.count * units.particles), team_(threads) {
+        const std::size_t count = team_.members();
         together_ = std::clamp<std::size_t>(units.count / count / (band_over_border * reach), 1, most_steps);
         const std::size_t border = together_ * reach;
         for (std::size_t i = 0; i < count; ++i) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -21,8 +22,9 @@ using testing::IsEmpty;
 /// Waits until files appear in a folder, without a clock.
 class FolderWatch {
 public:
-    explicit FolderWatch(const std::string& folder) : events_(inotify_init1(IN_CLOEXEC)) {
-        if (inotify_add_watch(events_, folder.c_str(), IN_MOVED_TO) < 0) throw std::runtime_error("cannot watch");
+    explicit FolderWatch(const std::string& folder, std::uint32_t for_what = IN_MOVED_TO)
+        : events_(inotify_init1(IN_CLOEXEC)) {
+        if (inotify_add_watch(events_, folder.c_str(), for_what) < 0) throw std::runtime_error("cannot watch");
     }
     ~FolderWatch() { close(events_); }
     FolderWatch(const FolderWatch&) = delete;
@@ -118,6 +120,32 @@ TEST(Report, has_a_scene_of_every_model_or_names_it_as_left_out) {
         const bool named = left_out_text().find(model.info.id) != std::string::npos;
         EXPECT_NE(planned, named) << model.info.id;
     }
+}
+
+TEST(Report, of_another_program_in_the_same_folder_is_refused) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.file("out/.measured"));
+    const FolderWatch watch(folder.file("out/.measured"));
+    RunningProgram first(report(folder.file("out")));
+    watch.wait_for_a_file();
+    const Outcome second = run_program(report(folder.file("out")));
+    EXPECT_EQ(second.code, 3);
+    EXPECT_THAT(second.err, HasSubstr("another report is being written there"));
+    first.send(SIGKILL);
+    EXPECT_EQ(first.wait().signal, SIGKILL);
+    EXPECT_TRUE(std::filesystem::exists(folder.file("out/.measured/chain.json")));
+    EXPECT_EQ(run_program(report(folder.file("out"))).code, 0) << "the killed one does not hold the folder";
+}
+
+TEST(Report, of_the_thesis_is_interrupted) {
+    const TemporaryFolder folder;
+    const FolderWatch watch(folder.path(), IN_CREATE);
+    RunningProgram thesis({"report", "--thesis", "--out", folder.file("out")});
+    watch.wait_for_a_file();  // it has begun
+    thesis.send(SIGINT);
+    const Outcome outcome = thesis.wait();
+    EXPECT_EQ(outcome.code, 128 + SIGINT);
+    EXPECT_FALSE(std::filesystem::exists(folder.file("out/thesis.html")));
 }
 
 TEST(Report, is_restricted_by_options) {

@@ -1,6 +1,7 @@
 #include "sim/steppers/bands.hpp"
 
 #include "sim/run/energy.hpp"
+#include "support/no_threads.hpp"
 #include "support/runs.hpp"
 
 #include <fmt/format.h>
@@ -50,6 +51,15 @@ TEST_P(Bands, step_every_particle_as_one_thread_does) {
             EXPECT_EQ(several.energy(), one.energy()) << run.model << " by " << threads;
             EXPECT_EQ(several.evaluations(), one.evaluations());
         }
+    }
+}
+
+TEST_P(Bands, step_every_particle_where_no_thread_can_be_started) {
+    const NoThreads none;
+    for (const RunDescription& run : runs_in_bands(GetParam())) {
+        Simulation one(run, by_threads(1)), wanted_three(run, by_threads(3));
+        for (Simulation* simulation : {&one, &wanted_three}) simulation->advance(30);
+        EXPECT_EQ(wanted_three.hash(), one.hash()) << run.model;
     }
 }
 

@@ -1,0 +1,116 @@
+#include "app/program.hpp"
+#include "app/tables.hpp"
+#include "io/files.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <set>
+
+// What the system does not grant: threads, memory, a folder for temporary files.
+
+namespace steplab {
+namespace {
+
+using testing::HasSubstr;
+
+std::ptrdiff_t files_in(const TemporaryFolder& folder) {
+    return std::distance(std::filesystem::directory_iterator(folder.path()), {});
+}
+
+std::string hash_of(const Outcome& outcome) {
+    EXPECT_EQ(outcome.signal, 0);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out).at("hash");
+}
+
+TEST(WithoutThreads, runs_have_the_same_bits) {
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& scene :
+         {std::vector<std::string>{"--model", "chain", "--set", "n=300000", "--method", "velocity-verlet"},
+          {"--model", "crystal", "--set", "edge=40", "--method", "velocity-verlet", "--dt", "0.01"}}) {
+        std::vector<std::string> run{"run",       "--steps", "20",        "--every", "5",
+                                     "--threads", "3",       "--summary", "-",       "--out"};
+        run.insert(run.end(), {folder.file("rows.csv")});
+        run.insert(run.end(), scene.begin(), scene.end());
+        const std::string with = hash_of(run_program(run)), rows = text_of(folder.file("rows.csv"));
+        EXPECT_EQ(hash_of(run_program(run, {.no_threads = true})), with);
+        EXPECT_TRUE(text_of(folder.file("rows.csv")) == rows);
+    }
+    EXPECT_EQ(files_in(folder), 1);
+}
+
+TEST(WithoutThreads, every_command_does_its_work) {
+    const TemporaryFolder folder;
+    const std::string trajectory = folder.file("a.trajectory");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"run", "--model", "chain", "--every", "1", "--out", trajectory},
+          {"convert", trajectory, "--out", folder.file("a.csv")},
+          {"run", "--model", "chain", "--ensemble", "100", "--spread", "k=1:2", "--steps", "10"},
+          {"limits", "--model", "oscillator", "--method", "all"},
+          {"hard-cases", "chaos"},
+          {"advise", "--model", "oscillator", "--until", "3", "--error", "1e-3"},
+          {"report", "--quick", "--model", "oscillator", "--time", "3", "--out", folder.file("report")}}) {
+        const Outcome outcome = run_program(words, {.no_threads = true});
+        EXPECT_EQ(outcome.code, 0) << words[0] << ": " << outcome.err;
+        EXPECT_EQ(outcome.err, "") << words[0];
+    }
+}
+
+/// The least memory at which the program gets as far as its own first line: what the system and the loader say below it
+/// is not ours.
+unsigned long least_megabytes() {
+    unsigned long megabytes = 4;
+    while (run_program({"--version"}, {.most_memory = megabytes << 20}).code != 0) ++megabytes;
+    return megabytes;
+}
+
+/// One line, a code of the contract.
+void expect_orderly_end(const Outcome& outcome, const std::string& where) {
+    EXPECT_EQ(outcome.signal, 0) << where << ": " << outcome.err;
+    EXPECT_TRUE((std::set{0, 2, 3}.count(outcome.code) == 1)) << where << ": code " << outcome.code;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), outcome.code == 0 ? 0 : 1) << outcome.err;
+}
+
+TEST(MemoryLimits, end_every_command_orderly) {
+    const TemporaryFolder folder;
+    const std::string rows = folder.file("a.csv"), trajectory = folder.file("a.trajectory");
+    const std::string file = folder.file("whole.trajectory");
+    ASSERT_EQ(run_program({"run", "--model", "mesh", "--set", "dim=60", "--out", file}).code, 0);
+    const unsigned long least = least_megabytes();
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"run", "--model", "mesh", "--set", "dim=100", "--steps", "2", "--out", rows},
+          {"run", "--model", "crystal", "--set", "edge=20", "--steps", "2", "--dt", "0.01", "--out", trajectory},
+          {"run", "--model", "chain", "--ensemble", "100", "--spread", "k=1:2", "--steps", "10", "--summary", rows},
+          {"run", "--model", "chain", "--method", "gauss-16", "--steps", "2", "--series", rows},
+          {"limits", "--model", "chain", "--method", "verlet"},
+          {"convert", file, "--out", rows},
+          {"list"}}) {
+        int done = 0;
+        for (unsigned long megabytes = least; megabytes < least + 200; megabytes += megabytes < least + 20 ? 1 : 9) {
+            for (const std::string& left : {rows, trajectory}) std::filesystem::remove(left);
+            const Outcome outcome = run_program(words, {.most_memory = megabytes << 20});
+            expect_orderly_end(outcome, words[0] + " at " + std::to_string(megabytes) + " MB");
+            EXPECT_LE(files_in(folder), outcome.code == 0 ? 2 : 1) << "a hidden file is left";
+            done += outcome.code == 0 ? 1 : 0;
+        }
+        EXPECT_GT(done, 0) << words[0];
+    }
+}
+
+TEST(TemporaryFiles, without_a_folder_end_a_report_before_its_work) {
+    const TemporaryFolder folder;
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"report", "--out", folder.file("out")},
+                                                  {"report", "--thesis", "--out", folder.file("out")}}) {
+        const Outcome outcome = run_program(words, {.environment = {"TMPDIR=/no/such/folder"}});
+        EXPECT_EQ(outcome.code, 3);
+        EXPECT_THAT(outcome.err, HasSubstr("TMPDIR"));
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+    }
+}
+
+}  // namespace
+}  // namespace steplab
