@@ -13,6 +13,7 @@ namespace {
 
 template <class T>
 std::string shortest(T value) {
+    if (std::isnan(value)) return "nan";  // without a sign
     char buffer[32];
     const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
     return std::string(buffer, result.ptr);
@@ -52,6 +53,7 @@ bool is_short_decimal(double value) {
 
 /// All digits before the point, `digits` significant ones after it.
 std::string decimal(double value, int digits) {
+    if (!std::isfinite(value)) return shortest(value);
     const double rounded = std::abs(value) >= std::pow(10, digits) ? std::round(value) : value;
     return fmt::format("{:.{}g}", rounded, std::abs(rounded) >= std::pow(10, digits) ? 4 : digits);
 }
@@ -135,6 +137,7 @@ std::string grouped(unsigned long long count) {
 }
 
 std::string short_number(double value) {
+    if (!std::isfinite(value)) return shortest(value);
     const bool has_long_integer_part = std::abs(value) >= 1000 && std::abs(value) < 1e7;
     return has_long_integer_part ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
