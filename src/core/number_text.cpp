@@ -61,6 +61,7 @@ bool is_short_decimal(double value) {
 
 /// All digits before the point, `digits` significant ones after it.
 std::string decimal(double value, int digits) {
+    if (!std::isfinite(value)) return shortest(value);
     const double rounded = std::abs(value) >= std::pow(10, digits) ? std::round(value) : value;
     return fmt::format("{:.{}g}", rounded, std::abs(rounded) >= std::pow(10, digits) ? 4 : digits);
 }

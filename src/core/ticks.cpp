@@ -1,9 +1,12 @@
 #include "core/ticks.hpp"
 
+#include "core/number_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace steplab {
 
@@ -21,6 +24,13 @@ double scaled(double digit, int exponent) {
 }
 
 int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(value))); }
+
+/// Never of width 0 and never beyond the largest double.
+Range range_around(double value) {
+    const double half = value == 0 ? 1 : std::max(0.5 * std::abs(value), std::numeric_limits<double>::min());
+    const double largest = std::numeric_limits<double>::max();
+    return {std::max(value - half, -largest), std::min(value + half, largest)};
+}
 
 /// Subnormal numbers are farther apart than `slack`.
 bool is_usable(double value) { return value > 0 && std::isnormal(value); }
@@ -50,7 +60,11 @@ double nice_above(double value) { return nice_ceil(value * (1 + 2 * slack)); }
 
 double nice_below(double value) { return nice_floor(value * (1 - 2 * slack)); }
 
-double nice_step(double low, double high, int intervals) { return nice_ceil((high - low) / std::max(intervals, 1)); }
+double nice_step(double low, double high, int intervals) {
+    const double parts = std::max(intervals, 1);
+    const double length = high - low;
+    return nice_ceil(std::isfinite(length) ? length / parts : high / parts - low / parts);
+}
 
 std::vector<double> linear_ticks(double low, double high, double step) {
     constexpr double most = 1000;
@@ -77,14 +91,13 @@ std::vector<int> decades(double low, double high) {
 
 Range nice_range(double low, double high, int intervals) {
     if (!std::isfinite(low) || !std::isfinite(high)) return {};
-    if (!(high > low)) {
-        const double half = low == 0 ? 1 : 0.5 * std::abs(low);
-        return {low - half, low + half};
-    }
+    if (!(high > low)) return range_around(low);
     const int parts = std::max(intervals, 2);  // any range around 0 has two
     for (double step = nice_step(low, high, parts); is_usable(step); step = nice_above(step)) {
         const Range range{std::floor(low / step + slack) * step, std::ceil(high / step - slack) * step};
-        if (range.high - range.low <= (parts + slack) * step) return range;
+        if (!std::isfinite(range.low) || !std::isfinite(range.high)) break;
+        const bool holds = range.low <= low + slack * step && range.high >= high - slack * step;
+        if (holds && range.high - range.low <= (parts + slack) * step) return range;
     }
     return {low, high};
 }
@@ -93,16 +106,17 @@ Range decade_range(double low, double high) {
     if (!(low > 0 && high > 0) || std::isinf(low) || std::isinf(high)) return {};
     const int bottom = std::clamp(exponent_of(low), smallest_exponent, largest_exponent - 1);
     const int top = std::clamp(static_cast<int>(std::ceil(std::log10(high))), bottom + 1, largest_exponent);
-    return {std::pow(10.0, bottom), std::pow(10.0, top)};
+    return {std::min(std::pow(10.0, bottom), low), std::max(std::pow(10.0, top), high)};
 }
 
 std::string tick_text(double value, double step, double largest) {
+    if (!is_usable(step) || !std::isfinite(value)) return typed(value, 6);
     if (std::abs(value) < step * slack) return "0";
     const double magnitude = std::floor(std::log10(step) + slack);
     const int decimals = magnitude < 0 ? static_cast<int>(-magnitude) : 0;
     if (decimals <= 4 && largest < 99999.5) return fmt::format("{:.{}f}", value, decimals);
     const double power = std::floor(std::log10(std::abs(value)) + slack);
-    const int digits = static_cast<int>(std::max(power - magnitude, 0.0));
+    const int digits = static_cast<int>(std::clamp(power - magnitude, 0.0, 17.0));
     return fmt::format("{:.{}f}e{:.0f}", value / std::pow(10.0, power), digits, power);
 }
 

@@ -42,7 +42,8 @@ struct Range {
 /// single value if low = high. low .. high itself if no step of double does that; 0 .. 1 if an end is not finite.
 Range nice_range(double low, double high, int intervals);
 
-/// The powers of ten around low .. high, at least one decade apart; 0 .. 1 unless both ends are > 0 and finite.
+/// The powers of ten around low .. high, at least one decade apart; low and high themselves beyond the last powers of
+/// ten that are doubles; 0 .. 1 unless both ends are > 0 and finite.
 Range decade_range(double low, double high);
 
 /// The label of a linear tick, with the decimals that the step needs: "0.5", "12". Numbers from 100 000 on an axis up

@@ -107,7 +107,7 @@ void add_axis(Axes& axes, const Edge& edge, double grid_step, const Projection& 
     const double pixels = std::hypot(end->x - start->x, end->y - start->y);
     const double strength =
         std::clamp((pixels / pixel_scale - vanished_length) / (full_length - vanished_length), 0.0, 1.0);
-    if (strength <= 0) return;
+    if (!(strength > 0)) return;
     const double reach = length(edge.end - edge.start);
     const double step = tick_step(grid_step, pixels * grid_step / reach, least_spacing[edge.axis] * pixel_scale);
     // A single number shows no scale.

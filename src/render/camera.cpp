@@ -9,9 +9,9 @@ namespace {
 
 constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-// Beyond these, single precision does not resolve neighbouring points.
-constexpr double nearest = 1e-9;
-constexpr double farthest = 1e12;
+double bounded(double coordinate) { return std::clamp(coordinate, -largest_length, largest_length); }
+
+Vec3 bounded(Vec3 focus) { return {bounded(focus.x), bounded(focus.y), bounded(focus.z)}; }
 
 }  // namespace
 
@@ -59,15 +59,15 @@ Camera orbited(const Projection& projection, double dx, double dy) {
 Camera panned(const Projection& projection, double dx, double dy) {
     Camera camera = projection.camera();
     const double scale = 1 / projection.pixels_per_unit(camera.distance);
-    camera.focus = camera.focus - scale * dx * projection.right() + scale * dy * projection.up();
+    camera.focus = bounded(camera.focus - scale * dx * projection.right() + scale * dy * projection.up());
     return camera;
 }
 
-Camera zoomed(const Projection& projection, double factor, PixelPoint pixel) {
+Camera zoomed(const Projection& projection, double factor, PixelPoint pixel, const ZoomLimits& limits) {
     Camera camera = projection.camera();
-    const double distance = std::clamp(camera.distance / factor, nearest, farthest);
+    const double distance = std::clamp(camera.distance / factor, limits.nearest, limits.farthest);
     const Vec3 kept = projection.on_focus_plane(pixel);
-    camera.focus = kept + (distance / camera.distance) * (camera.focus - kept);
+    camera.focus = bounded(kept + (distance / camera.distance) * (camera.focus - kept));
     camera.distance = distance;
     return camera;
 }

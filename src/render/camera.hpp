@@ -16,6 +16,11 @@ struct Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// Cameras are no nearer to their focus than the first, and no farther from it or from the origin than the second:
+/// squares and quotients of such lengths are numbers of double.
+inline constexpr double least_distance = 1e-99;
+inline constexpr double largest_length = 1e102;
+
 /// Vertical field of view in degrees.
 inline constexpr double field_of_view = 28;
 
@@ -73,7 +78,13 @@ private:
 Camera orbited(const Projection& projection, double dx, double dy);
 /// Moves so that the focus follows a drag of the mouse in pixels.
 Camera panned(const Projection& projection, double dx, double dy);
-/// Moves closer by `factor` (> 1) or away (< 1); the point of the focus plane under the pixel stays there.
-Camera zoomed(const Projection& projection, double factor, PixelPoint pixel);
+/// The distances of a camera from its focus between which it can be zoomed.
+struct ZoomLimits {
+    double nearest = least_distance;
+    double farthest = largest_length;
+};
+/// Moves closer by `factor` (> 1) or away (< 1), within the limits; the point of the focus plane under the pixel stays
+/// there.
+Camera zoomed(const Projection& projection, double factor, PixelPoint pixel, const ZoomLimits& limits = {});
 
 }  // namespace steplab::render

@@ -1,5 +1,6 @@
 #include "render/colouring.hpp"
 
+#include "core/clamped.hpp"
 #include "core/ticks.hpp"
 
 #include <algorithm>
@@ -17,8 +18,7 @@ constexpr std::array<Rgb, 16> viridis_stops = {rgb(0x440154), rgb(0x481a6c), rgb
 
 Rgb mixed(Rgb a, Rgb b, double part) {
     const auto channel = [part](std::uint8_t from, std::uint8_t to) {
-        const double rounded_down = from + part * (to - from) + 0.5;
-        return static_cast<std::uint8_t>(rounded_down);
+        return static_cast<std::uint8_t>(clamped_floor(from + part * (to - from) + 0.5, 0, 255));
     };
     return {channel(a.red, b.red), channel(a.green, b.green), channel(a.blue, b.blue)};
 }
@@ -46,13 +46,17 @@ double strain(const Frame& frame, const Spring& spring) {
 // Leading digits of the ends of colour scales: closer to each other than those of ticks.
 constexpr double scale_digits[] = {1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8};
 
+/// Of the values that are numbers: others are left out, as where a run blows up.
 double largest_value(const Frame& frame, const Style& style) {
     double largest = 0;
+    const auto include = [&largest](double value) {
+        if (std::isfinite(value)) largest = std::max(largest, value);
+    };
     if (style.colouring == Colouring::strain) {
-        for (const Spring& spring : frame.shape->springs) largest = std::max(largest, std::abs(strain(frame, spring)));
+        for (const Spring& spring : frame.shape->springs) include(std::abs(strain(frame, spring)));
     } else {
         for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-            largest = std::max(largest, particle_value(frame, style, i));
+            include(particle_value(frame, style, i));
         }
     }
     return largest;
@@ -61,14 +65,16 @@ double largest_value(const Frame& frame, const Style& style) {
 }  // namespace
 
 Rgb viridis(double part) {
-    const double place = std::clamp(part, 0.0, 1.0) * (viridis_stops.size() - 1);
-    const auto lower = std::min(static_cast<std::size_t>(place), viridis_stops.size() - 2);
+    constexpr int last = static_cast<int>(viridis_stops.size()) - 1;
+    const double place = part > 0 ? std::min(part, 1.0) * last : 0;  // what is no number has the colour of 0
+    const auto lower = static_cast<std::size_t>(clamped_floor(place, 0, last - 1));
     return mixed(viridis_stops[lower], viridis_stops[lower + 1], place - static_cast<double>(lower));
 }
 
 Rgb ColourScale::colour(double value, const Palette& palette) const {
     if (colouring != Colouring::strain) return viridis(value / maximum);
-    const double part = std::clamp(value / maximum, -1.0, 1.0);
+    const double quotient = value / maximum;
+    const double part = std::isnan(quotient) ? 0 : std::clamp(quotient, -1.0, 1.0);
     return mixed(palette.spring, part < 0 ? palette.compressed : palette.stretched, std::abs(part));
 }
 
@@ -76,7 +82,9 @@ std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style) 
     if (style.colouring == Colouring::role) return std::nullopt;
     // Without a largest value, as before the first motion, any scale will do.
     const double largest = largest_value(frame, style);
-    const double maximum = style.scale_maximum.value_or(largest > 0 ? nice_ceil(largest, scale_digits) : 1.0);
+    const double nice = nice_ceil(largest, scale_digits);
+    const double end = std::isfinite(nice) ? nice : largest;
+    const double maximum = style.scale_maximum.value_or(largest > 0 ? end : 1.0);
     return ColourScale{style.colouring, style.colouring == Colouring::strain ? -maximum : 0.0, maximum};
 }
 

@@ -28,7 +28,7 @@ struct Direction {
 Direction opening_direction(const Shape& shape) {
     const Vec3 size = expected_bounds(shape).size();
     const bool with_bullet = std::find(shape.roles.begin(), shape.roles.end(), Role::bullet) != shape.roles.end();
-    if (with_bullet) return {20, 14};
+    if (with_bullet) return {66, 14};  // over what it is shot at, along its path
     const bool upright = size.z <= 0.2 * std::max(size.x, size.y);
     return upright ? Direction{-14, 12} : Direction{30, 32};
 }
@@ -66,6 +66,15 @@ bool read_numbers(std::string_view text, std::array<double, 6>& numbers) {
     return true;
 }
 
+void check_lengths(const Camera& camera) {
+    const Vec3& focus = camera.focus;
+    const double farthest = std::max({std::abs(focus.x), std::abs(focus.y), std::abs(focus.z), camera.distance});
+    if (camera.distance >= least_distance && farthest <= largest_length) return;
+    throw UsageError(fmt::format("--view: the distance must be from {} to {}, x, y and z from -{} to {} (got {})",
+                                 typed(least_distance), typed(largest_length), typed(largest_length),
+                                 typed(largest_length), view_text(camera)));
+}
+
 }  // namespace
 
 Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
@@ -90,8 +99,20 @@ Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size) {
     // The axes have to be in the picture, too.
     for (const Vec3& corner : axes_box(frame).bounds.corners()) include(corner, 0);
     const double closest = 4 * shape.spacing;  // a single particle does not fill the picture
+    const double distance = std::max({wide.distance(), high.distance(), closest});
     return {centre + wide.centre() * projection.right() + high.centre() * projection.up(),
-            std::max({wide.distance(), high.distance(), closest}), yaw, pitch};
+            std::clamp(distance, least_distance, largest_length), yaw, pitch};
+}
+
+ZoomLimits zoom_limits(const Frame& frame) {
+    constexpr double of_radius = 0.1, of_scene = 100, resolution = 1e-14;
+    const Shape& shape = *frame.shape;
+    const double ball = DrawnSizes(shape).radius(Role::moving);
+    const Bounds box = axes_box(frame).bounds;
+    const double place = std::max(length(box.low), length(box.high));
+    const double nearest = std::clamp(std::max(of_radius * ball, resolution * place), least_distance, largest_length);
+    const double scene = std::max(length(box.size()), shape.spacing);
+    return {nearest, std::clamp(of_scene * scene, nearest, largest_length)};
 }
 
 Camera default_camera(const Frame& frame, PictureSize size) {
@@ -118,7 +139,9 @@ Camera camera_of(std::string_view text, const Frame& frame, PictureSize size) {
                         "90, distance > 0 and the point x,y,z at the centre (got \"{}\")",
                         shown(text)));
     }
-    return {{numbers[3], numbers[4], numbers[5]}, numbers[2], numbers[0], numbers[1]};
+    const Camera camera{{numbers[3], numbers[4], numbers[5]}, numbers[2], numbers[0], numbers[1]};
+    check_lengths(camera);
+    return camera;
 }
 
 }  // namespace steplab::render

@@ -15,6 +15,10 @@ Camera default_camera(const Frame& frame, PictureSize size);
 /// The closest camera in this direction that shows every particle of the frame and of the scene at rest.
 Camera framed(const Frame& frame, double yaw, double pitch, PictureSize size);
 
+/// From a part of a ball's radius, or from what doubles resolve where the scene is, to where the scene is still some
+/// pixels across.
+ZoomLimits zoom_limits(const Frame& frame);
+
 /// A camera as text: "yaw,pitch,distance,x,y,z" with angles in degrees and the focus x,y,z. The numbers read back
 /// exactly.
 std::string view_text(const Camera& camera);

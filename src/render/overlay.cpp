@@ -74,7 +74,7 @@ void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, c
     const std::string heading(title(scale.colouring));
     sketch.text({right - sketch.text_size(heading).x, top - 28 * pixel_scale}, heading, palette.text);
     constexpr int bands = 32;
-    const auto value = [&](double part) { return scale.maximum + part * (scale.minimum - scale.maximum); };
+    const auto value = [&](double part) { return std::lerp(scale.maximum, scale.minimum, part); };
     for (int band = 0; band < bands; ++band) {
         const double from = static_cast<double>(band) / bands;
         const double to = static_cast<double>(band + 1) / bands;
@@ -82,7 +82,7 @@ void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, c
                           scale.colour(value(from), palette), scale.colour(value(to), palette));
     }
     for (const double number : legend_values(scale)) {
-        const double y = top + height * (scale.maximum - number) / (scale.maximum - scale.minimum);
+        const double y = top + height * (1 - number / scale.maximum) / (1 - scale.minimum / scale.maximum);
         const std::string text = typed(number, 3);
         const PixelPoint extent = sketch.text_size(text);
         sketch.text({right - width - 8 * pixel_scale - extent.x, y - extent.y / 2}, text, palette.text);

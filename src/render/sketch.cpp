@@ -78,6 +78,8 @@ PixelPoint Sketch::text_size(const std::string& text) const {
 void Sketch::text(PixelPoint top_left, const std::string& text, Rgb colour, double opacity) {
     // On whole pixels the glyphs are sharp.
     const PixelPoint place{std::round(top_left.x), std::round(top_left.y)};
+    constexpr double farthest = 1e6;  // ImGui places glyphs by whole numbers
+    if (!(std::abs(place.x) < farthest && std::abs(place.y) < farthest)) return;
     body_->list.AddText(vec(place), packed(colour, opacity), text.c_str());
 }
 

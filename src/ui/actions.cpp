@@ -33,6 +33,21 @@ void change_scene(const Context& context, std::ptrdiff_t offset) {
     context.ask(opening(with_model(context.description(), all[static_cast<std::size_t>(next)].info.id)));
 }
 
+/// The message that is drawn last. An open menu closes itself.
+void close_topmost(const Context& context) {
+    Session& session = context.session;
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
+    if (session.help_open) {
+        session.help_open = false;
+    } else if (!session.wanted.message().empty()) {
+        session.wanted.dismiss();
+    } else if (session.notice) {
+        session.notice.reset();
+    } else if (context.view.divergence) {
+        session.dismissed_divergence = context.view.divergence->step;
+    }
+}
+
 void toggle_panel(const Context& context) { context.session.panel = context.layout.panel.empty(); }
 
 }  // namespace
@@ -74,6 +89,8 @@ void perform(const Context& context, Action action) {
             return context.request({.kind = Request::Kind::save_snapshot});
         case Action::full_screen:
             return context.request({.kind = Request::Kind::full_screen});
+        case Action::close:
+            return close_topmost(context);
         case Action::quit:
             return context.request({.kind = Request::Kind::quit});
     }
@@ -81,7 +98,6 @@ void perform(const Context& context, Action action) {
 
 void perform_pressed_keys(const Context& context) {
     if (ImGui::GetIO().WantTextInput) return;
-    if (context.session.help_open && Input::pressed(Key::escape, false)) context.session.help_open = false;
     for (const KeyBinding& binding : key_bindings()) {
         const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;
         if (ImGui::GetIO().KeyCtrl == binding.control && Input::pressed(binding.key, repeats)) {

@@ -1,6 +1,27 @@
 #include "ui/context.hpp"
 
+#include <filesystem>
+#include <system_error>
+
 namespace steplab::ui {
+
+Notice notice_of_saved(const std::string& file) {
+    constexpr double seconds = 8;  // to read a path and to reach it with the pointer
+    std::error_code none;          // a folder that is gone has no path
+    const std::filesystem::path path = std::filesystem::absolute(file, none);
+    const std::string shown = none ? file : path.string();
+    return {"saved " + shown, ImGui::GetTime() + seconds, shown};
+}
+
+const render::DrawnSizes& Context::sizes() const {
+    if (!session.shape || session.shape->shape != view.frame.shape) session.shape.emplace(view.frame.shape);
+    return session.shape->sizes;
+}
+
+render::Projection Context::projection() const {
+    const PixelRect rect = pixels(layout.scene);
+    return {stage.camera, {rect.width, rect.height}};
+}
 
 void Context::mark(std::string_view widget) const {
     const ImVec2 from = ImGui::GetItemRectMin();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/camera.hpp"
+#include "render/known_shape.hpp"
 #include "render/style.hpp"
 #include "sim/run/worker.hpp"
 #include "ui/display.hpp"
@@ -34,8 +35,11 @@ struct Entry {
 /// A short message over the scene, shown for some seconds.
 struct Notice {
     std::string text;
-    double until = 0;  ///< on the interface's clock, in seconds
+    double until = 0;       ///< on the interface's clock, in seconds
+    std::string copy = {};  ///< what a click on it copies; empty: nothing
 };
+/// The notice that a file was saved, with its whole path.
+Notice notice_of_saved(const std::string& file);
 
 /// State that the interface keeps from frame to frame.
 struct Session {
@@ -43,9 +47,13 @@ struct Session {
     History history;
     std::optional<Entry> entry;
     std::optional<Notice> notice;
-    std::optional<bool> panel;  ///< chosen by the user; none: shown where the window has room
+    std::optional<render::KnownShape> shape;    ///< of the newest frame
+    std::optional<bool> panel;                  ///< chosen by the user; none: shown where the window has room
+    std::optional<std::size_t> first_selected;  ///< the particle to select first; none: the usual one
     bool help_open = false;
+    std::optional<std::size_t> pointed;               ///< the particle under the pointer, which a click selects
     std::optional<std::size_t> pulled;                ///< the particle that follows the pointer
+    std::optional<std::uint64_t> pulled_in;           ///< the last run in which a particle was pulled
     bool drag_from_scene = false;                     ///< the left or right button was pressed over the scene
     bool dragged = false;                             ///< the pointer has moved since then: not a click
     std::optional<std::size_t> dismissed_divergence;  ///< step of the divergence whose card was closed
@@ -63,8 +71,15 @@ struct Context {
     Stage stage;
     Session& session;
     WidgetMap& widgets;
+    Purpose purpose = Purpose::use;
 
     float px(float units) const { return theme.px(units); }
+    /// The sizes at which the particles of the view are drawn.
+    const render::DrawnSizes& sizes() const;
+    /// The camera and the area of the scene.
+    render::Projection projection() const;
+    /// True in a picture of the window, which has nothing of the pointer and nothing that passes.
+    bool is_saved() const { return purpose == Purpose::window_picture || purpose == Purpose::plot_picture; }
     /// The run description that the panels show and change.
     const RunDescription& description() const { return session.wanted.description(); }
     void ask(const RunDescription& description) const { session.wanted.ask(description, commands); }

@@ -23,6 +23,14 @@ struct PixelRect {
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
+/// What a frame of the interface is drawn for.
+enum class Purpose {
+    use,             ///< the window
+    still,           ///< a picture drawn without a window
+    window_picture,  ///< a picture of the window, without pointer, notice and menu
+    plot_picture     ///< a picture of a plot in the window: without cards over it, either
+};
+
 /// Times measured by a running window. A snapshot shows none of them.
 struct Measured {
     std::optional<double> frame_seconds = {};  ///< it took to draw the last picture of the scene

@@ -1,6 +1,7 @@
 #include "ui/input.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <iterator>
 
 namespace steplab::ui {
@@ -124,5 +125,9 @@ bool Input::ends_a_drag(const InputEvent& event, bool moved) {
 }
 
 bool Input::pressed(Key key, bool repeat) { return key_pressed(key, repeat); }
+
+PointerAway::PointerAway(ImGuiIO& io) : io_(io), place_(io.MousePos) { set_pointer(io, {-FLT_MAX, -FLT_MAX}); }
+
+PointerAway::~PointerAway() { set_pointer(io_, place_); }
 
 }  // namespace steplab::ui

@@ -57,4 +57,17 @@ private:
     std::deque<InputEvent> events_;
 };
 
+/// The pointer is nowhere for as long as this lives, and then where it was; its buttons stay as they are.
+class PointerAway {
+public:
+    explicit PointerAway(ImGuiIO& io);
+    ~PointerAway();
+    PointerAway(const PointerAway&) = delete;
+    PointerAway& operator=(const PointerAway&) = delete;
+
+private:
+    ImGuiIO& io_;
+    ImVec2 place_;
+};
+
 }  // namespace steplab::ui

@@ -60,7 +60,10 @@ void draw_panels(const Context& context) {
     draw_side_panel(context);
     draw_plots_panel(context);
     draw_top_bar(context);
+    draw_pointed(context);
     draw_read_out(context);
+    if (context.purpose == Purpose::plot_picture) return;
+    draw_lost_card(context);
     draw_divergence_card(context);
     draw_notices(context);
     draw_help(context);
@@ -96,6 +99,7 @@ struct Interface::Body {
     Layout layout;
     WidgetMap widgets;
     std::uint32_t scene_texture = 0;
+    std::optional<double> frame_seconds;  ///< as measured for the last frame
     bool new_view = true;
     bool input_left = false;
     bool unsettled = true;  ///< a widget appeared, disappeared or moved; ImGui knows its size one frame later
@@ -120,6 +124,11 @@ void Interface::record(const RunView& view) {
 
 void Interface::show_scene(std::uint32_t texture) { body_->scene_texture = texture; }
 
+void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> particle) {
+    body_->session.panel = panel;
+    body_->session.first_selected = particle;
+}
+
 Input& Interface::input() { return body_->input; }
 
 void Interface::use_clipboard(Clipboard clipboard) {
@@ -132,30 +141,43 @@ void Interface::use_clipboard(Clipboard clipboard) {
 }
 
 void Interface::draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured) {
-    draw_frame(view, commands, stage, measured, false);
+    draw_frame(view, commands, stage, measured, Purpose::use);
 }
 
 void Interface::draw_still(const RunView& view, Stage stage) {
     NoCommands no_commands;
     // ImGui knows the size of a window that fits its content only after drawing it once.
-    for (int pass = 0; pass < 3; ++pass) draw_frame(view, no_commands, stage, {}, true);
+    for (int pass = 0; pass < 3; ++pass) draw_frame(view, no_commands, stage, {}, Purpose::still);
 }
 
-void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured, bool still) {
+void Interface::draw_picture(const RunView& view, Stage stage, bool plot_alone) {
+    NoCommands no_commands;
+    const Measured measured{.frame_seconds = body_->frame_seconds, .since_last_frame = 1e-6};
+    ImGui::SetCurrentContext(body_->context.get());
+    const PointerAway away(ImGui::GetIO());
+    const Purpose purpose = plot_alone ? Purpose::plot_picture : Purpose::window_picture;
+    // A menu closes in the first frame and is gone in the second; a tooltip is gone at once.
+    for (int pass = 0; pass < 2; ++pass) draw_frame(view, no_commands, stage, measured, purpose);
+}
+
+void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured,
+                           Purpose purpose) {
     Body& body = *body_;
     ImGui::SetCurrentContext(body.context.get());
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(body.display.width), static_cast<float>(body.display.height)};
     io.DeltaTime = static_cast<float>(measured.since_last_frame);
-    body.input_left = body.input.feed(io);
+    body.theme.set_background(stage.style.background);
+    body.frame_seconds = measured.frame_seconds;
+    if (purpose == Purpose::use || purpose == Purpose::still) body.input_left = body.input.feed(io);
     ImGui::NewFrame();
     const WidgetMap before = std::exchange(body.widgets, {});
     body.session.wanted.follow(view, body.new_view);
     body.new_view = false;
     body.layout = arrange(body.display, body.session.panel);
-    const Context context{body.theme, body.layout, body.display, view,        measured,
-                          commands,   stage,       body.session, body.widgets};
-    if (!still) {
+    const Context context{body.theme, body.layout, body.display, view,         measured,
+                          commands,   stage,       body.session, body.widgets, purpose};
+    if (purpose == Purpose::use) {
         body.view_keeper.keep(context);
         perform_pressed_keys(context);
         use_pointer(context);
@@ -193,6 +215,11 @@ double Interface::seconds_until_change() const {
 void Interface::notify(std::string text) {
     ImGui::SetCurrentContext(body_->context.get());
     body_->session.notice = Notice{std::move(text), ImGui::GetTime() + 4};
+}
+
+void Interface::notify_saved(const std::string& file) {
+    ImGui::SetCurrentContext(body_->context.get());
+    body_->session.notice = notice_of_saved(file);
 }
 
 void Interface::report_error(std::string text) { body_->session.wanted.refuse(std::move(text)); }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ public:
     /// draw data. 0: the scene is not part of the draw data.
     void show_scene(std::uint32_t texture);
 
+    /// Before the first frame: whether the panel is shown, and the particle that is selected; none: as usual.
+    void open_with(std::optional<bool> panel, std::optional<std::size_t> particle);
     /// Takes events of keyboard and mouse for the next frames.
     Input& input();
     /// The clipboard for text entries; without one, copied text stays within the interface.
@@ -54,6 +57,9 @@ public:
     void draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured = {});
     /// Draws a frame without input: the same view always gives the same draw data.
     void draw_still(const RunView& view, Stage stage);
+    /// Draws what the window shows as a picture is to show it: without pointer, tooltip, notice and menu, which is
+    /// closed; `plot_alone`: without cards over the plots, either. The next draw() goes on as if nothing had been.
+    void draw_picture(const RunView& view, Stage stage, bool plot_alone);
 
     /// The area of the scene in the last frame.
     PixelRect scene() const;
@@ -67,8 +73,10 @@ public:
     /// Seconds until the picture changes without input: 0 if another frame is needed at once, infinity if it does not
     /// change.
     double seconds_until_change() const;
-    /// Shows `text` over the scene for some seconds: "saved steplab-mesh-1.png".
+    /// Shows `text` over the scene for some seconds.
     void notify(std::string text);
+    /// Shows for some seconds that a file was saved: its whole path, which a click copies.
+    void notify_saved(const std::string& file);
     /// Shows an error message until it is closed.
     void report_error(std::string text);
     /// The places of the widgets in the last frame, by name; for tests.
@@ -76,7 +84,7 @@ public:
 
 private:
     struct Body;
-    void draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured, bool still);
+    void draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured, Purpose purpose);
 
     std::unique_ptr<Body> body_;
 };

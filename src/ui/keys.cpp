@@ -6,7 +6,7 @@
 namespace steplab::ui {
 namespace {
 
-constexpr std::array<KeyBinding, 15> keys = {{
+constexpr std::array<KeyBinding, 16> keys = {{
     {Action::pause, Key::space, false, "Space", "play or pause"},
     {Action::step_forward, Key::right, false, "Right", "one step forward"},
     {Action::step_back, Key::left, false, "Left", "one step back"},
@@ -21,6 +21,7 @@ constexpr std::array<KeyBinding, 15> keys = {{
     {Action::help, Key::f1, false, "F1", "help"},
     {Action::snapshot, Key::p, true, "Ctrl+P", "save a snapshot"},
     {Action::full_screen, Key::f11, false, "F11", "full screen"},
+    {Action::close, Key::escape, false, "Esc", "close the menu or the message on top"},
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
 }};
 

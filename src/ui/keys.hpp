@@ -23,6 +23,7 @@ enum class Action {
     help,
     snapshot,
     full_screen,
+    close,
     quit
 };
 

@@ -1,5 +1,7 @@
 #include "ui/scene_pointer.hpp"
 
+#include "render/bounds.hpp"
+#include "render/framing.hpp"
 #include "render/picking.hpp"
 
 #include <cmath>
@@ -30,8 +32,21 @@ void drag(const Context& context, const render::Projection& projection) {
 }
 
 std::optional<std::size_t> particle_under_pointer(const Context& context, const render::Projection& projection) {
-    return render::particle_at(context.view.frame, projection, pointer_in(context.layout.scene),
-                               static_cast<double>(context.px(6)));
+    return render::particle_at(context.view.frame, context.sizes(), projection, pointer_in(context.layout.scene),
+                               static_cast<double>(context.px(10)));
+}
+
+/// Selects the particle under the pointer, if there is one.
+std::optional<std::size_t> select(const Context& context, const render::Projection& projection) {
+    const auto particle = particle_under_pointer(context, projection);
+    if (particle) context.commands.track(particle);
+    return particle;
+}
+
+void zoom(const Context& context, const render::Projection& projection) {
+    const double factor = std::pow(1.15, static_cast<double>(ImGui::GetIO().MouseWheel));
+    context.stage.camera =
+        render::zoomed(projection, factor, pointer_in(context.layout.scene), render::zoom_limits(context.view.frame));
 }
 
 /// The point under the pointer in the plane through `place` that faces the eye.
@@ -48,7 +63,9 @@ void pull(const Context& context, const render::Projection& projection) {
         pulled.reset();
     } else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
         const Vec3 seen = context.view.frame.seen(*pulled);
+        if (!render::drawable(seen)) return;
         context.commands.pull(*pulled, under_pointer_beside(seen, context, projection));
+        context.session.pulled_in = context.view.run;
     }
 }
 
@@ -56,13 +73,9 @@ void pull(const Context& context, const render::Projection& projection) {
 void begin(const Context& context, const render::Projection& projection) {
     Session& session = context.session;
     const ImGuiIO& io = ImGui::GetIO();
-    if (went_down(0) && io.KeyCtrl) session.pulled = particle_under_pointer(context, projection);
+    if (went_down(0) && io.KeyCtrl) session.pulled = select(context, projection);
     session.drag_from_scene = !(went_down(0) && io.KeyCtrl);
     session.dragged = false;
-}
-
-void select(const Context& context, const render::Projection& projection) {
-    if (const auto particle = particle_under_pointer(context, projection)) context.commands.track(particle);
 }
 
 }  // namespace
@@ -71,18 +84,17 @@ void use_pointer(const Context& context) {
     const ImGuiIO& io = ImGui::GetIO();
     Session& session = context.session;
     const Area& scene = context.layout.scene;
-    const PixelRect rect = pixels(scene);
-    const render::Projection projection(context.stage.camera, {rect.width, rect.height});
+    const render::Projection projection = context.projection();
     const bool over = !io.WantCaptureMouse && scene.contains(io.MousePos.x, io.MousePos.y);
     if (over && (went_down(0) || went_down(1))) begin(context, projection);
     if (session.pulled) pull(context, projection);
     if (session.drag_from_scene && (io.MouseDown[0] || io.MouseDown[1])) drag(context, projection);
     if (session.drag_from_scene && io.MouseReleased[0] && !session.dragged) select(context, projection);
     if (!io.MouseDown[0] && !io.MouseDown[1]) session.drag_from_scene = false;
-    if (over && io.MouseWheel != 0) {
-        const double factor = std::pow(1.15, static_cast<double>(io.MouseWheel));
-        context.stage.camera = render::zoomed(projection, factor, pointer_in(scene));
-    }
+    if (over && io.MouseWheel != 0) zoom(context, projection);
+    session.pointed.reset();
+    const bool dragging = session.drag_from_scene && session.dragged;
+    if (over && !dragging) session.pointed = particle_under_pointer(context, context.projection());
 }
 
 }  // namespace steplab::ui

@@ -15,7 +15,8 @@ void ViewKeeper::keep(const Context& context) {
     const bool other_shape = shape_ != view.frame.shape;
     const std::size_t particles = view.frame.shape->roles.size();
     if (first ? !view.tracked : other_model || (other_shape && shape_->roles.size() != particles)) {
-        context.commands.track(first_followed(*view.frame.shape));
+        const std::size_t usual = first_followed(*view.frame.shape);
+        context.commands.track(first ? context.session.first_selected.value_or(usual) : usual);
     }
     // The command line may have set the camera; one that is still untouched is placed where the scene opens.
     const bool untouched = context.stage.camera == home_.value_or(render::Camera{});

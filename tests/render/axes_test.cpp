@@ -1,10 +1,13 @@
 #include "render/axes.hpp"
 
 #include "render/occupancy.hpp"
+#include "support/extreme_doubles.hpp"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace steplab::render {
 namespace {
@@ -54,6 +57,25 @@ TEST(Occupancy, is_the_covered_part_of_a_rectangle) {
     const double part = taken.taken({100, 75}, {180, 85});
     EXPECT_GT(part, 0);
     EXPECT_LT(part, 1);
+}
+
+TEST(Axes, of_any_box_are_few_lines_and_labels) {
+    for (const auto& [a, b] : extreme_pairs(1000)) {
+        if (!(std::abs(a) < 1e100 && std::abs(b) < 1e100) || b < a) continue;  // drawable()
+        const Bounds bounds = bounds_of(std::vector<Vec3>{{a, 0, a}, {b, b, 1}});
+        const AxesBox any = axes_box(bounds, 1e-3 * std::abs(b), bounds);
+        const double reach = std::clamp(length(any.bounds.size()), 1e-99, 1e99);
+        for (const Camera& camera :
+             {Camera{any.bounds.centre(), reach, 30, 30}, Camera{{a, 0, 0}, 1e-9 * reach, 0, 0}}) {
+            const Axes axes = axes_of(any, Projection(camera, size), 1);
+            ASSERT_LE(axes.labels.size(), 3 * 1002u) << a << " .. " << b;
+            for (const AxisLabel& label : axes.labels) {
+                ASSERT_TRUE(label.strength > 0 && label.strength <= 1);
+                ASSERT_LE(label.text.size(), 40u);
+            }
+            for (const AxisLine& line : axes.lines) ASSERT_TRUE(line.strength > 0 && line.strength <= 1);
+        }
+    }
 }
 
 }  // namespace

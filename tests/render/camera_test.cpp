@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 namespace steplab::render {
 namespace {
 
@@ -68,6 +71,49 @@ TEST(Zoom, never_reaches_the_focus) {
     Camera near = camera;
     for (int i = 0; i < 2000; ++i) near = zoomed(Projection(near, size), 2, {640, 360});
     EXPECT_GT(near.distance, 0);
+}
+
+TEST(Zoom, stays_within_its_limits_and_comes_back_from_beyond) {
+    const ZoomLimits limits{2, 50};
+    Camera moved = camera;
+    for (int i = 0; i < 100; ++i) moved = zoomed(Projection(moved, size), 1.5, {640, 360}, limits);
+    EXPECT_EQ(moved.distance, 2);
+    for (int i = 0; i < 100; ++i) moved = zoomed(Projection(moved, size), 0.5, {640, 360}, limits);
+    EXPECT_EQ(moved.distance, 50);
+    for (const double distance : {1e-16, 1e30}) {
+        Camera beyond = camera;
+        beyond.distance = distance;
+        const Camera back = zoomed(Projection(beyond, size), 0.9, {640, 360}, limits);
+        EXPECT_TRUE(back.distance == 2 || back.distance == 50) << distance;
+    }
+}
+
+TEST(Camera, of_any_gestures_is_made_of_numbers) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> exponent(-99, 99), part(-1, 1);
+    for (int run = 0; run < 300; ++run) {
+        const auto any = [&] { return part(random) * std::pow(10.0, exponent(random)); };
+        Camera moved{{any(), any(), any()}, std::pow(10.0, exponent(random)), 180 * part(random), 90 * part(random)};
+        for (int i = 0; i < 50; ++i) {
+            const Projection from(moved, size);
+            const PixelPoint pixel{1280 * part(random), 720 * part(random)};
+            switch (random() % 3) {
+                case 0:
+                    moved = zoomed(from, std::pow(1.15, 40 * part(random)), pixel);
+                    break;
+                case 1:
+                    moved = panned(from, 5000 * part(random), 5000 * part(random));
+                    break;
+                default:
+                    moved = orbited(from, 1e5 * part(random), 1e5 * part(random));
+            }
+            ASSERT_TRUE(std::isfinite(length(moved.focus)));
+            ASSERT_TRUE(moved.distance >= least_distance && moved.distance <= largest_length);
+            ASSERT_TRUE(std::abs(moved.pitch) <= 90 && std::abs(moved.yaw) <= 360);
+            const Projection to(moved, size);
+            ASSERT_TRUE(std::isfinite(length(to.eye())));
+        }
+    }
 }
 
 TEST(Pan, moves_the_focus_with_the_cursor) {

@@ -1,8 +1,11 @@
 #include "render/colouring.hpp"
 
 #include "render/scenes.hpp"
+#include "support/extreme_doubles.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace steplab::render {
 namespace {
@@ -34,6 +37,34 @@ TEST(ColourScale, ends_a_little_above_the_largest_value) {
     ASSERT_TRUE(scale);
     EXPECT_DOUBLE_EQ(scale->minimum, 0);
     EXPECT_DOUBLE_EQ(scale->maximum, 2.5);
+}
+
+TEST(ColourScale, has_an_end_and_a_colour_for_any_values) {
+    for (const auto& [a, b] : extreme_pairs(2000)) {
+        Frame frame = test::string_of({{0, 0, 0}, {1, 0, 0}});
+        frame.positions[1] = {a, b, 0};
+        frame.velocities[1] = {b, a, 0};
+        for (const Colouring colouring :
+             {Colouring::speed, Colouring::kinetic_energy, Colouring::displacement, Colouring::strain}) {
+            const Style style = coloured_by(colouring);
+            const auto scale = colour_scale(frame, style);
+            ASSERT_TRUE(std::isfinite(scale->maximum) && scale->maximum > 0) << a << " " << b;
+            particle_colour(frame, style, scale, 1);
+            spring_colour(frame, style, scale, 0);
+            for (const double value : special_doubles()) scale->colour(value, palette(style.background));
+        }
+    }
+}
+
+TEST(Viridis, has_the_colour_of_0_for_what_is_no_number) {
+    EXPECT_EQ(viridis(std::nan("")), viridis(0));
+    EXPECT_EQ(viridis(INFINITY), viridis(1));
+}
+
+TEST(ColourScale, leaves_out_what_is_no_number) {
+    Frame frame = test::particles_at({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
+    frame.velocities = {{0, 2.2, 0}, {INFINITY, 0, 0}, {0, std::nan(""), 0}};
+    EXPECT_DOUBLE_EQ(colour_scale(frame, coloured_by(Colouring::speed))->maximum, 2.5);
 }
 
 TEST(ColourScale, can_be_given) {

@@ -2,9 +2,11 @@
 
 #include "core/error.hpp"
 #include "render/drawn_sizes.hpp"
+#include "render/picking.hpp"
 #include "render/scenes.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/extreme_doubles.hpp"
 
 #include <gmock/gmock.h>
 
@@ -74,6 +76,59 @@ TEST(Framing, mesh_stays_in_the_picture_while_it_swings) {
     }
 }
 
+TEST(Framing, morse_opens_on_its_cluster_with_the_bullet_in_view) {
+    const Frame frame = Simulation(describe("morse")).frame();
+    const DrawnSizes drawn(*frame.shape);
+    const std::size_t bullet = frame.positions.size() - 1;
+    for (const PictureSize size : sizes) {
+        const Projection projection(default_camera(frame, size), size);
+        const auto pixel = projection.pixel(frame.positions[bullet]);
+        ASSERT_TRUE(pixel);
+        const double scale = projection.pixels_per_unit(projection.depth(frame.positions[bullet]));
+        EXPECT_GT(scale * drawn.radius(Role::bullet), 2) << "large enough to be seen";
+        EXPECT_EQ(particle_at(frame, drawn, projection, *pixel, 0), bullet) << "no other particle hides it";
+    }
+    const Projection projection(default_camera(frame, sizes[0]), sizes[0]);
+    double top = INFINITY, bottom = -INFINITY;
+    for (std::size_t i = 0; i < bullet; ++i) {
+        const double y = projection.pixel(frame.positions[i])->y;
+        top = std::min(top, y);
+        bottom = std::max(bottom, y);
+    }
+    EXPECT_GT(bottom - top, 0.4 * sizes[0].height) << "the cluster fills the picture";
+}
+
+TEST(ZoomLimits, are_those_of_the_scene) {
+    for (const double length : {1e-30, 1.0, 1e30}) {
+        const Frame frame = test::particles_at({{0, 0, 0}, {length, 0, 0}}, {}, length);
+        const ZoomLimits limits = zoom_limits(frame);
+        const Camera whole = default_camera(frame, sizes[0]);
+        EXPECT_LT(limits.nearest, 0.1 * length);
+        EXPECT_GT(limits.farthest, 10 * whole.distance);
+        // At the far end the scene is still some pixels across, at the near end a ball fills the picture.
+        Camera far = whole;
+        far.distance = limits.farthest;
+        EXPECT_GT(Projection(far, sizes[0]).pixels_per_unit(far.distance) * length, 2);
+        Camera near = whole;
+        near.distance = limits.nearest;
+        const double radius = DrawnSizes(*frame.shape).radius(Role::moving);
+        EXPECT_GT(Projection(near, sizes[0]).pixels_per_unit(near.distance) * radius, sizes[0].width);
+    }
+}
+
+TEST(ZoomLimits, are_limits_for_any_positions) {
+    for (const auto& [a, b] : extreme_pairs(500)) {
+        const Frame frame = test::particles_at({{a, 0, b}, {b, a, 1}});
+        const ZoomLimits limits = zoom_limits(frame);
+        ASSERT_GE(limits.nearest, least_distance) << a << " " << b;
+        ASSERT_LE(limits.nearest, limits.farthest) << a << " " << b;
+        ASSERT_LE(limits.farthest, largest_length) << a << " " << b;
+        const Camera camera = default_camera(frame, sizes[0]);
+        ASSERT_TRUE(std::isfinite(length(camera.focus)) && camera.distance <= largest_length) << a << " " << b;
+        ASSERT_EQ(camera_of(view_text(camera), frame, sizes[0]), camera) << "a view that is copied can be opened";
+    }
+}
+
 TEST(Framing, one_particle_does_not_fill_the_picture) {
     const Frame frame = test::particles_at({{5, 5, 5}});
     const double part = filled(frame, default_camera(frame, sizes[0]), sizes[0]);
@@ -118,6 +173,13 @@ TEST(ViewText, refusals_describe_the_valid_forms) {
             EXPECT_THAT(error.what(), HasSubstr("\"" + std::string(text) + "\""));
         }
     }
+}
+
+TEST(ViewText, lengths_that_no_picture_can_hold_are_refused) {
+    const Frame frame = test::particles_at({{0, 0, 0}});
+    for (const char* text : {"0,0,1e-100,0,0,0", "0,0,1e300,0,0,0", "0,0,1,1e103,0,0", "0,0,1,0,-1e200,0"})
+        EXPECT_THROW(camera_of(text, frame, sizes[0]), UsageError) << text;
+    EXPECT_EQ(camera_of("0,0,1e-16,4,0,-4", frame, sizes[0]).distance, 1e-16);
 }
 
 }  // namespace

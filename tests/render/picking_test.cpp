@@ -12,6 +12,12 @@ namespace {
 const PictureSize size{800, 600};
 const Projection projection({{0, 0, 0}, 10, 0, 0}, size);
 
+/// As picking.hpp says, with a tolerance of 6 pixels unless another is given.
+std::optional<std::size_t> particle_at(const Frame& frame, const Projection& from, PixelPoint pixel,
+                                       double tolerance = 6) {
+    return render::particle_at(frame, DrawnSizes(*frame.shape), from, pixel, tolerance);
+}
+
 TEST(Picking, finds_the_particle_under_the_pixel) {
     const Frame frame = test::particles_at({{-1, 0, 0}, {1, 0, 0}});
     EXPECT_EQ(particle_at(frame, projection, *projection.pixel({1, 0.1, 0})), 1u);
@@ -32,6 +38,35 @@ TEST(Picking, a_far_particle_is_hit_within_reach) {
     const Frame frame = test::particles_at({{0, 0, -1000}});
     EXPECT_EQ(particle_at(frame, projection, {405, 300}, 6), 0u);
     EXPECT_FALSE(particle_at(frame, projection, {405, 300}, 4));
+}
+
+TEST(Picking, prefers_the_particle_under_the_pixel_to_a_nearer_one_beside_it) {
+    const Frame frame = test::particles_at({{0, 0, 0}, {0.27, 0, 2}});
+    const PixelPoint pixel = *projection.pixel({0.02, 0, 0});
+    EXPECT_EQ(particle_at(frame, projection, pixel, 30), 0u);
+    const Frame alone = test::particles_at({{-3, 0, 0}, {0.27, 0, 2}});
+    EXPECT_EQ(particle_at(alone, projection, pixel, 30), 1u) << "within the tolerance";
+}
+
+TEST(Picking, takes_the_one_whose_edge_is_nearest) {
+    const Frame frame = test::particles_at({{-0.5, 0, 0}, {0.6, 0, 0}});
+    EXPECT_EQ(particle_at(frame, projection, {400, 300}, 100), 0u);
+    EXPECT_FALSE(particle_at(frame, projection, {400, 300}, 4));
+}
+
+TEST(InView, is_a_particle_or_its_edge_in_front_of_the_camera) {
+    const auto seen = [](Vec3 place) {
+        const Frame frame = test::particles_at({place});
+        return any_in_view(frame, DrawnSizes(*frame.shape), projection);
+    };
+    EXPECT_TRUE(seen({0, 0, 0}));
+    EXPECT_TRUE(seen({3.3, 0, 0}));
+    EXPECT_TRUE(seen({3.4, 0, 0})) << "its edge";
+    EXPECT_FALSE(seen({3.9, 0, 0}));
+    EXPECT_FALSE(seen({0, 3, 0}));
+    EXPECT_FALSE(seen({0, 0, 11})) << "behind the camera";
+    EXPECT_FALSE(seen({std::numeric_limits<double>::quiet_NaN(), 0, 0}));
+    EXPECT_FALSE(seen({0, 0, -1e200}));
 }
 
 TEST(Picking, finds_a_particle_of_a_periodic_scene_where_it_is_seen) {

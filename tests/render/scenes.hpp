@@ -10,8 +10,9 @@
 namespace steplab::test {
 
 /// A frame at rest of particles at these places with these roles, without springs.
-inline Frame particles_at(std::vector<Vec3> places, std::vector<Role> roles = {}) {
+inline Frame particles_at(std::vector<Vec3> places, std::vector<Role> roles = {}, double spacing = 1) {
     auto shape = std::make_shared<Shape>();
+    shape->spacing = spacing;
     shape->rest = places;
     shape->roles = roles.empty() ? std::vector<Role>(places.size(), Role::moving) : std::move(roles);
     Frame frame;

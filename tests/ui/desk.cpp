@@ -15,6 +15,14 @@ Desk::Desk(const RunDescription& description, const Display& display)
 
 void Desk::frame() { interface.draw(view, recorder, {camera, style}); }
 
+void Desk::picture(bool plot_alone) { interface.draw_picture(view, {camera, style}, plot_alone); }
+
+void Desk::show(const RunView& newer) {
+    view = newer;
+    interface.record(view);
+    frame();
+}
+
 WidgetRect Desk::widget(std::string_view name) {
     const auto found = interface.widgets().find(name);
     if (found != interface.widgets().end()) return found->second;

@@ -15,6 +15,10 @@ public:
 
     /// One frame with the input that is set.
     void frame();
+    /// The frames of a picture of the window, or of a plot in it.
+    void picture(bool plot_alone = false);
+    /// Another view of the run, recorded as the newest.
+    void show(const RunView& newer);
     /// Where a widget is; fails the test, naming those there are, if it is not drawn.
     WidgetRect widget(std::string_view name);
     bool has(std::string_view name) const { return interface.widgets().contains(name); }

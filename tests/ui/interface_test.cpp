@@ -97,7 +97,7 @@ TEST(interface, still_picture_shows_no_measured_value) {
 TEST(interface, a_notice_goes_by_itself) {
     Desk desk;
     desk.interface.notify("saved");
-    desk.frame();
+    for (int i = 0; i < 3; ++i) desk.frame();  // until it has its size
     EXPECT_GT(desk.interface.seconds_until_change(), 0);
     EXPECT_LT(desk.interface.seconds_until_change(), 10);
     for (int i = 0; i < 60 * 10; ++i) desk.frame();

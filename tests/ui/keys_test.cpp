@@ -153,8 +153,10 @@ TEST(keys, every_key_has_a_button_or_menu_entry) {
                                                   {Action::help, "menu/help"},
                                                   {Action::snapshot, "menu/snapshot"},
                                                   {Action::full_screen, "menu/full screen"},
+                                                  {Action::close, "help.close"},
                                                   {Action::quit, "menu/quit"}};
     Desk desk;
+    desk.key(Key::f1);
     desk.click("menu");
     for (const KeyBinding& binding : key_bindings()) {
         EXPECT_TRUE(desk.has(places.at(binding.action))) << binding.label;

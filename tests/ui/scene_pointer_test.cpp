@@ -1,3 +1,4 @@
+#include "render/drawn_sizes.hpp"
 #include "ui/desk.hpp"
 #include "ui/view_keeper.hpp"
 
@@ -96,6 +97,67 @@ TEST(scene_pointer, click_picks_the_particle_under_it) {
         desk.press();
         desk.release();
         EXPECT_EQ(desk.recorder.tracked, particle);
+    }
+}
+
+TEST(scene_pointer, click_beside_a_particle_within_some_pixels_picks_it) {
+    Desk desk(describe("chain"), {2560, 1600, 2});
+    const Point place = on_display(desk, 4);
+    const PixelRect rect = desk.interface.scene();
+    const render::Projection projection(desk.camera, {rect.width, rect.height});
+    const double scale = projection.pixels_per_unit(projection.depth(desk.view.frame.positions[4]));
+    const double radius = scale * render::DrawnSizes(*desk.view.frame.shape).radius(Role::moving);
+    const auto edge = static_cast<float>(radius);
+    for (const float beyond : {10.0f, 60.0f}) {  // pixels at scale 2: inside the tolerance and outside
+        desk.recorder.tracked.reset();
+        desk.move_to(place.x, place.y + edge + beyond);
+        desk.press();
+        desk.release();
+        EXPECT_EQ(desk.recorder.tracked.has_value(), beyond < 20) << beyond;
+    }
+}
+
+TEST(scene_pointer, a_pulled_particle_is_selected) {
+    Desk desk(describe("chain"));
+    const Point place = on_display(desk, 5);
+    desk.interface.input().push(ModifiersChanged{.control = true});
+    desk.move_to(place.x, place.y);
+    desk.press();
+    EXPECT_EQ(desk.recorder.tracked, 5u);
+    desk.release();
+}
+
+TEST(scene_pointer, a_scene_out_of_view_is_reported_and_f_brings_it_back) {
+    Desk desk(describe("chain"));
+    EXPECT_FALSE(desk.has("lost"));
+    for (const bool by_key : {true, false}) {
+        for (const Vec3 focus : {Vec3{1000, 0, 0}, Vec3{0, 0, -1e30}, Vec3{0, 1e99, 0}}) {
+            desk.camera.focus = focus;
+            for (int i = 0; i < 2; ++i) desk.frame();
+            ASSERT_TRUE(desk.has("lost")) << focus.x;
+            by_key ? desk.key(Key::f) : desk.click("lost.fit");
+            EXPECT_FALSE(desk.has("lost"));
+            EXPECT_LT(length(desk.camera.focus), 100);
+        }
+    }
+}
+
+TEST(scene_pointer, the_wheel_keeps_any_scene_in_reach) {
+    for (const double length : {1e-30, 1.0, 1e30}) {
+        RunDescription description = describe("chain");
+        description.scene.set("L", length);
+        description.scene.set("v0", 0);  // otherwise the kick, not the chain, sets the size of the scene
+        Desk desk(description);
+        const Point centre = middle(desk.interface.scene());
+        desk.move_to(centre.x, centre.y);
+        const render::Camera home = desk.camera;
+        for (const float lines : {1.0f, -1.0f, 400.0f, -800.0f}) {
+            desk.wheel(lines);
+            EXPECT_GT(desk.camera.distance, 1e-4 * home.distance) << lines;
+            EXPECT_LT(desk.camera.distance, 1e4 * home.distance) << lines;
+        }
+        desk.key(Key::f);
+        EXPECT_NEAR(desk.camera.distance / home.distance, 1, 0.5);
     }
 }
 

@@ -104,7 +104,7 @@ panel_changes_the_run() {
     enter scene.n 25; expect 'command .*--set n=25.*' 'step 0'
     click restart; expect 'run [0-9]+'
     choose menu 'copy command'
-    expect 'copied steplab --model rope --set n=25 --set g=1.62 --method verlet --precision float --dt 0.05'
+    expect 'copied steplab view --model rope --set n=25 --set g=1.62 --method verlet --precision float --dt 0.05'
     close_window
 }
 
@@ -190,6 +190,52 @@ command_line_opens_its_scene() {
     grep -qx 'command --model morse --set edge=2 --method midpoint --precision float --dt 0.02' "$folder/said" ||
         fail "another scene was opened"
     grep -qx 'camera 10,20,30,1,2,3' "$folder/said" || fail "another view was opened"
+    close_window
+}
+
+copied_command_opens_the_same_again() {
+    start_display 1280x800
+    local scene='--model chain --method verlet --precision double --dt 0.05'
+    local options='--steps 40 --view 10,20,30,1,2,3 --colour speed --background light --springs off --grid off'
+    options+=' --particle 3 --speed 2.5 --ensemble 16 --spread k=0.999:1.001 --size 1000x700 --ui on'
+    # shellcheck disable=SC2086  # many words
+    open_window $scene $options
+    [[ $(tail -1 <(grep '^step ' "$folder/said")) == 'step 40' ]] || expect 'step 40'
+    grep -qx 'tracked 3' "$folder/said" || expect 'tracked 3'
+    choose menu 'copy command'
+    expect "copied steplab view $scene $options"
+    close_window
+}
+
+extreme_views_are_answered() {
+    start_display 1280x800
+    open_window --model chain --set L=1e30 --play
+    xdotool key f; expect 'camera .*'
+    xdotool mousemove 800 300 click 4; expect 'camera .*'
+    xdotool click 5 click 5; expect 'camera .*'
+    close_window
+    rm "$folder/trace"
+    open_window --model mesh --view 0,0,1e-16,4,0,-4
+    xdotool mousemove 800 300 click 5; expect 'camera .*'
+    xdotool key f; expect 'camera .*'
+    close_window
+    rm "$folder/trace"
+    open_window --model mesh --view 0,0,10,1e30,0,0
+    expect 'widget lost.fit [0-9].*'
+    click lost.fit; expect 'widget lost gone'
+    close_window
+}
+
+escape_closes_what_is_open() {
+    start_display 1280x800
+    open_window --model mesh
+    click method; expect 'widget method/rk4 [0-9].*'
+    xdotool key Escape; expect 'widget method/rk4 gone'
+    xdotool key F1; expect 'widget help [0-9].*'
+    xdotool key Escape; expect 'widget help gone'
+    xdotool key ctrl+p; expect 'saved steplab-mesh-1.png' 'widget notice [0-9].*'
+    click notice; expect "copied $folder/steplab-mesh-1.png"
+    xdotool key Escape; expect 'widget notice gone'
     close_window
 }
 

@@ -12,8 +12,9 @@
 namespace steplab {
 namespace {
 
-constexpr ParameterInfo scale_info{
-    .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "scale of the interface"};
+constexpr ParameterInfo speed_info{
+    .name = "--speed", .unit = "", .minimum_included = false, .what = "simulated seconds per second of real time"};
+constexpr std::string_view unlimited = "unlimited";
 constexpr int smallest = 100;
 constexpr int largest = 16384;
 
@@ -38,25 +39,46 @@ void read_size(std::string_view text, WindowRequest& request) {
                                  smallest, largest, shown(all)));
 }
 
+Rate parse_speed(std::string_view text) {
+    if (text == unlimited) return {.as_fast_as_possible = true};
+    try {
+        return {.as_fast_as_possible = false, .seconds_per_second = parse_value(speed_info, text)};
+    } catch (const UsageError& error) {
+        throw UsageError(fmt::format("{}, or {}", error.what(), unlimited));
+    }
+}
+
 }  // namespace
 
 void ViewOptions::declare(CLI::App& app) {
-    text_option(app, "--size", size_, "WxH", "Size of the window in pixels (default 1280x800)");
-    text_option(app, "--scale", scale_, "X", "Scale of the interface, 0.5 to 8 (default: that of the display)");
-    text_option(app, "--view", view_, "VIEW", "Camera: default, front, side, top, or a text copied by \"Copy view\"");
-    text_option(app, "--trace", trace_, "FILE|-", "Write a line for each event in the window");
-    flag_option(app, "--full-screen", full_screen_, "Open in full screen");
-    flag_option(app, "--play", playing_, "Start playing at once");
+    time_.declare(app);
+    const std::string group = "Window";
+    text_option(app, "--size", size_, "WxH", "Size of the window in pixels (default 1280x800)", group);
+    appearance_.declare(app, {.group = group,
+                              .particle = "Select this particle",
+                              .panel = "Show the panel and the plots (default: where the window has room)",
+                              .scale = "Scale of the interface, 0.5 to 8 (default: that of the display)"});
+    text_option(app, "--speed", speed_, "X|unlimited", "Simulated seconds per second of real time (default 1)", group);
+    flag_option(app, "--play", playing_, "Start playing at once, after --steps or --until", group);
+    flag_option(app, "--full-screen", full_screen_, "Open in full screen", group);
+    text_option(app, "--trace", trace_, "FILE|-", "Write a line for each event in the window", group);
+    ensemble_.declare(app);
 }
 
-WindowRequest ViewOptions::request() const {
+WindowRequest ViewOptions::request(const RunDescription& description) const {
     WindowRequest request;
-    request.view = view_;
+    read_size(size_, request);
+    if (const auto scale = appearance_.scale()) request.scale = static_cast<float>(*scale);
+    request.view = appearance_.view();
+    request.style = appearance_.style(description);
+    request.panel = appearance_.panel();
+    request.steps = time_.steps(description);
+    if (!speed_.empty()) request.rate = parse_speed(speed_);
+    if (ensemble_.is_given())
+        request.ensemble = nearest_live_ensemble(description, ensemble_.count(), ensemble_.ranges(description));
     request.trace = trace_;
     request.full_screen = full_screen_;
     request.playing = playing_;
-    read_size(size_, request);
-    if (!scale_.empty()) request.scale = static_cast<float>(parse_value(scale_info, scale_));
     return request;
 }
 

@@ -1,5 +1,12 @@
 #pragma once
 
+#include "app/cli/appearance_options.hpp"
+#include "app/cli/ensemble_options.hpp"
+#include "app/cli/scene_options.hpp"
+#include "render/style.hpp"
+#include "sim/run/run_view.hpp"
+
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -9,15 +16,20 @@ class App;
 
 namespace steplab {
 
-/// The window's options on the command line, beside the scene's.
+/// What the window opens with, beside the run's description.
 struct WindowRequest {
     int width = 1280;  ///< pixels
     int height = 800;
     std::optional<float> scale;  ///< pixels per unit of the layout; none: the display's
     std::string view;            ///< camera as text; empty: the scene's own
-    std::string trace;           ///< file to which events are written; empty: none
+    render::Style style;         ///< with the particle to select, if there is one
+    std::optional<bool> panel;   ///< shown or not; none: where the window has room
+    std::uint64_t steps = 0;     ///< that the run takes before anything else
+    std::optional<Rate> rate;    ///< none: the usual one
+    LiveEnsembleOptions ensemble;
+    std::string trace;  ///< file to which events are written; empty: none
     bool full_screen = false;
-    bool playing = false;
+    bool playing = false;  ///< after these steps
 };
 
 /// The options of `steplab view` and `steplab-view` that are not the scene's.
@@ -25,12 +37,14 @@ class ViewOptions {
 public:
     void declare(CLI::App& app);
     /// Throws UsageError for values of another form or out of range.
-    WindowRequest request() const;
+    WindowRequest request(const RunDescription& description) const;
 
 private:
+    TimeOptions time_{0};
+    AppearanceOptions appearance_;
+    EnsembleOptions ensemble_;
     std::string size_ = "1280x800";
-    std::string scale_;
-    std::string view_;
+    std::string speed_;
     std::string trace_;
     bool full_screen_ = false;
     bool playing_ = false;

@@ -2,10 +2,10 @@
 
 #include "app/cli/catalogue_text.hpp"
 #include "app/cli/command_line.hpp"
+#include "app/cli/ensemble_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/commands/ensemble_job.hpp"
-#include "app/commands/ensemble_options.hpp"
 #include "app/commands/recorded_run.hpp"
 #include "app/commands/run_outputs.hpp"
 #include "core/error.hpp"

@@ -1,9 +1,9 @@
 #include "app/commands/snapshot.hpp"
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/ensemble_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
-#include "app/commands/ensemble_options.hpp"
 #include "app/commands/snapshot_ensemble.hpp"
 #include "app/commands/snapshot_options.hpp"
 #include "app/png.hpp"

@@ -2,30 +2,7 @@
 
 #include "core/interruption.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string_view>
-
 namespace steplab {
-
-LiveEnsembleOptions nearest_live_ensemble(const RunDescription& description, std::size_t runs,
-                                          const std::vector<ParameterRange>& ranges) {
-    LiveEnsembleOptions ensemble{.runs = runs, .width = 0};
-    if (ranges.empty()) return ensemble;
-    const auto& [name, from, to] = ranges.front();
-    const std::vector<std::string_view> known = perturbable(description);
-    ensemble.otherwise = ranges.size() > 1 || std::find(known.begin(), known.end(), name) == known.end();
-    if (ensemble.otherwise) return ensemble;
-    const double value = description.scene.contains(name) ? description.scene[name] : description.dt;
-    ensemble.spread = name;
-    ensemble.width = std::abs(to - from) / 2 / std::abs(value);
-    // The decimal ends of a range are rounded, each by half of epsilon.
-    const double middle = std::abs((from + to) / 2 - value) / std::abs(value);
-    ensemble.otherwise =
-        middle > std::numeric_limits<double>::epsilon() || ensemble.width > LiveEnsembleOptions::most_width;
-    return ensemble;
-}
 
 SnapshotEnsemble::SnapshotEnsemble(const RunDescription& description, std::size_t runs,
                                    const std::vector<ParameterRange>& ranges)

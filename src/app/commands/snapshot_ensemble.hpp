@@ -10,11 +10,6 @@
 
 namespace steplab {
 
-/// The options of the window's ensemble that give these runs: one number of the scene, or dt, varied around the run's
-/// own value. `otherwise` is set if there are none.
-LiveEnsembleOptions nearest_live_ensemble(const RunDescription& description, std::size_t runs,
-                                          const std::vector<ParameterRange>& ranges);
-
 /// The ensemble shown in a picture.
 class SnapshotEnsemble {
 public:

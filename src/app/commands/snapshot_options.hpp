@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/appearance_options.hpp"
 #include "app/offscreen/modules.hpp"
 
 #include <string>
@@ -24,13 +25,8 @@ public:
 private:
     std::string out_;
     std::string size_ = "1280x720";
-    std::string view_ = "default";
-    std::string panel_ = "off";
     std::string gl_ = "auto";
-    std::string colour_ = "role";
-    std::string background_ = "dark";
-    std::string particle_;
-    std::string scale_;
+    AppearanceOptions appearance_;
 };
 
 }  // namespace steplab

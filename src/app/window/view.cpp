@@ -49,7 +49,8 @@ int run(const std::vector<std::string>& arguments) {
     } else if (keys) {
         print(ui::key_table());
     } else {
-        return open_window(scene.description(), options.request());
+        const RunDescription description = scene.description();
+        return open_window(description, options.request(description));
     }
     return static_cast<int>(ExitCode::done);
 }

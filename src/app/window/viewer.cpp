@@ -67,10 +67,35 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
     interface_.use_clipboard({[this] { return window_.pasted(); }, [this](const auto& text) { window_.copy(text); }});
     worker_->on_view(&Window::wake);
     if (request.full_screen) window_.toggle_full_screen();
+    open(request);
+}
+
+/// Asks the run for the moment to open at, and shows it from its start until then.
+void Viewer::open(const WindowRequest& request) {
+    style_ = request.style;
+    interface_.open_with(request.panel, request.style.selected);
     take_news();
-    const ui::PixelRect scene = pixels(ui::arrange(window_.display()).scene);
+    place_camera(request);  // a wrong text is reported now
+    if (request.rate) worker_->set_rate(*request.rate);
+    if (request.ensemble.runs > 0) worker_->show_ensemble(request.ensemble);
+    if (request.steps > 0) worker_->go_to(request.steps);
+    opening_ = request;
+    begin_as_asked();
+}
+
+void Viewer::place_camera(const WindowRequest& request) {
+    const ui::PixelRect scene = pixels(ui::arrange(window_.display(), request.panel).scene);
     if (!request.view.empty()) camera_ = render::camera_of(request.view, view_->frame, {scene.width, scene.height});
-    if (request.playing) worker_->play(true);
+}
+
+/// Once the run is at the moment to open at, on which the camera may depend.
+void Viewer::begin_as_asked() {
+    if (!opening_) return;
+    const bool on_the_way = view_->run == 0 && !view_->divergence && view_->error.empty();
+    if (on_the_way && view_->frame.step < opening_->steps) return;
+    place_camera(*opening_);
+    if (opening_->playing) worker_->play(true);
+    opening_.reset();
 }
 
 void Viewer::run() {
@@ -91,6 +116,7 @@ void Viewer::take_news() {
         view_ = std::move(newer);
         interface_.record(*view_);
         glide_.arrived(view_, Clock::now());
+        begin_as_asked();
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
     if (painter_.take(painted_)) {
@@ -144,7 +170,7 @@ void Viewer::ask_for_scene(Clock::time_point now) {
 void Viewer::draw_panels(const ui::Display& display) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, display.width, display.height);
-    glClearColor(0.06f, 0.07f, 0.09f, 1);
+    glClearColor(0, 0, 0, 1);  // the panels and the scene cover all of it
     glClear(GL_COLOR_BUFFER_BIT);
     panels_.draw(interface_.draw_data());
 }
@@ -167,9 +193,10 @@ void Viewer::carry_out(const ui::Request& request) {
 void Viewer::save_snapshot(const ui::Request& request) {
     const std::string name = request.file.empty() ? ui::free_name({}, view_->description.model, "png") : request.file;
     const ui::Display display = window_.display();
+    interface_.draw_picture(*view_, {camera_, style_}, request.part.width > 0);
     try {
         write_panels(panels_, interface_.draw_data(), {display.width, display.height}, request.part, name);
-        interface_.notify("saved " + name);
+        interface_.notify_saved(name);
     } catch (const Error& error) {
         interface_.report_error(error.what());
     }

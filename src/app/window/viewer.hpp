@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace steplab {
@@ -56,6 +57,9 @@ private:
         OpenGl();
     };
 
+    void open(const WindowRequest& request);
+    void place_camera(const WindowRequest& request);
+    void begin_as_asked();
     void take_news();
     void wait();
     void draw_frame();
@@ -80,6 +84,7 @@ private:
     ui::Glide glide_;
     render::Camera camera_;
     render::Style style_;
+    std::optional<WindowRequest> opening_;  ///< until the run has reached the step to open at
     ui::Measured measured_;
     Clock::time_point drawn_ = Clock::now();               ///< when the last frame began
     Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes without input

@@ -17,14 +17,22 @@ struct LiveEnsembleOptions {
     std::size_t runs = 0;        ///< 0: no ensemble
     std::string spread = {};     ///< what differs: one of perturbable(); any other: the first of them
     double width = usual_width;  ///< by how much at most, over the run's own value
-    /// They differ in something that the window cannot choose: only in pictures of an ensemble.
+    /// They differ in something that the window cannot choose, as the command line can: in `ranges`.
     bool otherwise = false;
+    std::vector<ParameterRange> ranges = {};  ///< used if `otherwise`, empty if not
     friend bool operator==(const LiveEnsembleOptions&, const LiveEnsembleOptions&) = default;
 };
 
 /// What the runs of an ensemble can differ in: the real parameters of the scene that are not 0, the speed at the start
 /// first, and dt.
 std::vector<std::string_view> perturbable(const RunDescription& description);
+
+/// The options that give these runs: one number of the scene, or dt, varied about the run's own value with the shortest
+/// width that gives the ends of its range exactly, or the nearest; otherwise `otherwise` is set.
+LiveEnsembleOptions nearest_live_ensemble(const RunDescription& description, std::size_t runs,
+                                          const std::vector<ParameterRange>& ranges);
+/// What the runs of an ensemble beside a run of this description differ in.
+std::vector<ParameterRange> ranges_of(const LiveEnsembleOptions& ensemble, const RunDescription& description);
 
 /// From value (1 - width) to value (1 + width).
 ParameterRange range_of(const LiveEnsembleOptions& ensemble, const RunDescription& description);

@@ -17,6 +17,7 @@ struct ParameterRange {
     /// The value of run i: from + (to - from) i / (runs - 1), computed in double from left to right; the last run has
     /// `to` itself, a single one `from`.
     double value(std::size_t run, std::size_t runs) const;
+    friend bool operator==(const ParameterRange&, const ParameterRange&) = default;
 };
 
 /// "k=1:2". Throws UsageError for what is not of that form, names neither dt nor a parameter whose values are numbers,

@@ -2,6 +2,7 @@
 
 #include "sim/run/worker_body.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace steplab {
@@ -31,6 +32,17 @@ void Worker::step_forward() {
 
 void Worker::step_back() {
     body_->post([](Body& body) { body.step_back(); });
+}
+
+void Worker::go_to(std::uint64_t step) {
+    body_->post([step](Body& body) {
+        // in parts, so that there are moments to come back to
+        constexpr std::uint64_t parts = 64;
+        while (body.simulation.step() < step && !body.simulation.divergence()) {
+            body.simulation.advance(std::min(step - body.simulation.step(), step / parts + 1));
+            body.history.offer(body.simulation);
+        }
+    });
 }
 
 void Worker::restart() {

@@ -2,6 +2,7 @@
 
 #include "sim/run/run_view.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -39,6 +40,9 @@ public:
     void track(std::optional<std::size_t> particle) override;
     void pull(std::size_t particle, Vec3 position) override;
     void show_ensemble(const LiveEnsembleOptions& ensemble) override;
+
+    /// Takes the run forward to this step, in one go; earlier commands come first, later ones after it.
+    void go_to(std::uint64_t step);
 
     /// Swaps the newest view into `view` if there is one that was not taken yet; false if nothing is new. Never waits.
     bool take(RunView& view);

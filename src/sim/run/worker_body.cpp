@@ -180,7 +180,7 @@ void Worker::Body::show_ensemble(LiveEnsembleOptions asked) {
     live_ensemble.reset();
     if (ensemble.runs == 0) return;
     live_ensemble.emplace(ensemble.runs, [of = ensemble](const RunDescription& description, std::size_t member) {
-        return run_in_range(description, std::vector{range_of(of, description)}, member, of.runs);
+        return run_in_range(description, ranges_of(of, description), member, of.runs);
     });
 }
 

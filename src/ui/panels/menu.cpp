@@ -2,6 +2,8 @@
 #include "ui/actions.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/icons.hpp"
+#include "ui/widgets/widgets.hpp"
+#include "ui/window_command.hpp"
 
 #include <utility>
 
@@ -25,7 +27,10 @@ void action_item(const Context& context, std::string_view widget, const char* la
 
 void draw_menu_items(const Context& context) {
     if (menu_item(context, "menu/copy command", "Copy command line")) {
-        copy(context, "steplab " + command_line(context.description()), "the command line");
+        copy(context, window_command(context),
+             command_repeats_run(context)
+                 ? "the command line that opens this again"
+                 : "the command line; it opens the start, without the changes during this run");
     }
     if (menu_item(context, "menu/copy view", "Copy view")) {
         copy(context, render::view_text(context.stage.camera), "the view");
@@ -55,6 +60,7 @@ void draw_menu(const Context& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(24), context.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(12)});
     if (ImGui::BeginPopup("menu", ImGuiWindowFlags_NoMove)) {
+        close_if_asked(context);
         draw_menu_items(context);
         ImGui::EndPopup();
     }

@@ -2,6 +2,8 @@
 #include "ui/widgets/cards.hpp"
 #include "ui/widgets/widgets.hpp"
 
+#include <algorithm>
+
 namespace steplab::ui {
 namespace {
 
@@ -19,14 +21,34 @@ void draw_refusal(const Context& context) {
     ImGui::PopTextWrapPos();
 }
 
-void draw_note(const Context& context, const std::string& text) {
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 foot = foot_of_scene(context);
-    const ImVec2 padding{context.px(14), context.px(8)};
-    const ImVec2 from{std::round(foot.x - 0.5f * size.x - padding.x), foot.y - size.y - 2 * padding.y};
-    list.AddRectFilled(from, {from.x + size.x + 2 * padding.x, foot.y}, colour::card, context.px(6));
-    list.AddText({from.x + padding.x, from.y + padding.y}, colour::text, text.c_str());
+/// As wide as its text, or wrapped where the scene is narrower.
+float note_width(const Context& context, const std::string& text) {
+    return std::min(ImGui::CalcTextSize(text.c_str()).x + 2 * context.px(17), card_width(context, 900));
+}
+
+/// A click on the text, which is the last item, copies what it names; it stays as long as the pointer is over it.
+void offer_copy(const Context& context, Notice& notice) {
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const ImVec2 end = ImGui::GetCursorPos();
+    ImGui::SetCursorScreenPos(from);
+    const bool clicked = ImGui::InvisibleButton("copy", {to.x - from.x, to.y - from.y});
+    const bool hovered = ImGui::IsItemHovered();
+    const ImVec2 corner = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    tooltip_beside(context, {corner.x, corner.y, corner.x + size.x, corner.y + size.y}, "click to copy the path");
+    ImGui::SetCursorPos(end);
+    if (!hovered) return;
+    notice.until = std::max(notice.until, ImGui::GetTime() + 1);
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    if (!clicked) return;
+    context.request({.kind = Request::Kind::copy_text, .text = notice.copy});
+    notice = {"copied " + notice.copy, ImGui::GetTime() + 2.5};
+}
+
+void draw_note(const Context& context, Notice& notice) {
+    const Card card(context, "notice", foot_of_scene(context), {0.5f, 1}, note_width(context, notice.text),
+                    colour::line);
+    ImGui::TextWrapped("%s", notice.text.c_str());
+    if (!notice.copy.empty()) offer_copy(context, notice);
 }
 
 }  // namespace
@@ -35,7 +57,7 @@ void draw_notices(const Context& context) {
     auto& notice = context.session.notice;
     if (notice && ImGui::GetTime() >= notice->until) notice.reset();
     if (!context.session.wanted.message().empty()) return draw_refusal(context);
-    if (notice) draw_note(context, notice->text);
+    if (notice && !context.is_saved()) draw_note(context, *notice);
 }
 
 }  // namespace steplab::ui

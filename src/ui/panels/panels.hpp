@@ -21,7 +21,10 @@ void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
 void draw_plots_panel(const Context& context);
 
-/// Over the scene: readings of time, step and errors; messages; the card of a diverged run; help.
+/// Over the scene: the ring around the particle under the pointer; readings of time, step and errors; messages; the
+/// cards of a scene out of view and of a diverged run; help.
+void draw_pointed(const Context& context);
+void draw_lost_card(const Context& context);
 void draw_read_out(const Context& context);
 void draw_notices(const Context& context);
 void draw_divergence_card(const Context& context);

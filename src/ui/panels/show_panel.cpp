@@ -34,7 +34,8 @@ void draw_colouring(const Context& context, render::Style& style) {
 
 void draw_background(const Context& context, render::Style& style) {
     const RowPlaces places = row_places(context);
-    row_label(context, "background", "dark for screens, light for print");
+    row_label(context, "theme",
+              "colours of the scene, the panels and saved pictures: dark for screens, light for print");
     ImGui::SameLine(places.control);
     auto chosen = static_cast<std::size_t>(style.background);
     if (segmented(context, "background", render::background_ids, chosen, places.right - places.control,

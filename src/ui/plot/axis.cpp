@@ -2,6 +2,7 @@
 
 #include "core/number_text.hpp"
 #include "core/ticks.hpp"
+#include "ui/widgets/format.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,12 @@
 
 namespace steplab::ui {
 namespace {
+
+/// Ends of an axis that has no nice numbers: less than a few spacings of doubles long, or subnormal.
+std::vector<Tick> ends_of(const Axis& axis) {
+    if (!(axis.low < axis.high) || !std::isfinite(axis.low) || !std::isfinite(axis.high)) return {};
+    return {{axis.low, typed(axis.low, 6)}, {axis.high, typed(axis.high, 6)}};
+}
 
 std::vector<Tick> linear_ticks_of(const Axis& axis, int most) {
     constexpr std::size_t longest = 9;
@@ -22,7 +29,7 @@ std::vector<Tick> linear_ticks_of(const Axis& axis, int most) {
         std::string label = tick_text(value, step, largest);
         found.push_back({value, label.size() <= longest ? std::move(label) : typed(value, 6)});
     }
-    return found;
+    return found.empty() ? ends_of(axis) : found;
 }
 
 /// Every power of ten, or every second, third ... so that they divide the axis into at most `most` intervals.
@@ -69,13 +76,16 @@ struct Column {
 }  // namespace
 
 float Axis::pixel(double value) const {
-    const double part = logarithmic ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
-    return from + static_cast<float>(part) * (to - from);
+    const double part =
+        logarithmic ? part_between(std::log(low), std::log(high), std::log(value)) : part_between(low, high, value);
+    // A pixel far outside, or none, would overflow what is drawn.
+    const double near_by = part > -1 ? std::min(part, 2.0) : -1;
+    return from + static_cast<float>(near_by) * (to - from);
 }
 
 double Axis::value(float pixel) const {
-    const double part = static_cast<double>((pixel - from) / (to - from));
-    return logarithmic ? low * std::pow(high / low, part) : low + part * (high - low);
+    const double part = to == from ? 0 : static_cast<double>((pixel - from) / (to - from));
+    return logarithmic ? std::exp(std::lerp(std::log(low), std::log(high), part)) : std::lerp(low, high, part);
 }
 
 std::vector<Tick> ticks(const Axis& axis, int most) {

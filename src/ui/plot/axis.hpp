@@ -15,6 +15,7 @@ struct Axis {
     float from = 0;  ///< pixel of `low`
     float to = 1;    ///< pixel of `high`
 
+    /// Within one length of the axis beyond its ends, also for values that are farther away or not a number.
     float pixel(double value) const;
     double value(float pixel) const;
 };
@@ -25,7 +26,7 @@ struct Tick {
 };
 
 /// Ticks at nice numbers, or at powers of ten on a logarithmic axis, that divide the axis into at most `most` (>= 1)
-/// intervals.
+/// intervals; at both ends of a linear axis that has no nice numbers. None where high > low does not hold.
 std::vector<Tick> ticks(const Axis& axis, int most);
 
 /// A point of a plotted line, in pixels.

@@ -2,6 +2,7 @@
 
 #include "core/number_text.hpp"
 #include "ui/plot/plot_files.hpp"
+#include "ui/plot/plot_layout.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/icons.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -14,19 +15,20 @@ namespace {
 
 /// A dashed line through the points, with dashes and gaps of `length` pixels.
 void draw_dashed(ImDrawList& list, const std::vector<PlotPoint>& points, ImU32 ink, float thickness, float length) {
-    float along = 0;
+    double along = 0;  // of the line before the piece; dash k is from 2 k to 2 k + 1 lengths
     for (std::size_t i = 1; i < points.size(); ++i) {
         const PlotPoint a = points[i - 1];
         const PlotPoint b = points[i];
-        const float piece = std::hypot(b.x - a.x, b.y - a.y);
-        for (float from = 0; from < piece;) {
-            const float phase = std::fmod(along + from, 2 * length);
-            const float to = std::min(piece, from + (phase < length ? length : 2 * length) - phase);
-            const auto at = [&](float s) {
-                return ImVec2(a.x + (b.x - a.x) * s / piece, a.y + (b.y - a.y) * s / piece);
-            };
-            if (phase < length) list.AddLine(at(from), at(to), ink, thickness);
-            from = to + 1e-3f;
+        const double piece = std::hypot(b.x - a.x, b.y - a.y);
+        const auto at = [&](double dash) {
+            const auto part =
+                static_cast<float>(std::clamp((dash * static_cast<double>(length) - along) / piece, 0.0, 1.0));
+            return ImVec2(a.x + (b.x - a.x) * part, a.y + (b.y - a.y) * part);
+        };
+        const double last = (along + piece) / static_cast<double>(length);
+        for (double dash = 2 * std::floor(along / static_cast<double>(2 * length)); piece > 0 && dash < last;
+             dash += 2) {
+            if ((dash + 1) * static_cast<double>(length) > along) list.AddLine(at(dash), at(dash + 1), ink, thickness);
         }
         along += piece;
     }
@@ -44,25 +46,20 @@ void draw_line(ImDrawList& list, const std::vector<PlotPoint>& points, ImU32 ink
     }
 }
 
-int intervals_up(const Context& context, const Area& frame) {
-    return std::max(2, static_cast<int>(std::lround(frame.height / context.px(32))));
-}
-
-void draw_grid(const Context& context, const PlotAxes& axes, const Area& frame) {
+void draw_grid(const Context& context, const PlotLayout& layout) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(context.theme.fonts().small);
-    const float half = 0.5f * ImGui::GetTextLineHeight();
-    for (const Tick& tick : ticks(axes.up, intervals_up(context, frame))) {
-        const float y = std::round(axes.up.pixel(tick.value));
-        list.AddLine({frame.x, y}, {frame.right(), y}, colour::line);
-        text_right(frame.x - context.px(7), y, tick.label, colour::text_dim);
+    const Area& frame = layout.frame;
+    const auto draw_label = [](const PlacedTick& tick) {
+        text_left(tick.place.x, tick.place.y + 0.5f * tick.place.height, tick.label, colour::text_dim);
+    };
+    for (const PlacedTick& tick : layout.up) {
+        list.AddLine({frame.x, tick.pixel}, {frame.right(), tick.pixel}, colour::line);
+        draw_label(tick);
     }
-    const int most_across = std::max(2, static_cast<int>(frame.width / context.px(80)));
-    for (const Tick& tick : ticks(axes.across, most_across)) {
-        const float x = std::round(axes.across.pixel(tick.value));
-        list.AddLine({x, frame.y}, {x, frame.bottom()}, colour::line);
-        const float width = ImGui::CalcTextSize(tick.label.c_str()).x;
-        text_left(x - 0.5f * width, frame.bottom() + context.px(4) + half, tick.label, colour::text_dim);
+    for (const PlacedTick& tick : layout.across) {
+        list.AddLine({tick.pixel, frame.y}, {tick.pixel, frame.bottom()}, colour::line);
+        draw_label(tick);
     }
 }
 
@@ -116,7 +113,8 @@ void draw_legend(const Context& context, const Plot& plot, const Area& area, con
 }
 
 /// A vertical line at the pointer, and the values of the curves there.
-void draw_values_under_pointer(const Context& context, const Plot& plot, const PlotAxes& axes, const Area& frame) {
+void draw_values_under_pointer(const Context& context, const Plot& plot, const PlotAxes& axes, const Area& area,
+                               const Area& frame) {
     const ImVec2 pointer = ImGui::GetIO().MousePos;
     if (!frame.contains(pointer.x, pointer.y) || plot.curves.front().x.empty()) return;
     const Curve& first = plot.curves.front();
@@ -132,7 +130,7 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const P
         }
         text.append("\n" + curve.name + ": " + with_unit(setting_text(curve.y[i], 5), plot.unit));
     }
-    tooltip(context, text);
+    tooltip_beside(context, {pointer.x, area.y, pointer.x, area.bottom()}, text);
 }
 
 void draw_empty(const Context& context, const Plot& plot, const Area& frame) {
@@ -143,18 +141,12 @@ void draw_empty(const Context& context, const Plot& plot, const Area& frame) {
 
 void draw_save_menu(const Context& context, const Plot& plot, const Area& area) {
     if (!ImGui::BeginPopup("save")) return;
+    close_if_asked(context);
     if (ImGui::MenuItem("Save as CSV")) save_table(context, plot);
     context.mark(plot.widget + ".csv");
     if (ImGui::MenuItem("Save as PNG")) save_snapshot(context, plot, area);
     context.mark(plot.widget + ".png");
     ImGui::EndPopup();
-}
-
-/// The frame of the plot within its card, with room for the title above and the labels at the left and below.
-Area frame_of(const Context& context, const Area& area) {
-    const Area frame{area.x + context.px(52), area.y + context.px(34), area.width - context.px(68),
-                     area.height - context.px(34) - context.px(42)};
-    return {std::round(frame.x), std::round(frame.y), std::round(frame.width), std::round(frame.height)};
 }
 
 void draw_title(const Context& context, const Plot& plot, const Area& area) {
@@ -168,31 +160,40 @@ void draw_axis_name(const Context& context, const Plot& plot, const Area& area, 
     text_left(frame.x + 0.5f * (frame.width - width), area.bottom() - context.px(12), plot.x_name, colour::text_dim);
 }
 
+/// The button that saves the plot; pictures of the window have none.
+bool save_button(const Context& context, const Plot& plot, const Area& area) {
+    if (context.is_saved()) return false;
+    ImGui::SetCursorScreenPos({area.right() - context.px(36), area.y + context.px(3)});
+    return icon_button(context, plot.widget + ".save", Icon::save, "save the plot as CSV or PNG", ButtonStyle::quiet);
+}
+
+void draw_content(const Context& context, const Plot& plot, const Area& area, const PlotLayout& layout) {
+    draw_grid(context, layout);
+    draw_axis_name(context, plot, area, layout.frame);
+    draw_curves(context, plot, layout.axes, layout.frame);
+    draw_legend(context, plot, area, layout.frame);
+    ImGui::SetCursorScreenPos({layout.frame.x, layout.frame.y});
+    draw_values_under_pointer(context, plot, layout.axes, area, layout.frame);
+}
+
 }  // namespace
 
 void draw_plot(const Context& context, const Plot& plot, const Area& area) {
     const WithId id(plot.widget);
-    const Area frame = frame_of(context, area);
+    const PlotLayout layout = plot_layout(context.theme, plot, area);
+    const Area& frame = layout.frame;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({area.x, area.y}, {area.right(), area.bottom()}, colour::panel, context.px(5));
     list.AddRect({area.x, area.y}, {area.right(), area.bottom()}, colour::line, context.px(5));
     draw_title(context, plot, area);
 
-    ImGui::SetCursorScreenPos({area.right() - context.px(36), area.y + context.px(3)});
-    const bool save =
-        icon_button(context, plot.widget + ".save", Icon::save, "save the plot as CSV or PNG", ButtonStyle::quiet);
+    const bool save = save_button(context, plot, area);
     ImGui::SetCursorScreenPos({frame.x, frame.y});
-    ImGui::InvisibleButton("frame", {std::max(1.0f, frame.width), std::max(1.0f, frame.height)});
+    ImGui::InvisibleButton("frame", {frame.width, frame.height});
     context.mark(plot.widget);
     if (save || ImGui::IsItemClicked(1)) ImGui::OpenPopup("save");
     if (has_values(plot)) {
-        const PlotAxes axes = plot_axes(plot, frame, intervals_up(context, frame));
-        draw_grid(context, axes, frame);
-        draw_axis_name(context, plot, area, frame);
-        draw_curves(context, plot, axes, frame);
-        draw_legend(context, plot, area, frame);
-        ImGui::SetCursorScreenPos({frame.x, frame.y});
-        draw_values_under_pointer(context, plot, axes, frame);
+        draw_content(context, plot, area, layout);
     } else {
         draw_empty(context, plot, frame);
     }

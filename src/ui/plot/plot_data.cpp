@@ -52,7 +52,11 @@ PlotAxes plot_axes(const Plot& plot, const Area& frame, int most) {
     const Extent x = extent_across(plot);
     const Extent y = extent_up(plot);
     PlotAxes axes;
-    axes.across = {x.low, x.high > x.low ? x.high : x.low + 1, false, frame.x, frame.right()};
+    axes.across = {0, 1, false, frame.x, frame.right()};
+    if (std::isfinite(x.low) && std::isfinite(x.high)) {
+        axes.across.low = x.low;
+        axes.across.high = x.high > x.low ? x.high : x.low + std::max(1.0, 1e-6 * std::abs(x.low));
+    }
     if (y.low <= y.high) {
         const Range range = plot.logarithmic ? decade_range(y.low, y.high) : nice_range(y.low, y.high, most);
         axes.up = {range.low, range.high, plot.logarithmic, frame.bottom(), frame.y};

@@ -25,7 +25,7 @@ void save_table(const Context& context, const Plot& plot) {
         OutputFile file(name);
         file.write(plot_csv(plot));
         file.commit();
-        context.session.notice = Notice{"saved " + name, ImGui::GetTime() + 4};
+        context.session.notice = notice_of_saved(name);
     } catch (const Error& error) {
         context.session.wanted.refuse(error.what());
     }

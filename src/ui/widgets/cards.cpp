@@ -10,7 +10,7 @@ Card::Card(const Context& context, const char* name, ImVec2 anchor, ImVec2 pivot
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.px(6));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, context.px(1)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(16), context.px(14)});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::rgb(0x171b21, 245));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::window);
     ImGui::PushStyleColor(ImGuiCol_Border, edge);
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

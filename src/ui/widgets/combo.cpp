@@ -14,12 +14,32 @@ bool draw_item(const Context& context, std::string_view widget, const ComboItem&
     context.mark(std::string(widget) + "/" + std::string(item.id));
     const ImVec2 from = ImGui::GetItemRectMin();
     const ImVec2 to = ImGui::GetItemRectMax();
-    tooltip(context, item.tooltip);
+    const ImVec2 menu = ImGui::GetWindowPos();
+    tooltip_beside(context, {menu.x, from.y, menu.x + ImGui::GetWindowSize().x, to.y}, item.tooltip, Beside::right);
     const float y = 0.5f * (from.y + to.y);
     text_left(from.x + context.px(10), y, item.name, selected ? colour::accent_hover : colour::text);
     const WithFont font(context.theme.fonts().small);
-    text_right(to.x - context.px(10), y, item.remark, colour::text_faint);
+    text_right(to.x - context.px(10), y, item.remark, colour::text_dim);
     return clicked;
+}
+
+/// The heading of a group of items.
+void draw_group(const Context& context, std::string_view widget, std::string_view group) {
+    const WithFont font(context.theme.fonts().small);
+    ImGui::Dummy({0, ImGui::GetTextLineHeight() + context.px(6)});
+    context.mark(std::string(widget) + "/[" + std::string(group) + "]");
+    const ImVec2 from = ImGui::GetItemRectMin();
+    text_left(from.x + context.px(4), 0.5f * (from.y + ImGui::GetItemRectMax().y) + context.px(2), group,
+              colour::text_faint);
+}
+
+void draw_items(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t shown,
+                std::size_t& chosen) {
+    std::string_view group;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i].group != group) draw_group(context, widget, group = items[i].group);
+        if (draw_item(context, widget, items[i], i == shown)) chosen = i;
+    }
 }
 
 struct Box {
@@ -59,21 +79,18 @@ bool combo(const Context& context, std::string_view widget, std::span<const Comb
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::SetNextItemWidth(width);
     ImGui::SetNextWindowSizeConstraints({std::max(width, list_width(context, items)), 0},
-                                        {context.px(420), 0.8f * static_cast<float>(context.display.height)});
+                                        {context.px(420), 0.95f * static_cast<float>(context.display.height)});
     const bool open = ImGui::BeginCombo("##combo", "", ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
     context.mark(widget, {box.from.x, box.from.y, box.to.x, box.to.y});
     draw_box(context, list, box, items[chosen].name);
     if (!open) return false;
-    bool changed = false;
+    close_if_asked(context);
+    const std::size_t shown = chosen;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, context.px(1)});
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (!draw_item(context, widget, items[i], i == chosen) || i == chosen) continue;
-        chosen = i;
-        changed = true;
-    }
+    draw_items(context, widget, items, shown, chosen);
     ImGui::PopStyleVar();
     ImGui::EndCombo();
-    return changed;
+    return chosen != shown;
 }
 
 }  // namespace steplab::ui

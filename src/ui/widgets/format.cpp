@@ -14,6 +14,11 @@ std::string with_unit(std::string text, std::string_view unit) {
     return text;
 }
 
+double part_between(double low, double high, double value) {
+    const double length = high - low;
+    return std::isfinite(length) ? (value - low) / length : (value / 2 - low / 2) / (high / 2 - low / 2);
+}
+
 std::string vector(Vec3 value) {
     const double largest = std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
     const auto part = [&](double v) { return std::abs(v) <= 1e-9 * largest ? std::string("0") : typed(v); };
@@ -21,8 +26,11 @@ std::string vector(Vec3 value) {
 }
 
 std::string time_text(double time, double dt) {
-    const int decimals = dt > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(dt))), 1, 7) : 3;
-    return fmt::format("{:.{}f}", time, decimals);
+    if (!(std::abs(time) < 1e9)) return setting_text(time, 9);
+    constexpr double usual = 3, most = 7;
+    const bool known = dt > 0 && std::isfinite(dt);
+    const double decimals = known ? std::clamp(2 - std::floor(std::log10(dt)), 1.0, most) : usual;
+    return fmt::format("{:.{}f}", time, static_cast<int>(decimals));
 }
 
 std::string counted(double count, std::string_view one, std::string_view many) {
@@ -43,9 +51,10 @@ std::string digits_text(double digits) {
 
 double rounded_for_slider(double value, double low, double high, bool logarithmic) {
     const double size = logarithmic ? std::abs(value) : high - low;
-    if (size == 0) return value;
     // A slider has a few hundred positions: three digits distinguish them.
     const double exponent = std::floor(std::log10(size)) - 2;
+    constexpr double largest = 300;  // powers of ten up to here are doubles, and so are their inverses
+    if (!(std::abs(exponent) <= largest)) return value;
     const double unit = std::pow(10.0, std::abs(exponent));
     return exponent < 0 ? std::round(value * unit) / unit : std::round(value / unit) * unit;
 }

@@ -37,7 +37,7 @@ ImU32 fill_colour(ButtonStyle style, bool enabled) {
     if (style == ButtonStyle::accent) return hovered ? colour::accent_hover : colour::accent;
     if (ImGui::IsItemActive() && enabled) return colour::control_active;
     if (hovered) return colour::control_hover;
-    return style == ButtonStyle::quiet ? 0 : colour::control;
+    return style == ButtonStyle::quiet ? ImU32{0} : ImU32{colour::control};
 }
 
 ImU32 ink_colour(ButtonStyle style, bool enabled) {

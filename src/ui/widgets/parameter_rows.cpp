@@ -34,7 +34,8 @@ void slider_parameter(const Context& context, const std::string& widget, const P
                    .widget = widget,
                    .label = info.name,
                    .tooltip = help,
-                   .value_text = with_unit(whole ? fmt::format("{:.0f}", value) : setting_text(value), info.unit),
+                   .value_text =
+                       with_unit(whole && value < 1e7 ? fmt::format("{:.0f}", value) : setting_text(value), info.unit),
                    .entry_text = format_value(info, value),
                    .value = value,
                    .default_value = info.default_value,

@@ -26,13 +26,14 @@ void draw_slider(const Context& context, double part, const SliderStyle& style, 
         const float reach = context.px(8);
         list.AddLine({place(*mark), y - reach}, {place(*mark), y + reach}, colour::bad, context.px(2));
     }
-    list.AddCircleFilled({x, y}, radius, ImGui::IsItemHovered() ? colour::on_accent : colour::knob);
+    list.AddCircleFilled({x, y}, radius, ImGui::IsItemHovered() ? colour::bright : colour::knob);
 }
 
 double part_under_pointer(const Context& context) {
     const float radius = context.theme.scale() * 6.3f;
     const float from = ImGui::GetItemRectMin().x + radius;
     const float to = ImGui::GetItemRectMax().x - radius;
+    if (!(to > from)) return 0;
     return std::clamp(static_cast<double>((ImGui::GetIO().MousePos.x - from) / (to - from)), 0.0, 1.0);
 }
 
@@ -70,31 +71,34 @@ void draw_entry(const Context& context, const SliderRow& row, float width) {
 /// The value at the right end of the row; a click on it opens the text entry.
 void draw_value(const Context& context, const SliderRow& row, float width) {
     const float height = row_height(context);
-    if (ImGui::InvisibleButton("value", {width, height})) open_entry(context, row);
+    if (ImGui::InvisibleButton("value", {std::max(1.0f, width), height})) open_entry(context, row);
     context.mark(std::string(row.widget) + ".value");
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     tooltip(context, row.tooltip);
-    const ImU32 ink = ImGui::IsItemHovered() ? colour::on_accent : colour::text;
+    const ImU32 ink = ImGui::IsItemHovered() ? colour::bright : colour::text;
     text_right(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y + 0.5f * height, row.value_text, ink);
 }
 
 }  // namespace
 
 double SliderRange::part(double value) const {
-    const double inside = std::clamp(value, low, high);
-    if (!(high > low)) return 0;
-    return logarithmic ? std::log(inside / low) / std::log(high / low) : (inside - low) / (high - low);
+    if (!(high > low) || !(value > low)) return 0;  // not a number: the lower end
+    if (!(value < high)) return 1;
+    if (logarithmic) return (std::log(value) - std::log(low)) / (std::log(high) - std::log(low));
+    return part_between(low, high, value);
 }
 
 double SliderRange::value(double part) const {
-    const double exact = logarithmic ? low * std::pow(high / low, part) : low + part * (high - low);
+    if (!(high > low)) return low;
+    const double exact =
+        logarithmic ? std::exp(std::lerp(std::log(low), std::log(high), part)) : std::lerp(low, high, part);
     const double rounded = whole ? std::round(exact) : rounded_for_slider(exact, low, high, logarithmic);
     return std::clamp(rounded, low, high);
 }
 
 std::optional<double> slider(const Context& context, std::string_view widget, double value, const SliderRange& range,
                              const SliderStyle& style, float width, float height) {
-    ImGui::InvisibleButton("slider", {width, height});
+    ImGui::InvisibleButton("slider", {std::max(1.0f, width), height});
     context.mark(widget);
     const bool mark_shown = style.mark && *style.mark >= range.low && *style.mark <= range.high;
     draw_slider(context, range.part(value), style, mark_shown ? std::optional(range.part(*style.mark)) : std::nullopt);

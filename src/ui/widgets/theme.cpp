@@ -1,5 +1,6 @@
 #include "ui/widgets/theme.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steplab::ui {
@@ -7,7 +8,7 @@ namespace {
 
 ImVec4 vec(ImU32 colour) { return ImGui::ColorConvertU32ToFloat4(colour); }
 
-void set_colours(ImVec4* colours) {
+void set_colours(ImVec4* of_imgui) {
     const struct {
         ImGuiCol which;
         ImU32 value;
@@ -16,7 +17,7 @@ void set_colours(ImVec4* colours) {
         {ImGuiCol_TextDisabled, colour::text_dim},
         {ImGuiCol_WindowBg, colour::panel},
         {ImGuiCol_ChildBg, 0},
-        {ImGuiCol_PopupBg, colour::rgb(0x20262e, 250)},
+        {ImGuiCol_PopupBg, colour::popup},
         {ImGuiCol_Border, colour::line},
         {ImGuiCol_FrameBg, colour::control},
         {ImGuiCol_FrameBgHovered, colour::control_hover},
@@ -29,15 +30,14 @@ void set_colours(ImVec4* colours) {
         {ImGuiCol_Button, colour::control},
         {ImGuiCol_ButtonHovered, colour::control_hover},
         {ImGuiCol_ButtonActive, colour::control_active},
-        {ImGuiCol_Header, colour::control_hover},
-        {ImGuiCol_HeaderHovered, colour::control_active},
+        {ImGuiCol_Header, colour::control},
+        {ImGuiCol_HeaderHovered, colour::control_hover},
         {ImGuiCol_HeaderActive, colour::control_active},
         {ImGuiCol_Separator, colour::line},
-        {ImGuiCol_TextSelectedBg, colour::rgb(0x4ea1ff, 110)},
+        {ImGuiCol_TextSelectedBg, colour::selection},
         {ImGuiCol_NavHighlight, colour::accent},
-        {ImGuiCol_ModalWindowDimBg, colour::rgb(0x000000, 110)},
     };
-    for (const auto& entry : table) colours[entry.which] = vec(entry.value);
+    for (const auto& entry : table) of_imgui[entry.which] = vec(entry.value);
 }
 
 }  // namespace
@@ -45,8 +45,6 @@ void set_colours(ImVec4* colours) {
 void Theme::apply(float scale) {
     scale_ = scale;
     ImGuiStyle style;
-    ImGui::StyleColorsDark(&style);
-    set_colours(style.Colors);
     style.WindowPadding = {14, 12};
     style.FramePadding = {10, 6};
     style.ItemSpacing = {8, 5};
@@ -64,8 +62,17 @@ void Theme::apply(float scale) {
     style.ScaleAllSizes(scale);
     style.AntiAliasedLinesUseTex = true;
     style.CircleTessellationMaxError = 0.15f;
+    std::copy_n(ImGui::GetStyle().Colors, ImGuiCol_COUNT, style.Colors);
     ImGui::GetStyle() = style;
     fonts_ = load_fonts(*ImGui::GetIO().Fonts, scale, render::find_font_files());
+}
+
+void Theme::set_background(render::Background background) {
+    if (background_ == background) return;
+    background_ = background;
+    use_colours(background);
+    ImGui::StyleColorsDark();  // for what the table does not have
+    set_colours(ImGui::GetStyle().Colors);
 }
 
 float Theme::px(float units) const { return std::round(units * scale_); }

@@ -1,39 +1,15 @@
 #pragma once
 
 #include "render/font_files.hpp"
+#include "ui/widgets/colours.hpp"
 
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace steplab::ui {
-
-/// The colours of the interface.
-namespace colour {
-inline constexpr ImU32 rgb(unsigned hex, unsigned alpha = 255) {
-    return IM_COL32((hex >> 16) & 0xff, (hex >> 8) & 0xff, hex & 0xff, alpha);
-}
-inline constexpr ImU32 panel = rgb(0x1c2128);      ///< side panel, bars, plots
-inline constexpr ImU32 backdrop = rgb(0x12151a);   ///< behind the panels
-inline constexpr ImU32 card = rgb(0x15181e, 235);  ///< over the scene
-inline constexpr ImU32 line = rgb(0x2a313b);       ///< borders, separators, grid lines of plots
-inline constexpr ImU32 control = rgb(0x262d36);    ///< buttons, combos, entries
-inline constexpr ImU32 control_hover = rgb(0x303944);
-inline constexpr ImU32 control_active = rgb(0x3a4553);
-inline constexpr ImU32 track = rgb(0x323a45);  ///< of a slider
-inline constexpr ImU32 knob = rgb(0xd7dde5);
-inline constexpr ImU32 text = rgb(0xd7dde5);
-inline constexpr ImU32 text_dim = rgb(0x98a2b0);
-inline constexpr ImU32 text_faint = rgb(0x6b7684);
-inline constexpr ImU32 accent = rgb(0x4ea1ff);
-inline constexpr ImU32 accent_hover = rgb(0x6cb2ff);
-inline constexpr ImU32 on_accent = rgb(0xffffff);
-inline constexpr ImU32 good = rgb(0x3fb37f);
-inline constexpr ImU32 caution = rgb(0xe0a33e);  ///< works, but not well
-inline constexpr ImU32 bad = rgb(0xe06c6c);
-inline constexpr ImU32 exact = rgb(0xe8b866);  ///< the exact solution in plots
-}  // namespace colour
 
 /// The fonts in the sizes that the interface uses; owned by the atlas of the ImGui context.
 struct Fonts {
@@ -50,6 +26,8 @@ class Theme {
 public:
     /// Sets the style of the current ImGui context and fills its font atlas.
     void apply(float scale);
+    /// Sets the colours of the current ImGui context.
+    void set_background(render::Background background);
 
     float scale() const { return scale_; }
     /// Pixels of a length in units of the layout, a whole number so that edges are sharp.
@@ -58,6 +36,7 @@ public:
 
 private:
     float scale_ = 0;
+    std::optional<render::Background> background_;  ///< none before set_background()
     Fonts fonts_;
 };
 

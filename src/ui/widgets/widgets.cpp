@@ -33,20 +33,6 @@ RowPlaces row_places(const Context& context) {
 
 float row_height(const Context& context) { return context.px(20); }
 
-void tooltip(const Context& context, std::string_view text) {
-    if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(10), context.px(8)});
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(context.px(300));
-    {
-        const WithFont font(context.theme.fonts().small);
-        ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    }
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
-}
-
 void text_right(float right, float y, std::string_view text, ImU32 ink) {
     const ImVec2 size = text_size(text);
     draw_text({right - size.x, std::round(y - 0.5f * size.y)}, text, ink);
@@ -114,7 +100,7 @@ bool check_row(const Context& context, std::string_view widget, std::string_view
 bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
                std::size_t& chosen, float width, float height) {
     const WithId id(widget);
-    const float part = width / static_cast<float>(choices.size());
+    const float part = std::max(1.0f, width / static_cast<float>(choices.size()));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(corner, {corner.x + width, corner.y + height}, colour::control, ImGui::GetStyle().FrameRounding);

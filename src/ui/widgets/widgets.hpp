@@ -18,8 +18,20 @@ RowPlaces row_places(const Context& context);
 /// The height of a row with a slider or a switch.
 float row_height(const Context& context);
 
-/// Shows `text` next to the pointer while it is over the last item; nothing if it is empty.
+/// The side of an item on which its tooltip is placed if there is room.
+enum class Beside { below, right };
+/// Shows `text` beside the last item while the pointer is over it, so that the item stays readable; nothing if it is
+/// empty.
 void tooltip(const Context& context, std::string_view text);
+/// The same beside a larger place that the last item belongs to.
+void tooltip_beside(const Context& context, const WidgetRect& item, std::string_view text,
+                    Beside first = Beside::below);
+/// The top left corner of a box that lies on the display and beside an item: below or above, right or left of it, the
+/// first of these with room. All lengths in pixels.
+ImVec2 place_beside(const WidgetRect& item, ImVec2 size, ImVec2 display, float gap, Beside first);
+
+/// In a menu that is open: closes it when Escape is pressed, and in pictures of the window.
+void close_if_asked(const Context& context);
 
 /// Draws text that ends at `right` (pixels of the display), vertically centred at `y`.
 void text_right(float right, float y, std::string_view text, ImU32 ink);
@@ -48,6 +60,7 @@ struct ComboItem {
     std::string_view name;
     std::string remark = {};
     std::string tooltip = {};
+    std::string_view group = {};  ///< a heading above the first of successive items of a group
 };
 /// A box that shows the chosen item and opens a menu of all items. True if another one was chosen.
 bool combo(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t& chosen,

@@ -1,6 +1,5 @@
-#include "app/commands/snapshot_ensemble.hpp"
-
 #include "sim/catalogue.hpp"
+#include "sim/ensemble/live_ensemble_options.hpp"
 
 #include <gtest/gtest.h>
 

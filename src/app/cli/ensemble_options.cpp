@@ -1,4 +1,4 @@
-#include "app/commands/ensemble_options.hpp"
+#include "app/cli/ensemble_options.hpp"
 
 #include "app/cli/command_line.hpp"
 #include "core/error.hpp"

@@ -1,0 +1,81 @@
+#include "app/cli/appearance_options.hpp"
+
+#include "app/cli/command_line.hpp"
+#include "core/entry.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "sim/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace steplab {
+namespace {
+
+constexpr ParameterInfo scale_info{
+    .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "scale of text and lines"};
+
+/// The index of `word` among the known ones.
+std::size_t index_of(std::string_view option, std::string_view word, std::span<const std::string_view> known) {
+    const auto found = std::find(known.begin(), known.end(), word);
+    if (found == known.end()) throw UsageError(unknown_word(option, word, known));
+    return static_cast<std::size_t>(found - known.begin());
+}
+
+bool is_on(std::string_view option, std::string_view word) {
+    constexpr std::array<std::string_view, 2> switches{"off", "on"};
+    return index_of(fmt::format("value of {}", option), word, switches) == 1;
+}
+
+std::size_t parse_particle(std::string_view text, const RunDescription& description) {
+    const double count = model(description.model).particles(description.scene);
+    const ParameterInfo info{.name = "--particle",
+                             .kind = ParameterInfo::Kind::integer,
+                             .unit = "",
+                             .maximum = count - 1,
+                             .what = "particle to mark"};
+    return static_cast<std::size_t>(parse_value(info, text));
+}
+
+}  // namespace
+
+void AppearanceOptions::declare(CLI::App& app, const Help& help) {
+    const auto add = [&](const char* name, std::string& value, const char* placeholder, const std::string& what) {
+        text_option(app, name, value, placeholder, what, help.group);
+    };
+    add("--view", view_, "VIEW",
+        "Camera: default, front, side, top, or yaw,pitch,distance,x,y,z as copied from the window");
+    add("--colour", colour_, "WHAT",
+        fmt::format("Quantity shown by colour: {} (default {})", joined(render::colouring_ids), colour_));
+    add("--background", background_, "dark|light", fmt::format("Theme of scene and panels (default {})", background_));
+    add("--particle", particle_, "I", help.particle);
+    add("--springs", springs_, "on|off", fmt::format("Draw the springs (default {})", springs_));
+    add("--grid", grid_, "on|off", fmt::format("Draw the ground grid and the axes (default {})", grid_));
+    add("--ui", panel_, "on|off", help.panel);
+    add("--scale", scale_, "X", help.scale);
+}
+
+render::Style AppearanceOptions::style(const RunDescription& description) const {
+    render::Style style;
+    style.colouring = static_cast<render::Colouring>(index_of("colouring", colour_, render::colouring_ids));
+    style.background = static_cast<render::Background>(index_of("background", background_, render::background_ids));
+    style.springs = is_on("--springs", springs_);
+    style.grid = is_on("--grid", grid_);
+    if (description.scene.contains("m")) style.mass = description.scene["m"];
+    if (!particle_.empty()) style.selected = parse_particle(particle_, description);
+    return style;
+}
+
+std::optional<bool> AppearanceOptions::panel() const {
+    return panel_.empty() ? std::nullopt : std::optional(is_on("--ui", panel_));
+}
+
+std::optional<double> AppearanceOptions::scale() const {
+    return scale_.empty() ? std::nullopt : std::optional(parse_value(scale_info, scale_));
+}
+
+}  // namespace steplab

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "render/style.hpp"
+#include "sim/run/run_description.hpp"
+
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace steplab {
+
+/// The options of how a run is shown, the same for pictures and the window: --view, --colour, --background, --particle,
+/// --springs, --grid, --ui and --scale.
+class AppearanceOptions {
+public:
+    /// The texts of the help that differ between pictures and the window.
+    struct Help {
+        std::string group;
+        std::string particle;
+        std::string panel;
+        std::string scale;
+    };
+    void declare(CLI::App& app, const Help& help);
+
+    /// How the scene is drawn, without pixel_scale. Throws UsageError for values of another form or out of range.
+    render::Style style(const RunDescription& description) const;
+    /// The camera as text, to be read by render::camera_of(); empty if none was given.
+    const std::string& view() const { return view_; }
+    /// With the panel or without; none if that was not said. Throws UsageError.
+    std::optional<bool> panel() const;
+    /// Pixels per unit of the layout; none if that was not given. Throws UsageError.
+    std::optional<double> scale() const;
+
+private:
+    std::string view_;
+    std::string colour_ = "role";
+    std::string background_ = "dark";
+    std::string particle_;
+    std::string springs_ = "on";
+    std::string grid_ = "on";
+    std::string panel_;
+    std::string scale_;
+};
+
+}  // namespace steplab

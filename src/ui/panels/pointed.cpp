@@ -1,0 +1,28 @@
+#include "ui/panels/panels.hpp"
+
+#include <algorithm>
+
+namespace steplab::ui {
+
+void draw_pointed(const Context& context) {
+    const std::optional<std::size_t> particle =
+        context.session.pulled ? context.session.pulled : context.session.pointed;
+    const Frame& frame = context.view.frame;
+    if (context.purpose != Purpose::use || !particle || *particle >= frame.positions.size()) return;
+    const Area& scene = context.layout.scene;
+    const render::Projection projection = context.projection();
+    const Vec3 place = frame.seen(*particle);
+    const auto pixel = projection.pixel(place);
+    if (!pixel) return;
+    const double radius = context.sizes().radius(frame.shape->roles[*particle]);
+    const double drawn = radius * projection.pixels_per_unit(projection.depth(place));
+    const double largest = std::max(scene.width, scene.height);
+    const float ring = static_cast<float>(std::min(drawn, largest)) + context.px(4);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.PushClipRect({scene.x, scene.y}, {scene.right(), scene.bottom()});
+    list.AddCircle({scene.x + static_cast<float>(pixel->x), scene.y + static_cast<float>(pixel->y)}, ring,
+                   colour::accent, 0, context.px(2));
+    list.PopClipRect();
+}
+
+}  // namespace steplab::ui

@@ -1,0 +1,68 @@
+#include "ui/input.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace steplab::ui {
+namespace {
+
+constexpr float widest_text = 300;  // units of the layout
+
+ImVec2 padding(const Context& context) { return {context.px(10), context.px(8)}; }
+
+ImVec2 size_of(const Context& context, std::string_view text) {
+    const ImFont& font = *context.theme.fonts().small;
+    const ImVec2 inside =
+        font.CalcTextSizeA(font.FontSize, 1e9f, context.px(widest_text), text.data(), text.data() + text.size());
+    return {inside.x + 2 * padding(context).x, inside.y + 2 * padding(context).y};
+}
+
+void draw(const Context& context, ImVec2 corner, std::string_view text) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding(context));
+    ImGui::SetNextWindowPos(corner);
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(padding(context).x + context.px(widest_text));
+    {
+        const WithFont font(context.theme.fonts().small);
+        ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+ImVec2 place_beside(const WidgetRect& item, ImVec2 size, ImVec2 display, float gap, Beside first) {
+    const float across = std::max(0.0f, std::min(item.left, display.x - size.x));
+    const float down = std::max(0.0f, std::min(item.top, display.y - size.y));
+    const ImVec2 below{across, item.bottom + gap}, above{across, item.top - gap - size.y};
+    const ImVec2 right{item.right + gap, down}, left{item.left - gap - size.x, down};
+    const std::array<ImVec2, 4> places =
+        first == Beside::below ? std::array{below, above, right, left} : std::array{right, left, below, above};
+    for (const ImVec2& place : places) {
+        if (place.x >= 0 && place.y >= 0 && place.x + size.x <= display.x && place.y + size.y <= display.y)
+            return place;
+    }
+    return {across, down};  // no side has room
+}
+
+void tooltip_beside(const Context& context, const WidgetRect& item, std::string_view text, Beside first) {
+    if (text.empty() || !ImGui::IsItemHovered() || ImGui::IsMouseDown(0)) return;
+    const ImVec2 size = size_of(context, text);
+    const ImVec2 corner = place_beside(item, size, ImGui::GetIO().DisplaySize, context.px(6), first);
+    draw(context, corner, text);
+    context.mark("tooltip", {corner.x, corner.y, corner.x + size.x, corner.y + size.y});
+}
+
+void tooltip(const Context& context, std::string_view text) {
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    tooltip_beside(context, {from.x, from.y, to.x, to.y}, text);
+}
+
+void close_if_asked(const Context& context) {
+    if (context.is_saved() || Input::pressed(Key::escape, false)) ImGui::CloseCurrentPopup();
+}
+
+}  // namespace steplab::ui

@@ -1,0 +1,83 @@
+#include "ui/window_command.hpp"
+
+#include "core/number_text.hpp"
+#include "render/framing.hpp"
+
+#include <fmt/format.h>
+
+namespace steplab::ui {
+namespace {
+
+/// Appends options whose values differ from their defaults.
+struct CommandLine {
+    std::string text;
+
+    void add(std::string_view option, std::string_view value) {
+        text.append(" ").append(option);
+        if (!value.empty()) text.append(" ").append(value);
+    }
+    void add_unless(bool usual, std::string_view option, std::string_view value) {
+        if (!usual) add(option, value);
+    }
+};
+
+void add_moment(CommandLine& line, const Context& context) {
+    if (!command_repeats_run(context)) return;
+    const std::uint64_t step = context.view.frame.step;
+    line.add_unless(step == 0, "--steps", std::to_string(step));
+    line.add_unless(!context.session.wanted.playing(), "--play", "");
+}
+
+void add_window(CommandLine& line, const Context& context) {
+    const Display& display = context.display;
+    line.add_unless(display.width == 1280 && display.height == 800, "--size",
+                    fmt::format("{}x{}", display.width, display.height));
+    line.add_unless(display.scale == 1, "--scale", number_text(display.scale));
+    if (context.session.panel) line.add("--ui", *context.session.panel ? "on" : "off");
+}
+
+void add_picture(CommandLine& line, const Context& context) {
+    const render::Style& style = context.stage.style;
+    const render::Camera& camera = context.stage.camera;
+    const Frame& frame = context.view.frame;
+    line.add_unless(camera == render::default_camera(frame, context.projection().size()), "--view",
+                    render::view_text(camera));
+    line.add_unless(style.colouring == render::Colouring::role, "--colour", id(style.colouring));
+    line.add_unless(style.background == render::Background::dark, "--background", id(style.background));
+    line.add_unless(style.springs, "--springs", "off");
+    line.add_unless(style.grid, "--grid", "off");
+    const auto& tracked = context.view.tracked;
+    if (tracked && tracked->particle != first_followed(*frame.shape))
+        line.add("--particle", std::to_string(tracked->particle));
+}
+
+void add_speed(CommandLine& line, const Rate& rate) {
+    if (rate == Rate{}) return;
+    line.add("--speed", rate.as_fast_as_possible ? "unlimited" : number_text(rate.seconds_per_second));
+}
+
+void add_ensemble(CommandLine& line, const LiveEnsembleOptions& ensemble, const RunDescription& description) {
+    if (ensemble.runs == 0) return;
+    line.add("--ensemble", std::to_string(ensemble.runs));
+    for (const ParameterRange& range : ranges_of(ensemble, description)) {
+        line.add("--spread", fmt::format("{}={}:{}", range.name, number_text(range.from), number_text(range.to)));
+    }
+}
+
+}  // namespace
+
+bool command_repeats_run(const Context& context) {
+    return context.view.segment_start == 0 && context.session.pulled_in != context.view.run;
+}
+
+std::string window_command(const Context& context) {
+    CommandLine line{"steplab view " + command_line(context.description())};
+    add_moment(line, context);
+    add_picture(line, context);
+    add_speed(line, context.session.wanted.rate());
+    add_ensemble(line, context.session.wanted.ensemble(), context.description());
+    add_window(line, context);
+    return line.text;
+}
+
+}  // namespace steplab::ui

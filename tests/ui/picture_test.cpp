@@ -1,0 +1,161 @@
+#include "ui/desk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace steplab::ui {
+namespace {
+
+/// Everything that is drawn, as bytes.
+std::string drawn(const Desk& desk) {
+    std::string bytes;
+    const ImDrawData& data = desk.interface.draw_data();
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const auto& vertices = data.CmdLists[i]->VtxBuffer;
+        bytes.append(reinterpret_cast<const char*>(vertices.Data), static_cast<std::size_t>(vertices.size_in_bytes()));
+    }
+    return bytes;
+}
+
+/// A desk with a run of some steps, so that its plots have curves.
+struct Recorded {
+    Recorded() : desk(describe("chain")) {
+        Simulation simulation(describe("chain"));
+        for (int i = 0; i < 20; ++i) {
+            simulation.advance(1);
+            desk.show(view_of(simulation, 3));
+        }
+        desk.recorder = {};
+    }
+    std::string picture(bool plot_alone = false) {
+        desk.picture(plot_alone);
+        return drawn(desk);
+    }
+    Desk desk;
+};
+
+TEST(picture, holds_nothing_of_the_pointer) {
+    Recorded recorded;
+    Desk& desk = recorded.desk;
+    const std::string clean = recorded.picture();
+    for (const char* widget : {"displacement", "energy error", "dt", "play", "displacement.save"}) {
+        desk.frame();
+        desk.point_at(widget);
+        desk.frame();
+        EXPECT_NE(drawn(desk), clean) << widget << " is highlighted in the window";
+        EXPECT_EQ(recorded.picture(), clean) << widget;
+    }
+}
+
+TEST(picture, holds_no_ring_around_the_particle_under_the_pointer) {
+    Recorded recorded;
+    Desk& desk = recorded.desk;
+    const std::string clean = recorded.picture();
+    const PixelRect rect = desk.interface.scene();
+    const auto pixel = render::Projection(desk.camera, {rect.width, rect.height}).pixel(desk.view.frame.positions[4]);
+    desk.move_to(static_cast<float>(rect.x + pixel->x), static_cast<float>(rect.y + pixel->y));
+    const std::string with_ring = drawn(desk);
+    desk.move_to(static_cast<float>(rect.x + 4), static_cast<float>(rect.y + 4));
+    EXPECT_NE(with_ring, drawn(desk));
+    desk.move_to(static_cast<float>(rect.x + pixel->x), static_cast<float>(rect.y + pixel->y));
+    EXPECT_EQ(recorded.picture(), clean);
+}
+
+TEST(picture, holds_no_notice_and_no_menu) {
+    Recorded recorded;
+    Desk& desk = recorded.desk;
+    const std::string clean = recorded.picture();
+    desk.interface.notify("saved something else");
+    for (const char* menu : {"menu", "method", "displacement.save"}) {
+        desk.frame();
+        desk.click(menu);
+        ASSERT_NE(drawn(desk), clean);
+        EXPECT_EQ(recorded.picture(), clean) << menu;
+    }
+    desk.frame();
+    EXPECT_TRUE(desk.has("notice")) << "in the window it is still there";
+}
+
+TEST(picture, of_a_plot_holds_no_card_over_it_and_one_of_the_window_does) {
+    Recorded recorded;
+    const std::string clean = recorded.picture(true);
+    const std::string window = recorded.picture();
+    recorded.desk.frame();
+    recorded.desk.key(Key::f1);
+    EXPECT_EQ(recorded.picture(true), clean);
+    EXPECT_NE(recorded.picture(), window);
+}
+
+TEST(picture, holds_no_button_that_saves_plots) {
+    Recorded recorded;
+    recorded.desk.picture(true);
+    EXPECT_FALSE(recorded.desk.has("displacement.save"));
+    recorded.desk.frame();
+    EXPECT_TRUE(recorded.desk.has("displacement.save"));
+}
+
+TEST(picture, changes_nothing_in_the_window) {
+    Recorded recorded;
+    Desk& desk = recorded.desk;
+    desk.point_at("dt", 0.3f);
+    desk.press();
+    desk.point_at("dt", 0.4f);
+    const double before = desk.wanted().dt;
+    const std::size_t changes = desk.recorder.changes.size();
+    desk.picture();
+    desk.frame();
+    EXPECT_EQ(desk.recorder.changes.size(), changes) << "the picture moved the slider";
+    desk.point_at("dt", 0.6f);
+    EXPECT_GT(desk.wanted().dt, before) << "the drag goes on";
+    desk.release();
+    desk.click("dt.value");
+    ASSERT_TRUE(desk.has("dt.entry"));
+    desk.picture();
+    desk.type("0.25");
+    desk.key(Key::enter);
+    EXPECT_EQ(desk.wanted().dt, 0.25) << "the text entry goes on";
+}
+
+TEST(notice, of_a_saved_file_has_its_whole_path_and_a_click_copies_it) {
+    Desk desk;
+    desk.interface.notify_saved("steplab-chain-1.png");
+    for (int i = 0; i < 2; ++i) desk.frame();
+    desk.point_at("notice");
+    desk.frame();
+    EXPECT_TRUE(desk.has("tooltip"));
+    desk.click("notice");
+    const auto requests = desk.interface.take_requests();
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(requests[0].kind, Request::Kind::copy_text);
+    EXPECT_EQ(requests[0].text, (std::filesystem::current_path() / "steplab-chain-1.png").string());
+}
+
+TEST(notice, stays_while_the_pointer_is_over_it_and_goes_afterwards) {
+    Desk desk;
+    desk.interface.notify_saved("steplab-chain-1.png");
+    for (int i = 0; i < 2; ++i) desk.frame();
+    desk.point_at("notice");
+    for (int i = 0; i < 60 * 20; ++i) desk.frame();
+    EXPECT_TRUE(desk.has("notice"));
+    desk.move_to(-100, -100);
+    for (int i = 0; i < 60 * 3; ++i) desk.frame();
+    EXPECT_FALSE(desk.has("notice"));
+}
+
+TEST(notice, of_a_long_path_stays_within_the_scene) {
+    Desk desk;
+    desk.interface.notify_saved("/" + std::string(400, 'x') + "/a.png");
+    for (int i = 0; i < 3; ++i) desk.frame();
+    const WidgetRect notice = desk.widget("notice");
+    const PixelRect scene = desk.interface.scene();
+    EXPECT_GE(notice.left, static_cast<float>(scene.x));
+    EXPECT_LE(notice.right, static_cast<float>(scene.x + scene.width));
+    EXPECT_GT(notice.bottom - notice.top, 60) << "it is wrapped";
+}
+
+}  // namespace
+}  // namespace steplab::ui

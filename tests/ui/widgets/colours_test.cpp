@@ -1,0 +1,95 @@
+#include "ui/widgets/colours.hpp"
+
+#include "ui/desk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace steplab::ui {
+namespace {
+
+/// Relative luminance of a colour (WCAG 2).
+double luminance(ImU32 colour) {
+    const ImVec4 c = ImGui::ColorConvertU32ToFloat4(colour);
+    const auto linear = [](float channel) {
+        const double v = static_cast<double>(channel);
+        return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
+}
+
+double contrast(ImU32 a, ImU32 b) {
+    const double one = luminance(a), other = luminance(b);
+    return (std::max(one, other) + 0.05) / (std::min(one, other) + 0.05);
+}
+
+constexpr double of_text = 4.5, of_shapes = 3;  // WCAG 2, level AA
+
+class EveryTheme : public testing::TestWithParam<render::Background> {
+protected:
+    const Colours& c = colours_of(GetParam());
+};
+
+TEST_P(EveryTheme, text_is_readable_on_all_that_it_is_written_on) {
+    for (const ImU32 ground : {c.panel, c.backdrop, c.card, c.window, c.popup, c.control, c.control_hover}) {
+        for (const ImU32 ink : {c.text, c.text_dim, c.bright}) EXPECT_GE(contrast(ink, ground), of_text);
+    }
+    for (const ImU32 ground : {c.panel, c.card, c.window, c.popup}) {
+        for (const ImU32 ink : {c.text_faint, c.good, c.caution, c.bad, c.accent_hover})
+            EXPECT_GE(contrast(ink, ground), of_text);
+    }
+    EXPECT_GE(contrast(c.on_accent, c.accent), of_text);
+    EXPECT_GE(contrast(c.on_accent, c.accent_hover), of_text);
+}
+
+TEST_P(EveryTheme, curves_sliders_and_buttons_stand_out) {
+    for (const ImU32 ink : {c.accent, c.exact, c.good, c.caution, c.bad, c.knob})
+        EXPECT_GE(contrast(ink, c.panel), of_shapes);
+    for (const ImU32 ink : {c.accent, c.good, c.caution, c.bad, c.knob}) EXPECT_GE(contrast(ink, c.track), of_shapes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Colours, EveryTheme, testing::Values(render::Background::dark, render::Background::light),
+                         [](const auto& test) { return std::string(render::id(test.param)); });
+
+/// Luminances of all that is drawn in one colour, with the colours of the glyphs.
+std::vector<double> luminances(Desk& desk) {
+    std::vector<double> found;
+    const ImDrawData& data = desk.interface.draw_data();
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        for (const ImDrawVert& vertex : data.CmdLists[i]->VtxBuffer) found.push_back(luminance(vertex.col));
+    }
+    return found;
+}
+
+TEST(theme, light_is_light_everywhere_and_dark_is_back_again) {
+    Desk desk(describe("chain"));
+    for (int i = 0; i < 2; ++i) desk.frame();
+    const std::vector<double> dark = luminances(desk);
+    desk.style.background = render::Background::light;
+    for (int i = 0; i < 2; ++i) desk.frame();
+    const std::vector<double> light = luminances(desk);
+    ASSERT_EQ(light.size(), dark.size()) << "the same things in other colours";
+    // Grounds and texts change places. White text on the accent, and icons, are the few that stay.
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < light.size(); ++i) same += light[i] == dark[i];
+    EXPECT_LT(same, light.size() / 20);
+    desk.style.background = render::Background::dark;
+    for (int i = 0; i < 2; ++i) desk.frame();
+    EXPECT_EQ(luminances(desk), dark);
+}
+
+TEST(theme, each_interface_has_its_own) {
+    Desk dark(describe("chain")), light(describe("chain"));
+    light.style.background = render::Background::light;
+    light.frame();
+    dark.frame();
+    EXPECT_EQ(ImU32{colour::panel}, colours_of(render::Background::dark).panel);
+    light.frame();
+    EXPECT_EQ(ImU32{colour::panel}, colours_of(render::Background::light).panel);
+}
+
+}  // namespace
+}  // namespace steplab::ui

@@ -1,0 +1,79 @@
+#include "sim/catalogue.hpp"
+#include "ui/desk.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplab::ui {
+namespace {
+
+bool overlap(const WidgetRect& a, const WidgetRect& b) {
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+TEST(tooltip, lies_on_the_display_beside_its_item_wherever_that_is) {
+    const ImVec2 display{400, 300}, size{120, 60};
+    for (float x = 0; x < 380; x += 19) {
+        for (float y = 0; y < 280; y += 13) {
+            for (const Beside side : {Beside::below, Beside::right}) {
+                const WidgetRect item{x, y, x + 20, y + 20};
+                const ImVec2 place = place_beside(item, size, display, 6, side);
+                const WidgetRect box{place.x, place.y, place.x + size.x, place.y + size.y};
+                EXPECT_FALSE(overlap(box, item));
+                EXPECT_TRUE(box.left >= 0 && box.top >= 0 && box.right <= display.x && box.bottom <= display.y);
+            }
+        }
+    }
+}
+
+TEST(tooltip, is_on_the_display_even_where_no_side_has_room) {
+    const ImVec2 place = place_beside({10, 10, 390, 290}, {200, 100}, {400, 300}, 6, Beside::below);
+    EXPECT_TRUE(place.x >= 0 && place.x + 200 <= 400 && place.y >= 0 && place.y + 100 <= 300);
+}
+
+TEST(tooltip, of_the_window_does_not_cover_what_it_explains) {
+    for (const Display& display : {Display{1280, 800, 1}, Display{1000, 640, 1}, Display{2560, 1600, 2}}) {
+        Desk desk(describe("chain"), display);
+        std::size_t seen = 0;
+        const WidgetMap widgets = desk.interface.widgets();
+        for (const auto& [name, place] : widgets) {
+            if (name == "displacement" || name == "energy error" || place.bottom > static_cast<float>(display.height))
+                continue;
+            desk.point_at(name);
+            desk.frame();
+            if (!desk.has("tooltip")) continue;
+            ++seen;
+            EXPECT_FALSE(overlap(desk.widget("tooltip"), place)) << name;
+        }
+        EXPECT_GT(seen, 10u);
+    }
+}
+
+TEST(tooltip, of_a_method_lies_beside_the_menu) {
+    Desk desk(describe("chain"));
+    desk.click("method");
+    for (const Method& entry : methods()) {
+        const std::string item = "method/" + std::string(entry.info.id);
+        desk.point_at(item);
+        desk.frame();
+        ASSERT_TRUE(desk.has("tooltip")) << item;
+        for (const Method& other : methods())
+            EXPECT_FALSE(overlap(desk.widget("tooltip"), desk.widget("method/" + std::string(other.info.id)))) << item;
+    }
+}
+
+TEST(tooltip, of_a_plot_does_not_cover_the_curves) {
+    Desk desk(describe("chain"));
+    desk.view.frame.step = 1;
+    desk.view.frame.time = 0.1;
+    desk.view.tracked = Tracked{3, {0.1, 0, 0}, {}};
+    desk.interface.record(desk.view);
+    desk.frame();
+    desk.point_at("displacement");
+    desk.frame();
+    ASSERT_TRUE(desk.has("tooltip"));
+    EXPECT_FALSE(overlap(desk.widget("tooltip"), desk.widget("displacement")));
+}
+
+}  // namespace
+}  // namespace steplab::ui

@@ -1,0 +1,66 @@
+#include "sim/catalogue.hpp"
+#include "ui/desk.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace steplab::ui {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string copied(Desk& desk) {
+    desk.interface.take_requests();
+    desk.click("menu");
+    desk.click("menu/copy command");
+    const auto requests = desk.interface.take_requests();
+    return requests.size() == 1 ? requests[0].text : "nothing";
+}
+
+TEST(window_command, of_a_window_as_it_opens_names_scene_method_and_dt_alone) {
+    Desk desk(describe("rope", "verlet"), {1280, 800, 1});
+    EXPECT_EQ(copied(desk), "steplab view " + command_line(desk.view.description));
+}
+
+TEST(window_command, names_all_that_was_chosen) {
+    Desk desk(describe("chain"), {1000, 900, 1});
+    desk.view.frame.step = 120;
+    desk.view.frame.time = 12;
+    desk.view.tracked = Tracked{3, {}, {}};
+    desk.view.rate = {.as_fast_as_possible = false, .seconds_per_second = 2.5};
+    desk.view.playing = true;
+    desk.view.ensemble = {.runs = 16, .spread = "k", .width = 1e-3};
+    desk.show(desk.view);
+    desk.style = {.colouring = render::Colouring::speed,
+                  .background = render::Background::light,
+                  .springs = false,
+                  .grid = false};
+    desk.camera = {{1, 2, -3}, 20, 35, 25.5};
+    EXPECT_EQ(copied(desk), "steplab view " + command_line(desk.view.description) +
+                                " --steps 120 --play --view 35,25.5,20,1,2,-3 --colour speed --background light"
+                                " --springs off --grid off --particle 3 --speed 2.5 --ensemble 16"
+                                " --spread k=0.999:1.001 --size 1000x900");
+}
+
+TEST(window_command, of_a_run_that_was_changed_opens_its_start) {
+    Desk desk(describe("chain"));
+    desk.view.frame.step = 120;
+    desk.show(desk.view);
+    EXPECT_THAT(copied(desk), HasSubstr("--steps 120"));
+    desk.view.segment_start = 3;
+    desk.show(desk.view);
+    EXPECT_THAT(copied(desk), Not(HasSubstr("--steps")));
+}
+
+TEST(window_command, of_an_unlimited_speed_and_a_hidden_panel) {
+    Desk desk(describe("chain"));
+    desk.view.rate = {.as_fast_as_possible = true};
+    desk.show(desk.view);
+    desk.key(Key::tab);
+    EXPECT_THAT(copied(desk), AllOf(HasSubstr("--speed unlimited"), HasSubstr("--ui off")));
+}
+
+}  // namespace
+}  // namespace steplab::ui
