@@ -239,34 +239,6 @@ TEST(Run, until_reaches_the_time_with_no_step_too_many) {
     EXPECT_EQ(summary_of({"--until", "0"}).at("steps"), 0);
 }
 
-TEST(Run, methods_of_own_steps_end_at_the_time_asked_for) {
-    for (const test::MethodCase& c : test::methods_where(
-             [](const test::MethodCase& c) { return chooses_its_steps(describe("chain", c.info->id)); })) {
-        const Outcome outcome =
-            run_program({"run", "--model", "oscillator", "--method", c.id(), "--precision",
-                         std::string(id(c.precision)), "--until", "1", "--dt", "0.3", "--out", "-", "--every", "1"});
-        EXPECT_EQ(outcome.code, 0);
-        EXPECT_THAT(outcome.err, testing::Not(HasSubstr("note"))) << c;
-        const CsvTable csv = table(outcome.out);
-        EXPECT_EQ(csv.rows.back()[0], "4");
-        EXPECT_EQ(csv.rows.back()[1], "1");
-        EXPECT_NEAR(number(csv.rows.back()[3]), std::sin(1.0), 1e-5) << c;  // float
-    }
-    EXPECT_THAT(run_program({"run", "--until", "1", "--dt", "0.3", "--summary", "-"}).err,
-                HasSubstr("4 steps of dt = 0.3 s end at t = 1.2 s, not at 1 s"));
-}
-
-TEST(Run, energy_errors_of_scenes_with_drag_hold_its_work) {
-    const auto cells = [](const char* method) {
-        const std::vector<std::string> words{"run",  "--model", "rope", "--method", method, "--dt",
-                                             "0.01", "--steps", "100",  "--series", "-"};
-        return table(run_program(words).out).rows.back();
-    };
-    // of 45 J that drag takes: an error of fourth order, and of the hundredth step
-    EXPECT_LT(std::abs(number(cells("rk4")[5])), 1e-3);
-    EXPECT_EQ(cells("taylor")[5], "");  // how it integrates drag is not known
-}
-
 TEST(Run, only_the_chosen_particles_are_written_in_order) {
     const CsvTable csv = table(run_program({"run", "--steps", "1", "--particles", "9,0-2,1", "--out", "-"}).out);
     std::vector<std::string> particles;
