@@ -71,6 +71,18 @@ std::vector<std::string> wrong_run_bits(const std::vector<TextFile>& files) {
     return found;
 }
 
+std::vector<std::string> scenes_made_by_the_interface(const std::vector<TextFile>& files) {
+    static const std::regex pattern(
+        R"((\.|->)scene\([^)]|\b(stability_limit|omega_max|fastest_frequency|start_frequency|opening_dt)\()"
+        R"(|\b(remedies|resolution|linear_limit|check)\([^)])");
+    std::vector<TextFile> interface = files;
+    std::erase_if(interface, [](const TextFile& file) {
+        const std::string path = file.path.string();
+        return !path.starts_with("src/ui/") && !path.starts_with("src/app/window/");
+    });
+    return lines_with(interface, pattern);
+}
+
 std::vector<std::string> untidy_lines(const std::vector<TextFile>& files) {
     static const std::regex untidy("\t|\r|[ \t]$");
     std::vector<TextFile> checked = files;

@@ -19,6 +19,10 @@ std::vector<std::string> long_sources(const std::vector<TextFile>& files);
 /// Scripts without the run bit and files with it that are no scripts.
 std::vector<std::string> wrong_run_bits(const std::vector<TextFile>& files);
 
+/// Lines of the interface and the window that make a scene, or ask for what takes one: the run's thread does, and its
+/// view has the answers.
+std::vector<std::string> scenes_made_by_the_interface(const std::vector<TextFile>& files);
+
 /// Tabs, blanks at a line's end and missing line ends, against .editorconfig.
 std::vector<std::string> untidy_lines(const std::vector<TextFile>& files);
 

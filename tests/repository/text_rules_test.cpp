@@ -44,6 +44,17 @@ TEST(Text, wrong_run_bits_are_found) {
         ElementsAre("a.sh", "b.txt"));
 }
 
+TEST(Text, interface_makes_no_scene) { EXPECT_THAT(scenes_made_by_the_interface(repository()), IsEmpty()); }
+
+TEST(Text, scenes_of_the_interface_are_found) {
+    const std::string lines =
+        "model(id).scene(values);\nstability_limit(description);\ncheck(description);\nentry->omega_max(values);\n"
+        "interface.scene();\ncheck_values(description);\nview.remedies.dt;\n";
+    EXPECT_THAT(scenes_made_by_the_interface({{"src/ui/panels/a.cpp", lines}, {"src/app/window/a.cpp", lines}}),
+                SizeIs(8));
+    EXPECT_THAT(scenes_made_by_the_interface({{"src/sim/run/a.cpp", lines}}), IsEmpty());
+}
+
 TEST(Text, lines_are_tidy) { EXPECT_THAT(untidy_lines(repository()), IsEmpty()); }
 
 TEST(Text, untidy_lines_are_found) {

@@ -1,6 +1,7 @@
 #include "sim/run/run_view.hpp"
 
 #include "sim/run/notes.hpp"
+#include "sim/run/opening.hpp"
 
 #include <algorithm>
 
@@ -35,6 +36,7 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     view.segment_start = simulation.segment_start();
     view.baseline_step = simulation.baseline_step();
     view.dt = simulation.dt();
+    view.opening_dt = opening_dt(view.description);
 }
 
 std::size_t first_followed(const Shape& shape) {

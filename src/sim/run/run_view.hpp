@@ -48,6 +48,7 @@ struct RunView {
     std::uint64_t baseline_step = 0;  ///< step from which the energy error counts
     std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots start again
     double dt = 0.1;                  ///< as the precision holds it
+    double opening_dt = 0.1;          ///< that the model recommends for this scene
     LiveEnsembleOptions ensemble;     ///< beside the run; it is in the frame unless it is still being computed
     EnsembleSpread ensemble_spread;
     /// Measured; none in still pictures.

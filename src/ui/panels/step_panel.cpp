@@ -1,5 +1,4 @@
 #include "core/number_text.hpp"
-#include "sim/run/opening.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/panels/step_verdict.hpp"
 #include "ui/widgets/format.hpp"
@@ -66,7 +65,7 @@ void draw_step_panel(const Context& context) {
     };
     const StepVerdict verdict = shown_verdict(context);
     ParameterInfo info = dt_parameter;
-    info.default_value = opening_dt(description);
+    info.default_value = context.view.opening_dt;
     const std::string help = parameter_help(info);
     heading(context, "TIME STEP");
     slider_row(context, {

@@ -23,8 +23,8 @@ protected:
     BlowUp() : WorkerTest(GetParam()) {}
 
     /// The velocities that a curiosity shows are not judged.
-    static bool is_beyond_bound(const RunView& view, double start) {
-        const Diagnostics& now = view.diagnostics;
+    static bool is_beyond_bound(const RunView& shown, double start) {
+        const Diagnostics& now = shown.diagnostics;
         const double energy = method(GetParam().method).info.curiosity ? now.potential : now.energy;
         return energy - start > 1000 * (std::abs(start) + 1e-6);
     }
