@@ -350,6 +350,18 @@ TEST_F(SmallFile, that_nests_brackets_is_refused_whatever_their_depth) {
     }
 }
 
+TEST_F(SmallFile, whose_run_has_an_unknown_parameter_has_no_run) {
+    const auto run_of = [&](const std::string& name) {
+        std::string text = bytes_.substr(trajectory::signature_bytes + trajectory::BlockHead::bytes);
+        text.resize(text.find('\n') + 1);
+        text.replace(text.find("\"m\":"), 4, "\"" + name + "\":");
+        const Kept file(described(bytes_, text));
+        return TrajectoryReader(InputFile(file.name())).run();
+    };
+    EXPECT_EQ(run_of("m"), describe("chain"));
+    EXPECT_THAT([&] { run_of("q"); }, testing::ThrowsMessage<FileError>(HasSubstr("unknown parameter 'q'")));
+}
+
 /// The same description, of the same length, with other rows: `rows` of them, all moving.
 std::string with_rows(const std::string& bytes, const std::string& rows) {
     const auto head = trajectory::parse_head(std::string_view(bytes).substr(trajectory::signature_bytes)).value();
