@@ -60,7 +60,10 @@ std::optional<std::string_view> TextInput::line() {
     std::size_t searched = 0, end = 0;
     while ((end = text_.find('\n', taken_ + searched)) == std::string::npos) {
         searched = text_.size() - taken_;
-        if (searched > longest_line) fail(fmt::format("line {} is too long for CSV or XYZ", lines_ + 1));
+        if (searched > longest_line) {
+            ++lines_;
+            fail("it is too long for CSV or XYZ");
+        }
         if (fill()) continue;
         if (text_.empty()) return std::nullopt;
         end = text_.size();  // the last line has no end

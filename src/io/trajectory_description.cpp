@@ -1,5 +1,7 @@
 #include "io/trajectory_description.hpp"
 
+#include "core/error.hpp"
+#include "core/shown.hpp"
 #include "io/commit.hpp"
 
 #include <nlohmann/json.hpp>
@@ -48,6 +50,7 @@ Json json_of(const RunDescription& run) {
 
 void set_parameters(ParameterValues& values, const Json& json) {
     for (const auto& [name, value] : json.items()) {
+        if (!values.contains(name)) throw UsageError("unknown parameter '" + shown(name) + "'");
         if (value.is_string()) {
             values.set_text(name, value.get<std::string>());
         } else {

@@ -145,8 +145,8 @@ TEST(TextInput, gives_lines_whatever_ends_them) {
 }
 
 TEST(TextInput, refuses_endless_lines) {
-    EXPECT_THAT(read("a\n" + std::string(1000000, 'x')), HasSubstr("line 2 is too long"));
-    EXPECT_THAT(read(compressed(std::string(100000000, 'x'), Compression::zstd)), HasSubstr("line 1 is too long"));
+    EXPECT_THAT(read("a\n" + std::string(1000000, 'x')), HasSubstr("line 2: it is too long"));
+    EXPECT_THAT(read(compressed(std::string(100000000, 'x'), Compression::zstd)), HasSubstr("line 1: it is too long"));
 }
 
 }  // namespace

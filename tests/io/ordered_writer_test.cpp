@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "io/files.hpp"
-#include "support/no_threads.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +12,6 @@
 
 namespace steplab {
 namespace {
-
-using test::NoThreads;
 
 TEST(OrderedWriter, keeps_the_order_of_blocks_whatever_time_they_take) {
     const TemporaryFolder folder;
@@ -33,24 +30,6 @@ TEST(OrderedWriter, keeps_the_order_of_blocks_whatever_time_they_take) {
         }
         writer.drain();
     }
-    file.commit();
-    EXPECT_EQ(text_of(folder.file("a")), expected);
-}
-
-TEST(OrderedWriter, writes_by_itself_where_no_thread_can_be_started) {
-    const NoThreads none;
-    const TemporaryFolder folder;
-    OutputFile file(folder.file("a"));
-    OrderedWriter writer(file);
-    std::string expected;
-    for (int i = 0; i < 50; ++i) {
-        const std::string text = std::to_string(i) + ' ';
-        expected += text;
-        writer.submit([text](std::string& bytes, std::string&) { bytes = text; });
-    }
-    writer.drain();
-    EXPECT_THROW(writer.submit([](std::string&, std::string&) { throw FileError("no more"); }), FileError);
-    EXPECT_THROW(writer.drain(), FileError) << "and so from then on";
     file.commit();
     EXPECT_EQ(text_of(folder.file("a")), expected);
 }

@@ -1,13 +1,10 @@
 #include "io/output_file.hpp"
 
 #include "core/error.hpp"
-#include "core/interruption.hpp"
 #include "io/files.hpp"
 
 #include <gmock/gmock.h>
 
-#include <csignal>
-#include <cstdlib>
 #include <sys/stat.h>
 
 namespace steplab {
@@ -69,52 +66,6 @@ TEST(OutputFile, two_writers_of_one_name_do_not_meet) {
     EXPECT_EQ(text_of(folder.file("a")), "first");
     second.commit();
     EXPECT_EQ(text_of(folder.file("a")), "second");
-}
-
-TEST(OutputFile, removes_what_killed_programs_have_left) {
-    const TemporaryFolder folder;
-    for (const char* hidden : {".steplab-0", ".steplab-3"}) put_text(folder.file(hidden), "unfinished");
-    put_text(folder.file(".steplab-notes"), "somebody's own");
-    OutputFile held(folder.file("a"));
-    OutputFile(folder.file("b")).commit();
-    EXPECT_EQ(files_in(folder), 3) << "b, the notes and what is held";
-    held.write("text");
-    held.commit();
-    EXPECT_EQ(text_of(folder.file("a")), "text");
-    EXPECT_EQ(text_of(folder.file(".steplab-notes")), "somebody's own");
-}
-
-TEST(OutputFile, hidden_link_is_not_followed) {
-    const TemporaryFolder folder;
-    put_text(folder.file("other"), "other");
-    std::filesystem::create_symlink("other", folder.file(".steplab-0"));
-    OutputFile file(folder.file("a"));
-    file.write("text");
-    file.commit();
-    EXPECT_EQ(text_of(folder.file("other")), "other");
-    EXPECT_EQ(text_of(folder.file("a")), "text");
-}
-
-/// In a process of its own.
-void commit_after_a_signal(const std::string& name) {
-    catch_interruptions();
-    try {
-        OutputFile file(name);
-        file.write("after");
-        std::raise(SIGTERM);
-        file.commit();
-    } catch (const Interrupted&) {
-        std::_Exit(7);
-    }
-    std::_Exit(0);
-}
-
-TEST(OutputFileDeathTest, is_not_put_in_place_once_a_signal_has_come) {
-    const TemporaryFolder folder;
-    put_text(folder.file("a"), "before");
-    EXPECT_EXIT(commit_after_a_signal(folder.file("a")), testing::ExitedWithCode(7), "");
-    EXPECT_EQ(text_of(folder.file("a")), "before");
-    EXPECT_EQ(files_in(folder), 1);
 }
 
 TEST(OutputFile, names_the_reason_why_a_file_cannot_be_written) {

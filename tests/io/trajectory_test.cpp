@@ -1,18 +1,11 @@
-#include "io/trajectory.hpp"
-
 #include "core/error.hpp"
 #include "io/trajectories.hpp"
 #include "sim/catalogue.hpp"
 
 #include <gmock/gmock.h>
 
-#include <bit>
-#include <filesystem>
-
 namespace steplab {
 namespace {
-
-using testing::HasSubstr;
 
 const TrajectoryFormat all_formats[] = {TrajectoryFormat::csv, TrajectoryFormat::xyz, TrajectoryFormat::trajectory};
 

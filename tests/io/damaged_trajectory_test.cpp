@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace steplab {
@@ -161,6 +162,18 @@ TEST_F(SmallFile, that_nests_brackets_is_refused_whatever_their_depth) {
             EXPECT_THAT(reading.refusal, HasSubstr("the description of its run is not valid")) << depth;
         }
     }
+}
+
+TEST_F(SmallFile, whose_run_has_an_unknown_parameter_has_no_run) {
+    const auto run_of = [&](const std::string& name) {
+        std::string text = bytes_.substr(trajectory::signature_bytes + trajectory::BlockHead::bytes);
+        text.resize(text.find('\n') + 1);
+        text.replace(text.find("\"m\":"), 4, "\"" + name + "\":");
+        const Kept file(described(bytes_, text));
+        return TrajectoryReader(InputFile(file.name())).run();
+    };
+    EXPECT_EQ(run_of("m"), describe("chain"));
+    EXPECT_THAT([&] { run_of("q"); }, testing::ThrowsMessage<FileError>(HasSubstr("unknown parameter 'q'")));
 }
 
 /// The same description, of the same length, with other rows: `rows` of them, all moving.
