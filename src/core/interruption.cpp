@@ -24,7 +24,7 @@ void end_late(int) { end_program(code_at_deadline); }
 
 /// A program that was interrupted ends within a second: by itself until then.
 void begin_to_end(int exit_code) {
-    constexpr itimerspec patience{{0, 0}, {0, 600'000'000}};
+    constexpr itimerspec patience{{0, 0}, {0, 400'000'000}};
     code_at_deadline = exit_code;
     timer_settime(deadline, 0, &patience, nullptr);
 }

@@ -33,6 +33,14 @@ unsigned big_endian(const std::string& bytes, std::size_t at) {
     return value;
 }
 
+// Mesa's software renderer would wait for ever for threads that it did not get.
+TEST_F(Snapshot, has_the_same_bytes_where_no_thread_can_be_started) {
+    ASSERT_EQ(snapshot({"--out", "a.png"}).code, 0);
+    const Outcome alone = run_program({"snapshot", "--out", file("b.png")}, {.no_threads = true});
+    EXPECT_EQ(alone.code, 0) << alone.err;
+    EXPECT_TRUE(bytes("a.png") == bytes("b.png"));
+}
+
 TEST_F(Snapshot, writes_a_png_of_the_size_asked_for) {
     const Outcome outcome = snapshot({"--out", "a.png", "--size", "200x100"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;

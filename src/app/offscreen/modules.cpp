@@ -1,5 +1,6 @@
 #include "app/offscreen/modules.hpp"
 
+#include "app/cli/driver_threads.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 
@@ -62,6 +63,7 @@ fs::path module_folder() {
 Offscreen::Offscreen(std::string_view kind) : Offscreen(kind, module_folder()) {}
 
 Offscreen::Offscreen(std::string_view kind, const fs::path& folder) {
+    limit_driver_threads();
     std::vector<std::string> troubles;
     for (const std::string_view each : wanted_kinds(kind)) {
         Opened opened = open(each, folder);

@@ -1,5 +1,6 @@
 #include "app/window/window.hpp"
 
+#include "app/cli/driver_threads.hpp"
 #include "app/window/display_loss.hpp"
 #include "app/window/icon.hpp"
 #include "app/window/keys.hpp"
@@ -41,6 +42,7 @@ void hint_core_profile() {
 WindowSystem::WindowSystem() {
     // Mesa's EGL would print to standard error which drivers it tried without success.
     setenv("EGL_LOG_LEVEL", "fatal", 0);
+    limit_driver_threads();
     answer_display_loss();
     if (glfwInit() == GLFW_TRUE) return;
     throw GraphicsError(fmt::format("cannot open a window: no display ({}, {}; {})", setting("DISPLAY"),
