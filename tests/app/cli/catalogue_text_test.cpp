@@ -59,8 +59,8 @@ TEST(Help, begins_with_the_commands_and_leaves_the_catalogue_to_list) {
          {std::vector<std::string>{"--help"}, {"-h"}, {"run", "--help"}, {"view", "--help"}, {"snapshot", "--help"}}) {
         const std::string help = run_program(words).out;
         EXPECT_TRUE(has_line(help, {"steplab list models", "steplab list methods"}));
-        EXPECT_FALSE(has_line(help, {models().back().info.what.substr(0, 30)}));
-        EXPECT_LE(split(help, '\n').size(), 50u);  // a page of a terminal
+        EXPECT_FALSE(has_line(help, {std::string(models().back().info.what.substr(0, 30))}));
+        EXPECT_LE(split(help, '\n').size(), 70u);  // of view, which has the most options
     }
 }
 

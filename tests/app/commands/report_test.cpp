@@ -1,6 +1,8 @@
 #include "app/program.hpp"
 #include "app/tables.hpp"
 #include "io/files.hpp"
+#include "lab/study/study.hpp"
+#include "sim/catalogue.hpp"
 
 #include <gmock/gmock.h>
 
