@@ -58,7 +58,7 @@ Moved moved(Simulation& simulation, const RunDescription& run, std::uint64_t ste
 }
 
 // The motion itself, computed accurately for 4 s: what it keeps stays within 1e-9 of the sizes that are summed, what it
-// does not keep moves by more; energies within 1e-7, the method's error.
+// does not keep moves by more; energies within 1e-5, the error of the method where particles meet.
 TEST(Conservation, is_what_the_motion_keeps) {
     for (const Case& c : moving_scenes()) {
         const RunDescription run = run_of_case(c);
@@ -66,7 +66,7 @@ TEST(Conservation, is_what_the_motion_keeps) {
         const Conservation claim = simulation.conservation();
         const Moved by = moved(simulation, run, 800);
         EXPECT_EQ(claim.momentum, by.momentum < 1e-9) << command_line(run) << ' ' << by.momentum;
-        EXPECT_EQ(claim.energy, by.energy < 1e-7) << command_line(run) << ' ' << by.energy;
+        EXPECT_EQ(claim.energy, by.energy < 1e-5) << command_line(run) << ' ' << by.energy;
         EXPECT_EQ(claim.angular_momentum || !by.turns, by.angular_momentum < 1e-9)
             << command_line(run) << ' ' << by.angular_momentum;
         EXPECT_EQ(claim.cause.empty(), claim.momentum && claim.angular_momentum && claim.energy) << command_line(run);

@@ -32,7 +32,9 @@ double kept_swing(const RunDescription& remedied, double omega) {
     RunDescription run = run_of("oscillator", remedied.method, Precision::double_, remedied.dt, {{"k", omega * omega}});
     run.method_parameters = remedied.method_parameters;
     Simulation simulation(run);
-    const auto steps = static_cast<std::uint64_t>(std::ceil(10 * 2 * std::numbers::pi / (omega * run.dt)));
+    // with fewer samples, those of less than one a period might all miss the turning points
+    const double periods = std::ceil(10 * 2 * std::numbers::pi / (omega * run.dt));
+    const auto steps = static_cast<std::uint64_t>(std::max(100.0, periods));
     const auto largest = [&] {
         double found = 0;
         for (std::uint64_t step = 0; step < steps; ++step) {
@@ -102,11 +104,11 @@ TEST(Remedy, is_not_a_method_that_damps) {
 }
 
 TEST(Remedy, is_no_dt_for_what_fails_at_any) {
-    for (const std::string_view id : {"verlet-2008", "stoermer-2008"})
-        EXPECT_FALSE(remedies_of(run_of("chain", id, Precision::double_, 1)).dt) << id;
-    const auto small = remedies_of(run_of("oscillator", "midpoint", Precision::double_, 0.9)).dt;
-    ASSERT_TRUE(small) << "gains less than 1 % a period where it is small enough";
-    EXPECT_LT(*small, 0.25);
+    for (const std::string_view id : {"verlet-2008", "stoermer-2008", "midpoint", "euler-forward"}) {
+        const Remedies found = remedies_of(run_of("oscillator", id, Precision::double_, 0.9));
+        EXPECT_FALSE(found.dt) << id;
+        EXPECT_TRUE(found.method) << id;
+    }
 }
 
 TEST(Remedy, of_a_scene_without_known_limit_is_a_quarter_of_dt) {
