@@ -166,8 +166,10 @@ bool OutputFile::create_hidden(const fs::path& candidate) {
 
 void OutputFile::at_program_end(UnfinishedFile::AtEnd what) {
     if (temporary_.empty()) return;
+    // a line that ends in compressed bytes is none
+    const bool lines = compressor_ && what == UnfinishedFile::AtEnd::kept_in_lines;
     unfinished_.reset();
-    unfinished_.emplace(descriptor_, temporary_, what, partial_name());
+    unfinished_.emplace(descriptor_, temporary_, lines ? UnfinishedFile::AtEnd::kept : what, partial_name());
 }
 
 void OutputFile::write(std::string_view bytes) {
