@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <regex>
 #include <stdexcept>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -109,6 +110,11 @@ Outcome RunningProgram::wait() {
 
 Outcome run_program(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
     return RunningProgram(arguments, surroundings).wait();
+}
+
+std::string without_progress(const std::string& errors) {
+    static const std::regex line("steplab [a-z]+: ([0-9]+ %, .* left|computing [^\\n]*)\\n");
+    return std::regex_replace(errors, line, "");
 }
 
 }  // namespace steplab

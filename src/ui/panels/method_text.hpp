@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/entry.hpp"
-#include "models/conservation.hpp"
 #include "sim/run/run_description.hpp"
+#include "sim/run/run_view.hpp"
 
 #include <string>
 

@@ -101,10 +101,10 @@ const std::vector<WrongUse> wrong_uses{
     {{"run", "--every", "0"}, {"--every", "an integer from 1"}},
     {{"run", "--every", "-3"}, {"--every", "-3"}},
     {{"run", "--every", "2x"}, {"--every", "\"2x\""}},
-    // more than fits into memory: refused before anything is allocated, with the bytes
-    {{"run", "--model", "free", "--set", "n=1e12"}, {"1e12 particles", "bytes", "smaller n"}},
-    {{"run", "--model", "mesh", "--set", "dim=1000000"}, {"1e12 particles", "bytes", "smaller dim"}},
-    {{"run", "--model", "morse", "--set", "edge=100000"}, {"particles", "bytes", "smaller edge"}},
+    // more than fits into memory: refused before anything is allocated, with the memory it needs
+    {{"run", "--model", "free", "--set", "n=1e12"}, {"1e12 particles", "B of memory", "smaller n"}},
+    {{"run", "--model", "mesh", "--set", "dim=1000000"}, {"1e12 particles", "B of memory", "smaller dim"}},
+    {{"run", "--model", "morse", "--set", "edge=100000"}, {"particles", "B of memory", "smaller edge"}},
     {{"run", "--model", "rope", "--set", "n=1e300"}, {"n", "1e300"}},
     // particles
     {{"run", "--out", "-", "--particles", "100"}, {"no particle 100", "0 to 99"}},

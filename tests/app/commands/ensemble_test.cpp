@@ -53,7 +53,8 @@ TEST(EnsembleCommand, gives_every_run_the_result_of_the_run_alone) {
             EXPECT_EQ(run["set"]["k"], k);
             EXPECT_EQ(run["set"]["dt"], dt);
             Json expected = alone(k, dt, common);
-            for (const char* const shared : {"version", "model", "method", "precision", "parameters", "wall_seconds"})
+            for (const char* const shared :
+                 {"version", "commit", "model", "method", "precision", "parameters", "wall_seconds"})
                 expected.erase(shared);
             for (const char* const of_one_run : {"error", "notes"}) expected.erase(of_one_run);
             Json result = run;

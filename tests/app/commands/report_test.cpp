@@ -60,7 +60,7 @@ TEST(Report, writes_a_table_and_a_page_and_no_messages) {
     const TemporaryFolder folder;
     const Outcome outcome = run_program(report(folder.file("out")));
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_THAT(outcome.err, IsEmpty());
+    EXPECT_THAT(without_progress(outcome.err), IsEmpty());
     EXPECT_THAT(outcome.out, HasSubstr("report.html"));
     EXPECT_THAT(text_of(folder.file("out/report.html")), HasSubstr("Error against time, float"));
     const CsvTable runs = table(text_of(folder.file("out/speed_error.csv")));
@@ -169,7 +169,7 @@ TEST(Report, is_restricted_by_options) {
 TEST(Advise, names_a_command_that_keeps_the_error) {
     const Outcome outcome = run_program({"advise", "--model", "chain", "--until", "20", "--error", "1e-7"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.err, IsEmpty());
+    EXPECT_THAT(without_progress(outcome.err), IsEmpty());
     for (const char* word : {"steplab run --model chain", "verified", "rk4", "NEXT BEST", "takes about"})
         EXPECT_THAT(outcome.out, HasSubstr(word));
     const std::size_t begin = outcome.out.find("run --model"), end = outcome.out.find('\n', begin);

@@ -168,7 +168,8 @@ TEST(Divergence, is_not_claimed_of_a_run_that_begins_at_rest) {
               run_of("chain", c.id(), c.precision, 0.1, {{"v0", 0}}),
               run_of("mesh", c.id(), c.precision, 0.1, {{"v0", 0}, {"dim", 5}}),
               run_of("morse", c.id(), c.precision, 0.01, {{"v0", 0}}),
-              run_of("crystal", c.id(), c.precision, 0.01, {{"kT", 0}, {"jitter", 0}, {"edge", 5}})}) {
+              run_of("crystal", c.id(), c.precision, 0.01,
+                     {{"kT", 0}, {"jitter", 0}, {"edge", 3}, {"spacing", 2}, {"cutoff", 2}})}) {
             for (std::uint64_t steps = 1; steps <= 6; ++steps) {
                 Simulation simulation(at_rest);
                 simulation.advance(steps);
