@@ -54,7 +54,7 @@ public:
 private:
     static std::vector<Limit> limits_of(const StabilityLab& lab, const std::vector<RunDescription>& runs) {
         if (runs.size() == 1) return {lab.limit(runs.front())};
-        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0, "steplab limits");
+        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0);
         return all_limits(lab, runs, [&](std::size_t found) { progress.at(found); });
     }
 

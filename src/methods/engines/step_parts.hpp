@@ -32,18 +32,14 @@ struct StepParts {
 /// Of a class of src/methods.
 template <class Method>
 StepParts step_parts() {
-    if constexpr (requires { Method::table.front().kick; }) {
-        return {.kicks = {Method::table.begin(), Method::table.end()}, .explicit_drag = requires {Method::explicit_drag;
-    }
-    , .stages = {}
-};
-}  // namespace steplab
-else if constexpr (requires { Method::template Integrator<double>::stages_of_steps(); }) {
-    return {.kicks = {}, .stages = Method::template Integrator<double>::stages_of_steps()};
-}
-else {
-    return {};
-}
+    constexpr bool has_kicks = requires { Method::table.front().kick; };
+    constexpr bool has_stages = requires { Method::template Integrator<double>::stages_of_steps(); };
+    constexpr bool explicit_drag = requires { Method::explicit_drag; };
+    StepParts parts;
+    parts.explicit_drag = explicit_drag;
+    if constexpr (has_kicks) parts.kicks.assign(Method::table.begin(), Method::table.end());
+    if constexpr (has_stages) parts.stages = Method::template Integrator<double>::stages_of_steps();
+    return parts;
 }
 
 }  // namespace steplab
