@@ -3,8 +3,6 @@
 #include "core/ticks.hpp"
 #include "sim/catalogue.hpp"
 
-#include <utility>
-
 namespace steplab {
 
 double opening_dt(const RunDescription& scene) {
@@ -14,7 +12,7 @@ double opening_dt(const RunDescription& scene) {
 }
 
 RunDescription opening(RunDescription scene) {
-    scene = with_method(std::move(scene), model(scene.model).opening.method);
+    scene = with_method(scene, model(scene.model).opening.method);
     scene.dt = opening_dt(scene);
     return scene;
 }
