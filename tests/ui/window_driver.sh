@@ -56,9 +56,10 @@ open_window() {
 
 # expect REGEX...: waits until each of these lines has come, in any order; remembers where widgets are.
 expect() {
-    local missing=("$@") line wanted left
+    local missing=("$@") line wanted left deadline=$((SECONDS + patience))
     while ((${#missing[@]})); do
-        IFS= read -r -t $patience line <&3 || fail "expected '${missing[*]}'; errors: $(cat "$folder/errors")"
+        # a run that goes on writes lines for ever
+        IFS= read -r -t $patience line <&3 && ((SECONDS <= deadline)) || fail "expected '${missing[*]}'; errors: $(cat "$folder/errors")"
         echo "$line" >>"$folder/said"
         note_widget "$line"
         left=()

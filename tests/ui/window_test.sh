@@ -207,6 +207,25 @@ copied_command_opens_the_same_again() {
     close_window
 }
 
+extreme_views_are_answered() {
+    start_display 1280x800
+    open_window --model chain --set L=1e30 --play
+    xdotool mousemove 800 300 click 4; expect 'camera .*'
+    xdotool click 5 click 5; expect 'camera .*'
+    xdotool key f; expect 'camera .*' # from where the wheel has left it: it opens with all in view
+    close_window
+    rm "$folder/trace"
+    open_window --model mesh --view 0,0,1e-16,4,0,-4
+    xdotool mousemove 800 300 click 5; expect 'camera .*'
+    xdotool key f; expect 'camera .*'
+    close_window
+    rm "$folder/trace"
+    open_window --model mesh --view 0,0,10,1e30,0,0
+    expect 'widget lost.fit [0-9].*'
+    click lost.fit; expect 'widget lost gone'
+    close_window
+}
+
 escape_closes_what_is_open() {
     start_display 1280x800
     open_window --model mesh
