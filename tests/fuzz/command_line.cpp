@@ -3,10 +3,10 @@
 
 #include "app/cli/command_line.hpp"
 
+#include "app/cli/ensemble_options.hpp"
 #include "app/cli/particle_list.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/view_options.hpp"
-#include "app/commands/ensemble_options.hpp"
 #include "app/commands/run_outputs.hpp"
 #include "app/commands/snapshot_options.hpp"
 #include "core/error.hpp"
@@ -48,10 +48,15 @@ struct Scene {
     TimeOptions time{1000};
     EnsembleOptions ensemble;
 
-    void declare(CLI::App& app) {
+    /// With the options of a command beside them. False where the help is asked for.
+    template <class Options>
+    bool takes(const std::vector<std::string>& words, Options& options) {
+        CLI::App app("a command", "steplab");
         scene.declare(app);
         time.declare(app);
         ensemble.declare(app);
+        options.declare(app);
+        return !parse(app, words);
     }
     RunDescription read() const {
         const RunDescription run = scene.descriptions().front();
@@ -63,12 +68,9 @@ struct Scene {
 };
 
 void read_run(const std::vector<std::string>& words) {
-    CLI::App app("run", "steplab");
     Scene scene;
     OutputOptions output;
-    scene.declare(app);
-    output.declare(app);
-    if (parse(app, words)) return;
+    if (!scene.takes(words, output)) return;
     const RunDescription run = scene.read();
     output.check();
     const double particles = model(run.model).particles(run.scene);
@@ -77,23 +79,16 @@ void read_run(const std::vector<std::string>& words) {
 }
 
 void read_snapshot(const std::vector<std::string>& words) {
-    CLI::App app("snapshot", "steplab");
     Scene scene;
     SnapshotOptions picture;
-    scene.declare(app);
-    picture.declare(app);
-    if (!parse(app, words)) picture.request(scene.read());
+    if (scene.takes(words, picture)) picture.request(scene.read());
 }
 
 void read_view(const std::vector<std::string>& words) {
-    CLI::App app("view", "steplab");
     Scene scene;
     ViewOptions window;
-    scene.declare(app);
-    window.declare(app);
-    if (parse(app, words)) return;
-    scene.read();
-    window.request();
+    if (!scene.takes(words, window)) return;
+    window.request(scene.read());
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ T largest_of(const Field<T>& field) {
 /// The larger of two; not a number if one of them is none.
 template <class T>
 T larger_of(T a, T b) {
-    return b > a || b != b ? b : a;
+    return b > a || std::isnan(b) ? b : a;
 }
 
 }  // namespace steplab

@@ -72,16 +72,31 @@ TEST(Report, writes_a_table_and_a_page_and_no_messages) {
     for (const auto& row : runs.rows) EXPECT_EQ(row[9] == "diverged", row[6].empty());  // failed runs have no time
 }
 
+/// A report of which some is measured, and the rest still to be done.
+class BegunReport {
+public:
+    explicit BegunReport(const std::string& folder) : watch_(measured_in(folder)), program_(report(folder)) {
+        watch_.wait_for_a_file();
+    }
+    RunningProgram& program() { return program_; }
+
+private:
+    static std::string measured_in(const std::string& folder) {
+        std::filesystem::create_directories(folder + "/.measured");
+        return folder + "/.measured";
+    }
+
+    FolderWatch watch_;
+    RunningProgram program_;
+};
+
 // The kept state appears when the first of eight series is measured: the signal comes while most of the work is still
 // to be done.
 TEST(Report, resumes_after_an_interruption_with_the_same_result) {
     const TemporaryFolder folder;
-    std::filesystem::create_directories(folder.file("out/.measured"));
-    const FolderWatch watch(folder.file("out/.measured"));
-    RunningProgram first(report(folder.file("out")));
-    watch.wait_for_a_file();
-    first.send(SIGINT);
-    const Outcome interrupted = first.wait();
+    BegunReport first(folder.file("out"));
+    first.program().send(SIGINT);
+    const Outcome interrupted = first.program().wait();
     EXPECT_EQ(interrupted.code, 128 + SIGINT);
     EXPECT_EQ(interrupted.signal, 0);
     EXPECT_THAT(interrupted.err, HasSubstr("to resume"));
@@ -126,15 +141,12 @@ TEST(Report, has_a_scene_of_every_model_or_names_it_as_left_out) {
 
 TEST(Report, of_another_program_in_the_same_folder_is_refused) {
     const TemporaryFolder folder;
-    std::filesystem::create_directories(folder.file("out/.measured"));
-    const FolderWatch watch(folder.file("out/.measured"));
-    RunningProgram first(report(folder.file("out")));
-    watch.wait_for_a_file();
+    BegunReport first(folder.file("out"));
     const Outcome second = run_program(report(folder.file("out")));
     EXPECT_EQ(second.code, 3);
     EXPECT_THAT(second.err, HasSubstr("another report is being written there"));
-    first.send(SIGKILL);
-    EXPECT_EQ(first.wait().signal, SIGKILL);
+    first.program().send(SIGKILL);
+    EXPECT_EQ(first.program().wait().signal, SIGKILL);
     EXPECT_TRUE(std::filesystem::exists(folder.file("out/.measured/chain.json")));
     EXPECT_EQ(run_program(report(folder.file("out"))).code, 0) << "the killed one does not hold the folder";
 }

@@ -7,6 +7,13 @@
 namespace steplab::test {
 namespace {
 
+/// A run that is to end at this time.
+Simulation ending_at(const RunDescription& run, double until) {
+    Simulation simulation(run);
+    simulation.end_at(run_end(run, until));
+    return simulation;
+}
+
 class RunEndOf : public testing::TestWithParam<MethodCase> {};
 
 /// 1, which 0.3 does not divide, also in one step of it.
@@ -18,8 +25,7 @@ TEST_P(RunEndOf, methods_of_own_steps_end_at_the_time_asked_for) {
         const RunDescription run = run_of("oscillator", info->id, precision, 0.3);
         const RunEnd end = run_end(run, until);
         EXPECT_EQ(end.step, steps_until(until, 0.3));
-        Simulation simulation(run);
-        simulation.end_at(end);
+        Simulation simulation = ending_at(run, until);
         ConfirmedSteps stepping(end.step);
         for (std::uint64_t step = 1; step <= end.step; ++step) stepping.advance(simulation, step);
         EXPECT_EQ(simulation.step(), end.step);
@@ -36,8 +42,7 @@ TEST_P(RunEndOf, rows_before_the_last_are_those_of_equal_steps) {
     const auto [info, precision] = GetParam();
     const RunDescription run = run_of("chain", info->id, precision, 0.3);
     const RunEnd end = run_end(run, 2.2);
-    Simulation shortened(run), whole(run);
-    shortened.end_at(end);
+    Simulation shortened = ending_at(run, 2.2), whole(run);
     shortened.advance(end.step - 1);
     whole.advance(end.step - 1);
     EXPECT_EQ(shortened.hash(), whole.hash());
@@ -49,8 +54,7 @@ TEST_P(RunEndOf, rows_before_the_last_are_those_of_equal_steps) {
 TEST_P(RunEndOf, runs_of_an_ensemble_end_there_too) {
     const auto [info, precision] = GetParam();
     const RunDescription run = run_of("chain", info->id, precision, 0.3);
-    Simulation simulation(run);
-    simulation.end_at(run_end(run, 1));
+    Simulation simulation = ending_at(run, 1);
     simulation.advance(4);
     const EnsembleRun one{run, run_end(run, 1)};
     for (const EnsembleResult& result : run_ensemble(std::vector(3, one), 1)) {
@@ -63,8 +67,7 @@ TEST_P(RunEndOf, runs_of_an_ensemble_end_there_too) {
 TEST_P(RunEndOf, a_state_of_before_is_returned_to_from_behind) {
     const auto [info, precision] = GetParam();
     const RunDescription run = run_of("chain", info->id, precision, 0.3);
-    Simulation simulation(run);
-    simulation.end_at(run_end(run, 1));
+    Simulation simulation = ending_at(run, 1);
     simulation.advance(2);
     const auto saved = simulation.save();
     simulation.advance(2);
