@@ -1,5 +1,7 @@
 #include "core/program_end.hpp"
 
+#include "core/shown.hpp"
+
 #include <climits>
 
 #include <algorithm>
@@ -25,6 +27,7 @@ struct Place {
     UnfinishedFile::AtEnd at_end = UnfinishedFile::AtEnd::removed;
     std::array<char, PATH_MAX> hidden;
     std::array<char, PATH_MAX> kept_as;
+    std::array<char, 1024> shown_as;  // what a terminal may be given of it
 };
 
 // A signal handler has no other way to them.
@@ -32,7 +35,11 @@ constexpr std::size_t most_files = 16;
 std::array<Place, most_files> places;
 static_assert(std::atomic<State>::is_always_lock_free);
 
-void copy_path(const std::string& path, std::array<char, PATH_MAX>& to) { std::strcpy(to.data(), path.c_str()); }
+/// What does not fit is left out.
+template <std::size_t size>
+void copy_text(const std::string& text, std::array<char, size>& to) {
+    to[text.copy(to.data(), size - 1)] = '\0';
+}
 
 /// Bytes up to the end of the last whole line.
 off_t whole_lines(int descriptor, off_t size) {
@@ -63,7 +70,7 @@ bool keep(const Place& place) {
     if (size == 0 || rename(place.hidden.data(), place.kept_as.data()) != 0) return false;
     if (size < status.st_size && ftruncate(place.descriptor, size) != 0) return true;
     say("steplab: output so far is kept in '");
-    say(place.kept_as.data());
+    say(place.shown_as.data());
     say("'\n");
     return true;
 }
@@ -81,8 +88,9 @@ UnfinishedFile::UnfinishedFile(int descriptor, const std::string& hidden, AtEnd 
     Place& place = places[place_];
     place.descriptor = descriptor;
     place.at_end = at_end;
-    copy_path(hidden, place.hidden);
-    copy_path(kept_as, place.kept_as);
+    copy_text(hidden, place.hidden);
+    copy_text(kept_as, place.kept_as);
+    copy_text(shown(kept_as), place.shown_as);
     place.state = State::known;
 }
 

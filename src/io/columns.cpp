@@ -34,7 +34,7 @@ Columns parse_columns(std::string_view list) {
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
         const Column column = column_of(list.substr(begin, end - begin));
-        if (contains(columns, column)) throw UsageError(fmt::format("--columns names {} more than once", id(column)));
+        if (contains(columns, column)) throw UsageError(fmt::format("column {} is named more than once", id(column)));
         columns.push_back(column);
         begin = end + 1;
     }

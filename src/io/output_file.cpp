@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fcntl.h>
 #include <poll.h>
@@ -69,7 +70,12 @@ bool is_at(const fs::path& path, int descriptor) {
 
 bool lock(int descriptor) { return flock(descriptor, LOCK_EX | LOCK_NB) == 0; }
 
-fs::path hidden_file(const fs::path& folder, int number) { return folder / fmt::format(".steplab-{}", number); }
+/// Where folders are shared, locks may be known to one computer alone: each has files of its own.
+fs::path hidden_file(const fs::path& folder, int number) {
+    std::array<char, 65> host{};
+    gethostname(host.data(), host.size() - 1);
+    return folder / fmt::format(".steplab-{}-{}", host.data(), number);
+}
 
 /// Removes the hidden files that programs have left which were killed: whoever writes one has it locked.
 void remove_abandoned(const fs::path& folder) {

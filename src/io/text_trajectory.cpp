@@ -28,6 +28,7 @@ std::unique_ptr<TextTrajectory> TextTrajectory::open(InputFile file) {
     const std::string_view begin = input.peek(csv_begin.size());
     if (begin == csv_begin) return csv_trajectory(std::move(input));
     if (!begin.empty() && begin[0] >= '0' && begin[0] <= '9') return xyz_trajectory(std::move(input));
+    if (begin.starts_with("run,step")) input.fail("it holds the runs of an ensemble: convert reads files of one run");
     input.fail("it is none of steplab's formats (CSV and XYZ of --out, trajectory)");
 }
 

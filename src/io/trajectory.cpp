@@ -7,7 +7,6 @@
 #include "io/trajectory_text.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 namespace steplab {
@@ -72,8 +71,8 @@ void TrajectoryWriter::describe(trajectory::Version version, std::string descrip
 
 void TrajectoryWriter::add(FrameBlock block) {
     block.complete(needs_);
-    assert(!needs_.displacements || !block.displacements.empty());
-    assert(!needs_.positions || !block.positions.empty());
+    if ((needs_.displacements && block.displacements.empty()) || (needs_.positions && block.positions.empty()))
+        throw FileError("the rows lack positions or displacements, which this format holds");
     if (block.first_row + block.rows == block.frame_rows) frames_ = block.first_frame + block.moments.size();
     block_ = std::make_shared<FrameBlock>(std::move(block));
     submit();

@@ -112,7 +112,7 @@ private:
     void read_head() {
         const auto count = input_.line();
         has_head_ = count.has_value() && !words_of(*count).empty();
-        if (!has_head_) return;
+        if (!has_head_) return check_end();
         rows_ = number<std::uint64_t>(words_of(*count).front());
         if (rows_ == 0) input_.fail("a frame has no rows");
         const auto comment = input_.line();
@@ -131,6 +131,13 @@ private:
         read_properties(value("Properties"));
     }
 
+    /// Behind an empty line, of which some programs write one at the end.
+    void check_end() {
+        while (const auto line = input_.line()) {
+            if (!words_of(*line).empty()) input_.fail("a frame cannot follow an empty line");
+        }
+    }
+
     /// A cube along the axes is all that a scene has.
     void read_box(std::string_view lattice, std::string_view origin) {
         const auto edges = words_of(lattice), corner = words_of(origin);
@@ -140,6 +147,7 @@ private:
             if (i == 0) scene_.period = edge;
             if (edge != (i % 4 == 0 ? scene_.period : 0)) input_.fail("its Lattice is not a cube along the axes");
         }
+        if (!(scene_.period > 0)) input_.fail("its Lattice is not a cube along the axes");
         scene_.corner = {number<double>(corner[0]), number<double>(corner[1]), number<double>(corner[2])};
     }
 
@@ -151,6 +159,7 @@ private:
         for (const char c : text) c == ':' ? parts.emplace_back() : parts.back().append(1, c);
         if (parts.size() % 3 != 0) input_.fail("its Properties are not name:type:count ...");
         for (std::size_t i = 0; i < parts.size(); i += 3) add_places(parts[i], number<std::uint64_t>(parts[i + 2]));
+        if (columns_.empty()) input_.fail("its Properties name none of pos, velo and disp");
     }
 
     void add_places(std::string_view name, std::uint64_t words) {

@@ -43,6 +43,8 @@ void close_topmost(const Context& context) {
         session.wanted.dismiss();
     } else if (session.notice) {
         session.notice.reset();
+    } else if (session.lost && !session.dismissed_lost) {
+        session.dismissed_lost = true;
     } else if (context.view.divergence) {
         session.dismissed_divergence = context.view.divergence->step;
     }

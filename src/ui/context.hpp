@@ -3,6 +3,7 @@
 #include "render/camera.hpp"
 #include "render/known_shape.hpp"
 #include "render/style.hpp"
+#include "sim/run/share.hpp"
 #include "sim/run/worker.hpp"
 #include "ui/display.hpp"
 #include "ui/plot/history.hpp"
@@ -52,11 +53,14 @@ struct Session {
     std::optional<std::size_t> first_selected;  ///< the particle to select first; none: the usual one
     bool help_open = false;
     std::optional<std::size_t> pointed;               ///< the particle under the pointer, which a click selects
+    Share pointing{0.05};                             ///< searching for it: in a large scene that takes long
     std::optional<std::size_t> pulled;                ///< the particle that follows the pointer
     std::optional<std::uint64_t> pulled_in;           ///< the last run in which a particle was pulled
     bool drag_from_scene = false;                     ///< the left or right button was pressed over the scene
     bool dragged = false;                             ///< the pointer has moved since then: not a click
     std::optional<std::size_t> dismissed_divergence;  ///< step of the divergence whose card was closed
+    bool lost = false;                                ///< no particle is in view
+    bool dismissed_lost = false;                      ///< the card about it was closed
     std::vector<Request> requests;
 };
 

@@ -40,8 +40,9 @@ void add_picture(CommandLine& line, const Context& context) {
     const render::Style& style = context.stage.style;
     const render::Camera& camera = context.stage.camera;
     const Frame& frame = context.view.frame;
-    line.add_unless(camera == render::default_camera(frame, context.projection().size()), "--view",
-                    render::view_text(camera));
+    // without --view a window keeps the camera of the start
+    const bool usual = camera == render::default_camera(frame, context.projection().size());
+    line.add_unless(usual && frame.step == 0, "--view", usual ? "default" : render::view_text(camera));
     line.add_unless(style.colouring == render::Colouring::role, "--colour", id(style.colouring));
     line.add_unless(style.background == render::Background::dark, "--background", id(style.background));
     line.add_unless(style.springs, "--springs", "off");

@@ -11,13 +11,23 @@
 namespace steplab {
 namespace {
 
+bool fit_xyz(const Columns& columns) {
+    try {
+        check_xyz_columns(columns);
+        return true;
+    } catch (const UsageError&) {
+        return false;
+    }
+}
+
 void read(const std::string& name) {
     const auto file = TextTrajectory::open(InputFile(name));
     std::string text;
+    const bool xyz = fit_xyz(file->columns());
     for (FrameBlock frame; file->next(frame);) {
         text.clear();
         append_csv(text, frame, file->columns());
-        append_xyz(text, frame, {});
+        if (xyz) append_xyz(text, frame, file->columns());
     }
 }
 

@@ -95,6 +95,14 @@ TEST(TextTrajectory, of_xyz_as_steplab_wrote_it_before_is_read) {
     EXPECT_THAT(converted(old, TrajectoryFormat::xyz), HasSubstr("Properties=species:S:1:pos:R:3:velo:R:3:role:S:1 "));
 }
 
+std::string box(const std::string& lattice) {
+    return "1\nLattice=\"" + lattice + "\" Origin=\"0 0 0\" Properties=pos:R:3 Time=0 Step=0\n1 2 3\n";
+}
+
+TEST(TextTrajectory, may_end_with_empty_lines) {
+    EXPECT_THAT(refusal(box("5 0 0 0 5 0 0 0 5") + "\n\n"), testing::StartsWith("read: "));
+}
+
 TEST(TextTrajectory, that_is_none_is_refused_with_the_line) {
     const std::string csv = "step,time,particle,x,y,z,vx,vy,vz\n", row = "0,0,0,1,2,3,4,5,6\n";
     const std::string xyz = "2\npbc=\"F F F\" Properties=species:S:1:pos:R:3 Time=0 Step=0\nX 1 2 3\nX 1 2 3\n";
@@ -103,7 +111,8 @@ TEST(TextTrajectory, that_is_none_is_refused_with_the_line) {
     const std::vector<std::pair<std::string, std::string>> cases{
         {"", "none of steplab's formats"},
         {"hello\n", "none of steplab's formats"},
-        {"run,step,time,particle,x\n", "none of steplab's formats"},
+        {"run,step,time,particle,x\n", "it holds the runs of an ensemble"},
+        {"step,time,particle,x,x\n", "line 1: column x is named more than once"},
         {"step,time,particle\n", "line 1: it has no columns"},
         {"step,time,particle,x,w\n", "line 1: unknown column 'w'"},
         {csv + row + "0,0,1,1,2\n", "line 3: it has 5 fields"},
@@ -119,6 +128,11 @@ TEST(TextTrajectory, that_is_none_is_refused_with_the_line) {
         {xyz.substr(0, xyz.size() - 3) + "\n", "line 4: it has 3 columns"},
         {"1\nProperties=species:S:1:pos:R:9999999999 Time=0 Step=0\n", "line 2: pos has 9999999999 columns"},
         {"1\nProperties=pos:R:3:pos:R:3 Time=0 Step=0\n", "line 2: its Properties name pos twice"},
+        {"1\nProperties=species:S:1 Time=0 Step=0\nX\n", "line 2: its Properties name none of pos, velo and disp"},
+        {"1\nProperties=species:S:1:vel:R:3 Time=0 Step=0\nX 1 2 3\n", "line 2: its Properties name none of"},
+        {xyz + "\n" + xyz, "line 6: a frame cannot follow an empty line"},
+        {box("-5 0 0 0 -5 0 0 0 -5"), "line 2: its Lattice is not a cube"},
+        {box("5 0 0 0 4 0 0 0 5"), "line 2: its Lattice is not a cube"},
     };
     for (const auto& [text, reason] : cases) EXPECT_THAT(refusal(text), HasSubstr(reason)) << text;
     EXPECT_THAT(refusal(csv + row, parse_columns("ux")), HasSubstr("it has no column ux, only x,y,z,vx,vy,vz"));

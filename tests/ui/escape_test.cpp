@@ -47,6 +47,23 @@ TEST(escape, closes_a_notice) {
     EXPECT_FALSE(desk.has("notice"));
 }
 
+TEST(escape, closes_the_card_of_a_lost_camera_until_it_is_lost_again) {
+    Desk desk(describe("chain"));
+    const render::Camera start = desk.camera, away{{1e4, 0, 0}, 20, 0, 0};
+    const auto move = [&](const render::Camera& camera) {
+        desk.camera = camera;
+        desk.frame();
+        desk.frame();
+    };
+    move(away);
+    ASSERT_TRUE(desk.has("lost"));
+    desk.key(Key::escape);
+    EXPECT_FALSE(desk.has("lost"));
+    move(start);
+    move(away);
+    EXPECT_TRUE(desk.has("lost"));
+}
+
 TEST(escape, closes_menus_and_drop_downs_before_messages) {
     const std::pair<const char*, const char*> menus[] = {{"menu", "menu/quit"},
                                                          {"model", "model/chain"},

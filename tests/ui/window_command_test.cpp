@@ -44,6 +44,16 @@ TEST(window_command, names_all_that_was_chosen) {
                                 " --spread k=0.999:1.001 --size 1000x900");
 }
 
+// Without --view, a window keeps the camera of the first moment.
+TEST(window_command, of_a_later_moment_seen_as_usual_says_so) {
+    Desk desk(describe("chain"));
+    EXPECT_THAT(copied(desk), Not(HasSubstr("--view")));
+    desk.view.frame.step = 120;
+    desk.show(desk.view);
+    desk.key(Key::home);
+    EXPECT_THAT(copied(desk), HasSubstr("--steps 120 --view default"));
+}
+
 TEST(window_command, of_a_run_that_was_changed_opens_its_start) {
     Desk desk(describe("chain"));
     desk.view.frame.step = 120;

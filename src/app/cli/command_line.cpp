@@ -170,9 +170,10 @@ int guarded(const std::string& program, const std::function<int()>& body) {
     } catch (const std::filesystem::filesystem_error& error) {
         return failed(program, ExitCode::file, safe_message(error.what()).c_str());
     } catch (const std::system_error& error) {
-        return failed(program, ExitCode::usage, "the system grants no more threads or memory: ", error.what());
+        return failed(program, ExitCode::usage,
+                      "the system grants no more threads or memory: ", safe_message(error.what()).c_str());
     } catch (const std::exception& error) {
-        return failed(program, ExitCode::usage, error.what());
+        return failed(program, ExitCode::usage, safe_message(error.what()).c_str());
     }
 }
 

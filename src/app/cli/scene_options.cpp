@@ -171,6 +171,13 @@ RunEnd TimeOptions::end(const RunDescription& description) const {
     return until_.empty() ? RunEnd{number} : run_end(description, *until());
 }
 
+std::optional<std::string> TimeOptions::note(const RunDescription& description, const RunEnd& end) const {
+    const double dt = description.dt, time = static_cast<double>(end.step) * dt, asked = until().value_or(time);
+    if (end.time || time - asked <= 1e-6 * dt) return std::nullopt;
+    return fmt::format("{} {} of dt = {} s end{} at t = {} s, not at {} s", end.step, end.step == 1 ? "step" : "steps",
+                       typed(dt, 6), end.step == 1 ? "s" : "", typed(time, 6), typed(asked, 6));
+}
+
 std::optional<double> TimeOptions::until() const {
     return until_.empty() ? std::nullopt : std::optional(parse_value(until_info, until_));
 }

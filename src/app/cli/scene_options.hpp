@@ -72,10 +72,13 @@ public:
     RunEnd end(const RunDescription& description) const;
     /// The end time: --until, or the steps times dt. Throws UsageError unless it is > 0.
     double duration(const RunDescription& description) const;
+    /// "4 steps of dt = 0.3 s end at t = 1.2 s, not at 1 s": where whole steps go beyond --until.
+    std::optional<std::string> note(const RunDescription& description, const RunEnd& end) const;
+
+private:
     /// The end time asked for, if one was.
     std::optional<double> until() const;
 
-private:
     std::uint64_t default_steps_;
     std::string steps_;
     std::string until_;

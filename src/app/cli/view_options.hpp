@@ -38,6 +38,10 @@ public:
     void declare(CLI::App& app);
     /// Throws UsageError for values of another form or out of range.
     WindowRequest request(const RunDescription& description) const;
+    /// Where the window opens beyond --until, as it takes whole steps.
+    std::optional<std::string> note(const RunDescription& description) const {
+        return time_.note(description, {time_.steps(description)});
+    }
 
 private:
     TimeOptions time_{0};

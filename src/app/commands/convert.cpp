@@ -62,6 +62,8 @@ public:
 private:
     void convert(TrajectoryReader reader, TrajectoryFormat format, const Columns& columns) const {
         if (format != TrajectoryFormat::trajectory) reader.require(columns);
+        if (reader.frames() == 0)
+            throw FileError(fmt::format("'{}' holds no whole frame: it is truncated or damaged", shown(file_)));
         write([&](OutputFile& file) {
             TrajectoryWriter writer(file, format, {}, {.columns = columns});
             if (format == TrajectoryFormat::trajectory) writer.describe(reader.version(), reader.description());

@@ -71,11 +71,12 @@ public:
         } catch (const Interrupted&) {
             bar.clear();
             fmt::print(stderr,
-                       "steplab report: interrupted; run the same command again to resume (from {}/.measured)\n", out_);
+                       "steplab report: interrupted; run the same command again to resume (from {}/.measured)\n",
+                       shown(out_));
             throw;
         }
         bar.clear();
-        print(fmt::format("wrote {}/speed_error.csv and {}/report.html\n", out_, out_));
+        print(fmt::format("wrote {}/speed_error.csv and {}/report.html\n", shown(out_), shown(out_)));
         if (models_.empty()) fmt::print(stderr, "steplab report: note: not in it: {}\n", left_out_text());
         return static_cast<int>(ExitCode::done);
     }
@@ -102,7 +103,7 @@ private:
 
     int write_thesis() const {
         write_thesis_page(out_);
-        print(fmt::format("wrote {}/thesis.html\n", out_));
+        print(fmt::format("wrote {}/thesis.html\n", shown(out_)));
         return static_cast<int>(ExitCode::done);
     }
 

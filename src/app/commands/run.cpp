@@ -60,7 +60,9 @@ public:
                                                   [&outputs](const Simulation& now) { outputs.record(now); });
             outputs.commit(summary);
             output_.print_summary(summary_text(summary));
-            print_notes(summary);
+            for (const std::string& note : summary.notes) print_note(note);
+            const auto note = time_.note(description, end);
+            if (note && !summary.result.divergence) print_note(*note);
         } catch (const Interrupted&) {
             print_interruption(fmt::format("interrupted after step {}", simulation.step()), outputs.keep_partial());
             throw;
@@ -71,14 +73,7 @@ public:
 
 private:
     /// What would be missed in the rows, on standard error.
-    void print_notes(const RunSummary& summary) const {
-        const RunResult& result = summary.result;
-        for (const std::string& note : summary.notes) fmt::print(stderr, "steplab run: note: {}\n", note);
-        const auto until = time_.until();
-        if (until && !result.divergence && result.time - *until > 1e-6 * result.dt)
-            fmt::print(stderr, "steplab run: note: {} steps of dt = {} s end at t = {} s, not at {} s\n", result.steps,
-                       typed(result.dt, 6), typed(result.time, 6), typed(*until, 6));
-    }
+    static void print_note(const std::string& note) { fmt::print(stderr, "steplab run: note: {}\n", note); }
 
     int run_ensemble(const RunDescription& description) const {
         const std::vector<ParameterRange> ranges = ensemble_.ranges(description);
@@ -86,9 +81,10 @@ private:
                         .runs = ensemble_.runs(description, ranges, time_),
                         .output = output_,
                         .execution = execution()};
-        std::uint64_t most = 0;
-        for (const EnsembleRun& run : job.runs) most = std::max(most, run.end.step);
-        job.every = every(most);
+        const auto fewer_steps = [](const EnsembleRun& a, const EnsembleRun& b) { return a.end.step < b.end.step; };
+        const auto longest = std::max_element(job.runs.begin(), job.runs.end(), fewer_steps);
+        job.every = every(longest->end.step);
+        if (const auto note = time_.note(longest->description, longest->end)) print_note("the longest run: " + *note);
         catch_interruptions();
         job.run();
         return static_cast<int>(ExitCode::done);

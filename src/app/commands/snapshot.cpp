@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <unistd.h>
 
 namespace steplab {
@@ -52,6 +53,7 @@ public:
         const Picture picture = offscreen.draw(request);
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
+        if (const auto note = time_.note(description, end)) fmt::print(stderr, "steplab snapshot: note: {}\n", *note);
         if (!written_directly(picture_.out())) print_result(request.view, offscreen.kind());
         if (!simulation.divergence()) return static_cast<int>(ExitCode::done);
         throw Error(ExitCode::diverged, simulation.divergence()->message);

@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,7 +51,9 @@ int run(const std::vector<std::string>& arguments) {
         print(ui::key_table());
     } else {
         const RunDescription description = scene.description();
-        return open_window(description, options.request(description));
+        const WindowRequest request = options.request(description);
+        if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);
+        return open_window(description, request);
     }
     return static_cast<int>(ExitCode::done);
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <future>
+#include <utility>
 
 namespace steplab {
 namespace {
@@ -91,8 +92,11 @@ void Viewer::place_camera(const WindowRequest& request) {
 /// Once the run is at the moment to open at, on which the camera may depend.
 void Viewer::begin_as_asked() {
     if (!opening_) return;
-    const bool on_the_way = view_->run == 0 && !view_->divergence && view_->error.empty();
-    if (on_the_way && view_->frame.step < opening_->steps) return;
+    const bool was_under_way = std::exchange(under_way_, view_->goal.has_value());
+    const bool at_goal = view_->frame.step >= opening_->steps || view_->divergence || !view_->error.empty();
+    if (!at_goal && !was_under_way) return;                // it has not set out yet
+    if (!at_goal && !under_way_) return opening_.reset();  // a person wanted something else
+    if (!at_goal) return;
     place_camera(*opening_);
     if (opening_->playing) worker_->play(true);
     opening_.reset();

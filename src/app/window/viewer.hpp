@@ -85,6 +85,7 @@ private:
     render::Camera camera_;
     render::Style style_;
     std::optional<WindowRequest> opening_;  ///< until the run has reached the step to open at
+    bool under_way_ = false;                ///< to that step
     ui::Measured measured_;
     Clock::time_point drawn_ = Clock::now();               ///< when the last frame began
     Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes without input

@@ -42,6 +42,7 @@ struct RunView {
     bool has_exact = false;
     std::string why_not_exact;  ///< why the position error is not known; empty if it is
     bool playing = false;
+    std::optional<std::uint64_t> goal;  ///< the step that the run is on its way to
     bool can_step_back = false;
     Rate rate;
     double segment_start = 0;         ///< time the current method, dt and parameters began to hold

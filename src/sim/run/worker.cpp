@@ -25,6 +25,7 @@ void Worker::play(bool on) {
 void Worker::step_forward() {
     body_->post([](Body& body) {
         body.playing = false;
+        body.goal.reset();
         body.simulation.advance(1);
         body.history.offer(body.simulation);
     });
@@ -35,18 +36,12 @@ void Worker::step_back() {
 }
 
 void Worker::go_to(std::uint64_t step) {
-    body_->post([step](Body& body) {
-        // in parts, so that there are moments to come back to
-        constexpr std::uint64_t parts = 64;
-        while (body.simulation.step() < step && !body.simulation.divergence()) {
-            body.simulation.advance(std::min(step - body.simulation.step(), step / parts + 1));
-            body.history.offer(body.simulation);
-        }
-    });
+    body_->post([step](Body& body) { body.goal = step; });
 }
 
 void Worker::restart() {
     body_->post([](Body& body) {
+        body.goal.reset();
         body.simulation.restart();
         body.begin_anew();
         body.pace.begin(Body::Clock::now());

@@ -41,7 +41,8 @@ public:
     void pull(std::size_t particle, Vec3 position) override;
     void show_ensemble(const LiveEnsembleOptions& ensemble) override;
 
-    /// Takes the run forward to this step, in one go; earlier commands come first, later ones after it.
+    /// Takes the run forward to this step as fast as it can, unless another command of the run comes before it is
+    /// there.
     void go_to(std::uint64_t step);
 
     /// Swaps the newest view into `view` if there is one that was not taken yet; false if nothing is new. Never waits.

@@ -39,7 +39,7 @@ void Worker::Body::loop() {
 
 void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
-    if (doubtful || ensemble_is_behind()) return;
+    if (doubtful || goal || ensemble_is_behind()) return;
     const auto called = [this] { return stopping || !commands.empty() || wanted; };
     if (!playing) return changed.wait(lock, called);
     const auto now = Clock::now(), due = pace.next_due(now, rate, simulation.dt());
@@ -76,19 +76,22 @@ void Worker::Body::bring_ensemble(Pace::Duration most) {
 /// Of the run and its ensemble, so that they stay together. Whether all numbers are finite is checked when they are
 /// read: after every few steps it would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
-    if (!playing || ensemble_is_behind()) return;
+    if ((!playing && !goal) || ensemble_is_behind()) return;
     const auto begin = Clock::now();
-    const std::uint64_t due = pace.steps_due(begin, rate, simulation.dt(), slice);
-    if (due == 0) return;
+    const Rate wanted_rate = goal ? Rate{.as_fast_as_possible = true} : rate;
+    std::uint64_t due = pace.steps_due(begin, wanted_rate, simulation.dt(), slice);
+    if (goal) due = std::min(due, *goal - std::min(*goal, simulation.step()));
+    if (due == 0) return goal.reset();
     const auto before = simulation.advanced();
     simulation.advance(due);
     if (live_ensemble && simulation.step() > before.step) live_ensemble->go_to(simulation.step(), segments);
     const auto after = simulation.advanced();
     const std::uint64_t taken = std::max(after.step, before.step) - before.step;
     pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
-              static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), rate);
+              static_cast<double>(taken) * simulation.dt(), begin, Clock::now(), wanted_rate);
     keep_moment();
-    if (simulation.advanced().diverged) playing = false;
+    if (simulation.advanced().diverged) playing = false, goal.reset();
+    if (goal && simulation.step() >= *goal) goal.reset(), pace.begin(Clock::now());
 }
 
 /// To the next check of the energy without regard to the pace, but no longer at a time than commands may wait.
@@ -111,7 +114,7 @@ void Worker::Body::keep_moment() {
 /// True if a view would cost the run no more than its part, or the run has time to spare.
 bool Worker::Body::affordable() const {
     const auto now = Clock::now();
-    return !playing || views.due(now) || pace.next_due(now, rate, simulation.dt()) > now;
+    return (!playing && !goal) || views.due(now) || (!goal && pace.next_due(now, rate, simulation.dt()) > now);
 }
 
 /// Makes `view` one of the present moment.
@@ -119,6 +122,7 @@ void Worker::Body::see() {
     observe(simulation, tracked, view);
     if (view.divergence) playing = false;
     view.playing = playing;
+    view.goal = goal;
     view.ensemble = ensemble;
     view.ensemble_spread = {.step = live_ensemble ? live_ensemble->step() : 0};
     if (live_ensemble && !ensemble_is_behind()) view.ensemble_spread = live_ensemble->observe(view.frame);
@@ -137,7 +141,7 @@ void Worker::Body::publish(bool at_once, bool judged) {
     const auto begin = Clock::now();
     {
         const std::lock_guard lock(mutex);
-        if (!at_once && playing && fresh && begin - published < stale) return;
+        if (!at_once && (playing || goal) && fresh && begin - published < stale) return;
     }
     const bool seen = went_well([this] { see(); });
     if (!seen) give_up();
@@ -162,6 +166,7 @@ void Worker::Body::publish(bool at_once, bool judged) {
 /// After something went wrong that is no fault of a command, as a rule because there is no memory left.
 void Worker::Body::give_up() {
     playing = doubtful = false;
+    goal.reset();
     show_ensemble({});
 }
 
@@ -188,6 +193,7 @@ void Worker::Body::apply(const RunDescription& description) {
     const bool at_start = simulation.step() == 0;
     const Change change = simulation.change(description);
     if (change == Change::none) return;
+    goal.reset();
     pace.forget_speed();
     if (change == Change::restarted || at_start) {
         begin_anew();
@@ -208,6 +214,7 @@ void Worker::Body::begin_anew() {
 
 void Worker::Body::step_back() {
     playing = false;
+    goal.reset();
     if (simulation.step() == 0) return;
     history.go_back(simulation, simulation.step() - 1);
     if (segments.back().step <= simulation.step()) return;
@@ -219,12 +226,14 @@ void Worker::Body::pull(std::size_t particle, Vec3 position) {
     const std::uint64_t segment = simulation.segment();
     simulation.pull(particle, position);
     if (simulation.segment() == segment) return;
+    goal.reset();
     append_pull(segments, {simulation.step(), simulation.description(), SegmentBegin::Pull{particle, position}});
     history.offer(simulation);
 }
 
 void Worker::Body::play(bool on) {
     playing = on && !simulation.divergence();
+    goal.reset();
     pace.begin(Clock::now());
 }
 

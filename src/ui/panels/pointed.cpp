@@ -12,6 +12,7 @@ void draw_pointed(const Context& context) {
     const Area& scene = context.layout.scene;
     const render::Projection projection = context.projection();
     const Vec3 place = frame.seen(*particle);
+    if (!render::drawable(place)) return;
     const auto pixel = projection.pixel(place);
     if (!pixel) return;
     const double radius = context.sizes().radius(frame.shape->roles[*particle]);

@@ -46,6 +46,17 @@ TEST_F(Convert, writes_the_frames_of_a_truncated_file_and_reports_it) {
     EXPECT_EQ(text_of(file), text_of(run_to("csv")));
 }
 
+TEST_F(Convert, of_no_whole_frame_leaves_what_was_there) {
+    const std::string whole = text_of(run_to("trajectory"));
+    const std::string cut = folder_.file("cut.trajectory"), out = folder_.file("kept.trajectory");
+    put_text(cut, whole.substr(0, whole.size() / 2));
+    put_text(out, "before");
+    const Outcome outcome = run_program({"convert", cut, "--out", out});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("holds no whole frame"));
+    EXPECT_EQ(text_of(out), "before");
+}
+
 TEST_F(Convert, refuses_what_it_cannot_read_or_write) {
     const std::string trajectory = run_to("trajectory");
     std::string damaged = text_of(trajectory);

@@ -1,5 +1,6 @@
 #include "app/program.hpp"
 #include "app/tables.hpp"
+#include "io/files.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>
@@ -28,6 +29,15 @@ TEST(Run, methods_of_own_steps_end_at_the_time_asked_for) {
     }
     EXPECT_THAT(run_program({"run", "--until", "1", "--dt", "0.3", "--summary", "-"}).err,
                 HasSubstr("4 steps of dt = 0.3 s end at t = 1.2 s, not at 1 s"));
+}
+
+TEST(Run, ensembles_and_pictures_that_end_later_say_so) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> ensemble{"run", "--ensemble", "3",   "--spread",  "k=1:2", "--until",
+                                            "1",   "--dt",       "0.3", "--summary", "-"};
+    const std::vector<std::string> picture{"snapshot", "--until", "1", "--dt", "0.3", "--out", folder.file("a.png")};
+    for (const auto& words : {ensemble, picture})
+        EXPECT_THAT(run_program(words).err, HasSubstr("4 steps of dt = 0.3 s end at t = 1.2 s, not at 1 s"));
 }
 
 TEST(Run, energy_errors_of_scenes_with_drag_hold_its_work) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <new>
 #include <vector>
 
@@ -38,6 +39,32 @@ TEST_F(WorkerTest, steps_on_and_back) {
     worker.step_back();
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0; }));
     EXPECT_FALSE(view.can_step_back);
+}
+
+TEST_F(WorkerTest, goes_to_a_step_and_stays_there) {
+    worker.go_to(100'003);
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 100'003 && !v.goal; }));
+    EXPECT_FALSE(view.playing);
+    EXPECT_TRUE(view.can_step_back);
+    EXPECT_EQ(view.frame.positions, frame_after(view.description, 100'003).positions);
+}
+
+TEST_F(WorkerTest, shows_its_way_to_a_step_and_takes_other_commands_on_it) {
+    constexpr std::uint64_t far = 1'000'000'000'000;
+    const auto under_way = [](const RunView& v) { return v.goal == far && v.frame.step > 0; };
+    const std::vector<std::function<void()>> commands{
+        [this] { worker.play(false); },        [this] { worker.step_back(); },
+        [this] { worker.step_forward(); },     [this] { worker.change(with_method(view.description, "verlet")); },
+        [this] { worker.pull(9, {9, 1, 0}); }, [this] { worker.restart(); }};
+    for (const auto& command : commands) {
+        worker.go_to(far);
+        ASSERT_TRUE(see(under_way));
+        command();
+        EXPECT_TRUE(see([](const RunView& v) { return !v.goal; }));
+    }
+    worker.go_to(far);
+    worker.set_rate({false, 2});
+    EXPECT_TRUE(see([](const RunView& v) { return v.goal == far && v.rate.seconds_per_second == 2; }));
 }
 
 TEST_F(WorkerTest, plays_until_it_is_paused) {
