@@ -1,5 +1,7 @@
 #include "core/duration.hpp"
 
+#include "core/number_text.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -39,7 +41,7 @@ std::string bytes_text(double bytes) {
     std::size_t unit = 0;
     double value = bytes;
     for (; unit + 1 < names.size() && value >= 999.5; ++unit) value /= 1000;
-    return value < 1000 ? three_digits(value) + " " + names[unit] : fmt::format("{:.3g} bytes", bytes);
+    return value < 1000 ? three_digits(value) + " " + names[unit] : typed(bytes, 3) + " bytes";
 }
 
 }  // namespace steplab

@@ -2,12 +2,12 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "io/number_append.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstring>
 
 namespace steplab {
@@ -25,7 +25,7 @@ public:
     }
     template <class Number>
     void add_number(Number value) {
-        end_ = std::to_chars(end_, text_ + sizeof text_, value).ptr;
+        end_ = write_number(end_, value);
     }
     void add_vector(char separator, Vec3 v) {
         for (const double value : {v.x, v.y, v.z}) {

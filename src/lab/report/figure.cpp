@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <fcntl.h>
@@ -150,15 +151,16 @@ public:
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    /// Waits for its end and returns its status. Throws Interrupted.
+    /// Waits for its end and returns its status; -1 where the system does not know it. Throws Interrupted.
     int wait() {
         int status = 0;
-        while (waitpid(process_, &status, WNOHANG) == 0) {
+        pid_t ended = 0;
+        while ((ended = waitpid(process_, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
             check_interruption();
             poll(nullptr, 0, 10);  // milliseconds
         }
         process_ = -1;
-        return status;
+        return ended < 0 ? -1 : status;
     }
 
 private:

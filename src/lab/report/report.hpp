@@ -19,8 +19,8 @@ struct ReportRequest {
 using ReportProgress = std::function<void(double, const std::string&)>;
 
 /// Measures every plan and writes speed_error.csv and report.html into the folder. Measurements are saved there during
-/// the work: an interrupted report is resumed when it is requested again. Throws FileError, also if another
-/// report is being written into the folder.
+/// the work: an interrupted report is resumed when it is requested again. Throws FileError, also
+/// if another report is being written into the folder.
 void write_report(const ReportRequest& request, const ReportProgress& progress);
 
 /// Writes thesis.html into the folder: the tables and charts of the thesis, recomputed. Throws FileError.

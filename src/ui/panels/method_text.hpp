@@ -9,8 +9,7 @@
 namespace steplab::ui {
 
 /// "order 4 · 4 force evaluations per step · symplectic · conserves momentum": a method on a scene. What the scene does
-/// not let it conserve is named with the cause: "momentum changes in
-/// this scene (a fixed particle)".
+/// not let it conserve is named with the cause: "momentum changes in this scene (a fixed particle)".
 std::string method_text(const MethodInfo& info, const RunDescription& description, const Conservation& scene);
 
 }  // namespace steplab::ui
