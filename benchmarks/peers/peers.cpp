@@ -60,7 +60,7 @@ Problem problem_of(const StudyPlan& plan) {
 }
 
 double error_of(const std::vector<Vec3>& end, const StudyPlan& plan, const Reference& reference) {
-    const Scene scene = model(plan.scene.model).scene(plan.scene.scene);
+    const Plan scene = model(plan.scene.model).plan(plan.scene.scene);
     Field<double> displacement(end.size());
     for (std::size_t i = 0; i < end.size(); ++i) displacement.set(i, end[i] - scene.reference.at(i));
     const double largest = error_against(reference.moments.back(), displacement);

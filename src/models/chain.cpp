@@ -1,5 +1,5 @@
 #include "models/chain_modes.hpp"
-#include "models/line_scene.hpp"
+#include "models/line_plan.hpp"
 #include "models/parameters.hpp"
 
 #include <cmath>
@@ -32,13 +32,13 @@ ChainModes modes(const ParameterValues& values) {
     return {values.count("n"), values["fixed"] != 0, values["k"] / mass, values["c"] / mass};
 }
 
-Scene scene(const ParameterValues& values) {
-    return line_scene({.count = values.count("n"),
-                       .first_fixed = values["fixed"] != 0,
-                       .mass = values["m"],
-                       .k = values["k"],
-                       .rest_length = values["L"]},
-                      values["c"] / values["m"], {values["v0"], 0, 0});
+Plan plan(const ParameterValues& values) {
+    return line_plan({.count = values.count("n"),
+                      .first_fixed = values["fixed"] != 0,
+                      .mass = values["m"],
+                      .k = values["k"],
+                      .rest_length = values["L"]},
+                     values["c"] / values["m"], {values["v0"], 0, 0});
 }
 
 Shape shape(const ParameterValues& values) {
@@ -68,7 +68,7 @@ const Model& chain_model() {
                          "along the line.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["n"]; },
-        .scene = scene,
+        .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues& values) { return std::optional(modes(values).highest_frequency()); },
         .exact = exact,

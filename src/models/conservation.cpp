@@ -32,7 +32,7 @@ Conservation without_drag(const NearPairForces& forces) {
 
 }  // namespace
 
-Conservation conservation(const Scene& scene) {
+Conservation conservation(const Plan& scene) {
     if (scene.drag > 0) return {false, false, false, "drag"};
     return std::visit([](const auto& forces) { return without_drag(forces); }, scene.forces);
 }

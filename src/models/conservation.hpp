@@ -13,6 +13,6 @@ struct Conservation {
     bool angular_momentum = true;  ///< the same, about the origin
     std::string_view cause = {};   ///< of what changes: "drag", "gravity", "fixed particles" ...; empty if nothing does
 };
-Conservation conservation(const Scene& scene);
+Conservation conservation(const Plan& scene);
 
 }  // namespace steplab

@@ -119,7 +119,7 @@ std::optional<std::string> refusal(const ParameterValues& values) {
         significant(period(values), 6), significant(least, 6));
 }
 
-Scene scene(const ParameterValues& values) {
+Plan plan(const ParameterValues& values) {
     const RandomStart random(values);
     const std::size_t n = random.count();
     const NearPairForces forces{
@@ -156,7 +156,7 @@ const Model& crystal_model() {
              .parameters = parameters},
         .opening = {.method = "velocity-verlet", .dt = 0.05},
         .particles = particles,
-        .scene = scene,
+        .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(); },
         .exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); },

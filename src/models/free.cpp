@@ -29,7 +29,7 @@ private:
     std::size_t count_;
 };
 
-Scene scene(const ParameterValues& values) {
+Plan plan(const ParameterValues& values) {
     const std::size_t n = values.count("n");
     const auto at_rest = [](std::size_t i) { return Start::Particle{{static_cast<double>(i), 0, 0}, {}}; };
     return {.mass = values["m"],
@@ -58,7 +58,7 @@ const Model& free_model() {
                  .what = "Particles in free fall without interaction; particle i has the constant acceleration 0.1 i.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["n"]; },
-        .scene = scene,
+        .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(0.0); },
         .exact = [](const ParameterValues& values) -> std::shared_ptr<const ExactSolution> {

@@ -43,7 +43,7 @@ Lattice lattice(const ParameterValues& values) {
     return {.count = dim * dim, .columns = dim, .along_row = {values["L"], 0, 0}, .between_rows = {0, 0, -values["L"]}};
 }
 
-Scene scene(const ParameterValues& values) {
+Plan plan(const ParameterValues& values) {
     const std::size_t dim = values.count("dim"), n = dim * dim;
     return {
         .mass = values["m"],
@@ -104,7 +104,7 @@ const Model& mesh_model() {
                          "particle is kicked upwards.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["dim"] * values["dim"]; },
-        .scene = scene,
+        .plan = plan,
         .shape = shape,
         .omega_max = omega_max,
         .exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); },

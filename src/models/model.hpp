@@ -2,10 +2,8 @@
 
 #include "core/entry.hpp"
 #include "core/field.hpp"
-#include "core/lattice.hpp"
 #include "core/shape.hpp"
-#include "core/start.hpp"
-#include "models/forces/forces.hpp"
+#include "models/plan.hpp"
 
 #include <memory>
 #include <optional>
@@ -34,15 +32,6 @@ public:
     virtual double rounding(double t) const = 0;
 };
 
-/// A model with values for its parameters, ready to be integrated: everything in double.
-struct Scene {
-    double mass = 1;  ///< of each particle, > 0
-    double drag = 0;  ///< rate gamma = c / m of the drag -c v, >= 0
-    Forces forces;
-    Lattice reference;  ///< absolute position = reference + displacement
-    Start start;
-};
-
 /// How the window opens a model: a method and a dt that show its motion well at its default parameters
 /// (sim/run/opening.hpp).
 struct Opening {
@@ -56,7 +45,7 @@ struct Model {
     Opening opening = {};
     /// Number of particles, as a double because it may be too large for an integer.
     double (*particles)(const ParameterValues&);
-    Scene (*scene)(const ParameterValues&);
+    Plan (*plan)(const ParameterValues&);
     Shape (*shape)(const ParameterValues&);
     /// Largest angular frequency of the scene linearised at its start, 0 if nothing oscillates; nullopt if not known.
     std::optional<double> (*omega_max)(const ParameterValues&);

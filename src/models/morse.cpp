@@ -42,7 +42,7 @@ Forces forces(const ParameterValues& values) {
     return pairs;
 }
 
-Scene scene(const ParameterValues& values) {
+Plan plan(const ParameterValues& values) {
     const std::size_t n = count(values);
     State<double> start{Field<double>(n), Field<double>(n)};
     for (std::size_t i = 0; i < n; ++i) start.displacement.set(i, start_position(values, i));
@@ -79,7 +79,7 @@ const Model& morse_model() {
                  .parameters = parameters},
         .opening = {.method = "rk4", .dt = 0.01},
         .particles = particles,
-        .scene = scene,
+        .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(); },
         .exact = exact,

@@ -1,5 +1,5 @@
 #include "models/forces/linear_response.hpp"
-#include "models/line_scene.hpp"
+#include "models/line_plan.hpp"
 #include "models/parameters.hpp"
 
 #include <cmath>
@@ -37,9 +37,9 @@ private:
 };
 
 /// Particle 0 is the fixed end of the spring, at the origin; particle 1 oscillates.
-Scene scene(const ParameterValues& values) {
-    return line_scene({.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
-                      values["c"] / values["m"], {values["v0"], 0, 0});
+Plan plan(const ParameterValues& values) {
+    return line_plan({.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
+                     values["c"] / values["m"], {values["v0"], 0, 0});
 }
 
 Shape shape(const ParameterValues& values) {
@@ -62,7 +62,7 @@ const Model& oscillator_model() {
                  .what = "One particle, connected to the origin by a spring of rest length 0 and kicked along x.",
                  .parameters = parameters},
         .particles = [](const ParameterValues&) { return 2.0; },
-        .scene = scene,
+        .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues& values) { return std::optional<double>(omega(values)); },
         .exact = [](const ParameterValues& values) -> std::shared_ptr<const ExactSolution> {

@@ -1,5 +1,5 @@
 #include "models/chain_modes.hpp"
-#include "models/line_scene.hpp"
+#include "models/line_plan.hpp"
 #include "models/parameters.hpp"
 
 namespace steplab {
@@ -20,14 +20,14 @@ constexpr ParameterInfo parameters[] = {number_of_particles(2, 10),
                                         particle_mass(0.3)};
 
 /// The springs' force constant is k m, so that the shape of the hanging rope does not depend on its mass.
-Scene scene(const ParameterValues& values) {
-    return line_scene({.count = values.count("n"),
-                       .first_fixed = true,
-                       .mass = values["m"],
-                       .k = values["k"] * values["m"],
-                       .rest_length = values["L"],
-                       .gravity = values["g"]},
-                      values["c"] / values["m"]);
+Plan plan(const ParameterValues& values) {
+    return line_plan({.count = values.count("n"),
+                      .first_fixed = true,
+                      .mass = values["m"],
+                      .k = values["k"] * values["m"],
+                      .rest_length = values["L"],
+                      .gravity = values["g"]},
+                     values["c"] / values["m"]);
 }
 
 /// The distance of the end below the fixed particle at rest: (n - 1) L + (g / k) n (n - 1) / 2.
@@ -67,7 +67,7 @@ const Model& rope_model() {
                  .parameters = parameters},
         .opening = {.method = "rk4", .dt = 0.02},
         .particles = [](const ParameterValues& values) { return values["n"]; },
-        .scene = scene,
+        .plan = plan,
         .shape = shape,
         .omega_max =
             [](const ParameterValues& values) {

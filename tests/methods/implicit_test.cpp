@@ -16,9 +16,9 @@ namespace {
 constexpr const char* implicit_methods[] = {"implicit-midpoint", "tr-bdf2"};
 
 /// The scene with every particle that moves put off its place at random, so that nothing vanishes by symmetry.
-Scene shaken(std::string_view id, Settings settings) {
+Plan shaken(std::string_view id, Settings settings) {
     const RunDescription description = run_of(id, "rk4", Precision::double_, 0.1, settings);
-    Scene scene = model(id).scene(description.scene);
+    Plan scene = model(id).plan(description.scene);
     const auto roles = model(id).shape(description.scene).roles;
     State<double> start = scene.start.state();
     std::mt19937 random(11);
@@ -31,8 +31,8 @@ Scene shaken(std::string_view id, Settings settings) {
     return scene;
 }
 
-std::vector<Scene> shaken_scenes() {
-    std::vector<Scene> scenes;
+std::vector<Plan> shaken_scenes() {
+    std::vector<Plan> scenes;
     for (const Model& model : models()) scenes.push_back(shaken(model.info.id, {}));
     scenes.push_back(shaken("chain", {{"fixed", 0}, {"m", 2}}));
     scenes.push_back(shaken("chain", {{"L", 0}}));
@@ -41,7 +41,7 @@ std::vector<Scene> shaken_scenes() {
 }
 
 /// J times a direction by the layout's blocks, these scaled by `strength`.
-Field<double> blocks_times(const Scene& scene, const Field<double>& direction, double strength) {
+Field<double> blocks_times(const Plan& scene, const Field<double>& direction, double strength) {
     Field<double> product(direction.count());
     std::visit(
         [&](const auto& forces) {
@@ -59,7 +59,7 @@ Field<double> blocks_times(const Scene& scene, const Field<double>& direction, d
     return product;
 }
 
-Field<double> accelerations_at(const Scene& scene, const Field<double>& direction, double h) {
+Field<double> accelerations_at(const Plan& scene, const Field<double>& direction, double h) {
     Field<double> x = scene.start.state().displacement, a(x.count());
     for (std::size_t k = 0; k < x.flat().size(); ++k) x.flat()[k] += h * direction.flat()[k];
     std::visit([&](const auto& forces) { engine<double>(forces).accelerations(x, a); }, scene.forces);
@@ -67,7 +67,7 @@ Field<double> accelerations_at(const Scene& scene, const Field<double>& directio
 }
 
 /// Largest difference of the blocks from central differences, relative to the largest product.
-double worst_block_error(const Scene& scene, double strength) {
+double worst_block_error(const Plan& scene, double strength) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> number(-1, 1);
     Field<double> direction(scene.start.count());
@@ -96,12 +96,12 @@ double worst_block_error(const Scene& scene, double strength) {
 
 // Central differences with h = 1e-6: rounding 1e-16 / 1e-6, and h^2 times third derivatives of some hundred.
 TEST(Blocks, are_the_derivative_of_the_accelerations) {
-    for (const Scene& scene : shaken_scenes()) EXPECT_LT(worst_block_error(scene, 1), 1e-8);
+    for (const Plan& scene : shaken_scenes()) EXPECT_LT(worst_block_error(scene, 1), 1e-8);
 }
 
 TEST(Blocks, one_per_mille_too_large_are_not) {
-    const auto have_derivative = [](const Scene& scene) { return scene.forces.index() != 0; };  // constant ones do not
-    for (const Scene& scene : those_where(shaken_scenes(), have_derivative))
+    const auto have_derivative = [](const Plan& scene) { return scene.forces.index() != 0; };  // constant ones do not
+    for (const Plan& scene : those_where(shaken_scenes(), have_derivative))
         EXPECT_GT(worst_block_error(scene, 1.001), 1e-8);
 }
 
@@ -207,7 +207,7 @@ TEST(TrBdf2, damps_what_it_cannot_resolve_and_implicit_midpoint_does_not) {
 TEST(ImplicitMidpoint, retraces_its_path) {
     const RunDescription description = run_of("rope", "implicit-midpoint", Precision::double_, 0.01, {{"c", 0}});
     const auto distance_after_return = [&](std::string_view id) {
-        const Scene scene = model("rope").scene(description.scene);
+        const Plan scene = model("rope").plan(description.scene);
         State<double> state = scene.start.state();
         for (int half = 0; half < 2; ++half) {
             const auto stepper =
@@ -239,7 +239,7 @@ TEST(Implicit, steps_far_too_large_for_a_violent_scene_end_in_numbers) {
 
 TEST(Implicit, coincident_particles_do_not_break_a_step) {
     for (const char* id : implicit_methods) {
-        Scene scene = model("morse").scene(describe("morse").scene);
+        Plan scene = model("morse").plan(describe("morse").scene);
         State<double> start = scene.start.state();
         start.displacement.set(1, start.displacement.at(0));
         const auto stepper =

@@ -65,7 +65,7 @@ TEST_P(FixedSteps, keep_energy_bounded_exactly_where_it_is_said_to) {
 /// How far from its start a scene is after n steps, a reversal of all velocities and n steps.
 double distance_after_return(std::string_view method, Precision precision) {
     const RunDescription description = run_of("morse", method, precision, 0.02, {{"spacing", 0.3}});
-    Scene scene = model("morse").scene(description.scene);
+    Plan scene = model("morse").plan(description.scene);
     State<double> state = scene.start.state();
     const auto run = [&](std::uint64_t steps) {
         const auto stepper =

@@ -44,7 +44,7 @@ double chain_error(const RunDescription& description, std::uint64_t steps) {
     simulation.advance(steps);
     const auto exact = model("chain").exact(description.scene);
     State<double> state{Field<double>(10), Field<double>(10)};
-    const Scene scene = model("chain").scene(description.scene);
+    const Plan scene = model("chain").plan(description.scene);
     const Frame frame = simulation.frame();
     double worst = 0;
     for (std::size_t i = 0; i < 10; ++i) {

@@ -40,7 +40,7 @@ TYPED_TEST_SUITE(CrystalForces, Numbers);
 TYPED_TEST(CrystalForces, are_those_of_all_nearest_images) {
     for (const double edge : {5.0, 6.0, 9.0}) {
         for (const double spread : {0.05, 0.3, 2.0}) {
-            const Scene scene = crystal({{"edge", edge}});
+            const Plan scene = crystal({{"edge", edge}});
             const Field<TypeParam> u = scattered<TypeParam>(scene, spread);
             EXPECT_LT(worst(forces_of(scene), forces_of(scene), u), tolerance<TypeParam>) << edge << " " << spread;
         }
@@ -48,7 +48,7 @@ TYPED_TEST(CrystalForces, are_those_of_all_nearest_images) {
 }
 
 TYPED_TEST(CrystalForces, are_not_those_of_a_period_or_cut_off_slightly_different) {
-    const Scene scene = crystal();
+    const Plan scene = crystal();
     const Field<TypeParam> u = scattered<TypeParam>(scene, 0.05);
     NearPairForces other = forces_of(scene);
     other.period *= 1.01;
@@ -59,7 +59,7 @@ TYPED_TEST(CrystalForces, are_not_those_of_a_period_or_cut_off_slightly_differen
 }
 
 TYPED_TEST(CrystalForces, sum_to_zero) {
-    const Scene scene = crystal();
+    const Plan scene = crystal();
     Field<TypeParam> a(forces_of(scene).count);
     NearPairs<TypeParam>(forces_of(scene)).accelerations(scattered<TypeParam>(scene, 0.1), a);
     for (const TypeParam* along : {a.x(), a.y(), a.z()}) {
@@ -74,7 +74,7 @@ TYPED_TEST(CrystalForces, sum_to_zero) {
 }
 
 TYPED_TEST(CrystalForces, of_a_balanced_state_are_zero) {
-    const Scene scene = crystal();
+    const Plan scene = crystal();
     const Field<TypeParam> u = scattered<TypeParam>(scene, 0.1);
     NearPairForces forces = forces_of(scene);
     Field<TypeParam> a(u.count());
@@ -90,7 +90,7 @@ TYPED_TEST(CrystalForces, of_a_balanced_state_are_zero) {
 // floats that lists are made with, or nearly do; runs flush subnormal numbers.
 TYPED_TEST(CrystalForces, are_the_same_at_every_scale) {
     const FlushSubnormals flush;
-    const Scene scene = crystal();
+    const Plan scene = crystal();
     const Field<TypeParam> u = scattered<TypeParam>(scene, 0.1);
     Field<TypeParam> expected(u.count());
     NearPairs<TypeParam>(forces_of(scene)).accelerations(u, expected);
@@ -111,7 +111,7 @@ TYPED_TEST(CrystalForces, are_the_same_at_every_scale) {
 
 // With lists renewed from time to time, a run finds all pairs: as many as with lists made at each step.
 TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
-    const Scene scene = crystal({{"m", 1}});
+    const Plan scene = crystal({{"m", 1}});
     State<TypeParam> state = scene.start.state<TypeParam>();
     NearPairs<TypeParam> followed(forces_of(scene));
     Field<TypeParam> a(state.displacement.count()), fresh(a.count()), last;
@@ -136,7 +136,7 @@ TYPED_TEST(CrystalForces, come_from_lists_that_hold_until_they_are_renewed) {
 
 // Before the first evaluation, where the lists are valid, and where they are not.
 TYPED_TEST(CrystalForces, are_observed_without_renewing_lists) {
-    const Scene scene = crystal();
+    const Plan scene = crystal();
     const Field<TypeParam> u = scattered<TypeParam>(scene, 0.1), further = scattered<TypeParam>(scene, 0.4);
     NearPairs<TypeParam> forces(forces_of(scene));
     const auto observe = [&](const Field<TypeParam>& at) {
@@ -156,7 +156,7 @@ TYPED_TEST(CrystalForces, are_observed_without_renewing_lists) {
 }
 
 TEST(Crystal, starts_without_momentum_and_at_the_given_temperature) {
-    const Scene scene = crystal({{"edge", 10}, {"kT", 0.3}, {"m", 2}});
+    const Plan scene = crystal({{"edge", 10}, {"kT", 0.3}, {"m", 2}});
     const State<double> state = scene.start.state();
     Vec3 sum;
     double squares = 0;

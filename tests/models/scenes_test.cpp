@@ -11,17 +11,17 @@ Shape shape_of(std::string_view id, Settings settings = {}) {
     return model(id).shape(run_of(id, "rk4", Precision::double_, 0.1, settings).scene);
 }
 
-Scene scene_of(std::string_view id, Settings settings = {}) {
-    return model(id).scene(run_of(id, "rk4", Precision::double_, 0.1, settings).scene);
+Plan scene_of(std::string_view id, Settings settings = {}) {
+    return model(id).plan(run_of(id, "rk4", Precision::double_, 0.1, settings).scene);
 }
 
-Vec3 start_position(const Scene& scene, std::size_t i) { return scene.reference.at(i) + scene.start[i].displacement; }
+Vec3 start_position(const Plan& scene, std::size_t i) { return scene.reference.at(i) + scene.start[i].displacement; }
 
 TEST(Scenes, have_a_shape_that_agrees_with_their_start) {
     for (const Model& model : models()) {
         const ParameterValues defaults(model.info.parameters);
         const Shape shape = model.shape(defaults);
-        const Scene scene = model.scene(defaults);
+        const Plan scene = model.plan(defaults);
         const std::size_t n = static_cast<std::size_t>(model.particles(defaults));
         ASSERT_EQ(shape.rest.size(), n) << model.info.id;
         ASSERT_EQ(shape.roles.size(), n) << model.info.id;
@@ -37,7 +37,7 @@ TEST(Scenes, kick_one_particle_only_and_mark_it) {
     for (const Model* const model : models_where(is_cold)) {
         const ParameterValues defaults(model->info.parameters);
         const Shape shape = model->shape(defaults);
-        const Scene scene = model->scene(defaults);
+        const Plan scene = model->plan(defaults);
         for (std::size_t i = 0; i < shape.roles.size(); ++i) {
             const bool moves = !(scene.start[i].velocity == Vec3{});
             EXPECT_EQ(moves, shape.roles[i] == Role::kicked || shape.roles[i] == Role::bullet)

@@ -48,7 +48,7 @@ TEST(Text, interface_makes_no_scene) { EXPECT_THAT(scenes_made_by_the_interface(
 
 TEST(Text, scenes_of_the_interface_are_found) {
     const std::string lines =
-        "model(id).scene(values);\nstability_limit(description);\ncheck(description);\nentry->omega_max(values);\n"
+        "model(id).plan(values);\nstability_limit(description);\ncheck(description);\nentry->omega_max(values);\n"
         "interface.scene();\ncheck_values(description);\nview.remedies.dt;\n";
     EXPECT_THAT(scenes_made_by_the_interface({{"src/ui/panels/a.cpp", lines}, {"src/app/window/a.cpp", lines}}),
                 SizeIs(8));

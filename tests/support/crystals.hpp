@@ -17,14 +17,14 @@ inline ParameterValues values(Settings settings) {
 }
 
 /// The crystal of these parameters.
-inline Scene crystal(Settings settings = {}) { return model("crystal").scene(values(settings)); }
+inline Plan crystal(Settings settings = {}) { return model("crystal").plan(values(settings)); }
 
 /// Of a crystal.
-inline NearPairForces forces_of(const Scene& scene) { return std::get<NearPairForces>(scene.forces); }
+inline NearPairForces forces_of(const Plan& scene) { return std::get<NearPairForces>(scene.forces); }
 
 /// Its particles up to `spread` from the lattice along each axis, and some of them periods away.
 template <class T>
-Field<T> scattered(const Scene& scene, double spread) {
+Field<T> scattered(const Plan& scene, double spread) {
     Field<double> u = scene.start.state().displacement;
     const double period = forces_of(scene).period;
     for (std::size_t i = 0; i < u.count(); ++i) {

@@ -129,7 +129,7 @@ Figure chaos_figure() {
     };
     for (const char* id : {"velocity-verlet", "pefrl", "srkn-11b", "rk4", "dop853", "gauss-16"})
         add(id, errors_at(method(id), right));
-    const Scene scene = model("rope").scene(chaotic().run.scene);
+    const Plan scene = model("rope").plan(chaotic().run.scene);
     const double exponent = lyapunov_exponent(scene, model("rope").shape(chaotic().run.scene), times.back()).exponent;
     std::vector<double> growth, certain;
     for (std::size_t i = 0; i < times.size(); ++i) {

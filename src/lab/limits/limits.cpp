@@ -81,7 +81,7 @@ std::optional<double> Limit::ratio() const {
 }
 
 StabilityLab::StabilityLab(const RunDescription& description)
-    : scene_(balanced(model(description.model).scene(as_held(description).scene))),
+    : scene_(balanced(model(description.model).plan(as_held(description).scene))),
       spacing_(model(description.model).shape(as_held(description).scene).spacing),
       linearised_(scene_, model(description.model).shape(as_held(description).scene)),
       modes_(modes(linearised_)) {}

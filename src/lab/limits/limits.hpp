@@ -48,7 +48,7 @@ private:
     double departure() const;
     void find(Limit& limit, const Method& method) const;
 
-    Scene scene_;  ///< balanced
+    Plan scene_;  ///< balanced
     double spacing_;
     LinearisedScene linearised_;
     Eigenpairs modes_;

@@ -83,7 +83,7 @@ Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size) {
             .residual = residual(solver)};
 }
 
-LinearisedScene::LinearisedScene(const Scene& scene, const Shape& shape)
+LinearisedScene::LinearisedScene(const Plan& scene, const Shape& shape)
     : start_(scene.start.state().displacement),
       accelerations_(std::visit(
           [](const auto& forces) -> decltype(accelerations_) {

@@ -33,7 +33,7 @@ Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size);
 /// Jacobian of the accelerations, exact from dual numbers.
 class LinearisedScene {
 public:
-    LinearisedScene(const Scene& scene, const Shape& shape);
+    LinearisedScene(const Plan& scene, const Shape& shape);
 
     /// Number of elements of u: three for each moving particle.
     Eigen::Index size() const { return static_cast<Eigen::Index>(moving_.size()); }

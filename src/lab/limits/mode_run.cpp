@@ -53,7 +53,7 @@ struct Balancer {
 
 }  // namespace
 
-Scene balanced(Scene scene) {
+Plan balanced(Plan scene) {
     const Field<double> start = scene.start.state().displacement;
     std::visit(Balancer{start}, scene.forces);
     return scene;
@@ -99,7 +99,7 @@ private:
     std::uint64_t step_ = 0;
 };
 
-ModeRun::ModeRun(const Method& method, const ParameterValues& parameters, Precision precision, const Scene& scene,
+ModeRun::ModeRun(const Method& method, const ParameterValues& parameters, Precision precision, const Plan& scene,
                  const Field<double>& shape, double omega, double size, double departure)
     : method_(method),
       parameters_(parameters),

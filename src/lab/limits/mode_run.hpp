@@ -11,14 +11,14 @@
 namespace steplab {
 
 /// The scene with accelerations a(x0 + u) - a(x0), x0 being its start: the same forces with an equilibrium at x0.
-Scene balanced(Scene scene);
+Plan balanced(Plan scene);
 
 /// Small vibrations of a balanced scene about its start in one mode, stepped by a method, and their growth.
 class ModeRun {
 public:
     /// `scene` must outlive this object; `shape` is the mode, `omega` its angular frequency, `size` the largest
     /// displacement of the vibration, `departure` the rate of the scene's unstable departure from its start.
-    ModeRun(const Method& method, const ParameterValues& parameters, Precision precision, const Scene& scene,
+    ModeRun(const Method& method, const ParameterValues& parameters, Precision precision, const Plan& scene,
             const Field<double>& shape, double omega, double size, double departure);
 
     /// The characteristic time of the mode: 1 / max(omega, gamma).
@@ -53,7 +53,7 @@ private:
     const Method& method_;
     ParameterValues parameters_;
     Precision precision_;
-    const Scene& scene_;
+    const Plan& scene_;
     Field<double> start_;  ///< initial displacements of the scene
     Field<double> shape_;  ///< its largest displacement is `size`
     double norm_ = 0;

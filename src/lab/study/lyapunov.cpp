@@ -32,7 +32,7 @@ class TangentRun {
 public:
     /// The tangent begins in a direction without any symmetry. Position components are weighted by `rate`, so that they
     /// have the unit of velocities.
-    TangentRun(const Scene& scene, const LinearisedScene& linear, double rate)
+    TangentRun(const Plan& scene, const LinearisedScene& linear, double rate)
         : rate_(rate), state_(scene.start.state<Number>()) {
         Eigen::VectorXd direction(linear.size());
         for (Eigen::Index k = 0; k < direction.size(); ++k) direction[k] = std::sin(static_cast<double>(k + 1));
@@ -73,7 +73,7 @@ struct TangentEquations {
 };
 
 /// Logarithm of the growth of the tangent in each interval of the time.
-std::vector<double> growths(const Scene& scene, TangentRun run, double time, double step) {
+std::vector<double> growths(const Plan& scene, TangentRun run, double time, double step) {
     std::vector<double> all(intervals, 0.0);
     std::visit(
         [&](const auto& forces) {
@@ -98,7 +98,7 @@ std::vector<double> growths(const Scene& scene, TangentRun run, double time, dou
 
 bool LyapunovExponent::chaotic() const { return exponent > 4 * spread && growth > 10; }
 
-LyapunovExponent lyapunov_exponent(const Scene& scene, const Shape& shape, double time) {
+LyapunovExponent lyapunov_exponent(const Plan& scene, const Shape& shape, double time) {
     const LinearisedScene linear(scene, shape);
     const double rate = std::max({highest_frequency(modes(linear)), scene.drag, 1 / time});
     const std::vector<double> all = growths(scene, TangentRun(scene, linear, rate), time, phase_of_a_step / rate);
@@ -120,7 +120,7 @@ std::string chaos_note(const RunDescription& description, double time, double er
     const Model& entry = model(held.model);
     const Shape shape = entry.shape(held.scene);
     if (error < meaningless * shape.spacing) return {};
-    const LyapunovExponent lyapunov = lyapunov_exponent(entry.scene(held.scene), shape, time);
+    const LyapunovExponent lyapunov = lyapunov_exponent(entry.plan(held.scene), shape, time);
     if (!lyapunov.chaotic()) return {};
     const double digits = lyapunov.growth / std::log(10.0);
     return fmt::format(

@@ -23,7 +23,7 @@ struct LyapunovExponent {
 /// integrated exactly (by dual numbers, with the method of the reference) and rescaled after every step (Benettin,
 /// Galgani, Giorgilli, Strelcyn, Meccanica 15 (1980) 9); the first quarter, in which the tangent turns into the
 /// direction of fastest growth, is left out of exponent and spread. Throws Interrupted.
-LyapunovExponent lyapunov_exponent(const Scene& scene, const Shape& shape, double time);
+LyapunovExponent lyapunov_exponent(const Plan& scene, const Shape& shape, double time);
 
 /// Why the state of the described scene cannot be computed at this time, in words with the measured exponent, for use
 /// instead of meaningless errors. Empty if the error of its reference is below a thousandth of the scene's spacing, or

@@ -105,7 +105,7 @@ void own_steps(System<Real, Force>& system, double tolerance, State<Real>& state
 }
 
 template <class Layout>
-ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const double> times, const Fineness& fineness,
+ReferenceRun run_on(const Layout& forces, const Plan& scene, std::span<const double> times, const Fineness& fineness,
                     const Watch& watch) {
     using Force = decltype(engine<Real>(forces));
     ReferenceRun run;
@@ -130,7 +130,7 @@ ReferenceRun run_on(const Layout& forces, const Scene& scene, std::span<const do
 /// Makes the runs of one reference.
 class Runs {
 public:
-    Runs(const Scene& scene, std::span<const double> times, const ReferenceEffort& effort)
+    Runs(const Plan& scene, std::span<const double> times, const ReferenceEffort& effort)
         : scene_(scene), times_(times), effort_(effort) {}
 
     ReferenceRun operator()(const Fineness& fineness) {
@@ -144,7 +144,7 @@ public:
     }
 
 private:
-    const Scene& scene_;
+    const Plan& scene_;
     std::span<const double> times_;
     const ReferenceEffort& effort_;
     int count_ = 0;
@@ -196,7 +196,7 @@ Reference as_reference(const ReferenceRun& run, const std::vector<double>& error
 }
 
 /// The fastest rate in the scene, which determines the steps of the coarsest run.
-double rate_of(const RunDescription& held, const Scene& scene) {
+double rate_of(const RunDescription& held, const Plan& scene) {
     const Model& entry = model(held.model);
     const std::optional<double> known = entry.omega_max(held.scene);
     const double omega = known ? *known : highest_frequency(modes(LinearisedScene(scene, entry.shape(held.scene))));
@@ -204,7 +204,7 @@ double rate_of(const RunDescription& held, const Scene& scene) {
 }
 
 /// The longest step of the coarsest run.
-double longest_step(const RunDescription& held, const Scene& scene, std::span<const double> times,
+double longest_step(const RunDescription& held, const Plan& scene, std::span<const double> times,
                     const ReferenceEffort& effort) {
     const double rate = rate_of(held, scene), step = rate > 0 ? effort.first_phase / rate : infinity;
     return times.empty() ? step : std::min(step, std::max(times.back(), 1e-300) / 2);
@@ -240,7 +240,7 @@ std::optional<Reference> refined(const RunDescription& held, std::span<const dou
 /// With fixed steps, shortened if particles pass each other only because steps are too long; with adaptive steps if
 /// particles do pass each other.
 Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
-    const Scene scene = model(held.model).scene(held.scene);
+    const Plan scene = model(held.model).plan(held.scene);
     Runs run(scene, times, effort);
     double step = longest_step(held, scene, times, effort);
     if (auto made = refined(held, times, effort, run, {.step = step})) return *made;
@@ -289,7 +289,7 @@ Reference reference_run(const RunDescription& description, std::span<const doubl
 std::optional<ReferenceMoment> resting_reference(const RunDescription& description) {
     const RunDescription held = as_held(description);
     const Model& entry = model(held.model);
-    if (!entry.resting || !(entry.scene(held.scene).drag > 0)) return std::nullopt;
+    if (!entry.resting || !(entry.plan(held.scene).drag > 0)) return std::nullopt;
     Field<double> displacement = entry.resting(held.scene);
     const double rounding = 4 * half_ulp * largest_number(displacement);  // of a few operations
     const std::size_t particles = displacement.count();

@@ -20,7 +20,7 @@ namespace {
 /// One run of a group.
 struct Member {
     RunDescription held;
-    Scene scene;
+    Plan scene;
     EnergyMeter meter;
     std::uint64_t steps;
     Energy baseline;
@@ -30,7 +30,7 @@ struct Member {
 
     Member(const EnsembleRun& run, const Execution& execution)
         : held(as_held(run.description)),
-          scene(model(held.model).scene(held.scene)),
+          scene(model(held.model).plan(held.scene)),
           meter(scene, instructions_of(execution)),
           steps(run.end.step) {}
 

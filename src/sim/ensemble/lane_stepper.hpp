@@ -178,7 +178,7 @@ extern template std::unique_ptr<EnsembleStepper> make_lane_stepper_with<RungeKut
 
 /// In lanes, the slopes of longer lines no longer fit the first-level cache; alone, such lines fill registers anyway.
 template <class Method, class N>
-bool is_too_long(const Scene& scene) {
+bool is_too_long(const Plan& scene) {
     constexpr std::size_t longest = 64;
     return Method::template Integrator<N>::capabilities.forcing == Forcing::runge_kutta &&
            std::holds_alternative<LineForces>(scene.forces) && scene.reference.count > longest;

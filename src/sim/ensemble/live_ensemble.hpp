@@ -65,7 +65,7 @@ public:
 private:
     struct Member {
         RunDescription held;
-        Scene scene;        ///< its start is that of the segment
+        Plan scene;         ///< its start is that of the segment
         bool lost = false;  ///< some of its numbers are not finite there
     };
     /// LiveEnsemble that are stepped together, in lanes; or one alone; or a lost one, by nothing.

@@ -42,7 +42,7 @@ void add(Field<double>& sum, double factor, const Field<double>& term) {
 
 }  // namespace
 
-DragWork::DragWork(const Scene& scene, const StepParts& parts, double dt)
+DragWork::DragWork(const Plan& scene, const StepParts& parts, double dt)
     : mass_(scene.mass),
       drag_(scene.drag),
       parts_(parts),

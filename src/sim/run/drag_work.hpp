@@ -15,7 +15,7 @@ namespace steplab {
 class DragWork {
 public:
     /// `scene` as the run's precision holds it. `parts` must be known.
-    DragWork(const Scene& scene, const StepParts& parts, double dt);
+    DragWork(const Plan& scene, const StepParts& parts, double dt);
 
     /// In J, of the step that begins at `state`.
     double of_step(const State<double>& state);

@@ -54,14 +54,14 @@ std::size_t shared(const Forces& forces) {
     return std::visit([](const auto& layout) { return shared(layout); }, forces);
 }
 
-Pieces pieces_of(const Scene& scene) {
+Pieces pieces_of(const Plan& scene) {
     const std::size_t unit = shared(scene.forces), units = piece_length / std::max<std::size_t>(1, unit);
     return {scene.reference.count, std::max<std::size_t>(1, units) * std::max<std::size_t>(1, unit), unit};
 }
 
 }  // namespace
 
-EnergyMeter::EnergyMeter(const Scene& scene, Instructions instructions)
+EnergyMeter::EnergyMeter(const Plan& scene, Instructions instructions)
     : energy_sums_(&energy_sums(instructions)),
       mass_(scene.mass),
       forces_(scene.forces),

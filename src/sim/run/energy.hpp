@@ -28,7 +28,7 @@ class EnergyMeter {
 public:
     using Emit = std::function<void(const PortionSink&)>;
 
-    EnergyMeter(const Scene& scene, Instructions instructions);
+    EnergyMeter(const Plan& scene, Instructions instructions);
 
     /// Of all particles, which `emit` emits as Stepper::emit() does.
     Energy energy(const Emit& emit) { return energy(1, emit, nullptr); }

@@ -18,7 +18,7 @@ std::size_t particles_with_springs(const Other&) {
     return 0;
 }
 
-bool has_few_springs(const Scene& scene) {
+bool has_few_springs(const Plan& scene) {
     const auto particles = std::visit([](const auto& forces) { return particles_with_springs(forces); }, scene.forces);
     return particles > 0 && particles <= few;
 }
@@ -37,7 +37,7 @@ Instructions instructions_of(const Execution& execution) {
     return execution.instructions.value_or(fastest_instructions());
 }
 
-Instructions instructions_for(const Method& method, const Scene& scene, const Execution& execution) {
+Instructions instructions_for(const Method& method, const Plan& scene, const Execution& execution) {
     const Instructions fastest = instructions_of(execution);
     if (execution.instructions || fastest != Instructions::avx512) return fastest;
     if (!wide_divisions_take_longer() || !has_few_springs(scene) || !method.runs_in_lanes(fastest)) return fastest;

@@ -8,7 +8,7 @@
 namespace steplab {
 
 struct Method;
-struct Scene;
+struct Plan;
 
 /// How a run is computed: no bit of it depends on this.
 struct Execution {
@@ -23,6 +23,6 @@ Instructions instructions_of(const Execution& execution);
 /// Of one run: the fastest here, if none are said. On processors of Intel these are narrower ones for methods of fixed
 /// steps without equations on a few springs: there a division waits for the one before, and those of 64 bytes take
 /// longer than those of 32.
-Instructions instructions_for(const Method& method, const Scene& scene, const Execution& execution);
+Instructions instructions_for(const Method& method, const Plan& scene, const Execution& execution);
 
 }  // namespace steplab

@@ -12,7 +12,7 @@ namespace steplab {
 namespace {
 
 /// x'' = -omega^2 x - gamma x' as a scene: particle 1 on a spring of rest length 0.
-Scene damped_oscillator(double omega, double gamma) {
+Plan damped_oscillator(double omega, double gamma) {
     return {.mass = 1,
             .drag = gamma,
             .forces = LineForces{.count = 2, .first_fixed = true, .mass = 1, .k = omega * omega, .rest_length = 0},
@@ -23,7 +23,7 @@ Scene damped_oscillator(double omega, double gamma) {
 /// The eigenvalues of the 2 x 2 matrix of one step. Its columns are what a step makes of (x, v) = (1, 0) and (0, 1),
 /// which are taken in one run as two directions of space.
 std::array<std::complex<double>, 2> eigenvalues(const Method& method, const ParameterValues& parameters,
-                                                const Scene& scene, double dt) {
+                                                const Plan& scene, double dt) {
     State<double> state{Field<double>(2), Field<double>(2)};
     state.displacement.set(1, {1, 0, 0});
     state.velocity.set(1, {0, 1, 0});
@@ -38,7 +38,7 @@ std::array<std::complex<double>, 2> eigenvalues(const Method& method, const Para
     return {half_trace + root, half_trace - root};
 }
 
-double growth(const Method& method, const ParameterValues& parameters, const Scene& scene, double dt) {
+double growth(const Method& method, const ParameterValues& parameters, const Plan& scene, double dt) {
     const auto [one, other] = eigenvalues(method, parameters, scene, dt);
     return std::max(std::abs(one), std::abs(other));
 }
@@ -46,7 +46,7 @@ double growth(const Method& method, const ParameterValues& parameters, const Sce
 /// The first dt at which the damped motion grows, searched in steps of 2 % and bisected down to rounding.
 double first_growth(const Method& method, const ParameterValues& parameters, double omega, double gamma) {
     const FlushSubnormals flush;
-    const Scene scene = damped_oscillator(omega, gamma);
+    const Plan scene = damped_oscillator(omega, gamma);
     const auto grows = [&](double dt) { return !(growth(method, parameters, scene, dt) <= 1 + 1e-12); };
     const double scale = 1 / std::max(omega, gamma);
     double stable = 0.01 * scale, unstable = stable;

@@ -20,7 +20,7 @@ namespace steplab {
 /// Momentum, angular momentum and the largest displacement and speed of a scene that comes in pieces.
 class ParticleSums {
 public:
-    ParticleSums(const Scene& scene, const Shape& shape, std::size_t pieces)
+    ParticleSums(const Plan& scene, const Shape& shape, std::size_t pieces)
         : scene_(scene), shape_(shape), pieces_(pieces) {}
     /// Different pieces may be added at the same time.
     void add(const Piece& piece);
@@ -33,7 +33,7 @@ private:
         double displacement_squared = 0, speed_squared = 0;  ///< the largest
     };
 
-    const Scene& scene_;
+    const Plan& scene_;
     const Shape& shape_;
     std::vector<Sums> pieces_;
 };

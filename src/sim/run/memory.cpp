@@ -27,13 +27,13 @@ double system_memory() {
 }
 
 /// How many pairs act on each other in the scene as it starts.
-double pairs(const ConstantForces&, const Scene&) { return 0; }
-double pairs(const LineForces& forces, const Scene&) { return static_cast<double>(forces.count); }
-double pairs(const GridForces& forces, const Scene&) { return 4.0 * static_cast<double>(forces.rows * forces.columns); }
-double pairs(const PairForces& forces, const Scene&) {
+double pairs(const ConstantForces&, const Plan&) { return 0; }
+double pairs(const LineForces& forces, const Plan&) { return static_cast<double>(forces.count); }
+double pairs(const GridForces& forces, const Plan&) { return 4.0 * static_cast<double>(forces.rows * forces.columns); }
+double pairs(const PairForces& forces, const Plan&) {
     return static_cast<double>(forces.count) * static_cast<double>(forces.count) / 2;
 }
-double pairs(const NearPairForces& forces, const Scene& scene) {
+double pairs(const NearPairForces& forces, const Plan& scene) {
     Neighbours neighbours(forces.cutoff, forces.period);
     neighbours.follow(scene.start.state().displacement);
     double sum = 0;
@@ -42,7 +42,7 @@ double pairs(const NearPairForces& forces, const Scene& scene) {
 }
 
 /// Of space, as the particles of a scene are at the start.
-double volume(const NearPairForces& forces, const Scene& scene) {
+double volume(const NearPairForces& forces, const Plan& scene) {
     if (forces.period > 0) return forces.period * forces.period * forces.period;
     Vec3 low = scene.start[0].displacement, high = low;
     for (std::size_t i = 1; i < forces.count; ++i) {
@@ -56,7 +56,7 @@ double volume(const NearPairForces& forces, const Scene& scene) {
 /// Lists of clusters (cluster_lists.hpp): of four particles one list, of numbers of four bytes, that holds about as
 /// many as one of them has within reach, as many again reserved; and what is held for each particle while lists are
 /// made.
-double bytes_of_lists(const NearPairForces& forces, const Scene& scene) {
+double bytes_of_lists(const NearPairForces& forces, const Plan& scene) {
     const double particles = static_cast<double>(forces.count), reach = 1.15 * forces.cutoff;
     const double sphere = 4 * std::numbers::pi / 3 * reach * reach * reach;
     const double within_reach = std::min(particles, particles / volume(forces, scene) * sphere);
@@ -90,10 +90,10 @@ double bytes_per_particle(const RunDescription& description) {
 double bytes_of_run(const RunDescription& description) {
     const Model& entry = model(description.model);
     return entry.particles(description.scene) * bytes_per_particle(description) +
-           bytes_of_interactions(description, entry.scene(description.scene));
+           bytes_of_interactions(description, entry.plan(description.scene));
 }
 
-double bytes_of_interactions(const RunDescription& description, const Scene& scene) {
+double bytes_of_interactions(const RunDescription& description, const Plan& scene) {
     const Method& entry = method(description.method);
     const auto* const near = std::get_if<NearPairForces>(&scene.forces);
     const double lists = near ? bytes_of_lists(*near, scene) : 0;

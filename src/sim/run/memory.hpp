@@ -15,6 +15,6 @@ double bytes_per_particle(const RunDescription& description);
 double bytes_of_run(const RunDescription& description);
 
 /// Bytes its method needs besides for the interactions of the scene, as many as there are at the start.
-double bytes_of_interactions(const RunDescription& description, const Scene& scene);
+double bytes_of_interactions(const RunDescription& description, const Plan& scene);
 
 }  // namespace steplab

@@ -19,7 +19,7 @@ constexpr double smallest_part = 1e-3;
 /// Judges runs of one scene.
 class Judge {
 public:
-    Judge(double omega_max, const Scene& scene) : omegas_{omega_max, start_frequency(scene)} {}
+    Judge(double omega_max, const Plan& scene) : omegas_{omega_max, start_frequency(scene)} {}
 
     bool accepts(const RunDescription& run) const {
         const auto limit = stability_limit(run);
@@ -61,7 +61,7 @@ std::optional<double> smaller_dt(RunDescription run, double limit, const Judge& 
 
 }  // namespace
 
-Remedies remedies(const RunDescription& run, const Scene& scene) {
+Remedies remedies(const RunDescription& run, const Plan& scene) {
     if (chooses_its_steps(run)) return {};
     const auto limit = stability_limit(run);
     const bool fails_always = method(run.method).info.curiosity;

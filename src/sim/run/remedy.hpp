@@ -18,6 +18,6 @@ struct Remedies {
 /// Of a run on this scene, the present one of `run`. Where no limit is known, a quarter of dt alone; nothing for a
 /// method that chooses its own steps. Takes up to some hundred milliseconds with drag, and memory for some states of
 /// the scene.
-Remedies remedies(const RunDescription& run, const Scene& scene);
+Remedies remedies(const RunDescription& run, const Plan& scene);
 
 }  // namespace steplab

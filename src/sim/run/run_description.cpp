@@ -53,7 +53,7 @@ void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
     const bool lists = description.scene.contains("cutoff") && description.scene["cutoff"] > 0;
     if (!entry.info.refusal && !lists) return;
-    const Scene scene = model(description.model).scene(description.scene);
+    const Plan scene = model(description.model).plan(description.scene);
     const auto refused = std::visit(
         [&](const auto& forces) {
             return entry.info.refusal ? entry.info.refusal(coupling(forces)) : std::optional<std::string>();

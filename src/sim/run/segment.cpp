@@ -18,7 +18,7 @@ double pairs_of(const OfNeighbours&) {
     return 1;
 }
 
-std::uint64_t most_at_once(const RunDescription& held, const Scene& scene) {
+std::uint64_t most_at_once(const RunDescription& held, const Plan& scene) {
     constexpr double most_work = 1e8;
     const double evaluations = evaluations_per_step(method(held.method).info, held.method_parameters);
     const double pairs = std::visit([](const auto& layout) { return pairs_of(layout); }, scene.forces);
@@ -32,7 +32,7 @@ Segment::Segment(const RunDescription& given, const Execution& how)
     : description(given),
       held(as_held(given)),
       execution(how),
-      scene(model(held.model).scene(held.scene)),
+      scene(model(held.model).plan(held.scene)),
       meter(scene, instructions_of(how)),
       steps_at_once(most_at_once(held, scene)) {
     restart();
@@ -42,7 +42,7 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
     : description(given),
       held(as_held(given)),
       execution(how),
-      scene(model(held.model).scene(held.scene)),
+      scene(model(held.model).plan(held.scene)),
       meter(scene, instructions_of(how)),
       steps_at_once(most_at_once(held, scene)) {
     scene.start = start;

@@ -15,7 +15,7 @@ namespace steplab {
 
 /// How a method begins a segment of `held` (as_held()) on its scene, at the scene's own start. The scene is referred
 /// to.
-inline StepperSetup segment_start(const RunDescription& held, const Scene& scene, Instructions instructions) {
+inline StepperSetup segment_start(const RunDescription& held, const Plan& scene, Instructions instructions) {
     return {scene, scene.start, held.method_parameters, held.precision, held.dt, instructions};
 }
 
@@ -24,7 +24,7 @@ struct Segment {
     RunDescription description;  ///< as given
     RunDescription held;         ///< with dt and parameters as the precision holds them
     Execution execution;
-    Scene scene;  ///< its start is that of the segment
+    Plan scene;  ///< its start is that of the segment
     EnergyMeter meter;
     std::uint64_t steps_at_once;  ///< that take no longer than some tenths of a second, or one
     std::unique_ptr<Stepper> stepper;

@@ -37,7 +37,7 @@ Accelerations accelerations(const Forces& forces, const Field<double>& x, const 
 
 }  // namespace
 
-double start_frequency(const Scene& scene) {
+double start_frequency(const Plan& scene) {
     const State<double> start = scene.start.state();
     Field<double> motion = start.velocity;
     if (dot(motion, motion) == 0) motion = accelerations(scene.forces, start.displacement, motion).value;

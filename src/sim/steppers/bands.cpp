@@ -128,11 +128,11 @@ private:
 
     void make(Band& band, const Method& method, const StepperSetup& setup) const {
         const std::size_t count = band.before + band.end - band.begin + band.behind;
-        Scene scene{.mass = setup.scene.mass,
-                    .drag = setup.scene.drag,
-                    .forces = setup.scene.forces,
-                    .reference = setup.scene.reference,
-                    .start = {}};
+        Plan scene{.mass = setup.scene.mass,
+                   .drag = setup.scene.drag,
+                   .forces = setup.scene.forces,
+                   .reference = setup.scene.reference,
+                   .start = {}};
         std::visit([&](auto& layout) { cut(layout, band.first(), count); }, scene.forces);
         band.stepper = method.make({scene, setup.start.part(band.first() * unit_, count * unit_), setup.parameters,
                                     setup.precision, setup.dt, setup.instructions});
@@ -171,11 +171,11 @@ private:
 
 /// Units that a step reaches, none if there is no bound: asked of a scene of three units.
 std::optional<std::size_t> reach_of(const Method& method, const StepperSetup& setup, const Units& units) {
-    Scene scene{.mass = setup.scene.mass,
-                .drag = setup.scene.drag,
-                .forces = setup.scene.forces,
-                .reference = setup.scene.reference,
-                .start = {}};
+    Plan scene{.mass = setup.scene.mass,
+               .drag = setup.scene.drag,
+               .forces = setup.scene.forces,
+               .reference = setup.scene.reference,
+               .start = {}};
     std::visit([](auto& layout) { cut(layout, 0, 3); }, scene.forces);
     return method
         .make({scene, setup.start.part(0, 3 * units.particles), setup.parameters, setup.precision, setup.dt,
@@ -203,7 +203,7 @@ std::unique_ptr<Stepper> make_whole(const Method& method, const StepperSetup& se
     if (!pairs) return method.make(setup);
     const std::size_t threads = std::min(paying_threads(execution, pairs->count * time_of_pairs), most_threads(*pairs));
     if (threads < 2) return method.make(setup);
-    Scene scene = setup.scene;
+    Plan scene = setup.scene;
     std::get<NearPairForces>(scene.forces).threads = threads;
     return method.make({scene, setup.start, setup.parameters, setup.precision, setup.dt, setup.instructions});
 }

@@ -64,7 +64,7 @@ public:
 
 /// What a method needs to begin a segment.
 struct StepperSetup {
-    const Scene& scene;
+    const Plan& scene;
     Start start;  ///< synchronised state to start from
     const ParameterValues& parameters;
     Precision precision;

@@ -120,10 +120,10 @@ TEST(Limit, of_a_curiosity_is_not_measured_and_has_a_note) {
 // there.
 TEST(Balanced, scene_is_in_equilibrium_at_its_start) {
     const RunDescription run = run_of("morse", "rk4", Precision::double_, 0.1);
-    const Scene scene = balanced(model("morse").scene(run.scene));
-    const Scene plain = model("morse").scene(run.scene);
+    const Plan scene = balanced(model("morse").plan(run.scene));
+    const Plan plain = model("morse").plan(run.scene);
     State<double> state{scene.start.state().displacement, Field<double>(scene.start.count())};
-    const auto moved = [&](const Scene& where) {
+    const auto moved = [&](const Plan& where) {
         const auto stepper = method("rk4").make({where, state, run.method_parameters, Precision::double_, 0.1});
         stepper->advance(10);
         State<double> end;
@@ -138,7 +138,7 @@ TEST(Balanced, scene_is_in_equilibrium_at_its_start) {
 }
 
 /// The fastest mode of a scene under a method.
-ModeRun mode_of(const Scene& scene, const LinearisedScene& linear, const Eigenpairs& pairs, std::string_view method_id,
+ModeRun mode_of(const Plan& scene, const LinearisedScene& linear, const Eigenpairs& pairs, std::string_view method_id,
                 Precision precision = Precision::double_, double departure = 0) {
     const Method& it = method(method_id);
     return {it,
@@ -154,7 +154,7 @@ ModeRun mode_of(const Scene& scene, const LinearisedScene& linear, const Eigenpa
 // The partner: runs contradict a limit that is 1 % off on either side.
 TEST(ModeRun, refuses_a_limit_that_is_one_percent_off) {
     const RunDescription run = run_of("chain", "rk4", Precision::double_, 0.1);
-    const Scene scene = balanced(model("chain").scene(run.scene));
+    const Plan scene = balanced(model("chain").plan(run.scene));
     const LinearisedScene linear(scene, model("chain").shape(run.scene));
     const Eigenpairs pairs = modes(linear);
     const auto phase_of = [](const MethodCase& c) {
@@ -191,7 +191,7 @@ TEST_P(Modes, are_judged_in_lanes_as_alone) {
     };
     for (const RunDescription& run : {run_on("chain", {{"n", 6}}), run_on("chain", {{"n", 5}, {"c", 0.1}}),
                                       run_on("mesh", {{"dim", 4}}), run_on("morse", {{"edge", 2}})}) {
-        const Scene scene = balanced(model(run.model).scene(run.scene));
+        const Plan scene = balanced(model(run.model).plan(run.scene));
         const LinearisedScene linear(scene, model(run.model).shape(run.scene));
         const Eigenpairs pairs = modes(linear);
         for (const double departure : {0.0, 0.05}) {
@@ -220,7 +220,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, Modes, testing::ValuesIn(methods_with_limits
 
 TEST(ModeRun, runs_in_lanes_where_its_method_does) {
     const RunDescription run = run_of("morse", "rk4", Precision::double_, 0.1, {{"edge", 2}});
-    const Scene scene = balanced(model("morse").scene(run.scene));
+    const Plan scene = balanced(model("morse").plan(run.scene));
     const LinearisedScene linear(scene, model("morse").shape(run.scene));
     const Eigenpairs pairs = modes(linear);
     for (const char* const id : {"euler", "srkn-11b", "rk4", "midpoint"})

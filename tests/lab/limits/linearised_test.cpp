@@ -13,7 +13,7 @@ namespace {
 
 LinearisedScene linearised(std::string_view id, Settings settings = {}) {
     const RunDescription run = run_of(id, "rk4", Precision::double_, 0.1, settings);
-    return {model(id).scene(run.scene), model(id).shape(run.scene)};
+    return {model(id).plan(run.scene), model(id).shape(run.scene)};
 }
 
 double omega_max(std::string_view id, Settings settings = {}) {
@@ -83,7 +83,7 @@ TEST(Lanczos, finds_what_a_dense_solver_finds) {
 TEST(Jacobian, is_the_derivative_of_the_forces) {
     for (const char* id : {"chain", "mesh", "rope", "morse", "oscillator"}) {
         const RunDescription run = run_of(id, "rk4", Precision::double_, 0.1);
-        const Scene scene = model(id).scene(run.scene);
+        const Plan scene = model(id).plan(run.scene);
         const LinearisedScene linear(scene, model(id).shape(run.scene));
         Eigen::VectorXd u(linear.size());
         for (Eigen::Index k = 0; k < u.size(); ++k) u[k] = std::sin(static_cast<double>(k) + 1);

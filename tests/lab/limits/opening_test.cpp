@@ -21,7 +21,7 @@ TEST(Opening, is_stable_and_resolves_the_fastest_oscillation) {
     for (const Model& entry : models()) {
         const RunDescription run = opening(describe(entry.info.id));
         const double omega = StabilityLab(run).omega_max();
-        const double drag = entry.scene(run.scene).drag;
+        const double drag = entry.plan(run.scene).drag;
         const auto limit = [&](double frequency) {
             return linear_limit(method(run.method), run.method_parameters, frequency, drag);
         };

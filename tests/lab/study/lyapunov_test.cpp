@@ -22,12 +22,12 @@ RunDescription scene_of(std::string_view id, Settings settings = {}) {
 }
 
 LyapunovExponent exponent_of(const RunDescription& run, double time) {
-    return lyapunov_exponent(model(run.model).scene(run.scene), model(run.model).shape(run.scene), time);
+    return lyapunov_exponent(model(run.model).plan(run.scene), model(run.model).shape(run.scene), time);
 }
 
 /// In equilibrium at its start to the last bit also for dual numbers, whose exponential is computed differently from
 /// that of doubles.
-Scene balanced_for_duals(Scene scene) {
+Plan balanced_for_duals(Plan scene) {
     using Number = Dual<double>;
     PairForces& pairs = std::get<PairForces>(scene.forces);
     Field<Number> a(pairs.count);
@@ -43,7 +43,7 @@ Scene balanced_for_duals(Scene scene) {
 std::pair<double, double> departure(double stretched) {
     const RunDescription run = scene_of("morse", {{"edge", 2}, {"spacing", 2.5 * stretched}, {"k", 8}, {"v0", 0}});
     const Shape shape = model("morse").shape(run.scene);
-    const Scene scene = balanced_for_duals(model("morse").scene(run.scene));
+    const Plan scene = balanced_for_duals(model("morse").plan(run.scene));
     const double least = modes(LinearisedScene(scene, shape)).values[0];
     return {std::sqrt(std::max(0.0, -least)), lyapunov_exponent(scene, shape, 400).exponent};
 }

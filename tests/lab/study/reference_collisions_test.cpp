@@ -87,7 +87,7 @@ private:
 
 /// A run with the adaptive steps of the reference and such a locator.
 Field<double> misplaced_run(const RunDescription& description, double time, Real by) {
-    const Scene scene = model("morse").scene(description.scene);
+    const Plan scene = model("morse").plan(description.scene);
     System<Real, Misplaced> system(Misplaced(std::get<PairForces>(scene.forces), by), 0, time);
     ParameterValues values(std::span(&tolerance_parameter, 1));
     values.set(tolerance_parameter.name, 1e-15);
@@ -112,7 +112,7 @@ TEST(ReferenceBehindACollision, is_wrong_with_a_wrong_locator) {
 }
 
 double energy(const State<double>& state) {
-    const Pairs<double> forces(std::get<PairForces>(model("morse").scene(cube.scene).forces));
+    const Pairs<double> forces(std::get<PairForces>(model("morse").plan(cube.scene).forces));
     double twice_kinetic = 0;
     for (const double v : state.velocity.flat()) twice_kinetic += v * v;
     return twice_kinetic / 2 + forces.potential(state.displacement).value;
@@ -129,7 +129,7 @@ TEST(ReferenceOfTheCollidingCube, supports_answers_at_1e_10) {
     const ReferenceMoment& end = right.moments.back();
     EXPECT_NE(right.how.find("6 collisions crossed"), std::string::npos) << right.how;
     EXPECT_LT(end.error, 3e-11);
-    const double start = energy(model("morse").scene(cube.scene).start.state());
+    const double start = energy(model("morse").plan(cube.scene).start.state());
     EXPECT_NEAR(energy(end.state), start, 1e-12);
 
     const Advice advice = advise(plan, 1e-10, right, [](double) {});

@@ -165,7 +165,7 @@ struct Throw {
 
     Throw(std::string_view id, double miss, double tolerance) {
         const RunDescription run = adaptive_run("chain", id, 1, tolerance, {{"n", 2}, {"L", 1}});
-        const Scene scene = model("chain").scene(run.scene);
+        const Plan scene = model("chain").plan(run.scene);
         State<double> state{Field<double>(2), Field<double>(2)};
         state.displacement.set(1, {0, miss, 0});
         state.velocity.set(1, {-2, 0, 0});

@@ -28,7 +28,7 @@ void each_row(const Clusters& clusters, F f) {
 TEST(Clusters, are_in_slabs_that_interact_only_with_the_next_one) {
     for (const double period : {0.0, 17.0, 18.0}) {
         for (const double reach : {1.2, 2.3, 4.0}) {
-            const Scene scene = crystal({{"edge", 17}});
+            const Plan scene = crystal({{"edge", 17}});
             Field<double> u = scattered<double>(scene, 0.4);
             for (double& number : u.flat()) number -= period > 0 ? period * std::round(number / period) : 0;
             Clusters clusters;
@@ -58,7 +58,7 @@ TEST(Clusters, are_in_slabs_that_interact_only_with_the_next_one) {
 // position.
 TEST(Clusters, do_not_depend_on_the_number_of_threads) {
     for (const double edge : {1.0, 6.0, 17.0}) {
-        const Scene scene = crystal({{"edge", edge}, {"cutoff", edge / 3}});
+        const Plan scene = crystal({{"edge", edge}, {"cutoff", edge / 3}});
         Field<double> u = scattered<double>(scene, 0.4);
         if (edge > 1) u.set(100, {0, std::numeric_limits<double>::quiet_NaN(), 0});
         if (edge > 1) u.set(7, {std::numeric_limits<double>::infinity(), 0, 0});
@@ -92,7 +92,7 @@ TEST(Clusters, do_not_depend_on_previous_clusters) {
 
 TEST(Clusters, list_each_pair_within_reach_once) {
     for (const double period : {0.0, 5.0, 8.0}) {
-        const Scene scene = crystal({{"edge", 6}});
+        const Plan scene = crystal({{"edge", 6}});
         Field<double> u = scattered<double>(scene, 0.4);
         const auto nearest = [=](double d) { return period > 0 ? d - period * std::round(d / period) : d; };
         for (double& number : u.flat()) number = nearest(number);

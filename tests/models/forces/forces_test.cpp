@@ -16,14 +16,14 @@ namespace {
 /// Every layout of forces that the models make, with displaced particles, so that no force is zero by symmetry.
 struct ForcesCase {
     std::string name;
-    Scene scene;
+    Plan scene;
     Field<double> displacement;  ///< random displacements from rest
     std::vector<Role> roles;
 };
 
 ForcesCase forces_case(std::string name, std::string_view model_id, Settings settings) {
     const RunDescription description = run_of(model_id, "rk4", Precision::double_, 0.1, settings);
-    Scene scene = model(model_id).scene(description.scene);
+    Plan scene = model(model_id).plan(description.scene);
     auto roles = model(model_id).shape(description.scene).roles;
     State<double> start = scene.start.state();
     std::mt19937 random(7);

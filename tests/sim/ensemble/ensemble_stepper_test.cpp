@@ -18,12 +18,12 @@ namespace steplab::test {
 namespace {
 
 /// A scene of every layout of forces that goes in lanes; the forces of pairs less what they are somewhere.
-std::vector<Scene> scenes() {
+std::vector<Plan> scenes() {
     const auto scene_of = [](std::string_view id, Settings settings) {
-        return model(id).scene(run_of(id, "euler", Precision::double_, 0.1, settings).scene);
+        return model(id).plan(run_of(id, "euler", Precision::double_, 0.1, settings).scene);
     };
-    std::vector<Scene> all{scene_of("chain", {{"n", 7}, {"c", 0.2}}), scene_of("mesh", {{"dim", 4}}),
-                           scene_of("morse", {{"edge", 2}})};
+    std::vector<Plan> all{scene_of("chain", {{"n", 7}, {"c", 0.2}}), scene_of("mesh", {{"dim", 4}}),
+                          scene_of("morse", {{"edge", 2}})};
     auto balance = std::make_shared<Field<double>>(all.back().reference.count);
     for (std::size_t i = 0; i < balance->count(); ++i) balance->set(i, {0.1 * static_cast<double>(i), -0.3, 0.7});
     std::get<PairForces>(all.back().forces).balance = balance;
@@ -40,7 +40,7 @@ Field<double> scattered(std::size_t count, double size, double seed) {
     return field;
 }
 
-State<double> start_of(const Scene& scene, std::size_t run) {
+State<double> start_of(const Plan& scene, std::size_t run) {
     const auto seed = static_cast<double>(run + 1);
     State<double> state = scene.start.state();
     const Field<double> moved = scattered(scene.reference.count, 1e-3, seed);
@@ -53,7 +53,7 @@ double dot(const Field<double>& a, const Field<double>& b) {
     return std::inner_product(a.flat().begin(), a.flat().end(), b.flat().begin(), 0.0);
 }
 
-std::vector<StepperSetup> setups_of(const MethodCase& method, const Scene& scene, const ParameterValues& parameters) {
+std::vector<StepperSetup> setups_of(const MethodCase& method, const Plan& scene, const ParameterValues& parameters) {
     std::vector<StepperSetup> all;
     for (std::size_t run = 0; run < most_lanes; ++run) {
         const double dt = 0.01 + 0.001 * static_cast<double>(run);
@@ -68,7 +68,7 @@ TEST_P(Groups, begin_anew_and_are_seen_along_a_shape_as_runs_alone) {
     const FlushSubnormals flush;
     const Method& method = steplab::method(GetParam().id());
     const ParameterValues parameters(method.info.parameters);
-    for (const Scene& scene : scenes()) {
+    for (const Plan& scene : scenes()) {
         std::vector<StepperSetup> setups = setups_of(GetParam(), scene, parameters);
         ASSERT_TRUE(lane_compatible(setups[0], setups[1]));
         const auto group = method.make_ensemble_stepper(setups);
@@ -101,7 +101,7 @@ TEST_P(Groups, begin_anew_and_are_seen_along_a_shape_as_runs_alone) {
 }
 
 /// The scene's own start, faster from run to run.
-State<double> faster(const Scene& scene, std::size_t run) {
+State<double> faster(const Plan& scene, std::size_t run) {
     State<double> state = scene.start.state();
     for (double& v : state.velocity.flat()) v *= 1 + 0.1 * static_cast<double>(run);
     return state;
@@ -112,7 +112,7 @@ TEST_P(Groups, leave_axes_out_as_runs_alone) {
     const FlushSubnormals flush;
     const Method& method = steplab::method(GetParam().id());
     const ParameterValues parameters(method.info.parameters);
-    const Scene chain = scenes().front();
+    const Plan chain = scenes().front();
     std::vector<StepperSetup> setups = setups_of(GetParam(), chain, parameters);
     for (std::size_t run = 0; run < setups.size(); ++run) setups[run].start = faster(chain, run);
     const auto group = method.make_ensemble_stepper(setups);
@@ -147,8 +147,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, Groups, testing::ValuesIn(methods_in_lanes()),
 
 TEST(Group, of_pairs_has_one_balance) {
     const ParameterValues parameters(method("euler").info.parameters);
-    const Scene scene = scenes().back();
-    Scene other = scene;
+    const Plan scene = scenes().back();
+    Plan other = scene;
     std::get<PairForces>(other.forces).balance = std::make_shared<Field<double>>(scene.reference.count);
     const StepperSetup a{scene, scene.start, parameters, Precision::double_, 0.1};
     const StepperSetup b{other, other.start, parameters, Precision::double_, 0.1};

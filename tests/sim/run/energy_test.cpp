@@ -27,13 +27,13 @@ std::vector<RunDescription> scenes() {
 }
 
 struct Moment {
-    Scene scene;
+    Plan scene;
     State<double> state;
 };
 Moment after(const RunDescription& description, std::uint64_t steps) {
     Simulation simulation(description);
     simulation.advance(steps);
-    return {model(description.model).scene(description.scene), simulation.state()};
+    return {model(description.model).plan(description.scene), simulation.state()};
 }
 
 Energy energy_of(const Moment& moment, Instructions instructions) {

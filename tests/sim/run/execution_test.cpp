@@ -15,7 +15,7 @@ Instructions instructions_of_run(std::string_view method_id, std::string_view mo
     const Model& of = model(model_id);
     ParameterValues values(of.info.parameters);
     for (const auto& [name, value] : settings) values.set(name, value);
-    return instructions_for(method(method_id), of.scene(values), execution);
+    return instructions_for(method(method_id), of.plan(values), execution);
 }
 
 TEST(Execution, takes_the_instructions_that_are_said) {

@@ -28,7 +28,7 @@ struct Sums {
     long double px = 0, py = 0, pz = 0, lx = 0, ly = 0, lz = 0, displacement = 0, speed = 0;
     long double sizes = 0;  ///< of the terms of angular momentum
 };
-Sums plain_sums(const Scene& scene, const Shape& shape, const State<double>& state) {
+Sums plain_sums(const Plan& scene, const Shape& shape, const State<double>& state) {
     Sums sums;
     const long double m = scene.mass;
     for (std::size_t i = 0; i < state.velocity.count(); ++i) {
@@ -44,7 +44,7 @@ Sums plain_sums(const Scene& scene, const Shape& shape, const State<double>& sta
     return sums;
 }
 
-Diagnostics in_pieces(const Scene& scene, const Shape& shape, const State<double>& state) {
+Diagnostics in_pieces(const Plan& scene, const Shape& shape, const State<double>& state) {
     EnergyMeter meter(scene, fastest_instructions());
     ParticleSums sums(scene, shape, meter.pieces());
     meter.energy(
@@ -62,7 +62,7 @@ TEST(ParticleSums, are_those_of_plain_sums_in_long_double) {
     for (const RunDescription& run : {run_of("chain", "euler", Precision::double_, 0.1, {{"n", 9001}, {"m", 2}}),
                                       run_of("mesh", "euler", Precision::double_, 0.1, {{"dim", 131}}),
                                       run_of("crystal", "euler", Precision::double_, 0.1, {{"edge", 14}})}) {
-        const Scene scene = model(run.model).scene(run.scene);
+        const Plan scene = model(run.model).plan(run.scene);
         const Shape shape = model(run.model).shape(run.scene);
         const State<double> state = anywhere(scene.reference.count);
         const Sums expected = plain_sums(scene, shape, state);

@@ -73,7 +73,7 @@ TEST(Resolution, is_not_judged_where_nothing_oscillates_or_steps_are_chosen) {
 }
 
 double frequency_of(std::string_view id, Settings settings = {}) {
-    return start_frequency(model(id).scene(run_of(id, "rk4", Precision::double_, 0.1, settings).scene));
+    return start_frequency(model(id).plan(run_of(id, "rk4", Precision::double_, 0.1, settings).scene));
 }
 
 // A particle kicked along its springs: the force constants of those on k / m; 4 eps for sums and roots.
@@ -94,7 +94,7 @@ TEST(StartFrequency, is_zero_where_nothing_drives_the_motion_back) {
 TEST(StartFrequency, is_never_above_the_largest) {
     for (const Model& entry : models()) {
         const ParameterValues values(entry.info.parameters);
-        EXPECT_LE(start_frequency(entry.scene(values)), entry.omega_max(values).value_or(infinity)) << entry.info.id;
+        EXPECT_LE(start_frequency(entry.plan(values)), entry.omega_max(values).value_or(infinity)) << entry.info.id;
     }
 }
 

@@ -101,7 +101,7 @@ RunDescription scene_of(RunDescription description, std::initializer_list<std::p
 double estimated_bytes(const RunDescription& description) {
     const Model& entry = model(description.model);
     return entry.particles(description.scene) * bytes_per_particle(description) +
-           bytes_of_interactions(description, entry.scene(description.scene));
+           bytes_of_interactions(description, entry.plan(description.scene));
 }
 
 /// What is refused before it is allocated is refused rightly: a run takes no more than the estimate, and more than a

@@ -79,7 +79,7 @@ TEST_P(Bands, go_on_from_a_kept_moment) {
 
 /// Those whose steps reach only so far.
 std::vector<MethodCase> local_methods() {
-    const Scene chain = model("chain").scene(describe("chain").scene);
+    const Plan chain = model("chain").plan(describe("chain").scene);
     std::vector<MethodCase> cases;
     for (const MethodCase& c : all_methods()) {
         const Method& entry = method(c.info->id);
@@ -174,7 +174,7 @@ TEST(LargeBands, move_along_the_axes_of_their_neighbours) {
 }
 
 /// A chain by so many threads.
-std::unique_ptr<Stepper> chain_in_bands(const Scene& scene, std::string_view id, std::size_t threads) {
+std::unique_ptr<Stepper> chain_in_bands(const Plan& scene, std::string_view id, std::size_t threads) {
     const Method& entry = method(id);
     const ParameterValues parameters(entry.info.parameters);
     return make_stepper(entry, {scene, scene.start, parameters, Precision::double_, 0.1}, by_threads(threads));
@@ -182,7 +182,7 @@ std::unique_ptr<Stepper> chain_in_bands(const Scene& scene, std::string_view id,
 
 // look() shows one part, whoever steps.
 TEST(LargeBands, look_one_after_the_other_in_one_part) {
-    const Scene scene = model("chain").scene(run_of("chain", "euler", Precision::double_, 0.1, {{"n", 9000}}).scene);
+    const Plan scene = model("chain").plan(run_of("chain", "euler", Precision::double_, 0.1, {{"n", 9000}}).scene);
     const auto one = chain_in_bands(scene, "euler", 1), several = chain_in_bands(scene, "euler", 5);
     ASSERT_EQ(several->parts(), 5u);
     EnergyMeter meter(scene, fastest_instructions());
@@ -195,7 +195,7 @@ TEST(LargeBands, look_one_after_the_other_in_one_part) {
 
 // The steps of one method reach further than those of the other, so it has fewer bands.
 TEST(LargeBands, save_over_what_another_method_saved) {
-    const Scene scene = model("chain").scene(run_of("chain", "euler", Precision::double_, 0.1, {{"n", 331}}).scene);
+    const Plan scene = model("chain").plan(run_of("chain", "euler", Precision::double_, 0.1, {{"n", 331}}).scene);
     const auto few = chain_in_bands(scene, "kahan-li-8", 16), many = chain_in_bands(scene, "euler", 16);
     ASSERT_LT(few->parts(), many->parts());
     std::any saved;

@@ -5,7 +5,7 @@
 namespace steplab {
 
 /// A scene of `forces.count` particles at (i L, 0, 0), at rest except for the last one.
-Scene line_scene(const LineForces& forces, double drag, Vec3 kick = {});
+Plan line_plan(const LineForces& forces, double drag, Vec3 kick = {});
 
 /// Its shape: springs between neighbours, the first particle fixed where the forces say so.
 Shape line_shape(std::size_t count, double rest_length, bool first_fixed);

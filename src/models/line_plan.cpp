@@ -1,8 +1,8 @@
-#include "models/line_scene.hpp"
+#include "models/line_plan.hpp"
 
 namespace steplab {
 
-Scene line_scene(const LineForces& forces, double drag, Vec3 kick) {
+Plan line_plan(const LineForces& forces, double drag, Vec3 kick) {
     return {.mass = forces.mass,
             .drag = drag,
             .forces = forces,
