@@ -26,6 +26,7 @@ foreach(target IN LISTS all_targets)
   endif()
 endforeach()
 
+install(DIRECTORY assets/scenes/ DESTINATION share/steplab/scenes)
 if(STEPLAB_GRAPHICS)
   install(DIRECTORY shaders/ DESTINATION share/steplab/shaders)
   install(FILES assets/steplab.desktop DESTINATION share/applications)

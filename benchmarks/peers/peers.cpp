@@ -60,7 +60,7 @@ Problem problem_of(const StudyPlan& plan) {
 }
 
 double error_of(const std::vector<Vec3>& end, const StudyPlan& plan, const Reference& reference) {
-    const Plan scene = model(plan.scene.model).plan(plan.scene.scene);
+    const Plan scene = model_of(plan.scene).plan(plan.scene.scene);
     Field<double> displacement(end.size());
     for (std::size_t i = 0; i < end.size(); ++i) displacement.set(i, end[i] - scene.reference.at(i));
     const double largest = error_against(reference.moments.back(), displacement);
@@ -97,7 +97,7 @@ public:
     /// The fastest of steplab and of the libraries with either force, for each error.
     void print_lines() const {
         const std::string row = fmt::format("error-{}", plan_.scene.model);
-        const double particles = model(plan_.scene.model).particles(plan_.scene.scene);
+        const double particles = model_of(plan_.scene).particles(plan_.scene.scene);
         for (const double target : targets) {
             const std::string error = fmt::format("{:.0e}", target);
             const auto add = [&](const std::string& who, const Entry& entry) {

@@ -169,7 +169,7 @@ Comparison with_ensemble(const Row& row, std::string_view method, Precision prec
     constexpr std::size_t runs = 64;
     const RunDescription description = description_of(row, method, precision);
     return {name_of(row, method, precision),
-            static_cast<std::size_t>(model(description.model).particles(description.scene)),
+            static_cast<std::size_t>(model_of(description).particles(description.scene)),
             {{ourselves(description, 1), row.steps}, {our_ensemble(description, runs), row.steps * runs}}};
 }
 
@@ -177,7 +177,7 @@ Comparison with_ensemble(const Row& row, std::string_view method, Precision prec
 Comparison with_threads(const Row& row, std::string_view method, Precision precision, std::size_t warm_up = 0) {
     constexpr double many = 1e5;
     const RunDescription description = description_of(row, method, precision);
-    const double particles = model(description.model).particles(description.scene);
+    const double particles = model_of(description).particles(description.scene);
     Comparison comparison{name_of(row, method, precision), static_cast<std::size_t>(particles), {}};
     const std::size_t most = particles < 0.9 * many ? 1 : processors();
     for (std::size_t threads = 1; threads <= most; threads *= 2)

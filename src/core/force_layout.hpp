@@ -33,6 +33,9 @@ struct ForceCapabilities {
     bool history = false;
     /// difference(u, i, j): u_j - u_i to the nearest image, where space is periodic.
     bool periodic = false;
+    /// masses(), inverse_mass(i), strength(i, j, kind): particles differ in mass, in the unit of which formulas are,
+    /// and pairs in the strength of their interaction.
+    bool masses = false;
     /// range(): how the force between two particles changes with their distance (core/pair_range.hpp).
     bool range = false;
     /// hold(u, v), held(): the pairs within a cut-off can be held, so that nothing jumps where one crosses it.
@@ -94,6 +97,13 @@ concept HasDifference = requires(const Force& force, const Field<T>& u) {
 };
 
 template <class Force, class T>
+concept HasMasses = requires(const Force& force) {
+    { force.masses() } -> std::convertible_to<const std::vector<T>&>;
+    { force.inverse_mass(0) } -> std::same_as<T>;
+    { force.strength(0, 0, 0) } -> std::same_as<T>;
+};
+
+template <class Force, class T>
 concept HasRange = requires(const Force& force) {
     { force.range() } -> std::convertible_to<std::optional<PairRange<T>>>;
 };
@@ -116,6 +126,12 @@ struct AnyVisitor {
 };
 
 }  // namespace detail
+
+/// Forces that can be asked for the masses of particles.
+template <class Force>
+concept KnowsMasses = requires(const Force& force) {
+    force.masses();
+};
 
 /// The forces as a method sees them: accelerations, and the declared capabilities.
 template <class Force, class T>
@@ -151,8 +167,8 @@ concept ForceLayout = ForceEngine<Force, T> && requires(Force& force, const Forc
     detail::HasAlongX<Force, T>&& Force::capabilities.hands_out ==
     detail::HasEachAcceleration<Force, T>&& Force::capabilities.history ==
     detail::HasHistory<Force, T>&& Force::capabilities.periodic ==
-    detail::HasDifference<Force, T>&& Force::capabilities.range ==
-    detail::HasRange<Force, T>&& Force::capabilities.holds ==
+    detail::HasDifference<Force, T>&& Force::capabilities.masses ==
+    detail::HasMasses<Force, T>&& Force::capabilities.range == detail::HasRange<Force, T>&& Force::capabilities.holds ==
     detail::HasHold<Force, T>&& Force::capabilities.bounds_energy == detail::HasElasticBound<Force, T>;
 
 }  // namespace steplab

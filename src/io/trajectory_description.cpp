@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "io/commit.hpp"
+#include "io/scene_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -38,7 +39,20 @@ Json json_of(const ParameterValues& values) {
     return json;
 }
 
-Json json_of(const RunDescription& run) {
+Json json_of(const SceneFile& file) {
+    Json parts = Json::array();
+    for (const SceneFile::Part& part : file.parts) parts.push_back({{"name", part.name}, {"content", part.content}});
+    return {{"name", file.given}, {"files", parts}};
+}
+
+SceneOrigin origin_of(const Json& json) {
+    std::vector<SceneFile::Part> parts;
+    for (const Json& part : json.at("files")) parts.push_back({part.at("name"), part.at("content")});
+    if (parts.empty()) throw std::runtime_error("no scene");
+    return scene_from(std::move(parts), json.at("name"));
+}
+
+Json run_json(const RunDescription& run) {
     return {{"model", run.model},
             {"parameters", json_of(run.scene)},
             {"method", run.method},
@@ -46,6 +60,12 @@ Json json_of(const RunDescription& run) {
             {"precision", id(run.precision)},
             {"dt", run.dt},
             {"command_line", command_line(run)}};
+}
+
+Json json_of(const RunDescription& run) {
+    Json json = run_json(run);
+    if (run.origin) json["scene"] = json_of(*run.origin);
+    return json;
 }
 
 void set_parameters(ParameterValues& values, const Json& json) {
@@ -77,6 +97,11 @@ Json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 vector_of(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 
 Json json_of(const Lattice& lattice) {
+    if (lattice.points) {
+        Json points = Json::array();
+        for (const Vec3 point : *lattice.points) points.push_back(json_of(point));
+        return {{"points", points}};
+    }
     return {{"columns", lattice.columns},
             {"along_row", json_of(lattice.along_row)},
             {"between_rows", json_of(lattice.between_rows)}};
@@ -84,6 +109,13 @@ Json json_of(const Lattice& lattice) {
 
 Lattice lattice_of(const Json& json) {
     Lattice lattice;
+    if (json.contains("points")) {
+        std::vector<Vec3> points;
+        for (const Json& point : json.at("points")) points.push_back(vector_of(point));
+        lattice.count = points.size();
+        lattice.points = std::make_shared<const std::vector<Vec3>>(std::move(points));
+        return lattice;
+    }
     lattice.columns = count_of(json.at("columns"));
     if (lattice.columns == 0) throw std::runtime_error("no columns");
     lattice.along_row = vector_of(json.at("along_row"));
@@ -182,12 +214,20 @@ Description parse_description(std::string_view text, Version version) {
     }
     if (list.particles.size() != description.rows || list.roles.size() != description.rows)
         throw std::runtime_error("too few particles");
+    const auto& reference = description.scene.reference;
+    for (const auto& run : list.particles.runs()) {
+        const std::size_t points = reference && reference->points ? reference->points->size() : ~std::size_t{0};
+        if (run.value > points || run.count > points - run.value)
+            throw std::runtime_error("too few reference positions");
+    }
     return description;
 }
 
 RunDescription parse_run(const std::string& text) {
     const Json json = parse_json(text);
-    RunDescription run = describe(json.at("model").get<std::string>(), json.at("method").get<std::string>());
+    const std::string method = json.at("method");
+    RunDescription run = json.contains("scene") ? with_method(describe(origin_of(json.at("scene"))), method)
+                                                : describe(json.at("model").get<std::string>(), method);
     set_parameters(run.scene, json.at("parameters"));
     set_parameters(run.method_parameters, json.at("method_parameters"));
     run.precision = precision_of(json);

@@ -68,6 +68,10 @@ const Model& chain_model() {
                          "along the line.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["n"]; },
+        .facts =
+            [](const ParameterValues& values) {
+                return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"], .bond = values["L"]};
+            },
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues& values) { return std::optional(modes(values).highest_frequency()); },

@@ -30,6 +30,14 @@ Conservation without_drag(const NearPairForces& forces) {
     return {};
 }
 
+Conservation without_drag(const ComposedForces& forces) {
+    const Composition& terms = *forces.terms;
+    if (!terms.accelerations.empty()) return {.momentum = false, .angular_momentum = false, .cause = "outer forces"};
+    if (!terms.fixed.empty()) return {.momentum = false, .angular_momentum = false, .cause = "fixed particles"};
+    if (terms.box != Vec3{}) return {.angular_momentum = false, .cause = "periodic boundary conditions"};
+    return {};
+}
+
 }  // namespace
 
 Conservation conservation(const Plan& scene) {

@@ -156,6 +156,13 @@ const Model& crystal_model() {
              .parameters = parameters},
         .opening = {.method = "velocity-verlet", .dt = 0.05},
         .particles = particles,
+        .facts =
+            [](const ParameterValues& values) {
+                return SceneFacts{.mass = values["m"],
+                                  .bond = values["r0"],
+                                  .pair_frequency = std::sqrt(2 * values["k"] / values["m"]),
+                                  .lists_pairs = true};
+            },
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(); },

@@ -58,6 +58,7 @@ const Model& free_model() {
                  .what = "Particles in free fall without interaction; particle i has the constant acceleration 0.1 i.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["n"]; },
+        .facts = [](const ParameterValues& values) { return SceneFacts{.mass = values["m"]}; },
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(0.0); },

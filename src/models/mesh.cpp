@@ -104,6 +104,7 @@ const Model& mesh_model() {
                          "particle is kicked upwards.",
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["dim"] * values["dim"]; },
+        .facts = [](const ParameterValues& values) { return SceneFacts{.mass = values["m"], .bond = values["L"]}; },
         .plan = plan,
         .shape = shape,
         .omega_max = omega_max,

@@ -2,9 +2,11 @@
 
 #include "core/entry.hpp"
 #include "core/field.hpp"
+#include "core/precision.hpp"
 #include "core/shape.hpp"
 #include "models/plan.hpp"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,30 +34,43 @@ public:
     virtual double rounding(double t) const = 0;
 };
 
+/// What is known of a scene without making it.
+struct SceneFacts {
+    double mass = 1;            ///< of each particle; 0: they differ
+    double drag = 0;            ///< rate gamma = c / m of the drag -c v; the largest where they differ
+    double bond = 0;            ///< distance of bound neighbours that positions have to resolve; 0: nothing is bound
+    double pair_frequency = 0;  ///< of one bound pair alone, where pairs are bound by a potential
+    bool lists_pairs = false;   ///< pairs near each other are kept in lists
+};
+
 /// How the window opens a model: a method and a dt that show its motion well at its default parameters
 /// (sim/run/opening.hpp).
 struct Opening {
     std::string_view method = "rk4";
     double dt = 0.1;
+    Precision precision = Precision::double_;
 };
 
-/// A model: its description, and what follows from its parameters. The functions take checked values.
+/// A model, a kind of scene: its description, and what follows from its parameters. The functions take checked values.
 struct Model {
+    using Values = ParameterValues;
+
     ModelInfo info;
     Opening opening = {};
     /// Number of particles, as a double because it may be too large for an integer.
-    double (*particles)(const ParameterValues&);
-    Plan (*plan)(const ParameterValues&);
-    Shape (*shape)(const ParameterValues&);
+    std::function<double(const Values&)> particles;
+    std::function<SceneFacts(const Values&)> facts;
+    std::function<Plan(const Values&)> plan;
+    std::function<Shape(const Values&)> shape;
     /// Largest angular frequency of the scene linearised at its start, 0 if nothing oscillates; nullopt if not known.
-    std::optional<double> (*omega_max)(const ParameterValues&);
+    std::function<std::optional<double>(const Values&)> omega_max;
     /// Null if no exact solution is known, or none is valid for these values.
-    std::shared_ptr<const ExactSolution> (*exact)(const ParameterValues&);
-    /// Displacements of the equilibrium that the scene reaches by drag. Null if there is none, or it is not known.
-    Field<double> (*resting)(const ParameterValues&) = nullptr;
-    /// Why these values are not possible together although each of them is allowed; nullopt if they are. Null: they
+    std::function<std::shared_ptr<const ExactSolution>(const Values&)> exact;
+    /// Displacements of the equilibrium that the scene reaches by drag. Empty if there is none, or it is not known.
+    std::function<Field<double>(const Values&)> resting = {};
+    /// Why these values are not possible together although each of them is allowed; nullopt if they are. Empty: they
     /// always are.
-    std::optional<std::string> (*refusal)(const ParameterValues&) = nullptr;
+    std::function<std::optional<std::string>(const Values&)> refusal = {};
 };
 
 }  // namespace steplab

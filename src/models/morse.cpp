@@ -79,6 +79,13 @@ const Model& morse_model() {
                  .parameters = parameters},
         .opening = {.method = "rk4", .dt = 0.01},
         .particles = particles,
+        .facts =
+            [](const ParameterValues& values) {
+                return SceneFacts{.mass = values["m"],
+                                  .bond = values["r0"],
+                                  .pair_frequency = std::sqrt(2 * values["k"] / values["m"]),
+                                  .lists_pairs = values["cutoff"] > 0};
+            },
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(); },

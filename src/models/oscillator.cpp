@@ -62,6 +62,10 @@ const Model& oscillator_model() {
                  .what = "One particle, connected to the origin by a spring of rest length 0 and kicked along x.",
                  .parameters = parameters},
         .particles = [](const ParameterValues&) { return 2.0; },
+        .facts =
+            [](const ParameterValues& values) {
+                return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"]};
+            },
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues& values) { return std::optional<double>(omega(values)); },

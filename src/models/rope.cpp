@@ -67,6 +67,10 @@ const Model& rope_model() {
                  .parameters = parameters},
         .opening = {.method = "rk4", .dt = 0.02},
         .particles = [](const ParameterValues& values) { return values["n"]; },
+        .facts =
+            [](const ParameterValues& values) {
+                return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"], .bond = values["L"]};
+            },
         .plan = plan,
         .shape = shape,
         .omega_max =

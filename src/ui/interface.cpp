@@ -78,8 +78,7 @@ void draw_scene_picture(const Area& scene, std::uint32_t texture) {
 }
 
 void set_style(render::Style& style, const RunView& view, const Display& display) {
-    const ParameterValues& scene = view.description.scene;
-    style.mass = scene.contains("m") ? scene["m"] : 1;
+    style.mass = facts_of(view.description).mass;
     style.selected = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
     style.pixel_scale = static_cast<double>(display.scale);
 }

@@ -73,7 +73,7 @@ void read_run(const std::vector<std::string>& words) {
     if (!scene.takes(words, output)) return;
     const RunDescription run = scene.read();
     output.check();
-    const double particles = model(run.model).particles(run.scene);
+    const double particles = model_of(run).particles(run.scene);
     if (!output.particles.empty() && particles < 1e5)
         parse_particles(output.particles, static_cast<std::size_t>(particles));
 }

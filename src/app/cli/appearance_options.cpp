@@ -32,7 +32,7 @@ bool is_on(std::string_view option, std::string_view word) {
 }
 
 std::size_t parse_particle(std::string_view text, const RunDescription& description) {
-    const double count = model(description.model).particles(description.scene);
+    const double count = model_of(description).particles(description.scene);
     const ParameterInfo info{.name = "--particle",
                              .kind = ParameterInfo::Kind::integer,
                              .unit = "",
@@ -65,7 +65,7 @@ render::Style AppearanceOptions::style(const RunDescription& description) const 
     style.background = static_cast<render::Background>(index_of("background", background_, render::background_ids));
     style.springs = is_on("--springs", springs_);
     style.grid = is_on("--grid", grid_);
-    if (description.scene.contains("m")) style.mass = description.scene["m"];
+    style.mass = facts_of(description).mass;
     if (!particle_.empty()) style.selected = parse_particle(particle_, description);
     return style;
 }

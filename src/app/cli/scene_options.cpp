@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
+#include "io/scene_file.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/opening.hpp"
 
@@ -92,6 +93,7 @@ void SceneOptions::declare(CLI::App& app) {
     dt_ = number_text(defaults.dt);
     const std::string group = "Scene";
     text_option(app, "--model", model_, "ID", fmt::format("Model to simulate (default {})", model_), group);
+    text_option(app, "--scene", scene_, "FILE|NAME", "Scene file (TOML), or a scene of `steplab list scenes`", group);
     repeated_option(app, "--set", settings_, "name=value", "Parameter of the model or method; repeatable", group);
     const std::string_view many = methods_ == Methods::one_or_all ? "; all: every method" : "";
     text_option(app, "--method", method_, methods_ == Methods::one_or_all ? "ID|all" : "ID",
@@ -109,8 +111,27 @@ std::string SceneOptions::default_text(std::string_view fixed) const {
     return defaults_ == Defaults::fixed ? fmt::format("default {}", fixed) : "default: as suits the model";
 }
 
-/// The dt that a model recommends depends on the parameters of the scene.
+/// The model or scene file, its parameters at their defaults.
+RunDescription SceneOptions::chosen_scene() const {
+    if (scene_.empty()) {
+        RunDescription scene = describe(model_, method_);
+        scene.precision = precision_of(precision_);
+        return scene;
+    }
+    if (is_given(*app_, "--model"))
+        throw UsageError("--model and --scene both choose the scene: give only one of them");
+    RunDescription scene = describe(find_scene(scene_));
+    if (names_precision()) scene.precision = precision_of(precision_);
+    return scene;
+}
+
+/// The dt that a model recommends depends on the parameters of the scene. A scene file says how it opens.
 RunDescription SceneOptions::with_given_method(RunDescription scene) const {
+    if (scene.origin) {
+        RunDescription description = names_method() ? with_method(scene, method_) : scene;
+        if (is_given(*app_, "--dt")) description.dt = parse_value(dt_option, dt_);
+        return description;
+    }
     const bool recommends = defaults_ == Defaults::recommended;
     RunDescription description = recommends && !names_method() ? opening(scene) : with_method(scene, method_);
     description.dt = recommends && !is_given(*app_, "--dt") ? opening_dt(scene) : parse_value(dt_option, dt_);
@@ -119,8 +140,7 @@ RunDescription SceneOptions::with_given_method(RunDescription scene) const {
 
 RunDescription SceneOptions::description() const {
     const std::vector<Setting> settings = parse_settings(settings_);
-    RunDescription scene = describe(model_, method_);
-    scene.precision = precision_of(precision_);
+    RunDescription scene = chosen_scene();
     for (const Setting& setting : settings) {
         if (scene.scene.contains(setting.name)) scene.scene.set_text(setting.name, setting.text);
     }
@@ -134,11 +154,11 @@ std::vector<RunDescription> SceneOptions::descriptions() const {
     if (method_ != all_methods) return {description()};
     const std::vector<Setting> settings = parse_settings(settings_);
     std::vector<RunDescription> runs;
-    for (const Method& method : methods()) runs.push_back(describe(model_, method.info.id));
+    const RunDescription scene = chosen_scene();
+    for (const Method& method : methods()) runs.push_back(with_method(scene, method.info.id));
     check_known(settings, runs);
     for (RunDescription& run : runs) {
-        run.precision = precision_of(precision_);
-        run.dt = parse_value(dt_option, dt_);
+        if (!run.origin || is_given(*app_, "--dt")) run.dt = parse_value(dt_option, dt_);
         for (const Setting& setting : settings) {
             if (has_parameter(run, setting.name)) set_parameter(run, setting.name, setting.text);
         }

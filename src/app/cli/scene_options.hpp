@@ -48,12 +48,13 @@ public:
     bool names_precision() const;
 
 private:
+    RunDescription chosen_scene() const;
     std::string default_text(std::string_view fixed) const;
     RunDescription with_given_method(RunDescription scene) const;
 
     Methods methods_ = Methods::one;
     Defaults defaults_ = Defaults::fixed;
-    std::string model_;
+    std::string model_, scene_;
     std::vector<std::string> settings_;
     std::string method_;
     std::string precision_;

@@ -14,7 +14,7 @@ namespace steplab {
 
 namespace {
 
-bool has_exact(const EnsembleRun& run) { return model(run.description.model).exact(run.description.scene) != nullptr; }
+bool has_exact(const EnsembleRun& run) { return model_of(run.description).exact(run.description.scene) != nullptr; }
 
 }  // namespace
 
@@ -43,7 +43,7 @@ EnsembleRows::EnsembleRows(const OutputOptions& options, std::span<const Ensembl
 void EnsembleRows::begin(std::size_t run, const RunDescription& description) {
     run_ = run;
     if (chosen_.empty()) return;
-    const auto count = static_cast<std::size_t>(model(description.model).particles(description.scene));
+    const auto count = static_cast<std::size_t>(model_of(description).particles(description.scene));
     particles_ = std::make_shared<const std::vector<std::size_t>>(parse_particles(chosen_, count));
 }
 

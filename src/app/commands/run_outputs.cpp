@@ -79,7 +79,7 @@ void print_interruption(std::string text, const std::vector<std::string>& kept) 
 }
 
 RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& description) {
-    const Model& scene = model(description.model);
+    const Model& scene = model_of(description);
     if (!options.out.empty()) {
         const TrajectoryFormat format = options.rows_format();
         const auto count = static_cast<std::size_t>(scene.particles(description.scene));

@@ -81,9 +81,9 @@ std::optional<double> Limit::ratio() const {
 }
 
 StabilityLab::StabilityLab(const RunDescription& description)
-    : scene_(balanced(model(description.model).plan(as_held(description).scene))),
-      spacing_(model(description.model).shape(as_held(description).scene).spacing),
-      linearised_(scene_, model(description.model).shape(as_held(description).scene)),
+    : scene_(balanced(model_of(description).plan(as_held(description).scene))),
+      spacing_(model_of(description).shape(as_held(description).scene).spacing),
+      linearised_(scene_, model_of(description).shape(as_held(description).scene)),
       modes_(modes(linearised_)) {}
 
 double StabilityLab::omega_max() const { return highest_frequency(modes_); }

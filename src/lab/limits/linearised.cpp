@@ -95,16 +95,20 @@ LinearisedScene::LinearisedScene(const Plan& scene, const Shape& shape)
     const std::size_t stride = start_.flat().size() / 3;
     for (std::size_t i = 0; i < start_.count(); ++i) {
         if (shape.roles[i] == Role::fixed) continue;
-        for (std::size_t component = 0; component < 3; ++component) moving_.push_back(component * stride + i);
+        for (std::size_t component = 0; component < 3; ++component) {
+            moving_.push_back(component * stride + i);
+            roots_.push_back(scene.masses.empty() ? 1 : std::sqrt(scene.masses[i]));
+        }
     }
 }
 
 Eigen::VectorXd LinearisedScene::stiffness(const Eigen::VectorXd& u) const {
     Field<Number> x = converted<Number>(start_), a(start_.count());
-    for (Eigen::Index k = 0; k < u.size(); ++k) x.flat()[moving_[static_cast<std::size_t>(k)]].derivative = u[k];
+    const auto at = [](Eigen::Index k) { return static_cast<std::size_t>(k); };
+    for (Eigen::Index k = 0; k < u.size(); ++k) x.flat()[moving_[at(k)]].derivative = u[k] / roots_[at(k)];
     accelerations_(x, a);
     Eigen::VectorXd out(u.size());
-    for (Eigen::Index k = 0; k < u.size(); ++k) out[k] = -a.flat()[moving_[static_cast<std::size_t>(k)]].derivative;
+    for (Eigen::Index k = 0; k < u.size(); ++k) out[k] = -a.flat()[moving_[at(k)]].derivative * roots_[at(k)];
     return out;
 }
 

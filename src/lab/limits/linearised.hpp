@@ -48,6 +48,7 @@ private:
 
     Field<double> start_;
     std::vector<std::size_t> moving_;  ///< places in Field::flat()
+    std::vector<double> roots_;        ///< of the masses, which make the matrix symmetric
     std::function<void(const Field<Number>&, Field<Number>&)> accelerations_;
 };
 

@@ -44,6 +44,15 @@ struct Balancer {
     void operator()(GridForces&) const {}  // starts in equilibrium
     void operator()(PairForces& forces) const { balance(forces); }
     void operator()(NearPairForces& forces) const { balance(forces); }
+    void operator()(ComposedForces& forces) const {
+        Composition balanced = *forces.terms;
+        const Field<double> a = accelerations(forces, start);
+        if (balanced.accelerations.size() < forces.count)
+            balanced.accelerations.assign(forces.count,
+                                          balanced.accelerations.empty() ? Vec3{} : balanced.accelerations.front());
+        for (std::size_t i = 0; i < forces.count; ++i) balanced.accelerations[i] = balanced.accelerations[i] - a.at(i);
+        forces.terms = std::make_shared<const Composition>(std::move(balanced));
+    }
 
     template <class Pair>
     void balance(Pair& forces) const {

@@ -112,7 +112,7 @@ std::string study_section(const Study& study, std::span<const double> errors, co
     const RunDescription& scene = study.plan.scene;
     std::string text =
         fmt::format("<section>\n<h2 id=\"{0}\">{0}</h2>\n<p>{1} Simulated until t = {2} s{3}.</p>\n", scene.model,
-                    escaped(model(scene.model).info.what), number_text(study.plan.time), scene_text(scene));
+                    escaped(model_of(scene).info.what), number_text(study.plan.time), scene_text(scene));
     text += answers_in_words(study, errors) + reference_text(study);
     if (const std::string chaos = chaos_note(scene, study.plan.time, study.reference_error); !chaos.empty())
         text += fmt::format("<p><strong>{}</strong></p>\n", chaos);

@@ -32,9 +32,7 @@ std::string order_cell(const std::optional<double>& order) { return order ? fmt:
 
 std::string own_order(const Study& study, const MethodInfo& info) {
     if (info.adaptive) return "adaptive";
-    const auto& scene = study.plan.scene.scene;
-    const bool drag = scene.contains("c") && scene["c"] > 0;
-    return std::to_string(drag ? info.order_with_drag : info.order);
+    return std::to_string(has_drag(study.plan.scene) ? info.order_with_drag : info.order);
 }
 
 /// "0.71689", "unstable at any dt", "stable at any dt".

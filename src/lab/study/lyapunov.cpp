@@ -117,7 +117,7 @@ LyapunovExponent lyapunov_exponent(const Plan& scene, const Shape& shape, double
 
 std::string chaos_note(const RunDescription& description, double time, double error) {
     const RunDescription held = as_held(description);
-    const Model& entry = model(held.model);
+    const Model& entry = model_of(held);
     const Shape shape = entry.shape(held.scene);
     if (error < meaningless * shape.spacing) return {};
     const LyapunovExponent lyapunov = lyapunov_exponent(entry.plan(held.scene), shape, time);

@@ -197,7 +197,7 @@ Reference as_reference(const ReferenceRun& run, const std::vector<double>& error
 
 /// The fastest rate in the scene, which determines the steps of the coarsest run.
 double rate_of(const RunDescription& held, const Plan& scene) {
-    const Model& entry = model(held.model);
+    const Model& entry = model_of(held);
     const std::optional<double> known = entry.omega_max(held.scene);
     const double omega = known ? *known : highest_frequency(modes(LinearisedScene(scene, entry.shape(held.scene))));
     return std::max(omega, scene.drag);
@@ -215,8 +215,8 @@ double longest_step(const RunDescription& held, const Plan& scene, std::span<con
 std::optional<Reference> refined(const RunDescription& held, std::span<const double> times,
                                  const ReferenceEffort& effort, Runs& run, Fineness fineness,
                                  std::optional<ReferenceRun> first = {}) {
-    const double spacing = model(held.model).shape(held.scene).spacing, wanted = effort.error * spacing;
-    const double particles = model(held.model).particles(held.scene);
+    const double spacing = model_of(held).shape(held.scene).spacing, wanted = effort.error * spacing;
+    const double particles = model_of(held).particles(held.scene);
     const auto blind = [&](const ReferenceRun& made) { return fineness.tolerance == 0 && made.collisions > 0; };
     ReferenceRun coarse = first ? std::move(*first) : run(fineness);
     if (blind(coarse)) return std::nullopt;
@@ -240,7 +240,7 @@ std::optional<Reference> refined(const RunDescription& held, std::span<const dou
 /// With fixed steps, shortened if particles pass each other only because steps are too long; with adaptive steps if
 /// particles do pass each other.
 Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
-    const Plan scene = model(held.model).plan(held.scene);
+    const Plan scene = model_of(held).plan(held.scene);
     Runs run(scene, times, effort);
     double step = longest_step(held, scene, times, effort);
     if (auto made = refined(held, times, effort, run, {.step = step})) return *made;
@@ -255,7 +255,7 @@ Reference refined(const RunDescription& held, std::span<const double> times, con
 }
 
 std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {
-    const auto exact = model(held.model).exact(held.scene);
+    const auto exact = model_of(held).exact(held.scene);
     return exact && (times.empty() || times.back() <= exact->valid_until()) ? exact : nullptr;
 }
 
@@ -276,7 +276,7 @@ Reference reference(const RunDescription& description, std::span<const double> t
     const auto exact = exact_until(held, times);
     if (!exact) return refined(held, times, effort);
     Reference reference{.moments = {}, .how = "exact solution", .exact = true};
-    const auto particles = static_cast<std::size_t>(model(held.model).particles(held.scene));
+    const auto particles = static_cast<std::size_t>(model_of(held).particles(held.scene));
     for (const double time : times) reference.moments.push_back(exact_moment(*exact, particles, time));
     return reference;
 }
@@ -288,7 +288,7 @@ Reference reference_run(const RunDescription& description, std::span<const doubl
 
 std::optional<ReferenceMoment> resting_reference(const RunDescription& description) {
     const RunDescription held = as_held(description);
-    const Model& entry = model(held.model);
+    const Model& entry = model_of(held);
     if (!entry.resting || !(entry.plan(held.scene).drag > 0)) return std::nullopt;
     Field<double> displacement = entry.resting(held.scene);
     const double rounding = 4 * half_ulp * largest_number(displacement);  // of a few operations

@@ -76,7 +76,7 @@ std::size_t bytes_of_second_cache() {
 }
 
 Comparison compared(const RunDescription& run) {
-    return {.run = run, .particles = static_cast<std::size_t>(model(run.model).particles(run.scene)), .seconds = {}};
+    return {.run = run, .particles = static_cast<std::size_t>(model_of(run).particles(run.scene)), .seconds = {}};
 }
 
 }  // namespace

@@ -169,7 +169,7 @@ constexpr double expensive_partners = 140;
 
 /// Approximate number of particles that each one interacts with: the cost of an evaluation per particle.
 double partners(const RunDescription& scene) {
-    const Model& entry = model(scene.model);
+    const Model& entry = model_of(scene);
     const bool all_pairs = std::holds_alternative<PairForces>(entry.plan(scene.scene).forces);
     return all_pairs ? entry.particles(scene.scene) : 8;
 }
@@ -203,7 +203,7 @@ bool takes_tolerance(const std::string& method) {
 }
 
 double frequency(const StudyPlan& plan) {
-    const Model& scene = model(plan.scene.model);
+    const Model& scene = model_of(plan.scene);
     const LinearisedScene linearised(scene.plan(plan.scene.scene), scene.shape(plan.scene.scene));
     const double omega = highest_frequency(modes(linearised));
     return omega > 0 ? omega : 5 * 3.14159265358979 / plan.time;

@@ -106,7 +106,7 @@ Curve displacement_curve(const RunDescription& run, std::size_t particle, std::u
 
 Curve exact_curve(const RunDescription& run, std::size_t particle, double time) {
     Curve curve{.name = "exact", .points = {}, .colour = 0, .dashed = true, .marks = false};
-    const auto exact = model(run.model).exact(run.scene);
+    const auto exact = model_of(run).exact(run.scene);
     for (int i = 0; i <= 400; ++i) {
         const double t = time * i / 400;
         curve.points.emplace_back(t, exact->displacement(particle, t).x);

@@ -78,6 +78,9 @@ public:
         virtual void each_block(const Field<T>& x, const BlockVisitor& f) = 0;
         virtual std::unique_ptr<SeriesForces<T>> series(const State<T>& state, std::size_t length) = 0;
 
+        /// In the unit of mass; empty where all are 1.
+        virtual const std::vector<T>& masses() const = 0;
+
         /// None where the layout has none.
         virtual std::optional<PairRange<T>> range() const = 0;
         virtual bool hold(const Field<T>& x, const Field<T>& v) = 0;
@@ -118,6 +121,9 @@ public:
     void each_interaction(const Field<T>& x, F f) {
         face_->each_interaction(x, std::ref(f));
     }
+
+    /// Of each particle in the unit of mass; empty where all are 1.
+    const std::vector<T>& masses() const { return face_->masses(); }
 
     std::optional<PairRange<T>> range() const { return face_->range(); }
     /// False where the layout holds no pairs.

@@ -2,6 +2,7 @@
 
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
+#include "core/force_layout.hpp"
 #include "core/interruption.hpp"
 #include "methods/engines/newton_matrix.hpp"
 
@@ -17,6 +18,7 @@ namespace steplab {
 ///
 ///     X = x + tau V,   V = v + W,   W = tau (a(X) - gamma V),
 ///
+/// each line of the second multiplied by the mass of its particle where masses differ,
 /// for the change of velocity W by Newton's method with the exact Jacobian: (1 + tau gamma - tau^2 J) dW = -residual.
 /// As W is the unknown, what a step adds to position and velocity has small relative errors.
 template <class T>
@@ -98,15 +100,28 @@ private:
         const T *const from = x.flat().data(), *const speed = v.flat().data(), *const change = w.flat().data();
         T* const position = position_.flat().data();
         elementwise(x.flat().size(), [=](std::size_t k) { position[k] = from[k] + tau * (speed[k] + change[k]); });
-        matrix_.reset(T(1) + tau * drag);
         const auto& force = system.force();
+        const std::vector<T>& masses = masses_of(force);
+        matrix_.reset(T(1) + tau * drag, masses);
         system.accelerations_and_blocks(position_, acceleration_, [&](std::size_t i, std::size_t j, const auto& block) {
             matrix_.add(i, j, tau * tau * block, force.moves(i), force.moves(j));
         });
         T *const residual = residual_.flat().data(), *const a = acceleration_.flat().data();
         elementwise(x.flat().size(),
                     [=](std::size_t k) { residual[k] = tau * (a[k] - drag * (speed[k] + change[k])) - change[k]; });
-        return largest(residual_);
+        const T size = largest(residual_);
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            for (T* const component : {residual_.x(), residual_.y(), residual_.z()}) component[i] *= masses[i];
+        }
+        return size;
+    }
+
+    /// In the unit of mass; empty where all are 1.
+    template <class Force>
+    static const std::vector<T>& masses_of(const Force& force) {
+        if constexpr (KnowsMasses<Force>) return force.masses();
+        static const std::vector<T> equal;
+        return equal;
     }
 
     /// The largest component, not a number if one is none.

@@ -39,8 +39,9 @@ class BlockTridiagonal {
 public:
     explicit BlockTridiagonal(std::size_t particles) : diagonal_(particles), next_(particles) {}
 
-    void reset(T diagonal) {
+    void reset(T diagonal, const std::vector<T>& masses) {
         diagonal_.assign(diagonal_.size(), Block<T>::diagonal(diagonal));
+        for (std::size_t i = 0; i < masses.size(); ++i) diagonal_[i] = Block<T>::diagonal(masses[i] * diagonal);
         next_.assign(next_.size(), Block<T>{});
     }
     void add_diagonal(std::size_t i, const Block<T>& block) { diagonal_[i] += block; }
@@ -85,9 +86,10 @@ public:
     explicit SparseSymmetric(std::size_t particles)
         : size_(static_cast<Eigen::Index>(3 * particles)), matrix_(size_, size_), right_(size_) {}
 
-    void reset(T diagonal) {
+    void reset(T diagonal, const std::vector<T>& masses) {
         entries_.clear();
-        for (int i = 0; i < size_; ++i) entries_.emplace_back(i, i, diagonal);
+        for (int i = 0; i < size_; ++i)
+            entries_.emplace_back(i, i, masses.empty() ? diagonal : masses[static_cast<std::size_t>(i / 3)] * diagonal);
     }
     void add_diagonal(std::size_t i, const Block<T>& block) { add(i, i, block); }
     void add_beside(std::size_t i, std::size_t j, const Block<T>& block) { add(j, i, transposed(block)); }
@@ -154,8 +156,9 @@ public:
         }
     }
 
-    void reset(T s) {
-        visit([s](auto& matrix) { matrix.reset(s); });
+    /// s, or s times the mass of each particle: multiplied by the masses, the matrix stays symmetric.
+    void reset(T s, const std::vector<T>& masses) {
+        visit([&](auto& matrix) { matrix.reset(s, masses); });
     }
     /// Adds the pair i < j with q times its block of J; a particle that does not move has no row.
     void add(std::size_t i, std::size_t j, const Block<T>& block, bool i_moves, bool j_moves) {

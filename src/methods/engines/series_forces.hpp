@@ -83,6 +83,8 @@ private:
     struct Batch {
         std::size_t kind = 0, count = 0;
         std::array<std::uint32_t, N::count> first{}, second{};  ///< beyond `count` the first pair again
+        /// What the pull is multiplied by for the first and the second particles, where particles differ.
+        std::array<T, N::count> to_first{}, to_second{};
     };
 
     void append(std::size_t i, std::size_t j, std::size_t kind) {
@@ -94,6 +96,11 @@ private:
         Batch& batch = batches_.back();
         batch.first[batch.count] = static_cast<std::uint32_t>(i);
         batch.second[batch.count] = static_cast<std::uint32_t>(j);
+        if constexpr (Force::capabilities.masses) {
+            const T strength = force_.strength(i, j, kind);
+            batch.to_first[batch.count] = strength * force_.inverse_mass(i);
+            batch.to_second[batch.count] = strength * force_.inverse_mass(j);
+        }
         ++batch.count;
     }
 
@@ -172,8 +179,13 @@ private:
 
     static void scatter(const Batch& batch, N pull, T* a) {
         for (std::size_t lane = 0; lane < batch.count; ++lane) {
-            a[batch.first[lane]] += pull[lane];
-            a[batch.second[lane]] -= pull[lane];
+            if constexpr (Force::capabilities.masses) {
+                a[batch.first[lane]] += batch.to_first[lane] * pull[lane];
+                a[batch.second[lane]] -= batch.to_second[lane] * pull[lane];
+            } else {
+                a[batch.first[lane]] += pull[lane];
+                a[batch.second[lane]] -= pull[lane];
+            }
         }
     }
 

@@ -2,7 +2,9 @@
 
 #include "core/coupling.hpp"
 #include "core/field.hpp"
+#include "models/forces/composition.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <variant>
@@ -58,7 +60,7 @@ struct NearPairForces : PairForces {
     std::size_t threads = 1;
 };
 
-using Forces = std::variant<ConstantForces, LineForces, GridForces, PairForces, NearPairForces>;
+using Forces = std::variant<ConstantForces, LineForces, GridForces, PairForces, NearPairForces, ComposedForces>;
 
 /// Which particles act on which.
 inline Coupling coupling(const ConstantForces& forces) { return {Coupling::Kind::none, forces.count}; }
@@ -66,6 +68,13 @@ inline Coupling coupling(const LineForces& forces) { return {Coupling::Kind::cha
 inline Coupling coupling(const GridForces& forces) { return {Coupling::Kind::sheet, forces.rows * forces.columns}; }
 inline Coupling coupling(const PairForces& forces) { return {Coupling::Kind::all, forces.count}; }
 inline Coupling coupling(const NearPairForces& forces) { return {Coupling::Kind::near, forces.count}; }
+inline Coupling coupling(const ComposedForces& forces) {
+    const Composition& terms = *forces.terms;
+    if (terms.pairs.empty()) return {terms.springs.empty() ? Coupling::Kind::none : Coupling::Kind::near, forces.count};
+    const bool cut =
+        std::all_of(terms.pairs.begin(), terms.pairs.end(), [](const auto& pairs) { return pairs.cutoff > 0; });
+    return {cut ? Coupling::Kind::near : Coupling::Kind::all, forces.count};
+}
 
 /// Potential energy of a state in the parts that the tests of energy need.
 struct PotentialEnergy {

@@ -65,12 +65,18 @@ Vector<T> difference(const Force& force, const Field<T>& u, std::size_t i, std::
 }
 
 /// Calls f(i, j, block) for every interacting pair: block is the derivative of the acceleration of i with respect to
-/// u_j and of that of j with respect to u_i; with respect to their own displacements it is the opposite.
+/// u_j and of that of j with respect to u_i; with respect to their own displacements it is the opposite. Where
+/// particles differ in mass it is that of the force, in the unit of mass.
 template <class Force, class T, class F>
 void each_block(Force& force, const Field<T>& u, F f) {
     const auto formulas = force.formulas();
     force.each_interaction(u, [&](std::size_t i, std::size_t j, std::size_t kind) {
-        f(i, j, derivative(formulas[kind], difference(force, u, i, j)));
+        const auto block = derivative(formulas[kind], difference(force, u, i, j));
+        if constexpr (Force::capabilities.masses) {
+            f(i, j, force.strength(i, j, kind) * block);
+        } else {
+            f(i, j, block);
+        }
     });
 }
 

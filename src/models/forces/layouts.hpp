@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/force_layout.hpp"
+#include "models/forces/composed.hpp"
 #include "models/forces/constant.hpp"
 #include "models/forces/grid.hpp"
 #include "models/forces/line.hpp"
@@ -31,11 +32,16 @@ template <class T>
 NearPairs<T> engine(const NearPairForces& forces) {
     return NearPairs<T>(forces);
 }
+template <class T>
+Composed<T> engine(const ComposedForces& forces) {
+    return Composed<T>(forces);
+}
 
 static_assert(ForceLayout<Constant<float>, float> && ForceLayout<Constant<double>, double>);
 static_assert(ForceLayout<Line<float>, float> && ForceLayout<Line<double>, double>);
 static_assert(ForceLayout<Grid<float>, float> && ForceLayout<Grid<double>, double>);
 static_assert(ForceLayout<Pairs<float>, float> && ForceLayout<Pairs<double>, double>);
 static_assert(ForceLayout<NearPairs<float>, float> && ForceLayout<NearPairs<double>, double>);
+static_assert(ForceLayout<Composed<float>, float> && ForceLayout<Composed<double>, double>);
 
 }  // namespace steplab

@@ -61,6 +61,10 @@ void Plain<T>::add(const NearPairForces& forces) {
     period_ = static_cast<T>(forces.period);
 }
 
+/// Refused before the run (sim/run/run_description.cpp): the programs of 2008 had nothing of the kind.
+template <class T>
+void Plain<T>::add(const ComposedForces&) {}
+
 template <class T>
 void Plain<T>::accelerations(const Field<T>& positions, Field<T>& a) const {
     for (std::size_t i = 0; i < a.count(); ++i) {

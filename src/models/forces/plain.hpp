@@ -32,6 +32,7 @@ private:
     void add(const GridForces& forces);
     void add(const PairForces& forces);
     void add(const NearPairForces& forces);
+    void add(const ComposedForces& forces);
 
     void add_springs(const Field<T>& positions, Field<T>& a) const;
     void add_pairs(const Field<T>& positions, Field<T>& a) const;

@@ -30,7 +30,7 @@ struct Member {
 
     Member(const EnsembleRun& run, const Execution& execution)
         : held(as_held(run.description)),
-          scene(model(held.model).plan(held.scene)),
+          scene(model_of(held).plan(held.scene)),
           meter(scene, instructions_of(execution)),
           steps(run.end.step) {}
 
@@ -136,7 +136,7 @@ private:
 };
 
 bool same_engine(const RunDescription& a, const RunDescription& b) {
-    return a.model == b.model && a.method == b.method && a.precision == b.precision;
+    return a.model == b.model && a.origin == b.origin && a.method == b.method && a.precision == b.precision;
 }
 
 /// The first of these runs that take one way through the code, and what their method needs of them.

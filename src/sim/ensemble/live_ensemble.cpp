@@ -96,7 +96,7 @@ bool LiveEnsemble::are_at(std::uint64_t step, std::span<const SegmentBegin> segm
 /// From the start of the run, or where `enough` had stopped this.
 bool LiveEnsemble::begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough) {
     const RunDescription& description = segments.front().description;
-    const double particles = model(description.model).particles(description.scene);
+    const double particles = model_of(description).particles(description.scene);
     if (particles * static_cast<double>(runs_) > static_cast<double>(most_particles))
         throw UsageError(fmt::format("an ensemble of {} runs of {:.0f} particles is too large: at most {} in all",
                                      runs_, particles, most_particles));
@@ -108,7 +108,7 @@ bool LiveEnsemble::begin(std::span<const SegmentBegin> segments, const std::func
     for (std::size_t i = members_.size(); i < runs_; ++i) {
         if (enough()) return false;
         RunDescription held = as_held(variation_(description, i));
-        Plan scene = model(held.model).plan(held.scene);
+        Plan scene = model_of(held).plan(held.scene);
         if (static_cast<double>(scene.reference.count) != particles)
             throw UsageError(fmt::format("run {} of the ensemble has {} particles, the run itself {:.0f}", i,
                                          scene.reference.count, particles));
@@ -119,7 +119,7 @@ bool LiveEnsemble::begin(std::span<const SegmentBegin> segments, const std::func
 }
 
 void LiveEnsemble::check_memory(const RunDescription& description) const {
-    const Plan scene = model(description.model).plan(description.scene);
+    const Plan scene = model_of(description).plan(description.scene);
     const double one = static_cast<double>(scene.reference.count) * bytes_per_particle(description) +
                        bytes_of_interactions(description, scene);
     const double needed = static_cast<double>(runs_) * one, there = available_memory();
@@ -151,7 +151,7 @@ void LiveEnsemble::continue_in(const SegmentBegin& segment, std::size_t i, const
         state.velocity.set(particle, {});
     }
     member.held = as_held(variation_(segment.description, i));
-    member.scene = model(member.held.model).plan(member.held.scene);
+    member.scene = model_of(member.held).plan(member.held.scene);
     member.scene.start = Start(std::move(state));
 }
 

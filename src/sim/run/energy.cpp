@@ -26,6 +26,19 @@ double floor_of(const GridForces& forces) {
 }
 double floor_of(const PairForces& forces) { return forces.depth * static_cast<double>(forces.count); }
 
+double floor_of(const ComposedForces& forces) {
+    double floor = std::numeric_limits<double>::min();
+    for (const ComposedSpring& spring : forces.terms->springs) floor += spring_floor(spring.k, spring.length, 1);
+    for (const ComposedPairs& pairs : forces.terms->pairs) {
+        using Potential = ComposedPairs::Potential;
+        const double depth = pairs.potential == Potential::morse           ? pairs.depth
+                             : pairs.potential == Potential::lennard_jones ? pairs.epsilon
+                                                                           : 0;
+        floor += depth * static_cast<double>(forces.count);
+    }
+    return floor;
+}
+
 /// Half the mass times the sum of the squared accelerations.
 double outer_power_of(const ConstantForces& forces) {
     const double n = static_cast<double>(forces.count);
@@ -33,6 +46,16 @@ double outer_power_of(const ConstantForces& forces) {
 }
 double outer_power_of(const LineForces& forces) {
     return forces.mass / 2 * forces.gravity * forces.gravity * static_cast<double>(forces.count);
+}
+double outer_power_of(const ComposedForces& forces) {
+    const Composition& terms = *forces.terms;
+    const auto& all = terms.accelerations;
+    double sum = 0;
+    for (std::size_t i = 0; i < forces.count && !all.empty(); ++i) {
+        const Vec3 a = all.size() == 1 ? all.front() : all[i];
+        sum += (terms.masses.empty() ? 1 : terms.masses[i]) * dot(a, a);
+    }
+    return terms.mass / 2 * sum;
 }
 template <class NoOuterForces>
 double outer_power_of(const NoOuterForces&) {
@@ -64,6 +87,7 @@ Pieces pieces_of(const Plan& scene) {
 EnergyMeter::EnergyMeter(const Plan& scene, Instructions instructions)
     : energy_sums_(&energy_sums(instructions)),
       mass_(scene.mass),
+      masses_(scene.masses),
       forces_(scene.forces),
       floor_(std::visit([](const auto& forces) { return floor_of(forces); }, forces_)),
       outer_power_(std::visit([](const auto& forces) { return outer_power_of(forces); }, forces_)),
@@ -86,9 +110,18 @@ double EnergyMeter::floor(double dt) const {
     return std::isfinite(outer) ? floor_ + outer : floor_;
 }
 
+double EnergyMeter::weighted(const Piece& piece) const {
+    CompensatedSum sum;
+    for (std::size_t i = 0; i < piece.own; ++i) {
+        const Vec3 v = piece.state.velocity.at(i);
+        sum.add(masses_[piece.first + i] * dot(v, v));
+    }
+    return sum.value();
+}
+
 EnergyMeter::Sums EnergyMeter::sums_of(const Piece& piece) {
     const Field<double>& u = piece.state.displacement;
-    const double squares = energy_sums_->squares(piece.state.velocity, piece.own);
+    const double squares = masses_.empty() ? energy_sums_->squares(piece.state.velocity, piece.own) : weighted(piece);
     if (unit_ > 0) return {squares, energy_sums_->potential(forces_, u, piece.held, piece.own)};
     copy(u, 0, piece.own, whole_, piece.first);
     return {squares, {}};

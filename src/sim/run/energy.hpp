@@ -45,11 +45,14 @@ private:
         PotentialEnergy potential;
     };
 
+    /// The squares of the velocities times the masses.
+    double weighted(const Piece& piece) const;
     Sums sums_of(const Piece& piece);
     Energy total() const;
 
     const EnergySums* energy_sums_;
     double mass_;
+    std::vector<double> masses_;  ///< in this unit; empty where all are 1
     Forces forces_;
     double floor_;
     double outer_power_;  ///< what outer forces give within a short time from rest, divided by its square

@@ -16,8 +16,9 @@ void ParticleSums::add(const Piece& piece) {
     scene_.reference.each(piece.first, piece.own, [&](std::size_t i, Vec3 reference) {
         const Vec3 position = reference + u.at(i - piece.first), v = velocity.at(i - piece.first);
         const Vec3 displacement = position - shape_.rest[i];
-        sums.velocity = sums.velocity + v;
-        sums.turning = sums.turning + cross(position, v);
+        const Vec3 momentum = scene_.masses.empty() ? v : scene_.masses[i] * v;
+        sums.velocity = sums.velocity + momentum;
+        sums.turning = sums.turning + cross(position, momentum);
         sums.displacement_squared = std::max(sums.displacement_squared, dot(displacement, displacement));
         sums.speed_squared = std::max(sums.speed_squared, dot(v, v));
     });

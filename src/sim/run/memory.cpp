@@ -40,6 +40,15 @@ double pairs(const NearPairForces& forces, const Plan& scene) {
     for (std::size_t i = 0; i < forces.count; ++i) sum += static_cast<double>(neighbours.of(i).size());
     return sum / 2;
 }
+double pairs(const ComposedForces& forces, const Plan&) {
+    const Composition& terms = *forces.terms;
+    double sum = static_cast<double>(terms.springs.size());
+    for (const ComposedPairs& set : terms.pairs) {
+        const double first = static_cast<double>(set.first.size()), second = static_cast<double>(set.second.size());
+        sum += set.second.empty() ? first * first / 2 : first * second;
+    }
+    return sum;
+}
 
 /// Of space, as the particles of a scene are at the start.
 double volume(const NearPairForces& forces, const Plan& scene) {
@@ -88,7 +97,7 @@ double bytes_per_particle(const RunDescription& description) {
 }
 
 double bytes_of_run(const RunDescription& description) {
-    const Model& entry = model(description.model);
+    const Model& entry = model_of(description);
     return entry.particles(description.scene) * bytes_per_particle(description) +
            bytes_of_interactions(description, entry.plan(description.scene));
 }

@@ -14,11 +14,6 @@ double rounding_unit(Precision precision) {
                                           : std::numeric_limits<double>::epsilon();
 }
 
-/// What a scene lacks is 0.
-double parameter(const RunDescription& run, std::string_view name) {
-    return run.scene.contains(name) ? run.scene[name] : 0;
-}
-
 /// The largest angular frequency; of pairs, for which none is known, that of one alone.
 double fastest(const RunDescription& run, const std::optional<StabilityLimit>& limit) {
     return limit ? limit->omega_max : fastest_frequency(run);
@@ -42,7 +37,7 @@ std::optional<std::string> note_of_increments(const RunDescription& run, double 
 constexpr double resolved_part = 1e-3;
 
 std::optional<std::string> note_of_distance(const RunDescription& run, double farthest) {
-    const double bond = run.scene.contains("r0") ? parameter(run, "r0") : parameter(run, "L");
+    const double bond = facts_of(run).bond;
     const double resolved = farthest * rounding_unit(run.precision);
     if (!(bond > 0) || !(resolved > resolved_part * bond)) return std::nullopt;
     return fmt::format("a displacement of {} m is known to {} m in {}, which is too little for bonds of {} m",

@@ -6,13 +6,13 @@
 namespace steplab {
 
 double opening_dt(const RunDescription& scene) {
-    const double dt = model(scene.model).opening.dt;
+    const double dt = model_of(scene).opening.dt;
     const double usual = fastest_frequency(with_model(scene, scene.model)), here = fastest_frequency(scene);
     return here > usual && usual > 0 ? nice_floor(dt * usual / here) : dt;
 }
 
 RunDescription opening(RunDescription scene) {
-    scene = with_method(scene, model(scene.model).opening.method);
+    scene = with_method(scene, model_of(scene).opening.method);
     scene.dt = opening_dt(scene);
     return scene;
 }

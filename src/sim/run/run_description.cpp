@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <variant>
 #include <vector>
 
@@ -35,25 +36,33 @@ void check_fits(Precision precision, const ParameterInfo& info, double value) {
                                  info.name, exact_text(value)));
 }
 
+/// "a smaller n": the first whole number of a scene counts its particles.
+std::string smaller(const ParameterValues& values) {
+    for (const ParameterInfo& info : values.infos()) {
+        if (info.kind == ParameterInfo::Kind::integer) return fmt::format("a smaller {}", info.name);
+    }
+    return "fewer";
+}
+
 void check_memory(const RunDescription& description, double needed_for_interactions) {
-    const double particles = model(description.model).particles(description.scene);
+    const double particles = model_of(description).particles(description.scene);
     const double needed = particles * bytes_per_particle(description) + needed_for_interactions;
     if (needed < 1e6) return;  // always there, and to ask the system takes longer than a short run
     const double there = available_memory();
     if (needed <= there && particles <= 4294967295.0) return;
-    throw UsageError(fmt::format("{} particles need {} of memory, {} are available: choose a smaller {}",
-                                 exact_text(particles), bytes_text(needed), bytes_text(there),
-                                 description.scene.contains("dim")    ? "dim"
-                                 : description.scene.contains("edge") ? "edge"
-                                                                      : "n"));
+    throw UsageError(fmt::format("{} particles need {} of memory, {} are available: choose {}", exact_text(particles),
+                                 bytes_text(needed), bytes_text(there), smaller(description.scene)));
 }
 
 /// Methods that cannot run every scene check its forces; what is held for each interaction has to fit memory, too.
 void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
-    const bool lists = description.scene.contains("cutoff") && description.scene["cutoff"] > 0;
-    if (!entry.info.refusal && !lists) return;
-    const Plan scene = model(description.model).plan(description.scene);
+    const bool from_file = static_cast<bool>(description.origin);
+    if (!entry.info.refusal && !facts_of(description).lists_pairs && !from_file) return;
+    const Plan scene = model_of(description).plan(description.scene);
+    if (entry.info.curiosity && std::holds_alternative<ComposedForces>(scene.forces))
+        throw UsageError(fmt::format("{} cannot run this scene: it is kept as printed in 2008, for the models of then",
+                                     description.method));
     const auto refused = std::visit(
         [&](const auto& forces) {
             return entry.info.refusal ? entry.info.refusal(coupling(forces)) : std::optional<std::string>();
@@ -75,6 +84,23 @@ std::string changed_parameters(const ParameterValues& values) {
 
 }  // namespace
 
+SceneFacts facts_of(const RunDescription& description) { return model_of(description).facts(description.scene); }
+
+const Model& model_of(const RunDescription& description) {
+    return description.origin ? *description.origin->model : model(description.model);
+}
+
+RunDescription describe(SceneOrigin origin) {
+    const Model& scene = *origin->model;
+    RunDescription description = with_method({}, scene.opening.method);
+    description.model = std::filesystem::path(origin->given).stem().string();
+    description.scene = ParameterValues(scene.info.parameters);
+    description.dt = scene.opening.dt;
+    description.precision = scene.opening.precision;
+    description.origin = std::move(origin);
+    return description;
+}
+
 RunDescription describe(std::string_view model_id, std::string_view method_id) {
     return with_method(with_model({}, model_id), method_id);
 }
@@ -82,6 +108,7 @@ RunDescription describe(std::string_view model_id, std::string_view method_id) {
 RunDescription with_model(RunDescription description, std::string_view id) {
     const ModelInfo& info = model(id).info;
     description.model = info.id;
+    description.origin = {};
     description.scene = ParameterValues(info.parameters);
     return description;
 }
@@ -111,7 +138,7 @@ void check_values(const RunDescription& description) {
             if (info.kind == ParameterInfo::Kind::real) check_fits(description.precision, info, values[info.name]);
         }
     }
-    if (const auto& refusal = model(description.model).refusal) {
+    if (const auto& refusal = model_of(description).refusal) {
         if (const auto refused = refusal(description.scene)) throw UsageError(*refused);
     }
     check_memory(description, 0);
@@ -132,17 +159,18 @@ RunDescription as_held(RunDescription description) {
 }
 
 std::string command_line(const RunDescription& description) {
-    return fmt::format("--model {}{} --method {}{} --precision {} --dt {}", description.model,
-                       changed_parameters(description.scene), description.method,
-                       changed_parameters(description.method_parameters), id(description.precision),
+    const std::string scene =
+        description.origin ? "--scene " + description.origin->given : "--model " + description.model;
+    return fmt::format("{}{} --method {}{} --precision {} --dt {}", scene, changed_parameters(description.scene),
+                       description.method, changed_parameters(description.method_parameters), id(description.precision),
                        exact_text(description.dt));
 }
 
 std::optional<StabilityLimit> stability_limit(const RunDescription& description) {
-    const Model& scene = model(description.model);
+    const Model& scene = model_of(description);
     const auto omega = scene.omega_max(description.scene);
     if (!omega) return std::nullopt;
-    const double gamma = has_drag(description) ? description.scene["c"] / description.scene["m"] : 0;
+    const double gamma = facts_of(description).drag;
     const auto limit = [&](double frequency) {
         return linear_limit(method(description.method), description.method_parameters, frequency, gamma);
     };
@@ -150,14 +178,11 @@ std::optional<StabilityLimit> stability_limit(const RunDescription& description)
 }
 
 double fastest_frequency(const RunDescription& description) {
-    const ParameterValues& values = description.scene;
-    if (const auto known = model(description.model).omega_max(values)) return *known;
-    return values.contains("k") && values.contains("m") ? std::sqrt(2 * values["k"] / values["m"]) : 0;
+    const auto known = model_of(description).omega_max(description.scene);
+    return known ? *known : facts_of(description).pair_frequency;
 }
 
-bool has_drag(const RunDescription& description) {
-    return description.scene.contains("c") && description.scene["c"] > 0;
-}
+bool has_drag(const RunDescription& description) { return facts_of(description).drag > 0; }
 
 bool integrates_drag_work(const RunDescription& description) {
     return has_drag(description) && method(description.method).parts.known();

@@ -2,6 +2,8 @@
 
 #include "core/entry.hpp"
 #include "core/precision.hpp"
+#include "models/model.hpp"
+#include "models/scene_origin.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -24,7 +26,8 @@ inline constexpr ParameterInfo dt_parameter{
 
 /// What is to be computed: scene, method, precision and dt. Two equal ones give the same bits, step for step.
 struct RunDescription {
-    std::string model;
+    std::string model;        ///< the id of a model of the catalogue, or the name of a scene file
+    SceneOrigin origin = {};  ///< of a scene file
     ParameterValues scene;
     std::string method;
     ParameterValues method_parameters;
@@ -34,8 +37,15 @@ struct RunDescription {
     friend bool operator==(const RunDescription&, const RunDescription&) = default;
 };
 
+/// The model of the catalogue, or that of the scene file. Throws UsageError if an id is unknown.
+const Model& model_of(const RunDescription& description);
+SceneFacts facts_of(const RunDescription& description);
+
 /// Every parameter at its default. Throws UsageError, naming the known ids, if an id is unknown.
 RunDescription describe(std::string_view model = "mesh", std::string_view method = "rk4");
+
+/// A description of the scene of these files, as it opens without options: parameters, method, dt, precision.
+RunDescription describe(SceneOrigin origin);
 
 /// The same description with another model or method, whose parameters start at their defaults.
 RunDescription with_model(RunDescription description, std::string_view model);

@@ -13,6 +13,9 @@ namespace {
 /// Pairs whose forces an evaluation sums for each particle, about.
 double pairs_of(const PairForces& forces) { return static_cast<double>(forces.count) / 2; }
 double pairs_of(const NearPairForces&) { return 50; }
+double pairs_of(const ComposedForces& forces) {
+    return forces.terms->pairs.empty() ? 4 : static_cast<double>(forces.count) / 2;
+}
 template <class OfNeighbours>
 double pairs_of(const OfNeighbours&) {
     return 1;
@@ -32,7 +35,7 @@ Segment::Segment(const RunDescription& given, const Execution& how)
     : description(given),
       held(as_held(given)),
       execution(how),
-      scene(model(held.model).plan(held.scene)),
+      scene(model_of(held).plan(held.scene)),
       meter(scene, instructions_of(how)),
       steps_at_once(most_at_once(held, scene)) {
     restart();
@@ -42,7 +45,7 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
     : description(given),
       held(as_held(given)),
       execution(how),
-      scene(model(held.model).plan(held.scene)),
+      scene(model_of(held).plan(held.scene)),
       meter(scene, instructions_of(how)),
       steps_at_once(most_at_once(held, scene)) {
     scene.start = start;

@@ -16,7 +16,7 @@ namespace {
 
 /// True if only what may change under way differs between the two.
 bool continues(const RunDescription& from, const RunDescription& to) {
-    if (from.model != to.model) return false;
+    if (from.model != to.model || from.origin != to.origin) return false;
     return std::all_of(from.scene.infos().begin(), from.scene.infos().end(), [&](const ParameterInfo& info) {
         return info.on_change == OnChange::applies_live || from.scene[info.name] == to.scene[info.name];
     });
@@ -102,7 +102,7 @@ void Simulation::prepare(Frame& out, const FrameParts& wanted) const {
     out.precision = body_->segment.held.precision;
     out.shape = shape();
     out.reference = body_->segment.scene.reference;
-    out.mass = body_->segment.scene.mass;
+    out.mass = body_->segment.scene.masses.empty() ? body_->segment.scene.mass : 0;
     out.positions.resize(wanted.positions ? particles() : 0);
     out.displacements.resize(wanted.displacements ? particles() : 0);
     out.velocities.resize(particles());
@@ -127,7 +127,7 @@ void Simulation::fill(Frame& out, const Portion& portion) const {
 std::shared_ptr<const Shape> Simulation::shape() const {
     if (!body_->shape) {
         const RunDescription& held = body_->segment.held;
-        body_->shape = std::make_shared<const Shape>(model(held.model).shape(held.scene));
+        body_->shape = std::make_shared<const Shape>(model_of(held).shape(held.scene));
     }
     return body_->shape;
 }

@@ -59,7 +59,7 @@ void Simulation::Body::measure(const PortionSink& portions, const PieceSink& pie
 
 const ExactSolution* Simulation::Body::exact() {
     if (!exact_scene) return nullptr;
-    if (!exact_known) solution = model(segment.held.model).exact(*exact_scene);
+    if (!exact_known) solution = model_of(segment.held).exact(*exact_scene);
     exact_known = true;
     return solution.get();
 }

@@ -89,6 +89,14 @@ public:
         return series_forces(force_, state, length);
     }
 
+    const std::vector<T>& masses() const override {
+        if constexpr (Force::capabilities.masses) {
+            return force_.masses();
+        } else {
+            return no_masses_;
+        }
+    }
+
     std::optional<PairRange<T>> range() const override {
         if constexpr (Force::capabilities.range) {
             return force_.range();
@@ -129,6 +137,7 @@ private:
     Force force_;
     Field<T> no_history_;
     std::vector<bool> none_held_;
+    std::vector<T> no_masses_;
     Field<T> accelerations_;  ///< scratch of each_acceleration()
 };
 

@@ -27,7 +27,7 @@ void draw_scene_panel(const Context& context) {
     if (combo(context, "model", items, chosen, ImGui::GetContentRegionAvail().x)) {
         context.ask(opening(with_model(description, items[chosen].id)));
     }
-    explanation(context, model(description.model).info.what);
+    explanation(context, model_of(description).info.what);
     parameter_rows(context, "scene", description.scene, [&](const ParameterValues& values) {
         RunDescription changed = description;
         changed.scene = values;

@@ -191,8 +191,8 @@ TEST_P(Modes, are_judged_in_lanes_as_alone) {
     };
     for (const RunDescription& run : {run_on("chain", {{"n", 6}}), run_on("chain", {{"n", 5}, {"c", 0.1}}),
                                       run_on("mesh", {{"dim", 4}}), run_on("morse", {{"edge", 2}})}) {
-        const Plan scene = balanced(model(run.model).plan(run.scene));
-        const LinearisedScene linear(scene, model(run.model).shape(run.scene));
+        const Plan scene = balanced(model_of(run).plan(run.scene));
+        const LinearisedScene linear(scene, model_of(run).shape(run.scene));
         const Eigenpairs pairs = modes(linear);
         for (const double departure : {0.0, 0.05}) {
             const ModeRun mode = mode_of(scene, linear, pairs, info.id, GetParam().precision, departure);

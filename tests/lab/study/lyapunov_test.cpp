@@ -22,7 +22,7 @@ RunDescription scene_of(std::string_view id, Settings settings = {}) {
 }
 
 LyapunovExponent exponent_of(const RunDescription& run, double time) {
-    return lyapunov_exponent(model(run.model).plan(run.scene), model(run.model).shape(run.scene), time);
+    return lyapunov_exponent(model_of(run).plan(run.scene), model_of(run).shape(run.scene), time);
 }
 
 /// In equilibrium at its start to the last bit also for dual numbers, whose exponential is computed differently from

@@ -87,7 +87,7 @@ TEST(MachineSpeed, is_that_of_every_model_in_both_precisions) {
     for (std::size_t i = 0; i < speed.scenes.size(); ++i) {
         const Speed& scene = speed.scenes[i];
         EXPECT_EQ(scene.run.method, "rk4");
-        EXPECT_EQ(static_cast<double>(scene.particles), model(scene.run.model).particles(scene.run.scene));
+        EXPECT_EQ(static_cast<double>(scene.particles), model_of(scene.run).particles(scene.run.scene));
         EXPECT_TRUE(was_timed(scene.seconds)) << scene.run.model;
         if (!found.emplace(scene.run.model, scene.run.precision).second) {
             EXPECT_GT(scene.particles, speed.scenes[i - 1].particles) << "small ones first";

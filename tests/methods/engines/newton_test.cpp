@@ -18,7 +18,7 @@ namespace {
 template <class Matrix>
 Field<double> solution_of_a_chain(std::size_t n, double coupling, bool& solvable) {
     Matrix matrix(n);
-    matrix.reset(2);
+    matrix.reset(2, {});
     Field<double> right(n), solution(n);
     Block<double> block = Block<double>::diagonal(coupling);
     block.at[0][1] = block.at[1][0] = 0.3 * coupling;
@@ -47,7 +47,7 @@ Field<double> solution_for_pairs(SparseSymmetric<double>& matrix,
                                  const std::vector<std::array<std::size_t, 2>>& pairs) {
     Field<double> right(4), solution(4);
     for (std::size_t i = 0; i < 4; ++i) right.set(i, {1, -2, 0.5 * static_cast<double>(i)});
-    matrix.reset(2);
+    matrix.reset(2, {});
     for (const auto& [i, j] : pairs) {
         matrix.add_diagonal(i, Block<double>::diagonal(1));
         matrix.add_diagonal(j, Block<double>::diagonal(1));

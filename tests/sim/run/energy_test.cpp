@@ -33,7 +33,7 @@ struct Moment {
 Moment after(const RunDescription& description, std::uint64_t steps) {
     Simulation simulation(description);
     simulation.advance(steps);
-    return {model(description.model).plan(description.scene), simulation.state()};
+    return {model_of(description).plan(description.scene), simulation.state()};
 }
 
 Energy energy_of(const Moment& moment, Instructions instructions) {

@@ -62,8 +62,8 @@ TEST(ParticleSums, are_those_of_plain_sums_in_long_double) {
     for (const RunDescription& run : {run_of("chain", "euler", Precision::double_, 0.1, {{"n", 9001}, {"m", 2}}),
                                       run_of("mesh", "euler", Precision::double_, 0.1, {{"dim", 131}}),
                                       run_of("crystal", "euler", Precision::double_, 0.1, {{"edge", 14}})}) {
-        const Plan scene = model(run.model).plan(run.scene);
-        const Shape shape = model(run.model).shape(run.scene);
+        const Plan scene = model_of(run).plan(run.scene);
+        const Shape shape = model_of(run).shape(run.scene);
         const State<double> state = anywhere(scene.reference.count);
         const Sums expected = plain_sums(scene, shape, state);
         const Diagnostics found = in_pieces(scene, shape, state);

@@ -12,7 +12,7 @@
 namespace steplab::test {
 namespace {
 
-Remedies remedies_of(const RunDescription& run) { return remedies(run, model(run.model).plan(run.scene)); }
+Remedies remedies_of(const RunDescription& run) { return remedies(run, model_of(run).plan(run.scene)); }
 
 TEST(Remedy, is_no_method_where_none_is_stable) {
     EXPECT_FALSE(remedies_of(run_of("chain", "euler", Precision::double_, 1000)).method);

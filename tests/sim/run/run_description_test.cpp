@@ -99,7 +99,7 @@ RunDescription scene_of(RunDescription description, std::initializer_list<std::p
 }
 
 double estimated_bytes(const RunDescription& description) {
-    const Model& entry = model(description.model);
+    const Model& entry = model_of(description);
     return entry.particles(description.scene) * bytes_per_particle(description) +
            bytes_of_interactions(description, entry.plan(description.scene));
 }

@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryRun, testing::ValuesIn(all_methods()), 
 /// The run of `description` from this synchronised state, by hand: a stepper of its own.
 State<double> stepped(const RunDescription& description, const State<double>& start, std::uint64_t steps) {
     const FlushSubnormals flush;
-    const Plan scene = model(description.model).plan(description.scene);
+    const Plan scene = model_of(description).plan(description.scene);
     const auto stepper = method(description.method)
                              .make({scene, start, description.method_parameters, description.precision,
                                     rounded_to(description.precision, description.dt)});

@@ -1,0 +1,181 @@
+#include "io/scene_file.hpp"
+
+#include "core/error.hpp"
+#include "core/shown.hpp"
+#include "core/text.hpp"
+#include "io/scene_reader.hpp"
+#include "models/scene/composer.hpp"
+#include "models/scene/planner.hpp"
+#include "models/scene/scene_particles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
+
+/// A parsed file; the scene for given values of its parameters is read from it anew.
+class Document {
+public:
+    Document(const std::string& text, const std::string& name)
+        : root_(toml::parse(text, name)), parameters_(root_), start_(ParameterValues(parameters_.infos())) {
+        SceneNumbers numbers(parameters_, start_);
+        texts_ = read_texts(root_, numbers);
+        count_ = static_cast<double>(read_scene(root_, numbers).count());
+        note_uses(numbers);
+    }
+    Document(const Document&) = delete;
+    Document& operator=(const Document&) = delete;
+
+    Scene scene(const ParameterValues& values) const {
+        SceneNumbers numbers(parameters_, values);
+        return read_scene(root_, numbers);
+    }
+    const SceneTexts& texts() const { return texts_; }
+    std::span<const ParameterInfo> infos() const { return parameters_.infos(); }
+
+private:
+    void note_uses(const SceneNumbers& numbers) {
+        for (const auto& [name, use] : numbers.used()) {
+            if (use == SceneNumbers::Use::start) parameters_.on_change(name, OnChange::restarts);
+        }
+        const SceneParameters::Entry* unused = nullptr;
+        std::string_view unused_name;
+        for (const auto& [name, entry] : parameters_.entries()) {
+            const bool first = !unused || entry.place->source().begin < unused->place->source().begin;
+            if (!numbers.used().contains(name) && first) unused = &entry, unused_name = name;
+        }
+        if (unused) fail_at(*unused->place, fmt::format("nothing uses the parameter '{}'", unused_name));
+    }
+
+    toml::table root_;
+    SceneParameters parameters_;
+    ParameterValues start_;
+    SceneTexts texts_;
+    double count_ = 0;
+};
+
+std::string at(const std::string& name, toml::source_position place) {
+    return fmt::format("{}:{}:{}: ", shown(name), place.line, place.column);
+}
+
+/// Problems that only some values of the parameters have are those of the command line or of a slider.
+template <class Work>
+auto with_place(const std::string& name, const Work& work) {
+    try {
+        return work();
+    } catch (const SceneProblem& problem) {
+        throw UsageError(at(name, problem.place()) + problem.what());
+    }
+}
+
+SceneFacts facts_of(const Scene& scene) {
+    const SceneParticles particles(scene);
+    SceneFacts facts{.mass = particles[0].mass, .drag = rate_of_drag(scene, particles)};
+    for (const ParticleBlock& block : scene.particles) {
+        if (block.mass.value != scene.particles.front().mass.value) facts.mass = 0;
+    }
+    for (const Fix& fix : scene.fixes) {
+        if (fix.mass) facts.mass = 0;
+    }
+    for (const PairTerm& term : scene.pairs) facts.lists_pairs = facts.lists_pairs || term.cutoff.has_value();
+    return facts;
+}
+
+Model model_of(const std::shared_ptr<const Document>& document, const std::string& name) {
+    const auto scene = [document, name](const ParameterValues& values) {
+        return with_place(name, [&] { return document->scene(values); });
+    };
+    const SceneDefaults& defaults = document->texts().defaults;
+    Model model;
+    model.info = {.id = "scene",
+                  .name = document->texts().title,
+                  .what = document->texts().teaches,
+                  .parameters = document->infos()};
+    if (!defaults.method.empty()) model.opening.method = defaults.method;
+    if (defaults.dt) model.opening.dt = *defaults.dt;
+    if (!defaults.precision.empty()) model.opening.precision = *parse_precision(defaults.precision);
+    model.particles = [scene](const ParameterValues& values) { return static_cast<double>(scene(values).count()); };
+    model.facts = [scene](const ParameterValues& values) { return facts_of(scene(values)); };
+    model.plan = [scene](const ParameterValues& values) { return planned(scene(values)); };
+    model.shape = [scene](const ParameterValues& values) { return shape_of(scene(values)); };
+    model.omega_max = [](const ParameterValues&) { return std::optional<double>(); };
+    model.exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); };
+    return model;
+}
+
+std::string content_of(const std::string& path) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) throw FileError(fmt::format("{}: there is no such file", shown(path)));
+    if (!std::filesystem::is_regular_file(status)) throw FileError(fmt::format("{}: it is not a file", shown(path)));
+    if (std::filesystem::file_size(path, error) > largest_file)
+        throw FileError(fmt::format("{}: a scene file has at most 64 MB", shown(path)));
+    std::ifstream file(path, std::ios::binary);
+    std::string content((std::istreambuf_iterator<char>(file)), {});
+    if (!file) throw FileError(fmt::format("{}: it cannot be read", shown(path)));
+    return content;
+}
+
+}  // namespace
+
+SceneOrigin scene_from(std::vector<SceneFile::Part> parts, const std::string& name) {
+    try {
+        auto document = std::make_shared<const Document>(parts.front().content, name);
+        auto file = std::make_shared<SceneFile>();
+        file->parts = std::move(parts);
+        file->given = name;
+        file->model = std::make_shared<const Model>(model_of(document, name));
+        return SceneOrigin(std::move(file));
+    } catch (const toml::parse_error& error) {
+        throw FileError(at(name, error.source().begin) + std::string(error.description()));
+    } catch (const SceneProblem& problem) {
+        throw FileError(at(name, problem.place()) + problem.what());
+    }
+}
+
+std::vector<std::filesystem::path> scene_folders() {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    return {(program.parent_path() / "../share/steplab/scenes").lexically_normal(), STEPLAB_SCENES_IN_SOURCE};
+}
+
+std::vector<std::string> shipped_scenes() {
+    std::vector<std::string> names;
+    for (const auto& folder : scene_folders()) {
+        std::error_code error;
+        for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+            if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+        }
+        if (!names.empty()) break;
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+SceneOrigin find_scene(const std::string& name) {
+    const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");
+    if (is_file) return read_scene_file(name);
+    for (const auto& folder : scene_folders()) {
+        const auto path = folder / (name + ".toml");
+        std::error_code error;
+        if (std::filesystem::exists(path, error)) return scene_from({{.name = "", .content = content_of(path)}}, name);
+    }
+    const std::vector<std::string> names = shipped_scenes();
+    throw UsageError(unknown_word("scene", name, std::vector<std::string_view>(names.begin(), names.end())));
+}
+
+SceneOrigin read_scene_file(const std::string& path) {
+    return scene_from({{.name = "", .content = content_of(path)}}, path);
+}
+
+}  // namespace steplab

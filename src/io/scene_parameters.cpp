@@ -1,0 +1,185 @@
+#include "io/scene_parameters.hpp"
+
+#include "core/number_text.hpp"
+#include "core/shown.hpp"
+#include "core/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace steplab {
+
+namespace {
+
+std::optional<double> number_of(const toml::node& node) {
+    if (const auto* const integer = node.as_integer()) return static_cast<double>(integer->get());
+    if (const auto* const real = node.as_floating_point()) return real->get();
+    return std::nullopt;
+}
+
+double finite_number(const toml::node& node) {
+    const auto number = number_of(node);
+    if (!number) fail_at(node, "must be a number");
+    if (!std::isfinite(*number)) fail_at(node, "must be a finite number");
+    return *number;
+}
+
+Expression expression_of(const toml::node& node) {
+    const std::string text = text_of(node);
+    try {
+        return Expression(text);
+    } catch (const ExpressionError& error) {
+        fail_at(node, fmt::format("\"{}\", character {}: {}", shown(text), error.place() + 1, error.what()));
+    }
+}
+
+}  // namespace
+
+SceneParameters::SceneParameters(const toml::table& root) {
+    const toml::node* const all = root.get("parameters");
+    if (!all) return;
+    read_keys(table_of(*all, "[parameters]"), "of [parameters]", {},
+              [this](const std::string& name, const toml::node& node) { read(name, node); });
+}
+
+void SceneParameters::read(const std::string& name, const toml::node& node) {
+    if (!is_name(name) || name == "pi") fail_at(node, fmt::format("'{}' cannot be a name in expressions", shown(name)));
+    Entry entry;
+    entry.info.name = kept(name);
+    const toml::table* const table = node.as_table();
+    if (!table) {
+        read_value(entry, node);
+    } else {
+        const auto range = [&](const toml::node& given) {
+            const auto ends = elements_of(given, "[lowest, highest]", 2, 2);
+            entry.info.slider_low = finite_number(*ends[0]);
+            entry.info.slider_high = finite_number(*ends[1]);
+            if (!(entry.info.slider_low < entry.info.slider_high)) fail_at(given, "the range must grow");
+        };
+        read_keys(*table, fmt::format("of parameter '{}'", name),
+                  {{"value", [&](const toml::node& given) { read_value(entry, given); }},
+                   {"range", range},
+                   {"unit", [&](const toml::node& given) { entry.info.unit = kept(text_of(given)); }},
+                   {"what", [&](const toml::node& given) { entry.info.what = kept(text_of(given)); }},
+                   {"logarithmic", [&](const toml::node& given) { entry.info.slider_logarithmic = flag_of(given); }}});
+        if (!entry.place) fail_at(node, fmt::format("parameter '{}' needs a value", name));
+        if (entry.info.slider_logarithmic && !(entry.info.slider_low > 0))
+            fail_at(node, fmt::format("a logarithmic range of '{}' must begin above 0", name));
+    }
+    if (!table || !table->contains("range")) {
+        entry.info.slider_low = std::min(0.0, 2 * entry.number);
+        entry.info.slider_high = entry.number == 0 ? 1 : std::max(0.0, 2 * entry.number);
+    }
+    entry.info.minimum = -infinity;
+    entry.info.default_value = entry.number;
+    if (!entry.expression) infos_.push_back(entry.info);
+    entries_.emplace(name, std::move(entry));
+}
+
+void SceneParameters::read_value(Entry& entry, const toml::node& node) {
+    entry.place = &node;
+    if (node.is_string()) {
+        entry.expression = expression_of(node);
+    } else {
+        entry.number = finite_number(node);
+    }
+}
+
+std::string_view SceneParameters::kept(std::string text) { return texts_.emplace_back(std::move(text)); }
+
+void SceneParameters::on_change(std::string_view name, OnChange change) {
+    for (ParameterInfo& info : infos_) {
+        if (info.name == name) info.on_change = change;
+    }
+}
+
+SceneNumbers::SceneNumbers(const SceneParameters& parameters, const ParameterValues& values)
+    : parameters_(parameters), values_(values) {}
+
+std::vector<std::string_view> SceneNumbers::names() const {
+    std::vector<std::string_view> names;
+    for (const auto& [name, entry] : parameters_.entries()) names.push_back(name);
+    return names;
+}
+
+/// A change of what others follow is one of these.
+void SceneNumbers::uses(std::string_view parameter, Use use) {
+    const auto entry = parameters_.entries().find(parameter);
+    if (entry == parameters_.entries().end()) return;
+    const auto [known, added] = used_.try_emplace(entry->first, use);
+    const bool more = use == Use::start && known->second != Use::start;
+    if (!added && !more) return;
+    known->second = use;
+    if (!entry->second.expression) return;
+    for (const std::string& name : entry->second.expression->names()) uses(name, use);
+}
+
+double SceneNumbers::value_of(const std::string& name, const toml::node& place) {
+    if (const auto known = known_.find(name); known != known_.end()) return known->second;
+    const auto entry = parameters_.entries().find(name);
+    if (entry == parameters_.entries().end()) fail_at(place, unknown_word("parameter", name, names()));
+    if (!entry->second.expression) return known_[name] = values_[name];
+    if (!under_way_.insert(name).second) fail_at(*entry->second.place, fmt::format("'{}' depends on itself", name));
+    constexpr std::size_t longest_chain = 200;  // of parameters that follow each other; it is as deep on the stack
+    if (under_way_.size() > longest_chain)
+        fail_at(*entry->second.place, fmt::format("'{}' follows a chain of more than {} others", name, longest_chain));
+    const double value = evaluated(*entry->second.expression, *entry->second.place);
+    under_way_.erase(name);
+    return known_[name] = value;
+}
+
+double SceneNumbers::evaluated(const Expression& expression, const toml::node& place) {
+    std::vector<double> values;
+    for (const std::string& name : expression.names()) values.push_back(value_of(name, place));
+    const double value = expression(values);
+    if (!std::isfinite(value)) fail_at(place, "its value is not finite");
+    return value;
+}
+
+Quantity SceneNumbers::quantity(const toml::node& node, Use use) {
+    if (!node.is_string()) {
+        if (!number_of(node)) fail_at(node, "must be a number, or an expression in quotation marks");
+        return finite_number(node);
+    }
+    const Expression expression = expression_of(node);
+    const double value = evaluated(expression, node);
+    for (const std::string& name : expression.names()) uses(name, use);
+    return {value, text_of(node)};
+}
+
+Quantity SceneNumbers::positive(const toml::node& node, Use use) {
+    Quantity quantity = this->quantity(node, use);
+    if (!(quantity.value > 0)) fail_at(node, fmt::format("must be > 0 (is {})", exact_text(quantity.value)));
+    return quantity;
+}
+
+Quantity SceneNumbers::not_negative(const toml::node& node, Use use) {
+    Quantity quantity = this->quantity(node, use);
+    if (!(quantity.value >= 0)) fail_at(node, fmt::format("must be >= 0 (is {})", exact_text(quantity.value)));
+    return quantity;
+}
+
+QuantityVector SceneNumbers::vector(const toml::node& node, Use use) {
+    const auto elements = elements_of(node, "three numbers, [x, y, z]", 3, 3);
+    return {quantity(*elements[0], use), quantity(*elements[1], use), quantity(*elements[2], use)};
+}
+
+std::size_t SceneNumbers::count(const toml::node& node, std::size_t least) {
+    constexpr double most = 4294967295.0;
+    const double value = quantity(node, Use::start).value;
+    if (value == std::floor(value) && value >= static_cast<double>(least) && value <= most)
+        return static_cast<std::size_t>(value);
+    fail_at(node, fmt::format("must be an integer from {} to {} (is {})", least, exact_text(most), exact_text(value)));
+}
+
+std::uint64_t SceneNumbers::seed(const toml::node& node) {
+    constexpr std::int64_t most = 16777215;
+    const auto* const integer = node.as_integer();
+    if (!integer || integer->get() < 1 || integer->get() > most)
+        fail_at(node, fmt::format("a seed must be an integer from 1 to {}", most));
+    return static_cast<std::uint64_t>(integer->get());
+}
+
+}  // namespace steplab

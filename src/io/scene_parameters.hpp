@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/entry.hpp"
+#include "core/expression.hpp"
+#include "io/scene_toml.hpp"
+#include "models/scene/quantity.hpp"
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace steplab {
+
+/// The [parameters] of a scene file. Those given as numbers are parameters of the scene, those given as expressions
+/// follow them.
+class SceneParameters {
+public:
+    struct Entry {
+        const toml::node* place = nullptr;  ///< of its value
+        double number = 0;
+        std::optional<Expression> expression = {};
+        ParameterInfo info = {};
+    };
+
+    SceneParameters() = default;
+    /// Throws SceneProblem.
+    explicit SceneParameters(const toml::table& root);
+
+    const std::map<std::string, Entry, std::less<>>& entries() const { return entries_; }
+    /// What is known of each that is a number, in the order of the file; valid as long as this object.
+    const std::vector<ParameterInfo>& infos() const { return infos_; }
+    /// Whether changes of a parameter make the scene start again.
+    void on_change(std::string_view name, OnChange change);
+
+private:
+    void read(const std::string& name, const toml::node& node);
+    void read_value(Entry& entry, const toml::node& node);
+    std::string_view kept(std::string text);
+
+    std::map<std::string, Entry, std::less<>> entries_;
+    std::vector<ParameterInfo> infos_;
+    std::deque<std::string> texts_;
+};
+
+/// Turns the numbers and expressions of a scene file into quantities, and notes which parameters they use.
+class SceneNumbers {
+public:
+    enum class Use { force, start };
+
+    /// The values of those that are numbers.
+    SceneNumbers(const SceneParameters& parameters, const ParameterValues& values);
+
+    /// A number or an expression. Throws SceneProblem.
+    Quantity quantity(const toml::node& node, Use use);
+    Quantity positive(const toml::node& node, Use use);
+    Quantity not_negative(const toml::node& node, Use use);
+    QuantityVector vector(const toml::node& node, Use use);
+    /// A whole number from `least` on.
+    std::size_t count(const toml::node& node, std::size_t least);
+    std::uint64_t seed(const toml::node& node);
+    /// Notes the parameters that a potential uses.
+    void uses(std::string_view parameter, Use use);
+    bool is_parameter(std::string_view name) const { return parameters_.entries().contains(name); }
+    std::vector<std::string_view> names() const;
+
+    const std::map<std::string, Use, std::less<>>& used() const { return used_; }
+
+private:
+    double value_of(const std::string& name, const toml::node& place);
+    double evaluated(const Expression& expression, const toml::node& place);
+
+    const SceneParameters& parameters_;
+    const ParameterValues& values_;
+    std::map<std::string, double, std::less<>> known_;
+    std::set<std::string, std::less<>> under_way_;
+    std::map<std::string, Use, std::less<>> used_;
+};
+
+}  // namespace steplab

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "io/scene_parameters.hpp"
+#include "models/scene/scene.hpp"
+
+#include <string>
+
+namespace steplab {
+
+/// What a scene file says beside its scene.
+struct SceneTexts {
+    std::string title, teaches;
+    SceneDefaults defaults;
+};
+
+/// The scene of a parsed file for the values that `numbers` has. Throws the SceneProblem that comes first in the file.
+Scene read_scene(const toml::table& root, SceneNumbers& numbers);
+
+/// The texts and the [run] and [view] of a file. Throws SceneProblem.
+SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers);
+
+}  // namespace steplab

@@ -1,0 +1,81 @@
+#include "io/scene_toml.hpp"
+
+#include "core/shown.hpp"
+#include "core/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace steplab {
+
+namespace {
+
+bool before(toml::source_position a, toml::source_position b) { return a < b; }
+
+}  // namespace
+
+void fail_at(const toml::node& node, const std::string& message) { throw SceneProblem(node.source().begin, message); }
+
+void read_keys(const toml::table& table, std::string_view what, const std::vector<KeyHandler>& handlers,
+               const std::function<void(const std::string&, const toml::node&)>& other) {
+    std::vector<std::pair<const toml::key*, const toml::node*>> entries;
+    for (const auto& [key, node] : table) entries.emplace_back(&key, &node);
+    std::sort(entries.begin(), entries.end(),
+              [](const auto& a, const auto& b) { return before(a.first->source().begin, b.first->source().begin); });
+    for (const auto& [key, node] : entries) {
+        const auto handler = std::find_if(handlers.begin(), handlers.end(),
+                                          [name = key->str()](const KeyHandler& h) { return h.name == name; });
+        if (handler != handlers.end()) {
+            handler->read(*node);
+        } else if (other) {
+            other(std::string(key->str()), *node);
+        } else {
+            std::vector<std::string_view> known;
+            for (const KeyHandler& h : handlers) known.push_back(h.name);
+            throw SceneProblem(key->source().begin,
+                               unknown_word("key", std::string(key->str()), known, std::string(what)));
+        }
+    }
+}
+
+void each_table(const toml::table& root, std::string_view name, const std::function<void(const toml::table&)>& visit) {
+    const toml::node* const node = root.get(name);
+    if (!node) return;
+    if (const toml::table* const single = node->as_table()) return visit(*single);
+    const toml::array* const array = node->as_array();
+    if (!array) fail_at(*node, fmt::format("{} must be written as [[{}]]", name, name));
+    for (const toml::node& element : *array) visit(table_of(element, fmt::format("[[{}]]", name)));
+}
+
+std::string text_of(const toml::node& node) {
+    if (const auto* const text = node.as_string()) return text->get();
+    fail_at(node, "must be a text in quotation marks");
+}
+
+std::string word_of(const toml::node& node, std::string_view what, std::vector<std::string_view> known) {
+    const std::string word = text_of(node);
+    if (std::find(known.begin(), known.end(), word) == known.end()) fail_at(node, unknown_word(what, word, known));
+    return word;
+}
+
+bool flag_of(const toml::node& node) {
+    if (const auto* const flag = node.as_boolean()) return flag->get();
+    fail_at(node, "must be true or false");
+}
+
+const toml::table& table_of(const toml::node& node, std::string_view what) {
+    if (const toml::table* const table = node.as_table()) return *table;
+    fail_at(node, fmt::format("{} must be a table", what));
+}
+
+std::vector<const toml::node*> elements_of(const toml::node& node, std::string_view what, std::size_t least,
+                                           std::size_t most) {
+    const toml::array* const array = node.as_array();
+    if (!array || array->size() < least || array->size() > most) fail_at(node, fmt::format("must be {}", what));
+    std::vector<const toml::node*> elements;
+    for (const toml::node& element : *array) elements.push_back(&element);
+    return elements;
+}
+
+}  // namespace steplab

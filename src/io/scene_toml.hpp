@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/expression.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <toml++/toml.h>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+/// What is wrong with a scene file, and where.
+class SceneProblem : public std::runtime_error {
+public:
+    SceneProblem(toml::source_position place, const std::string& message)
+        : std::runtime_error(message), place_(place) {}
+    toml::source_position place() const { return place_; }
+
+private:
+    toml::source_position place_;
+};
+
+[[noreturn]] void fail_at(const toml::node& node, const std::string& message);
+
+/// A key of a table and what is to be done with its value.
+struct KeyHandler {
+    std::string_view name;
+    std::function<void(const toml::node&)> read;
+};
+
+/// Reads the keys of a table in the order of the file. `other` takes those that have no handler; without it they are an
+/// error that names the nearest one. Throws SceneProblem.
+void read_keys(const toml::table& table, std::string_view what, const std::vector<KeyHandler>& handlers,
+               const std::function<void(const std::string&, const toml::node&)>& other = {});
+
+/// The tables of an array of tables, [[name]]; one table counts as an array of one.
+void each_table(const toml::table& root, std::string_view name, const std::function<void(const toml::table&)>& visit);
+
+// Values of one kind; anything else is an error that says what would be right.
+std::string text_of(const toml::node& node);
+std::string word_of(const toml::node& node, std::string_view what, std::vector<std::string_view> known);
+bool flag_of(const toml::node& node);
+const toml::table& table_of(const toml::node& node, std::string_view what);
+/// The elements of an array, of which there are from `least` to `most`.
+std::vector<const toml::node*> elements_of(const toml::node& node, std::string_view what, std::size_t least,
+                                           std::size_t most);
+
+}  // namespace steplab

@@ -1,0 +1,151 @@
+#pragma once
+
+#include "core/shape.hpp"
+#include "core/vec3.hpp"
+#include "models/scene/quantity.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace steplab {
+
+// A scene is a value: everything that moves and acts, as data. A model of the catalogue makes one from its parameters,
+// a scene file writes one out (docs/scene-files.md). Particles are numbered on, block after block, from 0.
+
+/// At position + i step.
+struct LineArrangement {
+    std::size_t count = 1;
+    QuantityVector step;
+    bool operator==(const LineArrangement&) const = default;
+};
+
+/// The first index runs fastest: particle j * columns + i is at position + i steps[0] + j steps[1].
+struct GridArrangement {
+    std::size_t columns = 1, rows = 1;
+    std::array<QuantityVector, 2> steps;
+    bool operator==(const GridArrangement&) const = default;
+};
+
+/// Cells along x fastest, then y, then z; the first particle at position.
+struct CrystalArrangement {
+    enum class Kind { cubic, bcc, fcc };
+    Kind kind = Kind::cubic;
+    std::array<std::size_t, 3> cells{1, 1, 1};
+    Quantity constant = 1;
+    bool operator==(const CrystalArrangement&) const = default;
+};
+
+/// Read from a file.
+struct ListedParticles {
+    struct Particle {
+        Vec3 position, velocity;
+        double mass = 1;
+    };
+    std::string file;
+    std::shared_ptr<const std::vector<Particle>> particles;
+    bool operator==(const ListedParticles& other) const { return file == other.file; }
+};
+
+using Arrangement = std::variant<std::monostate, LineArrangement, GridArrangement, CrystalArrangement, ListedParticles>;
+
+/// Uniform within +-width along each axis, drawn by seed and index in the block.
+struct RandomDisplacement {
+    Quantity width;
+    std::uint64_t seed = 1;
+    bool operator==(const RandomDisplacement&) const = default;
+};
+
+/// Each component of a velocity has the variance kT / m; the block's mean velocity is subtracted.
+struct Temperature {
+    Quantity kT;
+    std::uint64_t seed = 1;
+    bool exact = true;  ///< scaled to sum m v^2 = (3 n - 3) kT
+    bool operator==(const Temperature&) const = default;
+};
+
+/// One particle or many that differ in their places.
+struct ParticleBlock {
+    std::string group = {};  ///< empty: none
+    QuantityVector position, velocity;
+    Quantity mass = 1, charge = 0;
+    bool fixed = false;
+    Role role = Role::moving;
+    Arrangement arrangement = {};
+    std::variant<std::monostate, QuantityVector, RandomDisplacement> displacement = {};
+    std::optional<Temperature> temperature = {};
+
+    std::size_t count() const;
+    bool operator==(const ParticleBlock&) const = default;
+};
+
+/// Sets what is given of single particles, after all blocks.
+struct Fix {
+    std::vector<std::string> particles;  ///< "cloth[0,0]", "rope", "4-9" (selection.hpp)
+    std::optional<bool> fixed = {};
+    std::optional<QuantityVector> velocity = {}, displacement = {};
+    std::optional<Quantity> mass = {}, charge = {};
+    std::optional<Role> role = {};
+    bool operator==(const Fix&) const = default;
+};
+
+/// Springs of one kind: F = -(k e + quadratic e^2 + cubic e^3) of the extension e, and -damping times the relative
+/// velocity along the spring.
+struct SpringTerm {
+    enum class Along { axes, diagonals, both };
+    std::string between = {};  ///< a group: neighbours of its line or grid; empty: none
+    Along along = Along::axes;
+    std::vector<std::pair<std::string, std::string>> pairs = {};
+    Quantity k;
+    std::optional<Quantity> length = {};  ///< none: the distance in the reference positions
+    Quantity damping = 0, quadratic = 0, cubic = 0;
+    bool operator==(const SpringTerm&) const = default;
+};
+
+/// A force between all pairs of one group, or across two.
+struct PairTerm {
+    std::vector<std::string> between = {};  ///< none: all particles
+    std::string potential;                  ///< the name of a built-in one, or an expression
+    std::map<std::string, Quantity> values = {};
+    std::optional<Quantity> cutoff = {};
+    bool operator==(const PairTerm&) const = default;
+};
+
+/// What acts on each particle from outside.
+struct FieldTerm {
+    std::vector<std::string> particles = {};  ///< none: all
+    std::optional<QuantityVector> gravity = {};
+    std::optional<Quantity> drag = {};
+    std::string potential = {};  ///< an expression; empty: none
+    std::map<std::string, Quantity> values = {};
+    bool operator==(const FieldTerm&) const = default;
+};
+
+/// What a file says of how its scene opens; options of the command line go before it.
+struct SceneDefaults {
+    std::string method = {}, precision = {}, camera = {}, colour = {}, background = {};
+    std::optional<double> dt = {}, until = {};
+    std::vector<std::string> compare = {};
+    bool operator==(const SceneDefaults&) const = default;
+};
+
+struct Scene {
+    std::vector<ParticleBlock> particles;
+    std::vector<Fix> fixes;
+    std::vector<SpringTerm> springs;
+    std::vector<PairTerm> pairs;
+    std::vector<FieldTerm> fields;
+    QuantityVector box;                         ///< sides of space that repeats itself; 0: not along this axis
+    std::optional<QuantityVector> corner = {};  ///< of the box, for pictures and files
+
+    std::size_t count() const;
+    bool operator==(const Scene&) const = default;
+};
+
+}  // namespace steplab

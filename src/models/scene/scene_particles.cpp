@@ -1,0 +1,207 @@
+#include "models/scene/scene_particles.hpp"
+
+#include "core/error.hpp"
+#include "core/shown.hpp"
+#include "core/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace steplab {
+
+namespace {
+
+Vec3 shifted(Vec3 from, std::size_t times, const QuantityVector& step) {
+    return from + static_cast<double>(times) * step.value();
+}
+
+/// The particles of a cell, in parts of it.
+std::vector<Vec3> cell_of(CrystalArrangement::Kind kind) {
+    if (kind == CrystalArrangement::Kind::bcc) return {{0, 0, 0}, {0.5, 0.5, 0.5}};
+    if (kind == CrystalArrangement::Kind::fcc) return {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
+    return {{0, 0, 0}};
+}
+
+struct Place {
+    Vec3 from;
+    std::size_t index;
+
+    Vec3 operator()(const std::monostate&) const { return from; }
+    Vec3 operator()(const LineArrangement& line) const { return shifted(from, index, line.step); }
+    Vec3 operator()(const GridArrangement& grid) const {
+        return shifted(shifted(from, index % grid.columns, grid.steps[0]), index / grid.columns, grid.steps[1]);
+    }
+    Vec3 operator()(const CrystalArrangement& crystal) const {
+        const std::vector<Vec3> cell = cell_of(crystal.kind);
+        const Vec3 within = cell[index % cell.size()];
+        const std::size_t number = index / cell.size(), row = number / crystal.cells[0];
+        const auto along = [&](std::size_t cells, double part) {
+            return (static_cast<double>(cells) + part) * crystal.constant.value;
+        };
+        return from + Vec3{along(number % crystal.cells[0], within.x), along(row % crystal.cells[1], within.y),
+                           along(row / crystal.cells[1], within.z)};
+    }
+    Vec3 operator()(const ListedParticles& list) const { return from + (*list.particles)[index].position; }
+};
+
+std::size_t product(std::size_t a, std::size_t b) {
+    std::size_t result = 0;
+    if (__builtin_mul_overflow(a, b, &result)) throw UsageError("there are more particles than any computer holds");
+    return result;
+}
+
+struct Count {
+    std::size_t operator()(const std::monostate&) const { return 1; }
+    std::size_t operator()(const LineArrangement& line) const { return line.count; }
+    std::size_t operator()(const GridArrangement& grid) const { return product(grid.columns, grid.rows); }
+    std::size_t operator()(const CrystalArrangement& crystal) const {
+        const auto& [x, y, z] = crystal.cells;
+        return product(product(product(x, y), z), cell_of(crystal.kind).size());
+    }
+    std::size_t operator()(const ListedParticles& list) const { return list.particles->size(); }
+};
+
+std::optional<long> whole(std::string_view text) {
+    long number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+/// "2-5" as 2 and 5; a number alone stands for both. The hyphen is not the sign of the first.
+std::optional<std::pair<long, long>> whole_range(std::string_view text) {
+    const std::size_t hyphen = text.find('-', 1);
+    const auto first = whole(text.substr(0, hyphen));
+    const auto last = hyphen == std::string_view::npos ? first : whole(text.substr(hyphen + 1));
+    if (!first || !last) return std::nullopt;
+    return std::pair{*first, *last};
+}
+
+/// Negative numbers count from the end. Throws UsageError.
+std::size_t counted(long number, std::size_t count, std::string_view what) {
+    const auto all = static_cast<long>(count);
+    if (number >= -all && number < all) return static_cast<std::size_t>(number < 0 ? number + all : number);
+    throw UsageError(fmt::format("{} has no particle {}: they count from 0 to {}", what, number, all - 1));
+}
+
+void apply(const Fix& fix, SceneParticle& particle) {
+    if (fix.fixed) particle.fixed = *fix.fixed;
+    if (particle.fixed && particle.role == Role::moving) particle.role = Role::fixed;
+    if (fix.velocity) particle.velocity = fix.velocity->value();
+    if (fix.displacement) particle.displacement = fix.displacement->value();
+    if (fix.mass) particle.mass = fix.mass->value;
+    if (fix.charge) particle.charge = fix.charge->value;
+    if (fix.role) particle.role = *fix.role;
+}
+
+}  // namespace
+
+std::size_t ParticleBlock::count() const { return std::visit(Count(), arrangement); }
+
+std::size_t Scene::count() const {
+    std::size_t sum = 0;
+    for (const ParticleBlock& block : particles) {
+        if (__builtin_add_overflow(sum, block.count(), &sum))
+            throw UsageError("there are more particles than any computer holds");
+    }
+    return sum;
+}
+
+SceneParticles::SceneParticles(const Scene& scene) : scene_(scene), count_(scene.count()) {
+    std::size_t first = 0;
+    for (const ParticleBlock& block : scene.particles) {
+        Block& added = blocks_.emplace_back(Block{&block, first, block.count(), {}});
+        if (block.temperature) added.thermal.emplace(*block.temperature, block.mass.value, added.count);
+        first += added.count;
+    }
+    for (const Fix& fix : scene.fixes) {
+        for (const std::string& text : fix.particles) add(fix, named(text));
+    }
+}
+
+void SceneParticles::add(const Fix& fix, IndexRange range) {
+    if (range.count == 0) return;
+    const auto split = [this](std::size_t at) {
+        const auto after = fixes_.upper_bound(at);
+        return fixes_.try_emplace(at, after == fixes_.begin() ? Fixes() : std::prev(after)->second).first;
+    };
+    const auto end = split(range.first + range.count);
+    for (auto part = split(range.first); part != end; ++part) part->second.push_back(&fix);
+}
+
+SceneParticle SceneParticles::operator[](std::size_t i) const {
+    const auto after =
+        std::upper_bound(blocks_.begin(), blocks_.end(), i, [](std::size_t n, const Block& b) { return n < b.first; });
+    const Block& block = *std::prev(after);
+    SceneParticle particle = of_block(block, i - block.first);
+    if (const auto behind = fixes_.upper_bound(i); behind != fixes_.begin()) {
+        for (const Fix* fix : std::prev(behind)->second) apply(*fix, particle);
+    }
+    if (particle.fixed) particle.velocity = {};
+    return particle;
+}
+
+SceneParticle SceneParticles::of_block(const Block& block, std::size_t index) const {
+    const ParticleBlock& of = *block.block;
+    SceneParticle particle{.position = std::visit(Place{of.position.value(), index}, of.arrangement),
+                           .displacement = {},
+                           .velocity = of.velocity.value(),
+                           .mass = of.mass.value,
+                           .charge = of.charge.value,
+                           .fixed = of.fixed,
+                           .role = of.fixed && of.role == Role::moving ? Role::fixed : of.role};
+    if (const auto* vector = std::get_if<QuantityVector>(&of.displacement)) particle.displacement = vector->value();
+    if (const auto* random = std::get_if<RandomDisplacement>(&of.displacement))
+        particle.displacement = random_displacement(*random, index);
+    if (block.thermal) particle.velocity = particle.velocity + (*block.thermal)[index];
+    return particle;
+}
+
+SceneParticles::Group SceneParticles::group(std::string_view name) const {
+    std::vector<std::string_view> known;
+    for (const Block& block : blocks_) {
+        if (!block.block->group.empty() && block.block->group == name)
+            return {*block.block, {block.first, block.count}};
+        if (!block.block->group.empty()) known.push_back(block.block->group);
+    }
+    throw UsageError(unknown_word("group", name, known));
+}
+
+IndexRange SceneParticles::named(std::string_view text) const {
+    if (text == "all") return {0, count_};
+    const std::size_t bracket = text.find('[');
+    if (bracket == std::string_view::npos) {
+        const auto numbers = whole_range(text);
+        if (!numbers) return group(text).particles;
+        const std::size_t first = counted(numbers->first, count_, "the scene"),
+                          last = counted(numbers->second, count_, "the scene");
+        if (last < first) throw UsageError(fmt::format("'{}' ends before it begins", shown(text)));
+        return {first, last - first + 1};
+    }
+    if (!text.ends_with(']')) throw UsageError(fmt::format("'{}' lacks a closing bracket", shown(text)));
+    const Group of = group(text.substr(0, bracket));
+    const std::string_view inside = text.substr(bracket + 1, text.size() - bracket - 2);
+    if (inside.find(',') != std::string_view::npos) return {of.particles.first + index_in(inside, of), 1};
+    const auto numbers = whole_range(inside);
+    if (!numbers) throw UsageError(fmt::format("'{}': a number belongs into the brackets", shown(text)));
+    const std::string name = fmt::format("group '{}'", shown(of.block.group));
+    const std::size_t first = counted(numbers->first, of.particles.count, name),
+                      last = counted(numbers->second, of.particles.count, name);
+    if (last < first) throw UsageError(fmt::format("'{}' ends before it begins", shown(text)));
+    return {of.particles.first + first, last - first + 1};
+}
+
+std::size_t SceneParticles::index_in(std::string_view text, const Group& group) const {
+    const auto* grid = std::get_if<GridArrangement>(&group.block.arrangement);
+    const std::string name = fmt::format("group '{}'", shown(group.block.group));
+    if (!grid) throw UsageError(name + " is no grid: one number belongs into the brackets");
+    const std::size_t comma = text.find(',');
+    const auto begin = text.find_first_not_of(' ', comma + 1);
+    const auto i = whole(text.substr(0, comma)), j = whole(begin == std::string_view::npos ? "" : text.substr(begin));
+    if (!i || !j) throw UsageError(fmt::format("'{}[{}]': two numbers belong into the brackets", name, shown(text)));
+    return counted(*j, grid->rows, name) * grid->columns + counted(*i, grid->columns, name);
+}
+
+}  // namespace steplab
