@@ -106,6 +106,7 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
     if (!defaults.precision.empty()) model.opening.precision = *parse_precision(defaults.precision);
     model.particles = [scene](const ParameterValues& values) { return static_cast<double>(scene(values).count()); };
     model.facts = [scene](const ParameterValues& values) { return facts_of(scene(values)); };
+    model.scene = scene;
     model.plan = [scene](const ParameterValues& values) { return planned(scene(values)); };
     model.shape = [scene](const ParameterValues& values) { return shape_of(scene(values)); };
     model.omega_max = [](const ParameterValues&) { return std::optional<double>(); };

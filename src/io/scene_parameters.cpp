@@ -40,7 +40,7 @@ Expression expression_of(const toml::node& node) {
 SceneParameters::SceneParameters(const toml::table& root) {
     const toml::node* const all = root.get("parameters");
     if (!all) return;
-    read_keys(table_of(*all, "[parameters]"), "of [parameters]", {},
+    read_keys(table_of(*all, "[parameters]"), "[parameters]", {},
               [this](const std::string& name, const toml::node& node) { read(name, node); });
 }
 
@@ -58,7 +58,7 @@ void SceneParameters::read(const std::string& name, const toml::node& node) {
             entry.info.slider_high = finite_number(*ends[1]);
             if (!(entry.info.slider_low < entry.info.slider_high)) fail_at(given, "the range must grow");
         };
-        read_keys(*table, fmt::format("of parameter '{}'", name),
+        read_keys(*table, fmt::format("parameter '{}'", name),
                   {{"value", [&](const toml::node& given) { read_value(entry, given); }},
                    {"range", range},
                    {"unit", [&](const toml::node& given) { entry.info.unit = kept(text_of(given)); }},
@@ -138,7 +138,7 @@ double SceneNumbers::evaluated(const Expression& expression, const toml::node& p
     return value;
 }
 
-Quantity SceneNumbers::quantity(const toml::node& node, Use use) {
+WrittenNumber SceneNumbers::quantity(const toml::node& node, Use use) {
     if (!node.is_string()) {
         if (!number_of(node)) fail_at(node, "must be a number, or an expression in quotation marks");
         return finite_number(node);
@@ -149,19 +149,19 @@ Quantity SceneNumbers::quantity(const toml::node& node, Use use) {
     return {value, text_of(node)};
 }
 
-Quantity SceneNumbers::positive(const toml::node& node, Use use) {
-    Quantity quantity = this->quantity(node, use);
+WrittenNumber SceneNumbers::positive(const toml::node& node, Use use) {
+    WrittenNumber quantity = this->quantity(node, use);
     if (!(quantity.value > 0)) fail_at(node, fmt::format("must be > 0 (is {})", exact_text(quantity.value)));
     return quantity;
 }
 
-Quantity SceneNumbers::not_negative(const toml::node& node, Use use) {
-    Quantity quantity = this->quantity(node, use);
+WrittenNumber SceneNumbers::not_negative(const toml::node& node, Use use) {
+    WrittenNumber quantity = this->quantity(node, use);
     if (!(quantity.value >= 0)) fail_at(node, fmt::format("must be >= 0 (is {})", exact_text(quantity.value)));
     return quantity;
 }
 
-QuantityVector SceneNumbers::vector(const toml::node& node, Use use) {
+WrittenVector SceneNumbers::vector(const toml::node& node, Use use) {
     const auto elements = elements_of(node, "three numbers, [x, y, z]", 3, 3);
     return {quantity(*elements[0], use), quantity(*elements[1], use), quantity(*elements[2], use)};
 }

@@ -3,7 +3,7 @@
 #include "core/entry.hpp"
 #include "core/expression.hpp"
 #include "io/scene_toml.hpp"
-#include "models/scene/quantity.hpp"
+#include "models/scene/written_number.hpp"
 
 #include <deque>
 #include <map>
@@ -54,10 +54,10 @@ public:
     SceneNumbers(const SceneParameters& parameters, const ParameterValues& values);
 
     /// A number or an expression. Throws SceneProblem.
-    Quantity quantity(const toml::node& node, Use use);
-    Quantity positive(const toml::node& node, Use use);
-    Quantity not_negative(const toml::node& node, Use use);
-    QuantityVector vector(const toml::node& node, Use use);
+    WrittenNumber quantity(const toml::node& node, Use use);
+    WrittenNumber positive(const toml::node& node, Use use);
+    WrittenNumber not_negative(const toml::node& node, Use use);
+    WrittenVector vector(const toml::node& node, Use use);
     /// A whole number from `least` on.
     std::size_t count(const toml::node& node, std::size_t least);
     std::uint64_t seed(const toml::node& node);

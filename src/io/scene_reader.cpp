@@ -115,7 +115,7 @@ private:
     void check_springs(const SceneParticles& particles, const SpringTerm& term) const;
     void check_pairs(const SceneParticles& particles, const PairTerm& term) const;
 
-    Quantity force(const toml::node& node) { return numbers_.quantity(node, Use::force); }
+    WrittenNumber force(const toml::node& node) { return numbers_.quantity(node, Use::force); }
 
     const toml::table& root_;
     SceneNumbers& numbers_;
@@ -139,7 +139,7 @@ void Reader::read_blocks() {
     problems_.attempt([&] {
         const toml::node* const box = root_.get("box");
         if (!box) return;
-        read_keys(table_of(*box, "[box]"), "of [box]",
+        read_keys(table_of(*box, "[box]"), "[box]",
                   {{"size",
                     [&](const toml::node& node) {
                         const auto sides = elements_of(node, "three lengths, [x, y, z]", 3, 3);
@@ -155,7 +155,7 @@ void Reader::read_particles(const toml::table& table) {
     ParticleBlock& block = scene_.particles.emplace_back();
     blocks_.push_back(&table);
     const auto arrangement = [&](const toml::node& node) { read_arrangement(table, block, node); };
-    read_keys(table, "of [[particles]]",
+    read_keys(table, "[[particles]]",
               {{"group", [&](const toml::node& node) { block.group = group_name(node); }},
                {"position", [&](const toml::node& node) { block.position = numbers_.vector(node, Use::start); }},
                {"velocity", [&](const toml::node& node) { block.velocity = numbers_.vector(node, Use::start); }},
@@ -180,7 +180,7 @@ void Reader::read_arrangement(const toml::table& table, ParticleBlock& block, co
 
 LineArrangement Reader::line(const toml::node& node) {
     LineArrangement line{.count = 0, .step = {}};
-    read_keys(table_of(node, "line"), "of line",
+    read_keys(table_of(node, "line"), "line",
               {{"count", [&](const toml::node& given) { line.count = numbers_.count(given, 1); }},
                {"step", [&](const toml::node& given) { line.step = numbers_.vector(given, Use::start); }}});
     if (line.count == 0) fail_at(node, "a line needs a count");
@@ -200,7 +200,7 @@ GridArrangement Reader::grid(const toml::node& node) {
         const auto both = elements_of(given, "two vectors, [[x, y, z], [x, y, z]]", 2, 2);
         grid.steps = {numbers_.vector(*both[0], Use::start), numbers_.vector(*both[1], Use::start)};
     };
-    read_keys(table_of(node, "grid"), "of grid", {{"count", count}, {"steps", steps}});
+    read_keys(table_of(node, "grid"), "grid", {{"count", count}, {"steps", steps}});
     if (grid.rows == 0) fail_at(node, "a grid needs a count");
     return grid;
 }
@@ -221,7 +221,7 @@ CrystalArrangement Reader::crystal(const toml::node& node) {
         }
         if (product > 4294967295.0) fail_at(given, "there may be at most 4294967295 particles");
     };
-    read_keys(table_of(node, "lattice"), "of lattice",
+    read_keys(table_of(node, "lattice"), "lattice",
               {{"kind", kind}, {"cells", cells}, {"constant", [&](const toml::node& given) {
                                                       crystal.constant = numbers_.quantity(given, Use::start);
                                                   }}});
@@ -235,7 +235,7 @@ void Reader::read_displacement(ParticleBlock& block, const toml::node& node) {
         return;
     }
     RandomDisplacement random;
-    read_keys(table_of(node, "displacement"), "of displacement",
+    read_keys(table_of(node, "displacement"), "displacement",
               {{"random", [&](const toml::node& given) { random.width = numbers_.not_negative(given, Use::start); }},
                {"seed", [&](const toml::node& given) { random.seed = numbers_.seed(given); }}});
     block.displacement = random;
@@ -243,7 +243,7 @@ void Reader::read_displacement(ParticleBlock& block, const toml::node& node) {
 
 Temperature Reader::temperature(const toml::node& node) {
     Temperature temperature;
-    read_keys(table_of(node, "temperature"), "of temperature",
+    read_keys(table_of(node, "temperature"), "temperature",
               {{"kT", [&](const toml::node& given) { temperature.kT = numbers_.not_negative(given, Use::start); }},
                {"seed", [&](const toml::node& given) { temperature.seed = numbers_.seed(given); }},
                {"exact", [&](const toml::node& given) { temperature.exact = flag_of(given); }}});
@@ -253,7 +253,7 @@ Temperature Reader::temperature(const toml::node& node) {
 void Reader::read_fix(const toml::table& table) {
     Fix& fix = scene_.fixes.emplace_back();
     fixes_.push_back(&table);
-    read_keys(table, "of [[fix]]",
+    read_keys(table, "[[fix]]",
               {{"particles", [&](const toml::node& node) { fix.particles = texts_of(node); }},
                {"fixed", [&](const toml::node& node) { fix.fixed = flag_of(node); }},
                {"velocity", [&](const toml::node& node) { fix.velocity = numbers_.vector(node, Use::start); }},
@@ -280,7 +280,7 @@ void Reader::read_springs(const toml::table& table) {
         }
     };
     bool has_k = false;
-    read_keys(table, "of [[springs]]",
+    read_keys(table, "[[springs]]",
               {{"between", [&](const toml::node& node) { term.between = text_of(node); }},
                {"along", along},
                {"pairs", pairs},
@@ -297,7 +297,7 @@ void Reader::read_pairs(const toml::table& table) {
     PairTerm& term = scene_.pairs.emplace_back();
     pairs_.push_back(&table);
     const toml::node* potential = nullptr;
-    read_keys(table, "of [[pairs]]",
+    read_keys(table, "[[pairs]]",
               {{"between",
                 [&](const toml::node& node) {
                     term.between = texts_of(node);
@@ -327,7 +327,7 @@ void Reader::check_values_of(const PairTerm& term, const toml::table& table, con
     for (const BuiltInPotential::Value& value : built_in->values) known.push_back(value.name);
     for (const auto& [name, quantity] : term.values) {
         if (std::find(known.begin(), known.end(), name) == known.end())
-            fail_at(*table.get(name), unknown_word("value", name, known, "of " + term.potential));
+            fail_at(*table.get(name), unknown_word("value", name, known, term.potential));
     }
     for (const BuiltInPotential::Value& value : built_in->values) {
         if (value.required && !term.values.contains(std::string(value.name)))
@@ -343,7 +343,7 @@ void Reader::check_values_of(const PairTerm& term, const toml::table& table, con
 void Reader::read_field(const toml::table& table) {
     FieldTerm& field = scene_.fields.emplace_back();
     fields_.push_back(&table);
-    read_keys(table, "of [[fields]]",
+    read_keys(table, "[[fields]]",
               {{"particles", [&](const toml::node& node) { field.particles = texts_of(node); }},
                {"gravity", [&](const toml::node& node) { field.gravity = numbers_.vector(node, Use::force); }},
                {"drag", [&](const toml::node& node) { field.drag = numbers_.not_negative(node, Use::force); }},
@@ -409,7 +409,7 @@ void Reader::check_pairs(const SceneParticles& particles, const PairTerm& term) 
 }
 
 void read_defaults(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defaults) {
-    read_keys(table_of(node, "[run]"), "of [run]",
+    read_keys(table_of(node, "[run]"), "[run]",
               {{"method", [&](const toml::node& given) { defaults.method = text_of(given); }},
                {"dt", [&](const toml::node& given) { defaults.dt = numbers.positive(given, Use::start).value; }},
                {"precision",
@@ -434,12 +434,12 @@ SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers) {
         versioned = true;
     };
     const auto view = [&](const toml::node& node) {
-        read_keys(table_of(node, "[view]"), "of [view]",
+        read_keys(table_of(node, "[view]"), "[view]",
                   {{"camera", [&](const toml::node& given) { texts.defaults.camera = text_of(given); }},
                    {"colour", [&](const toml::node& given) { texts.defaults.colour = text_of(given); }},
                    {"background", [&](const toml::node& given) { texts.defaults.background = text_of(given); }}});
     };
-    read_keys(root, "of a scene file",
+    read_keys(root, "a scene file",
               {{"steplab", version},
                {"title", [&](const toml::node& node) { texts.title = text_of(node); }},
                {"teaches", [&](const toml::node& node) { texts.teaches = text_of(node); }},

@@ -1,6 +1,7 @@
 #include "models/chain_modes.hpp"
 #include "models/line_plan.hpp"
 #include "models/parameters.hpp"
+#include "models/scene/parameter.hpp"
 
 #include <cmath>
 
@@ -30,6 +31,19 @@ constexpr std::size_t most_exact = 1024;
 ChainModes modes(const ParameterValues& values) {
     const long double mass = values["m"];
     return {values.count("n"), values["fixed"] != 0, values["k"] / mass, values["c"] / mass};
+}
+
+Scene scene(const ParameterValues& values) {
+    Scene scene;
+    scene.particles = {{.group = "chain",
+                        .mass = parameter(values, "m"),
+                        .arrangement = LineArrangement{values.count("n"), {parameter(values, "L"), 0, 0}}}};
+    if (values["fixed"] != 0) scene.fixes.push_back({.particles = {"chain[0]"}, .fixed = true});
+    scene.fixes.push_back(
+        {.particles = {"chain[-1]"}, .velocity = WrittenVector{parameter(values, "v0"), 0, 0}, .role = Role::kicked});
+    scene.springs = {{.between = "chain", .k = parameter(values, "k")}};
+    scene.fields = {{.drag = parameter(values, "c")}};
+    return scene;
 }
 
 Plan plan(const ParameterValues& values) {
@@ -72,6 +86,7 @@ const Model& chain_model() {
             [](const ParameterValues& values) {
                 return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"], .bond = values["L"]};
             },
+        .scene = scene,
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues& values) { return std::optional(modes(values).highest_frequency()); },

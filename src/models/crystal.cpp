@@ -1,6 +1,9 @@
 #include "core/number_text.hpp"
 #include "models/model.hpp"
 #include "models/parameters.hpp"
+#include "models/scene/morse_term.hpp"
+#include "models/scene/parameter.hpp"
+#include "models/scene/random_start.hpp"
 
 #include <fmt/format.h>
 
@@ -53,56 +56,26 @@ constexpr ParameterInfo parameters[] = {particles_along_edge(6, 5, 20),
                                          .slider_low = 1,
                                          .slider_high = 4000}};
 
-/// The n-th random number of a seed, uniform in [0, 1): a counter, mixed as in SplitMix64 (Steele, Lea, Flood, OOPSLA
-/// 2014).
-double uniform(std::uint64_t seed, std::uint64_t n) {
-    std::uint64_t z = (seed << 40) + (n + 1) * 0x9E3779B97F4A7C15;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
-/// A nearly normal random number of mean 0 and variance 1: the sum of twelve uniform ones, minus 6.
-double nearly_normal(std::uint64_t seed, std::uint64_t n) {
-    double sum = -6;
-    for (std::uint64_t k = 0; k < 12; ++k) sum += uniform(seed, 12 * n + k);
-    return sum;
-}
-
-/// Smaller indices are used for velocities.
-constexpr std::uint64_t first_of_jitter = std::uint64_t(1) << 62;
-
 /// The random initial state of a scene, particle by particle.
 struct RandomStart {
     std::size_t edge;
-    double spacing, jitter, speed;
-    std::uint64_t seed;
+    double spacing;
+    RandomDisplacement jitter;
+    ThermalVelocities velocities;
 
     explicit RandomStart(const ParameterValues& values)
         : edge(values.count("edge")),
           spacing(values["spacing"]),
-          jitter(values["jitter"]),
-          speed(std::sqrt(values["kT"] / values["m"])),
-          seed(values.count("seed")) {}
+          jitter{values["jitter"], values.count("seed")},
+          velocities({values["kT"], values.count("seed"), false}, values["m"], count()) {}
 
     std::size_t count() const { return edge * edge * edge; }
 
     /// x runs fastest, then y, then z.
     Vec3 position(std::size_t i) const {
-        const auto along = [&](std::size_t index, std::uint64_t axis) {
-            const double shift = 2 * uniform(seed, first_of_jitter + 3 * i + axis) - 1;
-            return static_cast<double>(index) * spacing + jitter * shift;
-        };
-        return {along(i % edge, 0), along(i / edge % edge, 1), along(i / (edge * edge), 2)};
-    }
-    Vec3 velocity(std::size_t i) const {
-        const auto along = [&](std::uint64_t axis) { return speed * nearly_normal(seed, 3 * i + axis); };
-        return {along(0), along(1), along(2)};
-    }
-    Vec3 mean_velocity() const {
-        Vec3 sum;
-        for (std::size_t i = 0; i < count(); ++i) sum = sum + velocity(i);
-        return 1 / static_cast<double>(count()) * sum;
+        const auto along = [&](std::size_t index) { return static_cast<double>(index) * spacing; };
+        const Vec3 place{along(i % edge), along(i / edge % edge), along(i / (edge * edge))};
+        return place + random_displacement(jitter, i);
     }
 };
 
@@ -119,14 +92,29 @@ std::optional<std::string> refusal(const ParameterValues& values) {
         significant(period(values), 6), significant(least, 6));
 }
 
+Scene scene(const ParameterValues& values) {
+    const std::size_t edge = values.count("edge");
+    const WrittenNumber spacing = parameter(values, "spacing"), side = WrittenNumber(values["edge"]) * spacing;
+    Scene scene;
+    scene.particles = {{.group = "crystal",
+                        .mass = parameter(values, "m"),
+                        .arrangement = CrystalArrangement{.cells = {edge, edge, edge}, .constant = spacing},
+                        .displacement = RandomDisplacement{parameter(values, "jitter"), values.count("seed")},
+                        .temperature = Temperature{parameter(values, "kT"), values.count("seed"), false}}};
+    scene.pairs = {morse_term(values)};
+    scene.pairs.front().cutoff = parameter(values, "cutoff");
+    scene.box = {side, side, side};
+    const WrittenNumber corner = WrittenNumber(-0.5) * spacing;
+    scene.corner = WrittenVector{corner, corner, corner};
+    return scene;
+}
+
 Plan plan(const ParameterValues& values) {
     const RandomStart random(values);
     const std::size_t n = random.count();
     const NearPairForces forces{
         {n, values["m"], values["D"], values["k"], values["r0"]}, values["cutoff"], period(values)};
-    const Start start(n, [random, mean = random.mean_velocity()](std::size_t i) {
-        return Start::Particle{random.position(i), random.velocity(i) - mean};
-    });
+    const Start start(n, [random](std::size_t i) { return Start::Particle{random.position(i), random.velocities[i]}; });
     return {.mass = values["m"], .forces = forces, .reference = {.count = n}, .start = start};
 }
 
@@ -163,6 +151,7 @@ const Model& crystal_model() {
                                   .pair_frequency = std::sqrt(2 * values["k"] / values["m"]),
                                   .lists_pairs = true};
             },
+        .scene = scene,
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(); },

@@ -1,5 +1,8 @@
 #include "models/model.hpp"
 #include "models/parameters.hpp"
+#include "models/scene/parameter.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -28,6 +31,18 @@ public:
 private:
     std::size_t count_;
 };
+
+Scene scene(const ParameterValues& values) {
+    Scene scene;
+    scene.particles = {{.group = "free",
+                        .mass = parameter(values, "m"),
+                        .arrangement = LineArrangement{values.count("n"), {1, 0, 0}}}};
+    for (std::size_t i = 1; i < values.count("n"); ++i) {
+        scene.fields.push_back(
+            {.particles = {fmt::format("free[{}]", i)}, .gravity = WrittenVector{0, -0.1 * static_cast<double>(i), 0}});
+    }
+    return scene;
+}
 
 Plan plan(const ParameterValues& values) {
     const std::size_t n = values.count("n");
@@ -59,6 +74,7 @@ const Model& free_model() {
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["n"]; },
         .facts = [](const ParameterValues& values) { return SceneFacts{.mass = values["m"]}; },
+        .scene = scene,
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(0.0); },

@@ -1,5 +1,8 @@
 #include "models/model.hpp"
 #include "models/parameters.hpp"
+#include "models/scene/parameter.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -41,6 +44,32 @@ std::size_t kicked_particle(const ParameterValues& values) {
 Lattice lattice(const ParameterValues& values) {
     const std::size_t dim = values.count("dim");
     return {.count = dim * dim, .columns = dim, .along_row = {values["L"], 0, 0}, .between_rows = {0, 0, -values["L"]}};
+}
+
+/// The four sides, rows by the indices of their ends.
+std::vector<std::string> border(std::size_t dim) {
+    std::vector<std::string> names{fmt::format("mesh[0-{}]", dim - 1),
+                                   fmt::format("mesh[{}-{}]", dim * (dim - 1), dim * dim - 1)};
+    for (std::size_t row = 1; row + 1 < dim; ++row) {
+        names.push_back(fmt::format("mesh[0,{}]", row));
+        names.push_back(fmt::format("mesh[{},{}]", dim - 1, row));
+    }
+    return names;
+}
+
+Scene scene(const ParameterValues& values) {
+    const std::size_t dim = values.count("dim");
+    const WrittenNumber length = parameter(values, "L");
+    Scene scene;
+    scene.particles = {{.group = "mesh",
+                        .mass = parameter(values, "m"),
+                        .arrangement = GridArrangement{dim, dim, {{{length, 0, 0}, {0, 0, -length}}}}}};
+    scene.fixes = {{.particles = border(dim), .fixed = true},
+                   {.particles = {fmt::format("mesh[{}]", kicked_particle(values))},
+                    .velocity = WrittenVector{0, parameter(values, "v0"), 0},
+                    .role = Role::kicked}};
+    scene.springs = {{.between = "mesh", .along = SpringTerm::Along::both, .k = parameter(values, "k")}};
+    return scene;
 }
 
 Plan plan(const ParameterValues& values) {
@@ -105,6 +134,7 @@ const Model& mesh_model() {
                  .parameters = parameters},
         .particles = [](const ParameterValues& values) { return values["dim"] * values["dim"]; },
         .facts = [](const ParameterValues& values) { return SceneFacts{.mass = values["m"], .bond = values["L"]}; },
+        .scene = scene,
         .plan = plan,
         .shape = shape,
         .omega_max = omega_max,

@@ -5,6 +5,7 @@
 #include "core/precision.hpp"
 #include "core/shape.hpp"
 #include "models/plan.hpp"
+#include "models/scene/scene.hpp"
 
 #include <functional>
 #include <memory>
@@ -60,6 +61,9 @@ struct Model {
     /// Number of particles, as a double because it may be too large for an integer.
     std::function<double(const Values&)> particles;
     std::function<SceneFacts(const Values&)> facts;
+    /// The scene as a value, its numbers written with the parameters that apply while it runs.
+    std::function<Scene(const Values&)> scene;
+    /// What planned(scene(values)) is, made without it.
     std::function<Plan(const Values&)> plan;
     std::function<Shape(const Values&)> shape;
     /// Largest angular frequency of the scene linearised at its start, 0 if nothing oscillates; nullopt if not known.

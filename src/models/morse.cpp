@@ -1,6 +1,8 @@
 #include "models/head_on.hpp"
 #include "models/model.hpp"
 #include "models/parameters.hpp"
+#include "models/scene/morse_term.hpp"
+#include "models/scene/parameter.hpp"
 
 namespace steplab {
 
@@ -40,6 +42,24 @@ Forces forces(const ParameterValues& values) {
     const PairForces pairs{count(values), values["m"], values["D"], values["k"], values["r0"]};
     if (values["cutoff"] > 0) return NearPairForces{pairs, values["cutoff"]};
     return pairs;
+}
+
+Scene scene(const ParameterValues& values) {
+    const std::size_t edge = values.count("edge");
+    const WrittenNumber mass = parameter(values, "m");
+    Scene scene;
+    scene.particles = {
+        {.group = "cluster",
+         .mass = mass,
+         .arrangement = CrystalArrangement{.cells = {edge, edge, edge}, .constant = parameter(values, "spacing")}},
+        {.group = "bullet",
+         .position = {bullet_start.x, bullet_start.y, bullet_start.z},
+         .velocity = {parameter(values, "v0"), 0, 0},
+         .mass = mass,
+         .role = Role::bullet}};
+    scene.pairs = {morse_term(values)};
+    if (values["cutoff"] > 0) scene.pairs.front().cutoff = parameter(values, "cutoff");
+    return scene;
 }
 
 Plan plan(const ParameterValues& values) {
@@ -86,6 +106,7 @@ const Model& morse_model() {
                                   .pair_frequency = std::sqrt(2 * values["k"] / values["m"]),
                                   .lists_pairs = values["cutoff"] > 0};
             },
+        .scene = scene,
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues&) { return std::optional<double>(); },

@@ -1,6 +1,7 @@
 #include "models/forces/linear_response.hpp"
 #include "models/line_plan.hpp"
 #include "models/parameters.hpp"
+#include "models/scene/parameter.hpp"
 
 #include <cmath>
 
@@ -37,6 +38,18 @@ private:
 };
 
 /// Particle 0 is the fixed end of the spring, at the origin; particle 1 oscillates.
+Scene scene(const ParameterValues& values) {
+    Scene scene;
+    scene.particles = {{.group = "anchor", .mass = parameter(values, "m"), .fixed = true},
+                       {.group = "mass",
+                        .velocity = {parameter(values, "v0"), 0, 0},
+                        .mass = parameter(values, "m"),
+                        .role = Role::kicked}};
+    scene.springs = {{.pairs = {{"anchor", "mass"}}, .k = parameter(values, "k")}};
+    scene.fields = {{.drag = parameter(values, "c")}};
+    return scene;
+}
+
 Plan plan(const ParameterValues& values) {
     return line_plan({.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
                      values["c"] / values["m"], {values["v0"], 0, 0});
@@ -66,6 +79,7 @@ const Model& oscillator_model() {
             [](const ParameterValues& values) {
                 return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"]};
             },
+        .scene = scene,
         .plan = plan,
         .shape = shape,
         .omega_max = [](const ParameterValues& values) { return std::optional<double>(omega(values)); },

@@ -1,6 +1,7 @@
 #include "models/chain_modes.hpp"
 #include "models/line_plan.hpp"
 #include "models/parameters.hpp"
+#include "models/scene/parameter.hpp"
 
 namespace steplab {
 
@@ -20,6 +21,17 @@ constexpr ParameterInfo parameters[] = {number_of_particles(2, 10),
                                         particle_mass(0.3)};
 
 /// The springs' force constant is k m, so that the shape of the hanging rope does not depend on its mass.
+Scene scene(const ParameterValues& values) {
+    Scene scene;
+    scene.particles = {{.group = "rope",
+                        .mass = parameter(values, "m"),
+                        .arrangement = LineArrangement{values.count("n"), {parameter(values, "L"), 0, 0}}}};
+    scene.fixes = {{.particles = {"rope[0]"}, .fixed = true}};
+    scene.springs = {{.between = "rope", .k = parameter(values, "k") * parameter(values, "m")}};
+    scene.fields = {{.gravity = WrittenVector{0, -parameter(values, "g"), 0}, .drag = parameter(values, "c")}};
+    return scene;
+}
+
 Plan plan(const ParameterValues& values) {
     return line_plan({.count = values.count("n"),
                       .first_fixed = true,
@@ -71,6 +83,7 @@ const Model& rope_model() {
             [](const ParameterValues& values) {
                 return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"], .bond = values["L"]};
             },
+        .scene = scene,
         .plan = plan,
         .shape = shape,
         .omega_max =

@@ -5,6 +5,7 @@
 #include "app/commands/advise.hpp"
 #include "app/commands/bench.hpp"
 #include "app/commands/convert.hpp"
+#include "app/commands/export.hpp"
 #include "app/commands/hard_cases.hpp"
 #include "app/commands/limits.hpp"
 #include "app/commands/list.hpp"
@@ -82,6 +83,7 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     all.push_back(list_command());
     all.push_back(run_command());
     all.push_back(convert_command());
+    all.push_back(export_command());
     all.push_back(snapshot_command());
     all.push_back(limits_command());
     all.push_back(hard_cases_command());

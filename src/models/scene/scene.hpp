@@ -2,7 +2,7 @@
 
 #include "core/shape.hpp"
 #include "core/vec3.hpp"
-#include "models/scene/quantity.hpp"
+#include "models/scene/written_number.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,14 +22,14 @@ namespace steplab {
 /// At position + i step.
 struct LineArrangement {
     std::size_t count = 1;
-    QuantityVector step;
+    WrittenVector step;
     bool operator==(const LineArrangement&) const = default;
 };
 
 /// The first index runs fastest: particle j * columns + i is at position + i steps[0] + j steps[1].
 struct GridArrangement {
     std::size_t columns = 1, rows = 1;
-    std::array<QuantityVector, 2> steps;
+    std::array<WrittenVector, 2> steps;
     bool operator==(const GridArrangement&) const = default;
 };
 
@@ -38,7 +38,7 @@ struct CrystalArrangement {
     enum class Kind { cubic, bcc, fcc };
     Kind kind = Kind::cubic;
     std::array<std::size_t, 3> cells{1, 1, 1};
-    Quantity constant = 1;
+    WrittenNumber constant = 1;
     bool operator==(const CrystalArrangement&) const = default;
 };
 
@@ -57,14 +57,14 @@ using Arrangement = std::variant<std::monostate, LineArrangement, GridArrangemen
 
 /// Uniform within +-width along each axis, drawn by seed and index in the block.
 struct RandomDisplacement {
-    Quantity width;
+    WrittenNumber width;
     std::uint64_t seed = 1;
     bool operator==(const RandomDisplacement&) const = default;
 };
 
 /// Each component of a velocity has the variance kT / m; the block's mean velocity is subtracted.
 struct Temperature {
-    Quantity kT;
+    WrittenNumber kT;
     std::uint64_t seed = 1;
     bool exact = true;  ///< scaled to sum m v^2 = (3 n - 3) kT
     bool operator==(const Temperature&) const = default;
@@ -73,12 +73,12 @@ struct Temperature {
 /// One particle or many that differ in their places.
 struct ParticleBlock {
     std::string group = {};  ///< empty: none
-    QuantityVector position, velocity;
-    Quantity mass = 1, charge = 0;
+    WrittenVector position = {}, velocity = {};
+    WrittenNumber mass = 1, charge = 0;
     bool fixed = false;
     Role role = Role::moving;
     Arrangement arrangement = {};
-    std::variant<std::monostate, QuantityVector, RandomDisplacement> displacement = {};
+    std::variant<std::monostate, WrittenVector, RandomDisplacement> displacement = {};
     std::optional<Temperature> temperature = {};
 
     std::size_t count() const;
@@ -89,8 +89,8 @@ struct ParticleBlock {
 struct Fix {
     std::vector<std::string> particles;  ///< "cloth[0,0]", "rope", "4-9" (selection.hpp)
     std::optional<bool> fixed = {};
-    std::optional<QuantityVector> velocity = {}, displacement = {};
-    std::optional<Quantity> mass = {}, charge = {};
+    std::optional<WrittenVector> velocity = {}, displacement = {};
+    std::optional<WrittenNumber> mass = {}, charge = {};
     std::optional<Role> role = {};
     bool operator==(const Fix&) const = default;
 };
@@ -102,9 +102,9 @@ struct SpringTerm {
     std::string between = {};  ///< a group: neighbours of its line or grid; empty: none
     Along along = Along::axes;
     std::vector<std::pair<std::string, std::string>> pairs = {};
-    Quantity k;
-    std::optional<Quantity> length = {};  ///< none: the distance in the reference positions
-    Quantity damping = 0, quadratic = 0, cubic = 0;
+    WrittenNumber k;
+    std::optional<WrittenNumber> length = {};  ///< none: the distance in the reference positions
+    WrittenNumber damping = 0, quadratic = 0, cubic = 0;
     bool operator==(const SpringTerm&) const = default;
 };
 
@@ -112,18 +112,18 @@ struct SpringTerm {
 struct PairTerm {
     std::vector<std::string> between = {};  ///< none: all particles
     std::string potential;                  ///< the name of a built-in one, or an expression
-    std::map<std::string, Quantity> values = {};
-    std::optional<Quantity> cutoff = {};
+    std::map<std::string, WrittenNumber> values = {};
+    std::optional<WrittenNumber> cutoff = {};
     bool operator==(const PairTerm&) const = default;
 };
 
 /// What acts on each particle from outside.
 struct FieldTerm {
     std::vector<std::string> particles = {};  ///< none: all
-    std::optional<QuantityVector> gravity = {};
-    std::optional<Quantity> drag = {};
+    std::optional<WrittenVector> gravity = {};
+    std::optional<WrittenNumber> drag = {};
     std::string potential = {};  ///< an expression; empty: none
-    std::map<std::string, Quantity> values = {};
+    std::map<std::string, WrittenNumber> values = {};
     bool operator==(const FieldTerm&) const = default;
 };
 
@@ -141,8 +141,8 @@ struct Scene {
     std::vector<SpringTerm> springs;
     std::vector<PairTerm> pairs;
     std::vector<FieldTerm> fields;
-    QuantityVector box;                         ///< sides of space that repeats itself; 0: not along this axis
-    std::optional<QuantityVector> corner = {};  ///< of the box, for pictures and files
+    WrittenVector box;                         ///< sides of space that repeats itself; 0: not along this axis
+    std::optional<WrittenVector> corner = {};  ///< of the box, for pictures and files
 
     std::size_t count() const;
     bool operator==(const Scene&) const = default;

@@ -13,7 +13,7 @@ namespace steplab {
 
 namespace {
 
-Vec3 shifted(Vec3 from, std::size_t times, const QuantityVector& step) {
+Vec3 shifted(Vec3 from, std::size_t times, const WrittenVector& step) {
     return from + static_cast<double>(times) * step.value();
 }
 
@@ -152,7 +152,7 @@ SceneParticle SceneParticles::of_block(const Block& block, std::size_t index) co
                            .charge = of.charge.value,
                            .fixed = of.fixed,
                            .role = of.fixed && of.role == Role::moving ? Role::fixed : of.role};
-    if (const auto* vector = std::get_if<QuantityVector>(&of.displacement)) particle.displacement = vector->value();
+    if (const auto* vector = std::get_if<WrittenVector>(&of.displacement)) particle.displacement = vector->value();
     if (const auto* random = std::get_if<RandomDisplacement>(&of.displacement))
         particle.displacement = random_displacement(*random, index);
     if (block.thermal) particle.velocity = particle.velocity + (*block.thermal)[index];

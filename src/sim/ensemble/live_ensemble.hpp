@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/frame.hpp"
-#include "models/model.hpp"
+#include "models/plan.hpp"
 #include "sim/ensemble/ensemble_stepper.hpp"
 #include "sim/ensemble/live_ensemble_options.hpp"
 #include "sim/run/execution.hpp"

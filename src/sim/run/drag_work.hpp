@@ -3,7 +3,7 @@
 #include "core/field.hpp"
 #include "methods/engines/step_parts.hpp"
 #include "models/forces/plain.hpp"
-#include "models/model.hpp"
+#include "models/plan.hpp"
 
 #include <cstddef>
 

@@ -3,7 +3,7 @@
 #include "core/diagnostics.hpp"
 #include "core/field.hpp"
 #include "core/instructions.hpp"
-#include "models/model.hpp"
+#include "models/plan.hpp"
 #include "sim/steppers/energy_sums.hpp"
 #include "sim/steppers/pieces.hpp"
 #include "sim/steppers/stepper.hpp"

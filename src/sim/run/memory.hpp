@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/model.hpp"
+#include "models/plan.hpp"
 #include "sim/run/run_description.hpp"
 
 namespace steplab {

@@ -7,7 +7,7 @@
 #include "core/own_stop.hpp"
 #include "core/precision.hpp"
 #include "core/start.hpp"
-#include "models/model.hpp"
+#include "models/plan.hpp"
 
 #include <any>
 #include <cstddef>

@@ -1,0 +1,183 @@
+#include "io/scene_writer.hpp"
+
+#include "core/expression.hpp"
+#include "core/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+std::string quoted(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            result += c;
+        }
+    }
+    return result + '"';
+}
+
+std::string list_of(const std::vector<std::string>& texts) {
+    std::string list;
+    for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + quoted(text);
+    return "[" + list + "]";
+}
+
+/// Writes blocks and notes the names of parameters in them.
+class Writer {
+public:
+    std::string text;
+    std::set<std::string, std::less<>> names;
+
+    std::string number(const WrittenNumber& quantity) {
+        if (quantity.text.empty()) return number_text(quantity.value);
+        const Expression expression(quantity.text);
+        for (const std::string& name : expression.names()) names.insert(name);
+        return quoted(quantity.text);
+    }
+    std::string vector(const WrittenVector& v) {
+        return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
+    }
+
+    void begin(std::string_view name) { text += fmt::format("\n{}\n", name); }
+    void line(std::string_view key, const std::string& value) { text += fmt::format("{} = {}\n", key, value); }
+    void line(std::string_view key, const WrittenNumber& quantity) { line(key, number(quantity)); }
+    void line(std::string_view key, const WrittenVector& v) { line(key, vector(v)); }
+    void flag(std::string_view key, bool value) { line(key, std::string(value ? "true" : "false")); }
+    template <class Value>
+    void unless(const Value& usual, std::string_view key, const Value& value) {
+        if (!(value == usual)) line(key, value);
+    }
+
+    void operator()(const ParticleBlock& block);
+    void operator()(const Fix& fix);
+    void operator()(const SpringTerm& term);
+    void operator()(const PairTerm& term);
+    void operator()(const FieldTerm& field);
+
+private:
+    void arrangement(const std::monostate&) {}
+    void arrangement(const LineArrangement& given) {
+        line("line", fmt::format("{{ count = {}, step = {} }}", given.count, vector(given.step)));
+    }
+    void arrangement(const GridArrangement& given) {
+        line("grid", fmt::format("{{ count = [{}, {}], steps = [{}, {}] }}", given.columns, given.rows,
+                                 vector(given.steps[0]), vector(given.steps[1])));
+    }
+    void arrangement(const CrystalArrangement& given) {
+        constexpr std::array kinds{"cubic", "bcc", "fcc"};
+        line("lattice", fmt::format("{{ kind = \"{}\", cells = [{}, {}, {}], constant = {} }}",
+                                    kinds[static_cast<std::size_t>(given.kind)], given.cells[0], given.cells[1],
+                                    given.cells[2], number(given.constant)));
+    }
+    void arrangement(const ListedParticles& given) { line("file", quoted(given.file)); }
+};
+
+void Writer::operator()(const ParticleBlock& block) {
+    begin("[[particles]]");
+    if (!block.group.empty()) line("group", quoted(block.group));
+    unless({}, "position", block.position);
+    unless({}, "velocity", block.velocity);
+    unless(WrittenNumber(1), "mass", block.mass);
+    unless(WrittenNumber(0), "charge", block.charge);
+    if (block.fixed) flag("fixed", true);
+    if (block.role != Role::moving) line("role", quoted(id(block.role)));
+    std::visit([this](const auto& given) { arrangement(given); }, block.arrangement);
+    if (const auto* vector = std::get_if<WrittenVector>(&block.displacement)) line("displacement", *vector);
+    if (const auto* random = std::get_if<RandomDisplacement>(&block.displacement))
+        line("displacement", fmt::format("{{ random = {}, seed = {} }}", number(random->width), random->seed));
+    if (block.temperature)
+        line("temperature", fmt::format("{{ kT = {}, seed = {}, exact = {} }}", number(block.temperature->kT),
+                                        block.temperature->seed, block.temperature->exact));
+}
+
+void Writer::operator()(const Fix& fix) {
+    begin("[[fix]]");
+    line("particles", list_of(fix.particles));
+    if (fix.fixed) flag("fixed", *fix.fixed);
+    if (fix.velocity) line("velocity", *fix.velocity);
+    if (fix.displacement) line("displacement", *fix.displacement);
+    if (fix.mass) line("mass", *fix.mass);
+    if (fix.charge) line("charge", *fix.charge);
+    if (fix.role) line("role", quoted(id(*fix.role)));
+}
+
+void Writer::operator()(const SpringTerm& term) {
+    constexpr std::array directions{"axes", "diagonals", "both"};
+    begin("[[springs]]");
+    if (!term.between.empty()) line("between", quoted(term.between));
+    if (term.along != SpringTerm::Along::axes) line("along", quoted(directions[static_cast<std::size_t>(term.along)]));
+    if (!term.pairs.empty()) {
+        std::string pairs;
+        for (const auto& [one, other] : term.pairs) pairs += (pairs.empty() ? "" : ", ") + list_of({one, other});
+        line("pairs", "[" + pairs + "]");
+    }
+    line("k", term.k);
+    if (term.length) line("length", *term.length);
+    unless(WrittenNumber(0), "damping", term.damping);
+    unless(WrittenNumber(0), "quadratic", term.quadratic);
+    unless(WrittenNumber(0), "cubic", term.cubic);
+}
+
+void Writer::operator()(const PairTerm& term) {
+    begin("[[pairs]]");
+    if (!term.between.empty()) line("between", list_of(term.between));
+    line("potential", quoted(term.potential));
+    for (const auto& [name, value] : term.values) line(name, value);
+    if (term.cutoff) line("cutoff", *term.cutoff);
+}
+
+void Writer::operator()(const FieldTerm& field) {
+    begin("[[fields]]");
+    if (!field.particles.empty()) line("particles", list_of(field.particles));
+    if (field.gravity) line("gravity", *field.gravity);
+    if (field.drag) line("drag", *field.drag);
+}
+
+std::string parameters_text(const RunDescription& run, const Writer& writer) {
+    std::string text;
+    for (const ParameterInfo& info : run.scene.infos()) {
+        if (!writer.names.contains(info.name)) continue;
+        text +=
+            fmt::format("{} = {{ value = {}, range = [{}, {}]{}, what = {}{} }}\n", info.name,
+                        number_text(run.scene[info.name]), number_text(info.slider_low), number_text(info.slider_high),
+                        info.unit.empty() ? "" : fmt::format(", unit = {}", quoted(info.unit)), quoted(info.what),
+                        info.slider_logarithmic ? ", logarithmic = true" : "");
+    }
+    return text.empty() ? text : "\n[parameters]\n" + text;
+}
+
+}  // namespace
+
+std::string scene_file_text(const RunDescription& run) {
+    const Model& model = model_of(run);
+    const Scene scene = model.scene(run.scene);
+    Writer writer;
+    for (const ParticleBlock& block : scene.particles) writer(block);
+    for (const Fix& fix : scene.fixes) writer(fix);
+    for (const SpringTerm& term : scene.springs) writer(term);
+    for (const PairTerm& term : scene.pairs) writer(term);
+    for (const FieldTerm& field : scene.fields) writer(field);
+    if (scene.box.value() != Vec3{}) {
+        writer.begin("[box]");
+        writer.line("size", scene.box);
+        if (scene.corner) writer.line("corner", *scene.corner);
+    }
+    writer.begin("[run]");
+    writer.line("method", quoted(run.method));
+    writer.line("dt", number_text(run.dt));
+    writer.line("precision", quoted(id(run.precision)));
+    return fmt::format("steplab = 1\ntitle = {}\nteaches = {}\n", quoted(model.info.name), quoted(model.info.what)) +
+           parameters_text(run, writer) + writer.text;
+}
+
+}  // namespace steplab
