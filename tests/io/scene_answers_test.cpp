@@ -1,0 +1,173 @@
+// Scenes from files whose motion is known in closed form, with every method that steps them.
+
+#include "core/number_text.hpp"
+#include "io/scene_file.hpp"
+#include "sim/run/simulation.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace steplab::test {
+namespace {
+
+RunDescription run_of_text(const std::string& text, const MethodCase& method, double dt) {
+    RunDescription run =
+        with_method(describe(scene_from({{.name = "", .content = "steplab = 1\n" + text}}, "a.toml")), method.id());
+    run.precision = method.precision;
+    run.dt = dt;
+    return run;
+}
+
+Frame after(const RunDescription& run, std::uint64_t steps) {
+    Simulation simulation(run);
+    simulation.advance(steps);
+    EXPECT_FALSE(simulation.divergence());
+    return simulation.frame();
+}
+
+const std::string dimer = R"(
+[[particles]]
+group = "light"
+mass = 1
+velocity = [0.3, 0, 0]
+[[particles]]
+group = "heavy"
+position = [1, 0, 0]
+mass = 3
+velocity = [-0.1, 0, 0]
+[[springs]]
+pairs = [["light", "heavy"]]
+k = 2
+)";
+
+class SceneAnswers : public testing::TestWithParam<MethodCase> {};
+
+/// In steps of a hundredth of the period; a method of order 1 is off by some tenths of the amplitude then.
+double allowed(const MethodCase& c, double amplitude) {
+    const double order = c.info->adaptive ? 8 : c.info->order;
+    const double truncation = c.info->adaptive ? 1e-6 : 2 * std::pow(2 * std::numbers::pi / 100, order) * 6;
+    return amplitude * (truncation + (c.precision == Precision::float_ ? 1e-4 : 1e-9));
+}
+
+// Reduced mass 3/4: omega = sqrt(k / mu); the centre of mass rests.
+TEST_P(SceneAnswers, two_masses_on_a_spring) {
+    const double omega = std::sqrt(2 / 0.75), period = 2 * std::numbers::pi / omega;
+    const Frame frame = after(run_of_text(dimer, GetParam(), period / 100), 90);
+    const double t = frame.time, stretch = -0.4 / omega * std::sin(omega * t);
+    const double amplitude = 0.4 / omega;
+    EXPECT_NEAR(frame.positions[0].x, -0.75 * stretch, allowed(GetParam(), amplitude));
+    EXPECT_NEAR(frame.positions[1].x, 1 + 0.25 * stretch, allowed(GetParam(), amplitude));
+    EXPECT_EQ(frame.positions[0].y, 0);
+}
+
+const std::string kepler = R"(
+[[particles]]
+mass = 3
+velocity = [0, -0.25, 0]
+[[particles]]
+position = [1, 0, 0]
+velocity = [0, 0.75, 0]
+[[pairs]]
+potential = "gravity"
+G = 0.25
+)";
+
+// The distance stays 1 on a circle: G (m1 + m2) / r^2 = v^2 / r with v = 1, so the period is 2 pi.
+TEST_P(SceneAnswers, two_stars_on_a_circle) {
+    const Frame frame = after(run_of_text(kepler, GetParam(), 2 * std::numbers::pi / 100), 90);
+    const Vec3 apart = frame.positions[1] - frame.positions[0];
+    EXPECT_NEAR(apart.x, std::cos(frame.time), allowed(GetParam(), 1));
+    EXPECT_NEAR(apart.y, std::sin(frame.time), allowed(GetParam(), 1));
+    EXPECT_EQ(apart.z, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, SceneAnswers, testing::ValuesIn(working_methods()), case_name);
+
+// Period 2 pi a^(3/2) / sqrt(G m); from the perihelion, a = 1.
+TEST(SceneAnswer, an_ellipse_of_eccentricity_nine_tenths_returns) {
+    const double e = 0.9, far = 1 - e, speed = std::sqrt((1 + e) / (1 - e));
+    const std::string text = "[[particles]]\nfixed = true\n[[particles]]\nposition = [" + number_text(far) +
+                             ", 0, 0]\nvelocity = [0, " + number_text(speed) +
+                             ", 0]\n[[pairs]]\npotential = \"gravity\"\nG = 1\n";
+    for (const char* const method : {"ias15", "dop853", "taylor", "gauss-16"}) {
+        RunDescription run =
+            run_of_text(text, {&steplab::method(method).info, Precision::double_}, std::numbers::pi / 50);
+        run.method_parameters.set("tolerance", 1e-12);
+        const Frame frame = after(run, 1000);  // ten periods
+        EXPECT_LT(length(frame.positions[1] - Vec3{far, 0, 0}), 1e-6) << method;
+    }
+}
+
+// A pair in its minimum swings with sqrt(V'' / mu): V'' is 57.146 epsilon / sigma^2 for Lennard-Jones (r = 2^(1/6)
+// sigma), k for Morse. Small swings: the next term changes the period by the square of the amplitude.
+TEST(SceneAnswer, dimers_swing_with_the_frequency_of_their_minimum) {
+    const double minimum = std::pow(2.0, 1.0 / 6);
+    const std::pair<std::string, double> cases[] = {
+        {"potential = \"lennard-jones\"\nepsilon = 1\nsigma = 1\n", 72 / std::cbrt(2.0)},
+        {"potential = \"morse\"\nD = 1\nk = 40\nr0 = " + number_text(minimum) + "\n", 40}};
+    for (const auto& [potential, stiffness] : cases) {
+        const double omega = std::sqrt(stiffness / 0.5), amplitude = 1e-5;
+        const std::string text = "[[particles]]\n[[particles]]\nposition = [" + number_text(minimum + amplitude) +
+                                 ", 0, 0]\n[[pairs]]\n" + potential;
+        const RunDescription run = run_of_text(text, {&method("rk4").info, Precision::double_}, 0.02 / omega);
+        const Frame frame = after(run, 1000);
+        const double stretch = frame.positions[1].x - frame.positions[0].x - minimum;
+        EXPECT_NEAR(stretch, amplitude * std::cos(omega * frame.time), 0.01 * amplitude) << potential;
+    }
+}
+
+// The figure of eight of three equal masses (Chenciner, Montgomery 2000); Simo's initial values, period 6.3259139.
+TEST(SceneAnswer, three_bodies_return_on_a_figure_of_eight) {
+    const std::string text = R"(
+[[particles]]
+position = [0.97000436, -0.24308753, 0]
+velocity = [0.466203685, 0.43236573, 0]
+[[particles]]
+position = [-0.97000436, 0.24308753, 0]
+velocity = [0.466203685, 0.43236573, 0]
+[[particles]]
+velocity = [-0.93240737, -0.86473146, 0]
+[[pairs]]
+potential = "gravity"
+G = 1
+)";
+    const RunDescription run = run_of_text(text, {&method("ias15").info, Precision::double_}, 6.3259139 / 100);
+    const Frame start = after(run, 0), end = after(run, 100);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_LT(length(end.positions[i] - start.positions[i]), 1e-6) << i;  // values of eight digits
+}
+
+// The modes of two masses between walls with k, K, k are
+// sqrt(k / m) and sqrt((k + 2 K) / m); a start in both beats.
+TEST(SceneAnswer, two_masses_between_walls_beat) {
+    const std::string text = R"(
+[[particles]]
+group = "walls"
+line = { count = 2, step = [3, 0, 0] }
+fixed = true
+[[particles]]
+group = "masses"
+position = [1, 0, 0]
+line = { count = 2, step = [1, 0, 0] }
+[[fix]]
+particles = "masses[0]"
+displacement = [0.1, 0, 0]
+[[springs]]
+pairs = [["walls[0]", "masses[0]"], ["masses[1]", "walls[1]"]]
+k = 4
+[[springs]]
+between = "masses"
+k = 0.5
+)";
+    const Frame frame = after(run_of_text(text, {&method("rk4").info, Precision::double_}, 0.005), 4000);
+    const double t = frame.time, slow = std::cos(2 * t), fast = std::cos(std::sqrt(5.0) * t);
+    EXPECT_NEAR(frame.positions[2].x, 1 + 0.05 * (slow + fast), 1e-8);  // fourth order, 45 radians
+    EXPECT_NEAR(frame.positions[3].x, 2 + 0.05 * (slow - fast), 1e-8);
+}
+
+}  // namespace
+}  // namespace steplab::test

@@ -1,0 +1,214 @@
+#include "io/scene_file.hpp"
+
+#include "core/error.hpp"
+#include "io/files.hpp"
+#include "io/scene_writer.hpp"
+#include "models/scene/scene.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/run/simulation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+SceneOrigin read(const std::string& text) { return scene_from({{.name = "", .content = text}}, "a.toml"); }
+
+std::string refusal(const std::string& text) {
+    try {
+        read(text);
+        return "read";
+    } catch (const FileError& error) {
+        return error.what();
+    }
+}
+
+const std::string rope = R"(steplab = 1
+title = "A rope"
+
+[parameters]
+k = { value = 200, range = [10, 1e4], unit = "N/m", what = "stiffness", logarithmic = true }
+n = 10
+g = "k / 20"
+
+[[particles]]
+group = "rope"
+line = { count = "n", step = [0.5, 0, 0] }
+
+[[fix]]
+particles = "rope[0]"
+fixed = true
+
+[[springs]]
+between = "rope"
+k = "2 * k"
+
+[[fields]]
+gravity = [0, "-g", 0]
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from;
+    return text.replace(place, from.size(), to);
+}
+
+TEST(SceneFile, makes_a_scene_of_its_parameters) {
+    const RunDescription run = describe(read(rope));
+    ASSERT_EQ(run.scene.infos().size(), 2u) << "one that follows others is no parameter of the scene";
+    EXPECT_EQ(run.scene["k"], 200);
+    EXPECT_EQ(run.scene.infos()[0].on_change, OnChange::applies_live);
+    EXPECT_EQ(run.scene.infos()[0].slider_high, 1e4);
+    EXPECT_EQ(run.scene.infos()[1].on_change, OnChange::restarts) << "of a count";
+    RunDescription other = run;
+    other.scene.set("n", 4);
+    other.scene.set("k", 20);
+    const Plan plan = model_of(other).plan(other.scene);
+    const auto* const line = std::get_if<LineForces>(&plan.forces);
+    ASSERT_TRUE(line);
+    EXPECT_EQ(line->count, 4u);
+    EXPECT_EQ(line->k, 40);
+    EXPECT_EQ(line->gravity, 1);
+    EXPECT_TRUE(line->first_fixed);
+}
+
+TEST(SceneFile, is_compared_by_content) {
+    const RunDescription a = describe(read(rope)), b = describe(read(rope)), c = describe(read(rope + "\n"));
+    EXPECT_EQ(a, b);
+    EXPECT_NE(a, c);
+    EXPECT_NE(a, describe("rope"));
+}
+
+TEST(SceneFile, says_how_it_opens) {
+    const RunDescription run = describe(read(rope + "[run]\nmethod = \"verlet\"\ndt = 0.01\nprecision = \"float\"\n"));
+    EXPECT_EQ(run.method, "verlet");
+    EXPECT_EQ(run.dt, 0.01);
+    EXPECT_EQ(run.precision, Precision::float_);
+}
+
+TEST(SceneFile, that_is_wrong_is_refused_with_line_and_column) {
+    const std::vector<std::pair<std::string, const char*>> cases{
+        {"", "a.toml:1:1: a scene file begins with its version"},
+        {"steplab = 2\n", "a.toml:1:11: this program reads version 1"},
+        {"steplab = 1\nx = [", "a.toml:2:6: "},
+        {"steplab = 1\n", "a scene needs [[particles]]"},
+        {replaced(rope, "title", "tittle"), "a.toml:2:1: unknown key 'tittle' of a scene file (did you mean 'title'?)"},
+        {replaced(rope, "\"2 * k\"", "\"2 * q\""), "a.toml:19:5: unknown parameter 'q'; known: g, k, n"},
+        {replaced(rope, "\"2 * k\"", "\"2 *\""), "a.toml:19:5: \"2 *\", character 4: ends where"},
+        {replaced(rope, "\"2 * k\"", "nan"), "a.toml:19:5: must be a finite number"},
+        {replaced(rope, "\"2 * k\"", "-1"), "a.toml:19:5: must be >= 0"},
+        {replaced(rope, "\"2 * k\"", "[1]"), "a.toml:19:5: must be a number, or an expression"},
+        {replaced(rope, "between = \"rope\"", "between = \"roop\""), "a.toml:17:1: unknown group 'roop' (did you mean"},
+        {replaced(rope, "rope[0]", "rope[10]"), "a.toml:13:1: group 'rope' has no particle 10"},
+        {replaced(rope, "\"n\"", "\"n + 0.5\""), "must be an integer from 1 to 4294967295 (is 10.5)"},
+        {replaced(rope, "\"n\"", "1000000000000"), "must be an integer from 1"},
+        {replaced(rope, "k / 20", "g / 20"), "'g' depends on itself"},
+        {replaced(rope, "\"k / 20\"", "10"), "read"},
+        {replaced(rope, "\"-g\"", "-9.81"), "a.toml:7:5: nothing uses the parameter 'g'"},
+        {replaced(rope, "range = [10, 1e4]", "range = [0, 1e4]"), "must begin above 0"},
+        {rope + "[[particles]]\nmass = 0\n", "must be > 0"},
+        {rope + "[[particles]]\ngroup = \"rope\"\n", "there is a group 'rope' already"},
+        {rope + "[[springs]]\npairs = [[\"rope[1]\", \"rope[1]\"]]\nk = 1\n", "to itself"},
+        {rope + "[[springs]]\npairs = [[\"rope\", \"rope[1]\"]]\nk = 1\n", "joins single particles"},
+        {rope + "[[springs]]\nk = 1\n", "needs between or pairs"},
+        {rope + "[[pairs]]\npotential = \"mors\"\n", "unknown potential 'mors' (did you mean 'morse'?)"},
+        {rope + "[[pairs]]\npotential = \"morse\"\nD = 1\n", "the potential morse needs a value of k"},
+        {rope + "[[pairs]]\npotential = \"gravity\"\nG = 1\nK = 1\n", "unknown value 'K' of gravity"},
+        {rope + "[[pairs]]\nbetween = \"rope[0]\"\npotential = \"gravity\"\nG = 1\n", "within one particle"},
+        {rope + "[[pairs]]\npotential = \"gravity\"\nG = 1\n[box]\nsize = [9, 9, 9]\n", "needs a cutoff"},
+        {rope + "[[pairs]]\npotential = \"gravity\"\nG = 1\ncutoff = 4\n[box]\nsize = [9, 9, 9]\n", "2.3 times"},
+    };
+    for (const auto& [text, message] : cases) EXPECT_THAT(refusal(text), HasSubstr(message)) << text;
+}
+
+TEST(SceneFile, names_the_first_of_several_problems) {
+    const std::string text = replaced(replaced(rope, "\"2 * k\"", "\"2 *\""), "step = [0.5, 0, 0]", "step = [0.5, 0]");
+    EXPECT_THAT(refusal(text), StartsWith("a.toml:11:31: must be three numbers"));
+}
+
+TEST(SceneFile, truncated_anywhere_is_read_or_refused) {
+    for (std::size_t length = 0; length < rope.size(); ++length) {
+        const std::string result = refusal(rope.substr(0, length));
+        EXPECT_TRUE(result == "read" || result.starts_with("a.toml:")) << length << ": " << result;
+    }
+}
+
+TEST(SceneFile, changed_anywhere_is_read_or_refused) {
+    std::mt19937 random(2008);
+    const std::string pieces = "0123456789.-[]{}\"'=#\n kngrope*/^()e";
+    for (int change = 0; change < 2000; ++change) {
+        std::string text = rope;
+        for (unsigned i = 0; i <= random() % 3; ++i) text[random() % text.size()] = pieces[random() % pieces.size()];
+        const std::string result = refusal(text);
+        EXPECT_TRUE(result == "read" || result.starts_with("a.toml:")) << text << result;
+    }
+}
+
+TEST(SceneFile, that_is_none_is_named) {
+    const TemporaryFolder folder;
+    const auto message = [](const std::string& name) -> std::string {
+        try {
+            find_scene(name);
+            return "found";
+        } catch (const Error& error) {
+            return error.what();
+        }
+    };
+    EXPECT_THAT(message(folder.file("none.toml")), HasSubstr("there is no such file"));
+    EXPECT_THAT(message(folder.path() + "/"), HasSubstr("it is not a file"));
+    EXPECT_THAT(message("/dev/zero"), HasSubstr("it is not a file"));
+    EXPECT_THAT(message("three-pendulms"), HasSubstr("did you mean 'three-pendulums'?"));
+}
+
+TEST(SceneFile, of_every_model_gives_its_hash) {
+    for (const Model& model : models()) {
+        for (const Precision precision : {Precision::float_, Precision::double_}) {
+            for (const char* const method : {"euler", "rk4", "dopri5", "taylor"}) {
+                RunDescription run = describe(model.info.id, method);
+                run.precision = precision;
+                run.dt = 0.03;
+                RunDescription written = describe(read(scene_file_text(run)));
+                EXPECT_EQ(written.method, method);
+                EXPECT_EQ(written.dt, 0.03);
+                Simulation direct(run), from_file(written);
+                direct.advance(60);
+                from_file.advance(60);
+                if (model.info.id == "free") {  // its accelerations become fields
+                    const Frame a = direct.frame(), b = from_file.frame();
+                    for (std::size_t i = 0; i < a.positions.size(); ++i)
+                        EXPECT_LT(length(a.positions[i] - b.positions[i]), 1e-5) << method;  // float
+                } else {
+                    EXPECT_EQ(direct.hash(), from_file.hash()) << model.info.id << ' ' << method;
+                }
+            }
+        }
+    }
+}
+
+TEST(SceneFile, written_again_is_the_same_scene) {
+    const RunDescription once = describe(read(rope)), again = describe(read(scene_file_text(once)));
+    EXPECT_EQ(model_of(once).scene(once.scene), model_of(again).scene(again.scene));
+}
+
+TEST(SceneFile, of_every_shipped_scene_runs) {
+    for (const std::string& name : shipped_scenes()) {
+        const RunDescription run = describe(find_scene(name));
+        check(run);
+        Simulation simulation(run);
+        simulation.advance(200);
+        EXPECT_FALSE(simulation.divergence()) << name;
+        EXPECT_FALSE(run.origin->model->info.name.empty() || run.origin->model->info.what.empty()) << name;
+    }
+}
+
+}  // namespace
+}  // namespace steplab

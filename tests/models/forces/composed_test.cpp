@@ -1,0 +1,174 @@
+#include "core/dual.hpp"
+#include "models/forces/layouts.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+using Potential = ComposedPairs::Potential;
+
+ComposedForces forces_of(Composition terms) {
+    const std::size_t count = terms.count;
+    const double mass = terms.mass;
+    return {count, mass, std::make_shared<const Composition>(std::move(terms))};
+}
+
+Field<double> random_positions(std::size_t count, double size, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, size);
+    Field<double> field(count);
+    for (std::size_t i = 0; i < count; ++i) field.set(i, {uniform(random), uniform(random), uniform(random)});
+    return field;
+}
+
+std::vector<std::uint32_t> numbers(std::uint32_t from, std::uint32_t to) {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i = from; i < to; ++i) all.push_back(i);
+    return all;
+}
+
+/// Every kind of term between particles of different masses and charges; the last particle is fixed.
+Composition everything(Vec3 box, double cutoff) {
+    Composition terms;
+    terms.count = 9;
+    terms.mass = 2;
+    for (std::size_t i = 0; i < 9; ++i) {
+        terms.masses.push_back(1 + 0.25 * static_cast<double>(i));
+        terms.charges.push_back(i % 2 == 0 ? 1 : -0.5);
+        terms.fixed.push_back(i == 8 ? 1 : 0);
+    }
+    terms.box = box;
+    terms.springs = {{.first = 0, .second = 1, .length = 1, .stretch = -1, .k = 3, .quadratic = 0.5, .cubic = 2},
+                     {.first = 2, .second = 8, .length = 0, .k = 2}};
+    for (const Potential potential :
+         {Potential::morse, Potential::lennard_jones, Potential::gravity, Potential::coulomb}) {
+        ComposedPairs pairs;
+        pairs.potential = potential;
+        pairs.k = 5;
+        pairs.sigma = 0.6;
+        pairs.strength = 0.8;
+        pairs.softening = potential == Potential::gravity ? 0.3 : 0;
+        pairs.cutoff = cutoff;
+        pairs.first = potential == Potential::coulomb ? numbers(0, 4) : numbers(0, 9);
+        if (potential == Potential::coulomb) pairs.second = numbers(3, 9);
+        terms.pairs.push_back(pairs);
+    }
+    terms.accelerations = {{0.1, -9.81, 0.3}};
+    return terms;
+}
+
+double total(const ComposedForces& forces, const Field<double>& x) { return engine<double>(forces).potential(x).value; }
+
+// Central differences of step h: their error is h^2 times third derivatives, some 1e4 here, and rounding 1e-16 / h.
+TEST(Composed, forces_are_the_slopes_of_the_energy) {
+    for (const auto& [box, cutoff] : {std::pair{Vec3{}, 0.0}, std::pair{Vec3{}, 1.4}, std::pair{Vec3{4, 5, 0}, 1.4}}) {
+        const Composition terms = everything(box, cutoff);
+        const ComposedForces forces = forces_of(terms);
+        const Field<double> x = random_positions(9, 2.5, 7);
+        Field<double> a(9);
+        engine<double>(forces).accelerations(x, a);
+        const double h = 1e-6;
+        for (std::size_t k = 0; k < x.flat().size(); ++k) {
+            Field<double> up = x, down = x;
+            up.flat()[k] += h;
+            down.flat()[k] -= h;
+            const std::size_t stride = x.flat().size() / 3, i = k % stride;
+            if (i >= 9) continue;  // of the register's rest
+            const double slope = (total(forces, up) - total(forces, down)) / (2 * h);
+            const double force = i == 8 ? 0 : a.flat()[k] * terms.mass * terms.masses[i];
+            EXPECT_NEAR(force, i == 8 ? 0 : -slope, 1e-6 * (1 + std::abs(slope))) << k << " cutoff " << cutoff;
+        }
+    }
+}
+
+TEST(Composed, forces_within_a_scene_cancel_and_do_not_turn_it) {
+    Composition terms = everything({}, 0);
+    terms.fixed.clear();
+    terms.accelerations.clear();
+    const Field<double> x = random_positions(9, 2.5, 3);
+    Field<double> a(9);
+    engine<double>(forces_of(terms)).accelerations(x, a);
+    Vec3 sum, turning;
+    double size = 0;
+    for (std::size_t i = 0; i < 9; ++i) {
+        const Vec3 force = terms.masses[i] * a.at(i);
+        sum = sum + force;
+        turning = turning + cross(x.at(i), force);
+        size += length(force);
+    }
+    EXPECT_LT(length(sum), 1e-15 * 9 * size);
+    EXPECT_LT(length(turning), 1e-15 * 9 * 2.5 * size);
+}
+
+TEST(Composed, agrees_with_the_layouts_of_models) {
+    for (const char* const id : {"chain", "mesh", "morse"}) {
+        const RunDescription run = describe(id);
+        const Plan plan = model_of(run).plan(run.scene);
+        Composition terms;
+        const State<double> start = plan.start.state();
+        terms.count = start.displacement.count();
+        if (id == std::string("morse")) {
+            ComposedPairs pairs;
+            pairs.k = run.scene["k"];
+            pairs.r0 = run.scene["r0"];
+            pairs.first = numbers(0, static_cast<std::uint32_t>(terms.count));
+            terms.pairs = {pairs};
+        } else {
+            const Shape shape = model_of(run).shape(run.scene);
+            for (const Role role : shape.roles) terms.fixed.push_back(role == Role::fixed ? 1 : 0);
+            for (const Spring& spring : shape.springs) {
+                terms.springs.push_back({.first = spring.first,
+                                         .second = spring.second,
+                                         .rest = shape.rest[spring.second] - shape.rest[spring.first],
+                                         .length = spring.rest_length,
+                                         .k = run.scene["k"]});
+            }
+            terms.reference = shape.rest;
+        }
+        Field<double> u = random_positions(terms.count, 0.05, 1), a(terms.count), b(terms.count);
+        for (std::size_t i = 0; i < terms.count; ++i)
+            u.set(i, !terms.fixed.empty() && terms.fixed[i] != 0 ? Vec3{} : u.at(i) + start.displacement.at(i));
+        engine<double>(forces_of(terms)).accelerations(u, a);
+        std::visit([&](const auto& layout) { engine<double>(layout).accelerations(u, b); }, plan.forces);
+        for (std::size_t i = 0; i < terms.count; ++i)
+            EXPECT_LT(length(a.at(i) - b.at(i)), 1e-13 * (1 + length(b.at(i)))) << id << ' ' << i;
+    }
+}
+
+TEST(Composed, coincident_particles_feel_nothing) {
+    Composition terms = everything({}, 0);
+    terms.accelerations.clear();
+    Field<double> x(9), a(9);
+    engine<double>(forces_of(terms)).accelerations(x, a);
+    for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(a.at(i), Vec3{}) << i;
+    EXPECT_TRUE(std::isfinite(total(forces_of(terms), x)));
+}
+
+TEST(Composed, images_across_a_box_are_as_near_as_neighbours) {
+    Composition terms;
+    terms.count = 2;
+    terms.box = {10, 0, 6};
+    ComposedPairs pairs;
+    pairs.cutoff = 2;
+    pairs.first = {0, 1};
+    terms.pairs = {pairs};
+    const auto acceleration = [&](Vec3 second) {
+        Field<double> x(2), a(2);
+        x.set(1, second);
+        engine<double>(forces_of(terms)).accelerations(x, a);
+        return a.at(0);
+    };
+    const Vec3 beside = acceleration({0.75, 0, 0.5});
+    EXPECT_NE(beside, Vec3{});
+    EXPECT_LT(length(acceleration({10.75, 0, -5.5}) - beside), 1e-13);
+    EXPECT_EQ(acceleration({0.75, 10, 0.5}), Vec3{}) << "not periodic along y";
+}
+
+}  // namespace
+}  // namespace steplab::test
