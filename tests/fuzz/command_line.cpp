@@ -60,8 +60,7 @@ struct Scene {
     }
     RunDescription read() const {
         const RunDescription run = scene.descriptions().front();
-        time.steps(run);
-        time.until();
+        time.end(run);
         if (ensemble.is_given() && ensemble.count() <= 100) ensemble.runs(run, ensemble.ranges(run), time);
         return run;
     }
