@@ -252,6 +252,10 @@ function(steplab_energy_sums sets)
   set(STEPLAB_ENERGY_SUMS ${sums} PARENT_SCOPE)
 endfunction()
 
+# ld of the GNU binutils, which alone knows --force-group-allocation; CMake may have found ld.lld.
+find_program(STEPLAB_GNU_LINKER NAMES ld.bfd ld REQUIRED DOC "GNU ld, for the steppers of one instruction set")
+mark_as_advanced(STEPLAB_GNU_LINKER)
+
 # One object file of these sources, compiled for an instruction set beyond the baseline. All it holds but the makers is
 # local to it: inline functions and templates that other files have too would else be taken from here for all of them,
 # and be run where the processor does not know such instructions.
@@ -267,7 +271,7 @@ function(steplab_steppers set object)
   set(linked ${CMAKE_CURRENT_BINARY_DIR}/${target}.o)
   string(LENGTH ${set} length)
   add_custom_command(OUTPUT ${linked}
-                     COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${linked} $<TARGET_OBJECTS:${target}>
+                     COMMAND ${STEPLAB_GNU_LINKER} -r --force-group-allocation -o ${linked} $<TARGET_OBJECTS:${target}>
                      COMMAND ${CMAKE_OBJCOPY} --wildcard --keep-global-symbol=_ZN7steplab${length}${set}* ${linked}
                      DEPENDS ${target} $<TARGET_OBJECTS:${target}>
                      COMMENT "Linking the steppers for ${set}" COMMAND_EXPAND_LISTS VERBATIM)

@@ -60,8 +60,7 @@ struct Scene {
     }
     RunDescription read() const {
         const RunDescription run = scene.descriptions().front();
-        time.steps(run);
-        time.until();
+        time.end(run);
         if (ensemble.is_given() && ensemble.count() <= 100) ensemble.runs(run, ensemble.ranges(run), time);
         return run;
     }
@@ -85,10 +84,12 @@ void read_snapshot(const std::vector<std::string>& words) {
 }
 
 void read_view(const std::vector<std::string>& words) {
-    Scene scene;
-    ViewOptions window;
-    if (!scene.takes(words, window)) return;
-    window.request(scene.read());
+    CLI::App app("a command", "steplab");
+    SceneOptions scene;
+    ViewOptions window;  // with the options of time and ensemble
+    scene.declare(app);
+    window.declare(app);
+    if (!parse(app, words)) window.request(scene.descriptions().front());
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST_F(WorkerTest, goes_to_a_step_and_stays_there) {
 }
 
 TEST_F(WorkerTest, shows_its_way_to_a_step_and_takes_other_commands_on_it) {
-    constexpr std::uint64_t far = 1'000'000'000'000;
+    static constexpr std::uint64_t far = 1'000'000'000'000;
     const auto under_way = [](const RunView& v) { return v.goal == far && v.frame.step > 0; };
     const std::vector<std::function<void()>> commands{
         [this] { worker.play(false); },        [this] { worker.step_back(); },
