@@ -4,7 +4,12 @@
 #include "app/cli/command_line.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "io/scene_file.hpp"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -15,18 +20,22 @@ namespace {
 class ListCommand final : public Command {
 public:
     std::string_view name() const override { return "list"; }
-    std::string_view what() const override { return "List the models and methods"; }
+    std::string_view what() const override { return "List the models, methods and shipped scenes"; }
 
     void declare(CLI::App& app) override {
-        text_option(app, "kind", kind_, "models|methods",
-                    "Only these, with all their parameters (default: both, in short)");
+        text_option(app, "kind", kind_, "models|methods|scenes",
+                    "Only these, with all their parameters (default: models and methods, in short)");
         flag_option(app, "--json", json_, "Print JSON with all data of the entries");
     }
 
     int run() override {
-        constexpr std::array<std::string_view, 2> kinds{"models", "methods"};
-        if (!kind_.empty() && kind_ != kinds[0] && kind_ != kinds[1])
+        constexpr std::array<std::string_view, 3> kinds{"models", "methods", "scenes"};
+        if (!kind_.empty() && std::find(kinds.begin(), kinds.end(), kind_) == kinds.end())
             throw UsageError(unknown_word("list", kind_, kinds));
+        if (kind_ == kinds[2]) {
+            print(json_ ? scenes_json() : scenes_table());
+            return static_cast<int>(ExitCode::done);
+        }
         const bool with_models = kind_ != kinds[1];
         const bool with_methods = kind_ != kinds[0];
         print(json_ ? catalogue_json(with_models, with_methods) : tables(with_models, with_methods));
@@ -39,6 +48,23 @@ private:
         if (!with_methods) return models_with_parameters();
         if (!with_models) return methods_table() + '\n' + methods_with_parameters();
         return models_table() + '\n' + methods_table();
+    }
+
+    static std::string scenes_table() {
+        std::string text;
+        for (const std::string& name : shipped_scenes()) {
+            const ModelInfo& info = find_scene(name)->model->info;
+            text += fmt::format("{:<24}{}\n", name, info.name);
+        }
+        return text;
+    }
+    static std::string scenes_json() {
+        auto scenes = nlohmann::ordered_json::array();
+        for (const std::string& name : shipped_scenes()) {
+            const ModelInfo& info = find_scene(name)->model->info;
+            scenes.push_back({{"id", name}, {"title", info.name}, {"teaches", info.what}});
+        }
+        return scenes.dump(2) + "\n";
     }
 
     std::string kind_;
