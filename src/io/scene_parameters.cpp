@@ -104,6 +104,14 @@ std::vector<std::string_view> SceneNumbers::names() const {
     return names;
 }
 
+std::map<std::string, std::string> SceneNumbers::followers() const {
+    std::map<std::string, std::string> texts;
+    for (const auto& [name, entry] : parameters_.entries()) {
+        if (entry.expression) texts.emplace(name, text_of(*entry.place));
+    }
+    return texts;
+}
+
 /// A change of what others follow is one of these.
 void SceneNumbers::uses(std::string_view parameter, Use use) {
     const auto entry = parameters_.entries().find(parameter);

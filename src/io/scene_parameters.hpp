@@ -65,6 +65,8 @@ public:
     void uses(std::string_view parameter, Use use);
     bool is_parameter(std::string_view name) const { return parameters_.entries().contains(name); }
     std::vector<std::string_view> names() const;
+    /// The parameters that are expressions, as they are written.
+    std::map<std::string, std::string> followers() const;
 
     const std::map<std::string, Use, std::less<>>& used() const { return used_; }
 

@@ -422,7 +422,11 @@ void read_defaults(const toml::node& node, SceneNumbers& numbers, SceneDefaults&
 
 }  // namespace
 
-Scene read_scene(const toml::table& root, SceneNumbers& numbers) { return Reader(root, numbers).scene(); }
+Scene read_scene(const toml::table& root, SceneNumbers& numbers) {
+    Scene scene = Reader(root, numbers).scene();
+    scene.followers = numbers.followers();
+    return scene;
+}
 
 SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers) {
     SceneTexts texts;

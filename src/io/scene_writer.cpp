@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
@@ -40,9 +41,25 @@ public:
 
     std::string number(const WrittenNumber& quantity) {
         if (quantity.text.empty()) return number_text(quantity.value);
-        const Expression expression(quantity.text);
-        for (const std::string& name : expression.names()) names.insert(name);
+        note_names(quantity.text);
         return quoted(quantity.text);
+    }
+    void note_names(const std::string& expression_text) {
+        const Expression expression(expression_text);
+        for (const std::string& name : expression.names()) names.insert(name);
+    }
+    /// The expressions among the parameters that anything uses, last those that others use.
+    std::string followers(const Scene& scene) {
+        std::string lines;
+        for (std::set<std::string> written; true;) {
+            const auto next = std::find_if(scene.followers.begin(), scene.followers.end(), [&](const auto& follower) {
+                return names.contains(follower.first) && !written.contains(follower.first);
+            });
+            if (next == scene.followers.end()) return lines;
+            written.insert(next->first);
+            note_names(next->second);
+            lines += fmt::format("{} = {}\n", next->first, quoted(next->second));
+        }
     }
     std::string vector(const WrittenVector& v) {
         return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
@@ -143,7 +160,8 @@ void Writer::operator()(const FieldTerm& field) {
     if (field.drag) line("drag", *field.drag);
 }
 
-std::string parameters_text(const RunDescription& run, const Writer& writer) {
+std::string parameters_text(const RunDescription& run, const Scene& scene, Writer& writer) {
+    const std::string followers = writer.followers(scene);
     std::string text;
     for (const ParameterInfo& info : run.scene.infos()) {
         if (!writer.names.contains(info.name)) continue;
@@ -153,6 +171,7 @@ std::string parameters_text(const RunDescription& run, const Writer& writer) {
                         info.unit.empty() ? "" : fmt::format(", unit = {}", quoted(info.unit)), quoted(info.what),
                         info.slider_logarithmic ? ", logarithmic = true" : "");
     }
+    text += followers;
     return text.empty() ? text : "\n[parameters]\n" + text;
 }
 
@@ -177,7 +196,7 @@ std::string scene_file_text(const RunDescription& run) {
     writer.line("dt", number_text(run.dt));
     writer.line("precision", quoted(id(run.precision)));
     return fmt::format("steplab = 1\ntitle = {}\nteaches = {}\n", quoted(model.info.name), quoted(model.info.what)) +
-           parameters_text(run, writer) + writer.text;
+           parameters_text(run, scene, writer) + writer.text;
 }
 
 }  // namespace steplab

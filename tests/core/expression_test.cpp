@@ -57,7 +57,7 @@ TEST(Expression, that_is_none_is_refused_where_it_goes_wrong) {
         {"2 k", {2, "an operator"}},
         {"2k", {1, "an operator"}},
         {"1e999", {0, "no number"}},
-        {"sinus(1)", {0, "did you mean 'sin'?"}},
+        {"sinn(1)", {0, "did you mean 'sin'?"}},
         {"min(1)", {5, "expected ','"}},
         {"1)", {1, "an operator"}},
         {"a $ b", {2, "an operator"}},

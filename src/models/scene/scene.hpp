@@ -141,8 +141,9 @@ struct Scene {
     std::vector<SpringTerm> springs;
     std::vector<PairTerm> pairs;
     std::vector<FieldTerm> fields;
-    WrittenVector box;                         ///< sides of space that repeats itself; 0: not along this axis
-    std::optional<WrittenVector> corner = {};  ///< of the box, for pictures and files
+    WrittenVector box;                                  ///< sides of space that repeats itself; 0: not along this axis
+    std::map<std::string, std::string> followers = {};  ///< names in expressions that are expressions themselves
+    std::optional<WrittenVector> corner = {};           ///< of the box, for pictures and files
 
     std::size_t count() const;
     bool operator==(const Scene&) const = default;
