@@ -31,8 +31,8 @@ void read_keys(const toml::table& table, std::string_view what, const std::vecto
         } else if (other) {
             other(std::string(key->str()), *node);
         } else {
-            std::vector<std::string_view> known;
-            for (const KeyHandler& h : handlers) known.push_back(h.name);
+            std::vector<std::string_view> known(handlers.size());
+            std::transform(handlers.begin(), handlers.end(), known.begin(), [](const auto& h) { return h.name; });
             throw SceneProblem(key->source().begin,
                                unknown_word("key", std::string(key->str()), known, std::string(what)));
         }
@@ -54,7 +54,7 @@ std::string text_of(const toml::node& node) {
 }
 
 std::string word_of(const toml::node& node, std::string_view what, std::vector<std::string_view> known) {
-    const std::string word = text_of(node);
+    std::string word = text_of(node);
     if (std::find(known.begin(), known.end(), word) == known.end()) fail_at(node, unknown_word(what, word, known));
     return word;
 }
