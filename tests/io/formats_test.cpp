@@ -151,6 +151,7 @@ TEST(Series, line_has_a_field_for_each_name) {
 
 TEST(Summary, numbers_that_are_not_finite_are_null) {
     RunSummary summary;
+    summary.run = describe("chain");
     summary.result.energy_start = std::numeric_limits<double>::infinity();
     summary.result.energy_end = std::numeric_limits<double>::quiet_NaN();
     summary.result.steps = 4;
@@ -173,6 +174,7 @@ struct CommaNumbers : std::numpunct<char> {
 
 TEST(Formats, do_not_depend_on_the_locale) {
     RunSummary summary;
+    summary.run = describe("chain");
     summary.result.dt = 0.1;
     summary.result.steps = 1234567;
     const Frame frame = sample_frame(Precision::double_);
@@ -190,6 +192,7 @@ TEST(Formats, do_not_depend_on_the_locale) {
 
 TEST(Summary, names_collisions_where_there_were_any) {
     RunSummary summary;
+    summary.run = describe("chain");
     EXPECT_EQ(summary_json(summary).find("collisions"), std::string::npos);
     EXPECT_EQ(summary_text(summary).find("collisions"), std::string::npos);
     for (std::uint32_t i = 0; i < 150; ++i) summary.result.collisions.add({0.5 * i, i, i + 1});

@@ -89,6 +89,18 @@ TEST(TextTrajectory, of_csv_has_no_roles_and_masses_for_xyz) {
               "1\npbc=\"F F F\" Properties=species:S:1:pos:R:3 Time=0 Step=0 Precision=double\nX 1 2 3\n");
 }
 
+// One mass is known for a whole file, or none.
+TEST(TextTrajectory, of_particles_that_differ_in_mass_has_none) {
+    const auto text = [](const char* second) {
+        return std::string(
+                   "2\npbc=\"F F F\" Properties=species:S:1:pos:R:3:masses:R:1 Time=0 Step=0\nX 1 2 3 1.5\n"
+                   "X 1 2 4 ") +
+               second + "\n";
+    };
+    EXPECT_THAT(converted(text("1.5"), TrajectoryFormat::xyz), HasSubstr("masses"));
+    EXPECT_THAT(converted(text("2.5"), TrajectoryFormat::xyz), testing::Not(HasSubstr("masses")));
+}
+
 TEST(TextTrajectory, of_xyz_as_steplab_wrote_it_before_is_read) {
     const std::string old =
         "1\nProperties=type:S:1:pos:R:3:velo:R:3 Time=0.5 Step=5 pbc=\"F F F\"\nfixed 1 2 3 0 0 0\n";

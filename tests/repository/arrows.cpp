@@ -18,7 +18,7 @@ const std::map<std::string, Folders>& arrows() {
         {"methods", {"core"}},
         {"models", {"core"}},
         {"sim", {"core", "methods", "models"}},
-        {"io", {"core", "sim"}},
+        {"io", {"core", "models", "sim"}},
         {"lab", {"core", "methods", "models", "sim", "io"}},
         {"render", {"core"}},
         {"ui", {"core", "sim", "io", "render"}},

@@ -114,7 +114,7 @@ std::string SceneOptions::default_text(std::string_view fixed) const {
 /// The model or scene file, its parameters at their defaults.
 RunDescription SceneOptions::chosen_scene() const {
     if (scene_.empty()) {
-        RunDescription scene = describe(model_, method_);
+        RunDescription scene = describe(model_);
         scene.precision = precision_of(precision_);
         return scene;
     }

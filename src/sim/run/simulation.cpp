@@ -178,7 +178,7 @@ std::string Simulation::why_not_exact() const {
     const ExactSolution* const exact = body_->exact();
     if (exact && time() <= exact->valid_until()) return {};
     if (exact) return fmt::format("the exact solution ends at t = {} s", typed(exact->valid_until(), 4));
-    const Model& entry = model(body_->segment.held.model);
+    const Model& entry = model_of(body_->segment.held);
     const bool for_others = entry.exact(ParameterValues(entry.info.parameters)) != nullptr;
     return for_others ? "no exact solution for these parameters" : "no exact solution is known for this scene";
 }

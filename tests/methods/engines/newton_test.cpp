@@ -69,12 +69,30 @@ TEST(NewtonMatrix, follows_pairs_that_change) {
     EXPECT_GT(length(after.at(3) - before.at(3)), 0.01);
 }
 
+// Without blocks beside it, the diagonal alone divides.
+TEST(NewtonMatrix, has_the_masses_in_its_diagonal) {
+    BlockTridiagonal<double> chain(2);
+    SparseSymmetric<double> sparse(2);
+    const auto quotient = [](auto& matrix) {
+        matrix.reset(2, {1, 4});
+        EXPECT_TRUE(matrix.factorise());
+        Field<double> right(2), solution(2);
+        for (std::size_t i = 0; i < 2; ++i) right.set(i, {8, 8, 8});
+        matrix.solve(right, solution);
+        return solution;
+    };
+    for (const Field<double>& solution : {quotient(chain), quotient(sparse)}) {
+        EXPECT_EQ(solution.at(0), (Vec3{4, 4, 4}));
+        EXPECT_EQ(solution.at(1), (Vec3{1, 1, 1}));
+    }
+}
+
 TEST(NewtonMatrix, says_that_a_singular_one_is) {
     BlockTridiagonal<double> chain(1);
-    chain.reset(0);
+    chain.reset(0, {});
     EXPECT_FALSE(chain.factorise());
     SparseSymmetric<double> sparse(1);
-    sparse.reset(0);
+    sparse.reset(0, {});
     EXPECT_FALSE(sparse.factorise());
 }
 

@@ -1,6 +1,7 @@
 #include "sim/run/remedy.hpp"
 
 #include "sim/run/run_view.hpp"
+#include "sim/run/start_frequency.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>
@@ -143,6 +144,30 @@ TEST(Remedy, in_a_view_is_that_of_the_run_it_shows) {
     observe(Simulation(too_large(0.1)), std::nullopt, view);
     EXPECT_FALSE(view.remedies.method);
     EXPECT_FALSE(view.remedies.dt);
+}
+
+// A scene that is not linear stiffens as it moves.
+TEST(Remedy, keeps_away_from_the_limit) {
+    bool any_method = false;
+    for (int tenths = 2; tenths < 40; ++tenths) {
+        const RunDescription run = run_of("chain", "euler", Precision::double_, 0.1 * tenths);
+        const Remedies remedies = remedies_of(run);
+        if (remedies.method) {
+            any_method = true;
+            EXPECT_LE(run.dt, 0.9 * stability_limit(with_method(run, *remedies.method))->limit) << *remedies.method;
+        }
+        ASSERT_TRUE(remedies.dt) << run.dt;
+        EXPECT_LE(*remedies.dt, 0.9 * stability_limit(run)->limit);
+    }
+    EXPECT_TRUE(any_method);
+}
+
+// Nothing moves yet: that of the first motion, which the springs of a lattice give, omega <= sqrt(16 k / m) = 4.
+TEST(StartFrequency, of_a_scene_at_rest_is_that_of_its_first_motion) {
+    const RunDescription run = run_of("crystal", "rk4", Precision::double_, 0.1, {{"kT", 0}, {"edge", 5}});
+    const double omega = start_frequency(model_of(run).plan(run.scene));
+    EXPECT_GT(omega, 0.5);
+    EXPECT_LT(omega, 4);
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "io/scene_parameters.hpp"
+#include "models/scene/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace steplab {
+
+// The blocks of a scene file, one by one, as they are written. They throw SceneProblem; whether what they name exists
+// is a matter of all of them together (scene_reader.cpp).
+
+ParticleBlock particle_block(const toml::table& table, SceneNumbers& numbers);
+Fix fix_of(const toml::table& table, SceneNumbers& numbers);
+SpringTerm spring_term(const toml::table& table, SceneNumbers& numbers);
+PairTerm pair_term(const toml::table& table, SceneNumbers& numbers);
+FieldTerm field_term(const toml::table& table, SceneNumbers& numbers);
+
+/// One text or a list of texts and whole numbers: names of particles.
+std::vector<std::string> texts_of(const toml::node& node);
+
+}  // namespace steplab
