@@ -15,6 +15,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 namespace steplab {
@@ -91,6 +93,21 @@ SceneFacts facts_of(const Scene& scene) {
     return facts;
 }
 
+/// What is known of a scene is asked for in every frame of a window, and takes a look at all particles.
+class KnownFacts {
+public:
+    template <class Find>
+    SceneFacts of(const ParameterValues& values, const Find& find) {
+        const std::lock_guard lock(mutex_);
+        if (!last_ || !(last_->first == values)) last_.emplace(values, find());
+        return last_->second;
+    }
+
+private:
+    std::mutex mutex_;
+    std::optional<std::pair<ParameterValues, SceneFacts>> last_;
+};
+
 Model model_of(const std::shared_ptr<const Document>& document, const std::string& name) {
     const auto scene = [document, name](const ParameterValues& values) {
         return with_place(name, [&] { return document->scene(values); });
@@ -105,7 +122,15 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
     if (defaults.dt) model.opening.dt = *defaults.dt;
     if (!defaults.precision.empty()) model.opening.precision = *parse_precision(defaults.precision);
     model.particles = [scene](const ParameterValues& values) { return static_cast<double>(scene(values).count()); };
-    model.facts = [scene](const ParameterValues& values) { return facts_of(scene(values)); };
+    model.facts = [scene, known = std::make_shared<KnownFacts>()](const ParameterValues& values) {
+        return known->of(values, [&]() -> SceneFacts {
+            try {
+                return facts_of(scene(values));
+            } catch (const UsageError&) {
+                return {};  // check() says what is wrong
+            }
+        });
+    };
     model.scene = scene;
     model.plan = [scene](const ParameterValues& values) { return planned(scene(values)); };
     model.shape = [scene](const ParameterValues& values) { return shape_of(scene(values)); };

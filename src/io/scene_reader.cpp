@@ -5,6 +5,7 @@
 #include "core/shown.hpp"
 #include "io/scene_blocks.hpp"
 #include "models/scene/scene_particles.hpp"
+#include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
 
@@ -160,9 +161,16 @@ void Reader::check_pairs(const SceneParticles& particles, const PairTerm& term) 
     }
 }
 
+std::vector<std::string_view> method_ids() {
+    std::vector<std::string_view> ids;
+    ids.reserve(methods().size());
+    for (const Method& method : methods()) ids.push_back(method.info.id);
+    return ids;
+}
+
 void read_defaults(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defaults) {
     read_keys(table_of(node, "[run]"), "[run]",
-              {{"method", [&](const toml::node& given) { defaults.method = text_of(given); }},
+              {{"method", [&](const toml::node& given) { defaults.method = word_of(given, "method", method_ids()); }},
                {"dt", [&](const toml::node& given) { defaults.dt = numbers.positive(given, Use::start).value; }},
                {"precision",
                 [&](const toml::node& given) {

@@ -78,7 +78,7 @@ void draw_scene_picture(const Area& scene, std::uint32_t texture) {
 }
 
 void set_style(render::Style& style, const RunView& view, const Display& display) {
-    style.mass = facts_of(view.description).mass;
+    style.mass = view.frame.mass;
     style.selected = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
     style.pixel_scale = static_cast<double>(display.scale);
 }

@@ -95,6 +95,20 @@ TEST(SceneFile, says_how_it_opens) {
     EXPECT_EQ(run.precision, Precision::float_);
 }
 
+// A slider may ask for what cannot be.
+TEST(SceneFile, refuses_values_that_make_no_scene_and_has_no_facts_of_them) {
+    RunDescription run = describe(read(rope + "[[particles]]\nmass = \"300 - k\"\n"));
+    EXPECT_NO_THROW(check(run));
+    run.scene.set("k", 301);
+    EXPECT_NO_THROW(facts_of(run));
+    try {
+        check(run);
+        ADD_FAILURE();
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("must be > 0 (is -1)"));
+    }
+}
+
 TEST(SceneFile, that_is_wrong_is_refused_with_line_and_column) {
     const std::vector<std::pair<std::string, const char*>> cases{
         {"", "a.toml:1:1: a scene file begins with its version"},
@@ -116,6 +130,7 @@ TEST(SceneFile, that_is_wrong_is_refused_with_line_and_column) {
         {replaced(rope, "\"-g\"", "-9.81"), "a.toml:7:5: nothing uses the parameter 'g'"},
         {replaced(rope, "range = [10, 1e4]", "range = [0, 1e4]"), "must begin above 0"},
         {rope + "[[particles]]\nmass = 0\n", "must be > 0"},
+        {rope + "[run]\nmethod = \"rk5\"\n", "a.toml:24:10: unknown method 'rk5' (did you mean 'rk4'?)"},
         {rope + "[[particles]]\ngroup = \"rope\"\n", "there is a group 'rope' already"},
         {rope + "[[springs]]\npairs = [[\"rope[1]\", \"rope[1]\"]]\nk = 1\n", "to itself"},
         {rope + "[[springs]]\npairs = [[\"rope\", \"rope[1]\"]]\nk = 1\n", "joins single particles"},
