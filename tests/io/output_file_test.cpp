@@ -45,6 +45,21 @@ TEST(OutputFile, leaves_nothing_when_abandoned) {
     EXPECT_EQ(files_in(folder), 1);
 }
 
+// A killed program's file is locked by nobody.
+TEST(OutputFile, removes_what_killed_programs_have_left) {
+    const TemporaryFolder folder;
+    std::string left;
+    {
+        OutputFile file(folder.file("a"));
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path())) left = entry.path().string();
+    }
+    ASSERT_FALSE(left.empty());
+    put_text(left, "half a file");
+    OutputFile(folder.file("b")).commit();
+    EXPECT_EQ(files_in(folder), 1) << "b alone";
+    EXPECT_FALSE(std::filesystem::exists(left));
+}
+
 TEST(OutputFile, interrupted_is_kept_under_another_name) {
     const TemporaryFolder folder;
     put_text(folder.file("a"), "before");

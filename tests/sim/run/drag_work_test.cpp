@@ -128,6 +128,19 @@ TEST(DragWork, is_none_where_it_is_not_counted) {
     EXPECT_EQ(implicit.drag_work(), std::nullopt);
 }
 
+// Steps behind the last good one were taken, and are no part of the run.
+TEST(DragWork, of_a_diverged_run_is_that_of_its_good_steps) {
+    const RunDescription run = run_of("rope", "velocity-verlet", Precision::double_, 0.11);
+    Simulation diverged(run), good(run);
+    ASSERT_TRUE(diverged.count_drag_work() && good.count_drag_work());
+    diverged.advance(100'000);
+    ASSERT_TRUE(diverged.divergence());
+    ASSERT_GT(diverged.step(), 0u);
+    good.advance(diverged.step());
+    ASSERT_FALSE(good.divergence());
+    EXPECT_EQ(*diverged.drag_work(), *good.drag_work());
+}
+
 TEST(DragWork, begins_anew_with_the_baseline) {
     Simulation simulation(run_of("rope", "rk4", Precision::double_, 0.01));
     ASSERT_TRUE(simulation.count_drag_work());
