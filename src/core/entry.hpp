@@ -78,6 +78,8 @@ struct MethodInfo {
     std::string_view what = {};  ///< one sentence that helps to choose a method
     int order = 1;
     int order_with_drag = 1;
+    /// With dashpots, or drag that differs between particles; 0: the method cannot take them.
+    int order_with_damping = 0;
     int evaluations = 1;        ///< of the force per step, or per substep if there is a parameter `substeps`
     int start_evaluations = 0;  ///< at the start of each segment
     /// Largest stable omega dt on x'' = -omega^2 x (of one substep): 0 = unstable at any dt.

@@ -1,6 +1,6 @@
 #include "core/expression.hpp"
 
-#include "core/number.hpp"
+#include "core/elementary.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
 
@@ -51,6 +51,7 @@ public:
 private:
     /// Brackets, signs and powers in each other; each takes some of the stack.
     static constexpr int deepest = 200;
+    static constexpr std::size_t most_nodes = 10000;
 
     class Level {
     public:
@@ -159,6 +160,8 @@ private:
     }
 
     std::uint32_t node(Operation operation, std::uint32_t first = 0, std::uint32_t second = 0) {
+        if (nodes_.size() == most_nodes)
+            fail_here(fmt::format("has more than {} numbers, names and operations", most_nodes));
         nodes_.push_back({operation, first, second});
         return static_cast<std::uint32_t>(nodes_.size() - 1);
     }
@@ -200,7 +203,7 @@ double power(double base, double exponent) {
     constexpr double most = 1024;
     if (exponent == std::rint(exponent) && std::abs(exponent) <= most)
         return whole_power(base, static_cast<int>(exponent));
-    return exponential(exponent * std::log(base));
+    return general_power(base, exponent);
 }
 
 double result_of(const Node& node, double a, double b) {
@@ -220,17 +223,17 @@ double result_of(const Node& node, double a, double b) {
         case Operation::exp:
             return exponential(a);
         case Operation::log:
-            return std::log(a);
+            return natural_logarithm(a);
         case Operation::sqrt:
             return std::sqrt(a);
         case Operation::sin:
-            return std::sin(a);
+            return sine(a);
         case Operation::cos:
-            return std::cos(a);
+            return cosine(a);
         case Operation::tan:
-            return std::tan(a);
+            return tangent(a);
         case Operation::tanh:
-            return std::tanh(a);
+            return hyperbolic_tangent(a);
         case Operation::abs:
             return std::abs(a);
         case Operation::min:

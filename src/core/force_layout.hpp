@@ -14,6 +14,12 @@
 
 namespace steplab {
 
+/// What a formula may ask of two particles: their masses in the unit of mass, and their charges.
+template <class N>
+struct PairProperties {
+    N first_mass{1}, second_mass{1}, first_charge{0}, second_charge{0};
+};
+
 /// The optional members of a layout of forces. Each capability names its members; ForceLayout is satisfied only if
 /// exactly the capabilities whose members exist are declared.
 struct ForceCapabilities {
@@ -33,9 +39,15 @@ struct ForceCapabilities {
     bool history = false;
     /// difference(u, i, j): u_j - u_i to the nearest image, where space is periodic.
     bool periodic = false;
-    /// masses(), inverse_mass(i), strength(i, j, kind): particles differ in mass, in the unit of which formulas are,
-    /// and pairs in the strength of their interaction.
+    /// masses(), inverse_mass(i), properties(i, j, kind): particles differ, in mass by the unit in which formulas are.
+    /// Formulas take the properties of their pair after e (PairProperties).
     bool masses = false;
+    /// place(u, i): accelerations from outside depend on the position. Such an interaction is one of a particle with
+    /// itself, i = j, whose formula takes the position instead of e.
+    bool fields = false;
+    /// damped(), damp(u, v, time), add_damping(u, v, a), each_damping(u, f): forces -D(u) v besides, D symmetric and
+    /// linear: of dashpots, and of drag that differs between particles.
+    bool damping = false;
     /// range(): how the force between two particles changes with their distance (core/pair_range.hpp).
     bool range = false;
     /// hold(u, v), held(): the pairs within a cut-off can be held, so that nothing jumps where one crosses it.
@@ -60,6 +72,12 @@ concept HasSweeps = requires(const Force& force) {
 template <class Force>
 concept HasMostRegisters = requires {
     { Force::most_registers } -> std::convertible_to<std::size_t>;
+};
+
+/// A visitor of the blocks of damping.
+struct AnyDampingVisitor {
+    template <class B>
+    void operator()(std::size_t, std::size_t, const B&) const {}
 };
 
 /// Positions and a sink that every sweep accepts, to test its signature.
@@ -100,7 +118,20 @@ template <class Force, class T>
 concept HasMasses = requires(const Force& force) {
     { force.masses() } -> std::convertible_to<const std::vector<T>&>;
     { force.inverse_mass(0) } -> std::same_as<T>;
-    { force.strength(0, 0, 0) } -> std::same_as<T>;
+    { force.properties(0, 0, 0) } -> std::same_as<PairProperties<T>>;
+};
+
+template <class Force, class T>
+concept HasFields = requires(const Force& force, const Field<T>& u) {
+    { force.place(u, 0) } -> std::same_as<Vector<T>>;
+};
+
+template <class Force, class T>
+concept HasDamping = requires(const Force& force, const Field<T>& u, Field<T>& v) {
+    { force.damped() } -> std::same_as<bool>;
+    force.damp(u, v, T(1));
+    force.add_damping(u, v, v);
+    force.each_damping(u, AnyDampingVisitor());
 };
 
 template <class Force, class T>
@@ -168,7 +199,10 @@ concept ForceLayout = ForceEngine<Force, T> && requires(Force& force, const Forc
     detail::HasEachAcceleration<Force, T>&& Force::capabilities.history ==
     detail::HasHistory<Force, T>&& Force::capabilities.periodic ==
     detail::HasDifference<Force, T>&& Force::capabilities.masses ==
-    detail::HasMasses<Force, T>&& Force::capabilities.range == detail::HasRange<Force, T>&& Force::capabilities.holds ==
+    detail::HasMasses<Force, T>&& Force::capabilities.fields ==
+    detail::HasFields<Force, T>&& Force::capabilities.damping ==
+    detail::HasDamping<Force, T>&& Force::capabilities.range ==
+    detail::HasRange<Force, T>&& Force::capabilities.holds ==
     detail::HasHold<Force, T>&& Force::capabilities.bounds_energy == detail::HasElasticBound<Force, T>;
 
 }  // namespace steplab

@@ -1,11 +1,15 @@
 #include "io/scene_blocks.hpp"
 
+#include "core/error.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
-#include "models/scene/composer.hpp"
+#include "models/potentials/list.hpp"
+#include "models/scene/potential_expression.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace steplab {
 
@@ -112,32 +116,61 @@ Temperature temperature_of(const toml::node& node, SceneNumbers& numbers) {
 }
 
 /// The values must be those of the potential.
-void check_values_of(const PairTerm& term, const toml::table& table, const toml::node& potential) {
-    const BuiltInPotential* const built_in = built_in_potential(term.potential);
-    if (!built_in) {
-        const bool word = std::all_of(term.potential.begin(), term.potential.end(), [](char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
-        });
-        const std::vector<std::string_view> known{"morse", "lennard-jones", "gravity", "coulomb"};
-        if (word) fail_at(potential, unknown_word("potential", term.potential, known));
-        fail_at(potential,
-                "an expression as a potential cannot be stepped so far; built-in ones are morse, "
-                "lennard-jones, gravity and coulomb");
-    }
+void check_values_of(const PairTerm& term, const toml::table& table, const PotentialInfo& built_in) {
     std::vector<std::string_view> known;
-    for (const BuiltInPotential::Value& value : built_in->values) known.push_back(value.name);
+    for (const PotentialInfo::Parameter& parameter : built_in.parameters) known.push_back(parameter.name);
     for (const auto& [name, quantity] : term.values) {
         if (std::find(known.begin(), known.end(), name) == known.end())
             fail_at(*table.get(name), unknown_word("value", name, known, term.potential));
     }
-    for (const BuiltInPotential::Value& value : built_in->values) {
-        if (value.required && !term.values.contains(std::string(value.name)))
-            fail_at(table, fmt::format("the potential {} needs a value of {}", term.potential, value.name));
+    for (const PotentialInfo::Parameter& parameter : built_in.parameters) {
+        const auto given = term.values.find(std::string(parameter.name));
+        if (parameter.required && given == term.values.end())
+            fail_at(table, fmt::format("the potential {} needs a value of {}", term.potential, parameter.name));
+        if (parameter.positive && !(given->second.value > 0))
+            fail_at(*table.get(parameter.name), fmt::format("{} must be > 0", parameter.name));
     }
-    for (const char* const name : {"D", "k", "sigma"}) {
-        const auto given = term.values.find(name);
-        if (given != term.values.end() && !(given->second.value > 0))
-            fail_at(*table.get(name), fmt::format("{} must be > 0", name));
+}
+
+/// A word that is neither a variable nor a parameter is meant as the name of a potential.
+void check_is_expression(const PairTerm& term, const toml::node& potential, SceneNumbers& numbers) {
+    const bool word = std::all_of(term.potential.begin(), term.potential.end(),
+                                  [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-'; });
+    const bool name = term.potential == "r" || numbers.parameter(term.potential, potential, Use::force).has_value();
+    if (!word || name) return;
+    std::vector<std::string_view> known;
+    for (const PotentialInfo* const info : BuiltInPotentials::infos) known.push_back(info->name);
+    fail_at(potential, unknown_word("potential", term.potential, known));
+}
+
+/// What an expression names must be known, and every value of its block used.
+template <class Term>
+void read_expression(Term& term, const toml::table& table, const toml::node& potential,
+                     std::span<const std::string_view> variables, SceneNumbers& numbers) {
+    const Expression expression = expression_of(potential);
+    const std::span<const std::string> names = expression.names();
+    for (const std::string& name : names) {
+        const bool variable = std::find(variables.begin(), variables.end(), name) != variables.end();
+        if (variable || term.values.contains(name)) continue;
+        const auto value = numbers.parameter(name, potential, Use::force);
+        if (!value) {
+            std::vector<std::string_view> known(variables.begin(), variables.end());
+            for (const auto& [own, quantity] : term.values) known.push_back(own);
+            const std::vector<std::string_view> parameters = numbers.names();
+            known.insert(known.end(), parameters.begin(), parameters.end());
+            fail_at(potential, unknown_word("name", name, known));
+        }
+        term.parameters.emplace(name, *value);
+    }
+    for (const auto& [name, quantity] : term.values) {
+        const bool variable = std::find(variables.begin(), variables.end(), name) != variables.end();
+        if (variable || std::find(names.begin(), names.end(), name) == names.end())
+            fail_at(*table.get(name), fmt::format("the potential does not use '{}'", shown(name)));
+    }
+    try {
+        steplab::expression_of(term, 1);
+    } catch (const UsageError& error) {
+        fail_at(potential, error.what());
     }
 }
 
@@ -236,18 +269,30 @@ PairTerm pair_term(const toml::table& table, SceneNumbers& numbers) {
                   term.values[name] = numbers.quantity(node, Use::force);
               });
     if (!potential) fail_at(table, "[[pairs]] needs a potential");
-    check_values_of(term, table, *potential);
+    if (const PotentialInfo* const built_in = built_in_potential(term.potential)) {
+        check_values_of(term, table, *built_in);
+    } else {
+        check_is_expression(term, *potential, numbers);
+        read_expression(term, table, *potential, variables_of_pairs(), numbers);
+    }
     return term;
 }
 
 FieldTerm field_term(const toml::table& table, SceneNumbers& numbers) {
     FieldTerm field;
+    const toml::node* potential = nullptr;
+    const auto value = [&](const std::string& name, const toml::node& node) {
+        if (!table.contains("potential"))
+            fail_at(node, unknown_word("key", name, {{"particles", "gravity", "drag", "potential"}}, "[[fields]]"));
+        field.values[name] = numbers.quantity(node, Use::force);
+    };
     read_keys(table, "[[fields]]",
               {{"particles", [&](const toml::node& node) { field.particles = texts_of(node); }},
                {"gravity", [&](const toml::node& node) { field.gravity = numbers.vector(node, Use::force); }},
                {"drag", [&](const toml::node& node) { field.drag = numbers.not_negative(node, Use::force); }},
-               {"potential",
-                [](const toml::node& node) { fail_at(node, "the potential of a field cannot be stepped so far"); }}});
+               {"potential", [&](const toml::node& node) { field.potential = text_of(node), potential = &node; }}},
+              value);
+    if (potential) read_expression(field, table, *potential, variables_of_fields(), numbers);
     return field;
 }
 

@@ -82,7 +82,8 @@ auto with_place(const std::string& name, const Work& work) {
 
 SceneFacts facts_of(const Scene& scene) {
     const SceneParticles particles(scene);
-    SceneFacts facts{.mass = particles[0].mass, .drag = rate_of_drag(scene, particles)};
+    const SceneDamping damping = damping_of(scene, particles);
+    SceneFacts facts{.mass = particles[0].mass, .drag = damping.largest, .damping = damping.is_of_each()};
     for (const ParticleBlock& block : scene.particles) {
         if (block.mass.value != scene.particles.front().mass.value) facts.mass = 0;
     }

@@ -26,6 +26,8 @@ double finite_number(const toml::node& node) {
     return *number;
 }
 
+}  // namespace
+
 Expression expression_of(const toml::node& node) {
     const std::string text = text_of(node);
     try {
@@ -34,8 +36,6 @@ Expression expression_of(const toml::node& node) {
         fail_at(node, fmt::format("\"{}\", character {}: {}", shown(text), error.place() + 1, error.what()));
     }
 }
-
-}  // namespace
 
 SceneParameters::SceneParameters(const toml::table& root) {
     const toml::node* const all = root.get("parameters");
@@ -110,6 +110,12 @@ std::map<std::string, std::string> SceneNumbers::followers() const {
         if (entry.expression) texts.emplace(name, text_of(*entry.place));
     }
     return texts;
+}
+
+std::optional<double> SceneNumbers::parameter(const std::string& name, const toml::node& place, Use use) {
+    if (!parameters_.entries().contains(name)) return std::nullopt;
+    uses(name, use);
+    return value_of(name, place);
 }
 
 /// A change of what others follow is one of these.

@@ -45,6 +45,9 @@ private:
     std::deque<std::string> texts_;
 };
 
+/// The parsed text of a node. Throws SceneProblem.
+Expression expression_of(const toml::node& node);
+
 /// Turns the numbers and expressions of a scene file into quantities, and notes which parameters they use.
 class SceneNumbers {
 public:
@@ -61,9 +64,8 @@ public:
     /// A whole number from `least` on.
     std::size_t count(const toml::node& node, std::size_t least);
     std::uint64_t seed(const toml::node& node);
-    /// Notes the parameters that a potential uses.
-    void uses(std::string_view parameter, Use use);
-    bool is_parameter(std::string_view name) const { return parameters_.entries().contains(name); }
+    /// The value of a parameter that a potential uses; nothing if there is none of this name.
+    std::optional<double> parameter(const std::string& name, const toml::node& place, Use use);
     std::vector<std::string_view> names() const;
     /// The parameters that are expressions, as they are written.
     std::map<std::string, std::string> followers() const;
@@ -71,6 +73,7 @@ public:
     const std::map<std::string, Use, std::less<>>& used() const { return used_; }
 
 private:
+    void uses(std::string_view parameter, Use use);
     double value_of(const std::string& name, const toml::node& place);
     double evaluated(const Expression& expression, const toml::node& place);
 

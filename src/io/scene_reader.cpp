@@ -4,11 +4,13 @@
 #include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/scene_blocks.hpp"
+#include "models/scene/potential_expression.hpp"
 #include "models/scene/scene_particles.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 namespace steplab {
@@ -65,6 +67,7 @@ private:
     void check_meaning();
     void check_springs(const SceneParticles& particles, const SpringTerm& term) const;
     void check_pairs(const SceneParticles& particles, const PairTerm& term) const;
+    static void check_field(const SceneParticles& particles, const FieldTerm& term);
 
     const toml::table& root_;
     SceneNumbers& numbers_;
@@ -131,6 +134,10 @@ void Reader::check_meaning() {
         problems_.attempt_at(*fields_[i], [&] {
             for (const std::string& name : scene_.fields[i].particles) particles.named(name);
         });
+    problems_.report();
+    const SceneParticles starting(scene_);
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+        problems_.attempt_at(*fields_[i], [&] { check_field(starting, scene_.fields[i]); });
 }
 
 void Reader::check_springs(const SceneParticles& particles, const SpringTerm& term) const {
@@ -158,6 +165,26 @@ void Reader::check_pairs(const SceneParticles& particles, const PairTerm& term) 
         if (side < 2.3 * term.cutoff->value)
             throw UsageError(fmt::format("the box is {} long: 2.3 times the cutoff, {}, must fit into it",
                                          exact_text(side), exact_text(2.3 * term.cutoff->value)));
+    }
+}
+
+void Reader::check_field(const SceneParticles& particles, const FieldTerm& term) {
+    if (term.potential.empty()) return;
+    std::vector<IndexRange> sets;
+    for (const std::string& name : term.particles) sets.push_back(particles.named(name));
+    if (sets.empty()) sets.push_back({0, particles.count()});
+    const FieldPotential<double> potential(expression_of(term, 1).expression);
+    for (const IndexRange set : sets) {
+        for (std::size_t i = set.first; i < set.first + set.count; ++i) {
+            const SceneParticle particle = particles[i];
+            const Vec3 start = particle.position + particle.displacement;
+            const Vector<double> at{start.x, start.y, start.z};
+            const Vector<double> force = potential.force(at, particle.mass, particle.charge);
+            const double energy = potential.energy(at, particle.mass, particle.charge);
+            if (!std::isfinite(energy + force.x + force.y + force.z))
+                throw UsageError(fmt::format("the potential is not finite where particle {} starts, at ({}, {}, {})", i,
+                                             exact_text(at.x), exact_text(at.y), exact_text(at.z)));
+        }
     }
 }
 

@@ -150,6 +150,7 @@ void Writer::operator()(const PairTerm& term) {
     if (!term.between.empty()) line("between", list_of(term.between));
     line("potential", quoted(term.potential));
     for (const auto& [name, value] : term.values) line(name, value);
+    for (const auto& [name, value] : term.parameters) names.insert(name);
     if (term.cutoff) line("cutoff", *term.cutoff);
 }
 
@@ -158,6 +159,9 @@ void Writer::operator()(const FieldTerm& field) {
     if (!field.particles.empty()) line("particles", list_of(field.particles));
     if (field.gravity) line("gravity", *field.gravity);
     if (field.drag) line("drag", *field.drag);
+    if (!field.potential.empty()) line("potential", quoted(field.potential));
+    for (const auto& [name, value] : field.values) line(name, value);
+    for (const auto& [name, value] : field.parameters) names.insert(name);
 }
 
 std::string parameters_text(const RunDescription& run, const Scene& scene, Writer& writer) {

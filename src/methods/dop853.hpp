@@ -15,6 +15,7 @@ struct Dop853 {
         .what = "Adaptive, order 8: for medium and high accuracy with any force.",
         .order = 8,
         .order_with_drag = 8,
+        .order_with_damping = 8,
         .evaluations = 12,
         .start_evaluations = 2,
         .linear_limit = infinity,

@@ -15,6 +15,7 @@ struct Dopri5 {
         .what = "Adaptive, order 5: the usual choice for moderate accuracy when little is known about the scene.",
         .order = 5,
         .order_with_drag = 5,
+        .order_with_damping = 5,
         .evaluations = 6,
         .start_evaluations = 2,
         .linear_limit = infinity,

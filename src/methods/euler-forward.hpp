@@ -14,6 +14,7 @@ struct EulerForward {
         .what = "The explicit (forward) Euler method, for comparison: its energy grows at any dt.",
         .order = 1,
         .order_with_drag = 1,
+        .order_with_damping = 1,
         .evaluations = 1,
         .linear_limit = 0,  // grows by sqrt(1 + (omega dt)^2) per step
         .conserves = "momentum",

@@ -14,6 +14,7 @@ struct Euler {
         .what = "The simplest method with a bounded energy error: kick, then drift with the new velocity.",
         .order = 1,
         .order_with_drag = 1,
+        .order_with_damping = 1,
         .evaluations = 1,
         .linear_limit = 2,
         .symplectic = true,

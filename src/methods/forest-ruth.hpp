@@ -14,6 +14,7 @@ struct ForestRuth {
         .what = "The first symplectic method of order 4: simple, but its long backward substep makes the errors large.",
         .order = 4,
         .order_with_drag = 4,
+        .order_with_damping = 2,
         .evaluations = 3,
         .linear_limit = 1.5734019474345436,
         .symplectic = true,

@@ -20,6 +20,7 @@ struct Ias15 {
         .what = "Adaptive Gauss-Radau method of order 15: accurate to rounding, for small scenes.",
         .order = 15,
         .order_with_drag = 15,
+        .order_with_damping = 15,
         .evaluations = 15,  // typically two iterations over seven nodes
         .start_evaluations = 1,
         .linear_limit = infinity,  // the step follows the motion

@@ -24,6 +24,7 @@ struct ImplicitMidpoint {
             "energy.",
         .order = 2,
         .order_with_drag = 2,
+        .order_with_damping = 2,
         .evaluations = 4,
         .linear_limit = infinity,
         .symplectic = true,

@@ -14,6 +14,7 @@ struct KahanLi8 {
         .what = "Order 8, for long runs at high accuracy: 17 force evaluations per step, bounded energy error.",
         .order = 8,
         .order_with_drag = 8,
+        .order_with_damping = 2,
         .evaluations = 17,
         .linear_limit = 3.0964386800011561,
         .symplectic = true,

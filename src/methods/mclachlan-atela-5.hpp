@@ -14,6 +14,7 @@ struct MclachlanAtela5 {
         .what = "Order 5 with six force evaluations per step; symplectic but not time-reversible; order 3 with drag.",
         .order = 5,
         .order_with_drag = 3,
+        .order_with_damping = 2,
         .evaluations = 6,
         .linear_limit = 3.0624976839833413,
         .symplectic = true,

@@ -14,6 +14,7 @@ struct Midpoint {
         .what = "Uses the force at the middle of the step; its energy grows at any dt, slowly if dt is small.",
         .order = 2,
         .order_with_drag = 2,
+        .order_with_damping = 2,
         .evaluations = 2,
         .linear_limit = 0,  // grows by sqrt(1 + (omega dt)^4 / 4) per step
         .conserves = "momentum",

@@ -16,6 +16,7 @@ struct Pefrl {
             "accurate enough.",
         .order = 4,
         .order_with_drag = 4,
+        .order_with_damping = 2,
         .evaluations = 4,
         .linear_limit = 2.9894495459067786,
         .symplectic = true,

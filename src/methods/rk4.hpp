@@ -14,6 +14,7 @@ struct Rk4 {
         .what = "The classic method: accurate for its cost at small dt; slowly loses energy in long runs.",
         .order = 4,
         .order_with_drag = 4,
+        .order_with_damping = 4,
         .evaluations = 4,
         .linear_limit = 2.8284271247461903,  // 2 sqrt(2)
         .conserves = "momentum",

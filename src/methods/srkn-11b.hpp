@@ -15,6 +15,7 @@ struct Srkn11b {
         .what = "Order 6 with the smallest errors for its cost among splitting methods; order 4 with drag.",
         .order = 6,
         .order_with_drag = 4,
+        .order_with_damping = 2,
         .evaluations = 11,
         .linear_limit = 3.1414310877753386,
         .symplectic = true,

@@ -24,6 +24,7 @@ struct Stoermer {
         .what = "Verlet with z substeps per step: z times the cost, z² times smaller errors, z times the stable dt.",
         .order = 2,
         .order_with_drag = 2,
+        .order_with_damping = 2,
         .evaluations = 1,
         .linear_limit = 2,
         .symplectic = true,

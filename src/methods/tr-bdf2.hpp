@@ -27,6 +27,7 @@ struct TrBdf2 {
         .what = "For stiff scenes: stable at any dt; motion that dt cannot resolve is damped.",
         .order = 2,
         .order_with_drag = 2,
+        .order_with_damping = 2,
         .evaluations = 8,
         .start_evaluations = 1,
         .linear_limit = infinity,
@@ -57,6 +58,7 @@ struct TrBdf2 {
             T* const slope = slope_.flat().data();
             const T* const v = v_.flat().data();
             elementwise(x_.flat().size(), [=, drag = system.drag()](std::size_t k) { slope[k] -= drag * v[k]; });
+            if (system.damped()) system.add_damping(x_, v_, slope_);
         }
 
         template <class System>

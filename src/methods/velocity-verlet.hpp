@@ -14,6 +14,7 @@ struct VelocityVerlet {
         .what = "Verlet with positions and velocities at the same time: half a kick, a drift, half a kick.",
         .order = 2,
         .order_with_drag = 2,
+        .order_with_damping = 2,
         .evaluations = 1,
         .linear_limit = 2,
         .symplectic = true,

@@ -16,6 +16,7 @@ struct Verlet {
         .what = "The workhorse of molecular dynamics: cheap, time-reversible, bounded energy error.",
         .order = 2,
         .order_with_drag = 2,
+        .order_with_damping = 2,
         .evaluations = 1,
         .linear_limit = 2,
         .symplectic = true,

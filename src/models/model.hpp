@@ -39,6 +39,7 @@ public:
 struct SceneFacts {
     double mass = 1;            ///< of each particle; 0: they differ
     double drag = 0;            ///< rate gamma = c / m of the drag -c v; the largest where they differ
+    bool damping = false;       ///< dashpots, or drag that differs between particles
     double bond = 0;            ///< distance of bound neighbours that positions have to resolve; 0: nothing is bound
     double pair_frequency = 0;  ///< of one bound pair alone, where pairs are bound by a potential
     bool lists_pairs = false;   ///< pairs near each other are kept in lists

@@ -44,6 +44,12 @@ pairs = [["light", "heavy"]]
 k = 2
 )";
 
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+    const std::size_t place = text.find(old);
+    EXPECT_NE(place, text.npos) << old;
+    return text.replace(place, old.size(), by);
+}
+
 class SceneAnswers : public testing::TestWithParam<MethodCase> {};
 
 /// In steps of a hundredth of the period; a method of order 1 is off by some tenths of the amplitude then.
@@ -83,6 +89,43 @@ TEST_P(SceneAnswers, two_stars_on_a_circle) {
     EXPECT_NEAR(apart.x, std::cos(frame.time), allowed(GetParam(), 1));
     EXPECT_NEAR(apart.y, std::sin(frame.time), allowed(GetParam(), 1));
     EXPECT_EQ(apart.z, 0);
+}
+
+// The spring of the dimer, typed: every method takes it, and comes to the same motion.
+TEST_P(SceneAnswers, two_masses_held_by_a_typed_potential) {
+    const std::string typed = replaced(dimer, "[[springs]]\npairs = [[\"light\", \"heavy\"]]\nk = 2\n",
+                                       "[[pairs]]\npotential = \"stiffness / 2 * (r - 1)^2\"\nstiffness = 2\n");
+    const double omega = std::sqrt(2 / 0.75), period = 2 * std::numbers::pi / omega;
+    const Frame frame = after(run_of_text(typed, GetParam(), period / 100), 30);
+    const double stretch = -0.4 / omega * std::sin(omega * frame.time), amplitude = 0.4 / omega;
+    EXPECT_NEAR(frame.positions[0].x, -0.75 * stretch, allowed(GetParam(), amplitude));
+    EXPECT_NEAR(frame.positions[1].x, 1 + 0.25 * stretch, allowed(GetParam(), amplitude));
+}
+
+// In the field m omega^2 / 2 (x^2 + 4 y^2): x = cos(omega t), y = sin(2 omega t), whatever the mass.
+TEST_P(SceneAnswers, masses_in_a_typed_field) {
+    const std::string text = R"(
+[parameters]
+omega = 1.5
+[[particles]]
+position = [1, 0, 0]
+velocity = [0, "2 * omega", 0]
+mass = 3
+[[particles]]
+position = [1, 0, 0]
+velocity = [0, "2 * omega", 0]
+mass = 0.5
+[[fields]]
+potential = "m * omega^2 / 2 * (x^2 + stretch * y^2)"
+stretch = 4
+)";
+    const Frame frame = after(run_of_text(text, GetParam(), std::numbers::pi / 1.5 / 100), 30);
+    const double phase = 1.5 * frame.time;
+    for (const Vec3& at : frame.positions) {
+        EXPECT_NEAR(at.x, std::cos(phase), allowed(GetParam(), 1));
+        EXPECT_NEAR(at.y, std::sin(2 * phase), allowed(GetParam(), 1));
+        EXPECT_EQ(at.z, 0);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, SceneAnswers, testing::ValuesIn(working_methods()), case_name);

@@ -70,6 +70,7 @@ Json method_json(const MethodInfo& info) {
             {"what", info.what},
             {"order", info.order},
             {"order_with_drag", info.order_with_drag},
+            {"order_with_damping", info.order_with_damping},
             {"evaluations_per_step", evaluations_per_step(info, defaults)},
             {"start_evaluations", info.start_evaluations},
             {"linear_limit", number(linear_limit(info, defaults))},

@@ -32,7 +32,7 @@ std::string order_cell(const std::optional<double>& order) { return order ? fmt:
 
 std::string own_order(const Study& study, const MethodInfo& info) {
     if (info.adaptive) return "adaptive";
-    return std::to_string(has_drag(study.plan.scene) ? info.order_with_drag : info.order);
+    return std::to_string(order_of(with_method(study.plan.scene, info.id)));
 }
 
 /// "0.71689", "unstable at any dt", "stable at any dt".

@@ -70,6 +70,16 @@ struct TangentEquations {
 
     void accelerations(const Field<Number>& x, Field<Number>& a) { force.accelerations(x, a); }
     Number drag() const { return gamma; }
+    bool damped() const {
+        if constexpr (Force::capabilities.damping) return force.damped();
+        return false;
+    }
+    void damp(const Field<Number>& x, Field<Number>& v, Number time) const {
+        if constexpr (Force::capabilities.damping) force.damp(x, v, time);
+    }
+    void add_damping(const Field<Number>& x, const Field<Number>& v, Field<Number>& a) const {
+        if constexpr (Force::capabilities.damping) force.add_damping(x, v, a);
+    }
 };
 
 /// Logarithm of the growth of the tangent in each interval of the time.

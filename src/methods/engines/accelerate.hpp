@@ -16,11 +16,18 @@ void add_drag(T drag, const Field<T>& v, Field<T>& a) {
     elementwise(a.flat().size(), [=](std::size_t k) { out[k] -= drag * velocity[k]; });
 }
 
-/// a(x) - gamma v.
+/// a -= gamma v + D(x) v.
+template <class T, class System>
+void resist(System& system, const Field<T>& x, const Field<T>& v, Field<T>& a) {
+    add_drag(system.drag(), v, a);
+    if (system.damped()) system.add_damping(x, v, a);
+}
+
+/// a(x) - gamma v - D(x) v.
 template <class T, class System>
 void accelerate(System& system, const Field<T>& x, const Field<T>& v, Field<T>& a) {
     system.accelerations(x, a);
-    add_drag(system.drag(), v, a);
+    resist(system, x, v, a);
 }
 
 /// A system for evaluations that are not counted because they are for output.
@@ -33,6 +40,15 @@ public:
         system_.uncounted_accelerations(x, a);
     }
     auto drag() const { return system_.drag(); }
+    bool damped() const { return system_.damped(); }
+    template <class Field, class Time>
+    void damp(const Field& x, Field& v, Time time) const {
+        system_.damp(x, v, time);
+    }
+    template <class Field>
+    void add_damping(const Field& x, const Field& v, Field& a) const {
+        system_.add_damping(x, v, a);
+    }
 
 private:
     const System& system_;

@@ -81,6 +81,11 @@ public:
         /// In the unit of mass; empty where all are 1.
         virtual const std::vector<T>& masses() const = 0;
 
+        virtual bool damped() const = 0;
+        virtual void damp(const Field<T>& x, Field<T>& v, T time) const = 0;
+        virtual void add_damping(const Field<T>& x, const Field<T>& v, Field<T>& a) const = 0;
+        virtual void each_damping(const Field<T>& x, const BlockVisitor& f) const = 0;
+
         /// None where the layout has none.
         virtual std::optional<PairRange<T>> range() const = 0;
         virtual bool hold(const Field<T>& x, const Field<T>& v) = 0;
@@ -95,7 +100,7 @@ public:
     };
 
     static constexpr ForceCapabilities capabilities{
-        .along_x = true, .hands_out = true, .history = true, .range = true, .holds = true};
+        .along_x = true, .hands_out = true, .history = true, .damping = true, .range = true, .holds = true};
 
     explicit ErasedForce(std::unique_ptr<Face> face) : face_(std::move(face)) {}
 
@@ -124,6 +129,14 @@ public:
 
     /// Of each particle in the unit of mass; empty where all are 1.
     const std::vector<T>& masses() const { return face_->masses(); }
+
+    bool damped() const { return face_->damped(); }
+    void damp(const Field<T>& x, Field<T>& v, T time) const { face_->damp(x, v, time); }
+    void add_damping(const Field<T>& x, const Field<T>& v, Field<T>& a) const { face_->add_damping(x, v, a); }
+    template <class F>
+    void each_damping(const Field<T>& x, F f) const {
+        face_->each_damping(x, std::ref(f));
+    }
 
     std::optional<PairRange<T>> range() const { return face_->range(); }
     /// False where the layout holds no pairs.

@@ -25,7 +25,7 @@ public:
     }
 
     /// What a step of length h adds to x and v, where the accelerations, drag included, are a. Of a System<T, Force>
-    /// (methods/engines/system.hpp), or what has its accelerations(x, a) and drag().
+    /// (methods/engines/system.hpp), or what has its accelerations(x, a), drag() and damping.
     template <class Equations>
     const State<T>& change(Equations& system, const Field<T>& x, const Field<T>& v, const Field<T>& a, T h) {
         for (std::size_t row = 0; row < columns; ++row) {
@@ -60,9 +60,11 @@ private:
     /// All of a row, each of length h, into the row's entry of the table:
     ///     v(1/2) = v(0) + h/2 (a(0) - gamma v(0)), x(1) = x(0) + h v(1/2),
     ///     (1 + gamma h/2) v(1) = v(1/2) + h/2 a(1).
+    /// With damping besides, each of these half steps of v is between two flows of it.
     template <class Equations>
     void take_substeps(Equations& system, const Field<T>& x, const Field<T>& v, const Field<T>& a, T h,
                        std::size_t row) {
+        if (system.damped()) return take_damped_substeps(system, x, v, h, row);
         auto& [moved, gained] = table_[row];
         std::fill(moved.flat().begin(), moved.flat().end(), T(0));
         std::fill(gained.flat().begin(), gained.flat().end(), T(0));
@@ -81,6 +83,31 @@ private:
                 gain = (gain + half * (a_.flat()[k] - drag * v.flat()[k])) / (T(1) + half * drag);
                 a_.flat()[k] -= drag * (v.flat()[k] + gain);
             }
+        }
+    }
+
+    template <class Equations>
+    void take_damped_substeps(Equations& system, const Field<T>& x, const Field<T>& v, T h, std::size_t row) {
+        auto& [moved, gained] = table_[row];
+        State<T> now{x, v};
+        const auto kick = [&] {
+            system.accelerations(now.displacement, a_);
+            system.damp(now.displacement, now.velocity, h / T(4));
+            const T drag = system.drag();
+            for (std::size_t k = 0; k < a_.flat().size(); ++k) {
+                T& speed = now.velocity.flat()[k];
+                speed = ((T(1) - h / T(4) * drag) * speed + h / T(2) * a_.flat()[k]) / (T(1) + h / T(4) * drag);
+            }
+            system.damp(now.displacement, now.velocity, h / T(4));
+        };
+        for (int substep = 0; substep < substeps(row); ++substep) {
+            kick();
+            for (std::size_t k = 0; k < x.flat().size(); ++k) now.displacement.flat()[k] += h * now.velocity.flat()[k];
+            kick();
+        }
+        for (std::size_t k = 0; k < x.flat().size(); ++k) {
+            moved.flat()[k] = now.displacement.flat()[k] - x.flat()[k];
+            gained.flat()[k] = now.velocity.flat()[k] - v.flat()[k];
         }
     }
 

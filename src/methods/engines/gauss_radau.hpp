@@ -39,16 +39,16 @@ public:
         end_ = TwoPartState<T>(state);
         begin_ = end_;
         const std::size_t count = end_.x.count();
-        for (Field<T>* field : {&a_, &begin_a_, &x_, &f_, &last_a_}) *field = Field<T>(count);
+        for (Field<T>* field : {&a_, &begin_a_, &x_, &v_, &f_, &last_a_}) *field = Field<T>(count);
         for (Terms* set : {&b_, &trial_, &g_}) set->fill(Field<T>(count));
         aim_ = std::min(T(Control::longest), T(Control::reach) * root(tolerance_in(system, tolerance_), 15));
         system.hold(end_.x, end_.v);
         system.accelerations(end_.x, a_);
         progress_ = {};
-        progress_.next = aim_ * time_scale(system, end_.x, end_.v, a_);
-        progress_.last = progress_.next;
+        progress_ = {};
+        progress_.last = progress_.next = aim_ * time_scale(system, end_.x, end_.v, a_);
         guard_.state({});
-        add_drag(system.drag(), end_.v, a_);
+        resist(system, end_.x, end_.v, a_);
     }
 
     template <class System>
@@ -57,8 +57,7 @@ public:
         while (progress_.time.ahead() < 0) own_step(system);
     }
 
-    /// Between the ends of an own step: a shorter step from its beginning, of full order. The polynomial of the step
-    /// itself is of order 10 there.
+    /// Between the ends of an own step: a shorter step from its beginning, as its polynomial is of order 10 there.
     template <class System>
     void synchronised(const System& system, State<T>& out) const {
         const T ahead = static_cast<T>(progress_.time.ahead()), across = progress_.across;
@@ -221,8 +220,8 @@ private:
         move_radau(end_, a_, trial_, h, T(1));
     }
 
-    /// First guess of b: the last step's polynomial carried on (eq. 13). The correction by what the last guess was off
-    /// (eq. 14, 15) is for steps of one length; where steps follow the motion it cost up to a fifth more evaluations.
+    /// First guess of b: the last step's polynomial carried on (eq. 13), without the correction by what the last guess
+    /// was off (eq. 14, 15): where steps follow the motion it cost up to a fifth more evaluations.
     void expect(T ratio) {
         T power = T(1);
         for (std::size_t j = 0; j < terms; ++j) {
@@ -282,7 +281,7 @@ private:
         const T s = static_cast<T>(Radau::nodes[n]);
         move_to(h, s);
         system.accelerations(x_, f_);
-        if (system.drag() != T(0)) add_drag_at(system.drag(), h, s);
+        if (system.drag() != T(0) || system.damped()) resist_at(system, h, s);
         T* const changes = x_.flat().data();
         const T *const f = f_.flat().data(), *const a = a_.flat().data();
         std::array<T, terms> gaps{}, weights{};
@@ -309,11 +308,14 @@ private:
         elementwise(a_.flat().size(), [=](std::size_t k) { out[k] = x[k] + (lost[k] + h * (s * v[k] + h * sum(k))); });
     }
 
-    void add_drag_at(T drag, T h, T s) {
+    /// At a node, whose place is x_.
+    template <class System>
+    void resist_at(const System& system, T h, T s) {
         const RadauSum<T> sum{RadauWeights<T>(s).velocity, a_.flat().data(), Radau::numbers(std::as_const(trial_))};
         const T* const v = end_.v.flat().data();
-        T* const out = f_.flat().data();
-        elementwise(a_.flat().size(), [=](std::size_t k) { out[k] -= drag * (v[k] + h * sum(k)); });
+        T* const there = v_.flat().data();
+        elementwise(a_.flat().size(), [=](std::size_t k) { there[k] = v[k] + h * sum(k); });
+        resist(system, x_, v_, f_);
     }
 
     /// omega h of the fastest motion: a motion cos(omega t) has b_6 = (omega h)^7 / 7! and b_5 = (omega h)^6 / 6! of a.
@@ -341,7 +343,7 @@ private:
     Terms b_;                ///< of the last step
     Terms trial_, g_;
     CollisionGuard<T> guard_;
-    Field<T> x_, f_, last_a_;
+    Field<T> x_, v_, f_, last_a_;
     Progress progress_;
 };
 

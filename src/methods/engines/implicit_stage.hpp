@@ -16,10 +16,11 @@ namespace steplab {
 /// Solves the equations of one stage of a diagonally implicit Runge-Kutta method (Hairer, Wanner, Solving Ordinary
 /// Differential Equations II, IV.6),
 ///
-///     X = x + tau V,   V = v + W,   W = tau (a(X) - gamma V),
+///     X = x + tau V,   V = v + W,   W = tau (a(X) - gamma V - D(X) V),
 ///
 /// each line of the second multiplied by the mass of its particle where masses differ,
-/// for the change of velocity W by Newton's method with the exact Jacobian: (1 + tau gamma - tau^2 J) dW = -residual.
+/// for the change of velocity W by Newton's method with the exact Jacobian: (1 + tau gamma - tau^2 J) dW = -residual,
+/// where there is damping D with tau D besides, but without its derivative.
 /// As W is the unknown, what a step adds to position and velocity has small relative errors.
 template <class T>
 class ImplicitStage {
@@ -106,6 +107,7 @@ private:
         system.accelerations_and_blocks(position_, acceleration_, [&](std::size_t i, std::size_t j, const auto& block) {
             matrix_.add(i, j, tau * tau * block, force.moves(i), force.moves(j));
         });
+        if (system.damped()) add_damping(system, v, tau, w);
         T *const residual = residual_.flat().data(), *const a = acceleration_.flat().data();
         elementwise(x.flat().size(),
                     [=](std::size_t k) { residual[k] = tau * (a[k] - drag * (speed[k] + change[k])) - change[k]; });
@@ -114,6 +116,18 @@ private:
             for (T* const component : {residual_.x(), residual_.y(), residual_.z()}) component[i] *= masses[i];
         }
         return size;
+    }
+
+    template <class System>
+    void add_damping(const System& system, const Field<T>& v, T tau, const Field<T>& w) {
+        Field<T> moving(v.count());
+        const T *const speed = v.flat().data(), *const change = w.flat().data();
+        T* const sum = moving.flat().data();
+        elementwise(v.flat().size(), [=](std::size_t k) { sum[k] = speed[k] + change[k]; });
+        system.add_damping(position_, moving, acceleration_);
+        system.each_damping(position_, [&](std::size_t i, std::size_t j, const auto& block) {
+            matrix_.add(i, j, tau * block, system.force().moves(i), system.force().moves(j));
+        });
     }
 
     /// In the unit of mass; empty where all are 1.

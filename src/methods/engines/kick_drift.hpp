@@ -76,6 +76,9 @@ public:
     /// Calls sink(r, x, v) with displacements and velocities of one time for every register r of particles in turn.
     template <class System, class Sink>
     void emit(const System& system, Sink sink) const {
+        if constexpr (System::can_be_damped) {
+            if (system.damped()) return emit_damped(system, sink);
+        }
         const FieldLanes<const T> position(x_), velocity(v_);
         if (progress_.fresh || step_.rest.gain == T(0)) {
             const std::size_t registers = (x_.count() + N::count - 1) / N::count;
@@ -124,6 +127,9 @@ private:
 
     template <class System>
     void take(System& system, std::uint64_t steps, const std::vector<KickDrift<T>>& parts) {
+        if constexpr (System::can_be_damped) {
+            if (system.damped()) return take_damped(system, steps, parts);
+        }
         const bool drag = parts.front().loss != T(0);
         if (lost_.kept()) {
             const std::array<Field<T>*, 4> fields{&x_, &v_, &lost_.x, &lost_.v};
@@ -133,6 +139,49 @@ private:
         const std::array<Field<T>*, 2> fields{&x_, &v_};
         if (drag) return system.sweep(fields, steps, parts.size(), Stage<true, false>{parts.data()});
         return system.sweep(fields, steps, parts.size(), Stage<false, false>{parts.data()});
+    }
+
+    /// Each kick is between two flows of the damping over half its time: of order 2, and symmetric. The drag of all
+    /// particles is 0 then.
+    template <class System>
+    void take_damped(System& system, std::uint64_t steps, const std::vector<KickDrift<T>>& parts) {
+        Field<T> a(x_.count());
+        for (std::uint64_t step = 0; step < steps; ++step) {
+            for (const KickDrift<T>& part : parts) {
+                system.accelerations(x_, a);
+                damped_kick(system, part.gain, a, v_, lost_.v);
+                drift(part.drift, x_, v_, lost_);
+            }
+        }
+    }
+
+    template <class System>
+    void damped_kick(const System& system, T time, const Field<T>& a, Field<T>& velocity, Field<T>& lost) const {
+        system.damp(x_, velocity, time / T(2));
+        T* const speed = velocity.flat().data();
+        const T* const acceleration = a.flat().data();
+        if (lost.count() > 0) {
+            T* const low = lost.flat().data();
+            elementwise(a.flat().size(),
+                        [=](std::size_t k) { add_compensated(speed[k], low[k], time * acceleration[k]); });
+        } else {
+            elementwise(a.flat().size(), [=](std::size_t k) { speed[k] += time * acceleration[k]; });
+        }
+        system.damp(x_, velocity, time / T(2));
+    }
+
+    template <class System, class Sink>
+    void emit_damped(const System& system, Sink sink) const {
+        Field<T> moving = v_, lost = lost_.v;
+        const bool kicked = !progress_.fresh && step_.rest.gain != T(0);
+        if (kicked) {
+            Field<T> a(x_.count());
+            system.uncounted_accelerations(x_, a);
+            damped_kick(system, step_.rest.gain, a, moving, lost);
+        }
+        const FieldLanes<const T> position(x_), velocity(moving);
+        const std::size_t registers = (x_.count() + N::count - 1) / N::count;
+        for (std::size_t r = 0; r < registers; ++r) sink(r, kicked ? position.get(r) : drifted(r), velocity.get(r));
     }
 
     enum : std::size_t { x, v, lost_x, lost_v };

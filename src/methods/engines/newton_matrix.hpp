@@ -160,9 +160,14 @@ public:
     void reset(T s, const std::vector<T>& masses) {
         visit([&](auto& matrix) { matrix.reset(s, masses); });
     }
-    /// Adds the pair i < j with q times its block of J; a particle that does not move has no row.
+    /// Adds the pair i < j with q times its block of J; a particle that does not move has no row. With i = j it is
+    /// what acts on i from outside.
     void add(std::size_t i, std::size_t j, const Block<T>& block, bool i_moves, bool j_moves) {
         visit([&](auto& matrix) {
+            if (i == j) {
+                if (i_moves) matrix.add_diagonal(i, block);
+                return;
+            }
             if (i_moves) matrix.add_diagonal(i, block);
             if (j_moves) matrix.add_diagonal(j, block);
             if (i_moves && j_moves) matrix.add_beside(i, j, T(-1) * block);

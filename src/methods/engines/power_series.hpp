@@ -1,10 +1,13 @@
 #pragma once
 
+#include "core/elementary_numbers.hpp"
 #include "core/lanes.hpp"
 #include "core/number.hpp"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 namespace steplab {
 
@@ -15,7 +18,8 @@ template <class T>
 class SeriesTape {
 public:
     using N = Lanes<T>;
-    static constexpr std::size_t most_kept = 24;
+    /// Enough for the longest expressions (ExpressionProgram::most_operations): no function keeps more than four.
+    static constexpr std::size_t most_kept = 1024;
 
     /// Series of `length` coefficients each, beginning at `memory`; coefficient `order` is computed now.
     SeriesTape(N* memory, std::size_t length, std::size_t order) : memory_(memory), length_(length), order_(order) {}
@@ -43,8 +47,9 @@ public:
 
     /// The same of a series with itself: every product once. Of each series computed once in an order.
     N inner_square(std::size_t a) {
-        if (!known_[a]) squares_[a] = square(series(a));
-        known_[a] = true;
+        const std::uint64_t bit = std::uint64_t(1) << a % 64;
+        if ((known_[a / 64] & bit) == 0) squares_[a] = square(series(a));
+        known_[a / 64] |= bit;
         return squares_[a];
     }
 
@@ -73,7 +78,7 @@ private:
     N* memory_;
     std::size_t length_, order_, kept_ = 0;
     std::array<N, most_kept> squares_;
-    std::array<bool, most_kept> known_{};
+    std::array<std::uint64_t, most_kept / 64> known_{};  ///< a bit for each
     bool singular_ = false;
 };
 
@@ -87,6 +92,9 @@ public:
 
     /// A constant.
     explicit(false) Series(T number) : zero_(number == T(0)), head_(number), now_(T(0)) {}
+
+    /// A constant that differs between lanes.
+    static Series constant(N lanes) { return Series(lanes); }
 
     /// A variable whose coefficient of the tape's order is given.
     static Series variable(SeriesTape<T>& tape, N coefficient) {
@@ -155,6 +163,50 @@ public:
         return continued(tape, place, x.now_ * tape.series(place)[0] + tape.inner(slope, place) / k);
     }
 
+    /// Of a number that is not positive there is no series.
+    friend Series natural_logarithm(const Series& x) {
+        if (x.is_constant()) return each_lane(x, [](T number) { return natural_logarithm(number); });
+        SeriesTape<T>& tape = *x.tape_;
+        const std::size_t argument = x.kept(), place = tape.claim(), slope = tape.claim();  // k l_k
+        if (tape.order() == 0) {
+            tape.take_root_of(x.head_);
+            return begun(tape, place, each_lane(x, [](T number) { return natural_logarithm(number); }).head_);
+        }
+        const N k = order_of(tape), now = (x.now_ - tape.inner(slope, argument) / k) / x.head_;
+        tape.series(slope)[tape.order()] = k * now;
+        return continued(tape, place, now);
+    }
+
+    friend Series sine(const Series& x) { return circle(x).first; }
+    friend Series cosine(const Series& x) { return circle(x).second; }
+    friend Series tangent(const Series& x) {
+        return of_slope(x, N(T(1)), [](T number) { return tangent(number); });
+    }
+    friend Series hyperbolic_tangent(const Series& x) {
+        return of_slope(x, N(T(-1)), [](T number) { return hyperbolic_tangent(number); });
+    }
+
+    /// k x_0 b_k = sum over j < k of (p (k - j) - j) x_(k-j) b_j for a constant p.
+    friend Series general_power(const Series& x, const Series& p) {
+        if (!p.is_constant()) return exponential(p * natural_logarithm(x));
+        const auto start = [&] {
+            return N::each([&](std::size_t lane) { return general_power(x.head_[lane], p.head_[lane]); });
+        };
+        if (x.is_constant()) return Series(start());
+        SeriesTape<T>& tape = *x.tape_;
+        const N k = order_of(tape);
+        const std::size_t argument = x.kept(), place = tape.claim(), slope_of_power = tape.claim();
+        const std::size_t slope = tape.keep(k * x.now_);
+        if (tape.order() == 0) {
+            tape.take_root_of(x.head_);
+            return begun(tape, place, start());
+        }
+        const N up = p.head_ * (k * x.now_ * tape.series(place)[0] + tape.inner(slope, place));
+        const N now = (up - tape.inner(argument, slope_of_power)) / (k * x.head_);
+        tape.series(slope_of_power)[tape.order()] = k * now;
+        return continued(tape, place, now);
+    }
+
     /// Conditions are those at the beginning of the step.
     friend auto operator>(const Series& a, const Series& b) { return a.head_ > b.head_; }
     friend auto operator<(const Series& a, const Series& b) { return a.head_ < b.head_; }
@@ -197,6 +249,45 @@ private:
     static Series continued(SeriesTape<T>& tape, std::size_t place, N now) {
         tape.series(place)[tape.order()] = now;
         return Series(tape, tape.series(place)[0], now, place);
+    }
+
+    static N order_of(const SeriesTape<T>& tape) { return N(static_cast<T>(static_cast<int>(tape.order()))); }
+
+    template <class F>
+    static Series each_lane(const Series& x, F f) {
+        return Series(N::each([&](std::size_t lane) { return f(x.head_[lane]); }));
+    }
+
+    /// Sine and cosine: k s_k = sum of j x_j c_(k-j), k c_k = -sum of j x_j s_(k-j).
+    static std::pair<Series, Series> circle(const Series& x) {
+        const Series sines = each_lane(x, [](T number) { return sine(number); });
+        const Series cosines = each_lane(x, [](T number) { return cosine(number); });
+        if (x.is_constant()) return {sines, cosines};
+        SeriesTape<T>& tape = *x.tape_;
+        const N k = order_of(tape);
+        const std::size_t s = tape.claim(), c = tape.claim(), slope = tape.keep(k * x.now_);
+        if (tape.order() == 0) return {begun(tape, s, sines.head_), begun(tape, c, cosines.head_)};
+        const N sine_now = x.now_ * tape.series(c)[0] + tape.inner(slope, c) / k;
+        const N cosine_now = N(T(0)) - (x.now_ * tape.series(s)[0] + tape.inner(slope, s) / k);
+        return {continued(tape, s, sine_now), continued(tape, c, cosine_now)};
+    }
+
+    /// A function t whose slope is 1 + sign t^2.
+    template <class F>
+    static Series of_slope(const Series& x, N sign, F f) {
+        const Series start = each_lane(x, f);
+        if (x.is_constant()) return start;
+        SeriesTape<T>& tape = *x.tape_;
+        const N k = order_of(tape);
+        const std::size_t t = tape.claim(), w = tape.claim(), slope = tape.keep(k * x.now_);
+        if (tape.order() == 0) {
+            tape.series(w)[0] = N(T(1)) + sign * start.head_ * start.head_;
+            return begun(tape, t, start.head_);
+        }
+        const N now = x.now_ * tape.series(w)[0] + tape.inner(slope, w) / k;
+        const N first = tape.series(t)[0];
+        tape.series(w)[tape.order()] = sign * (first * now + first * now + tape.inner_square(t));
+        return continued(tape, t, now);
     }
 
     static N of_lanes(N x) {

@@ -5,6 +5,7 @@
 #include "core/field_lanes.hpp"
 #include "methods/engines/compensated.hpp"
 #include "methods/engines/integrator.hpp"
+#include "methods/engines/particles.hpp"
 #include "methods/engines/runge_kutta_steps.hpp"
 #include "methods/engines/synchronised.hpp"
 
@@ -64,11 +65,11 @@ public:
         for (std::size_t q = 2; q < quantities; ++q) fields[q] = &temporary_[q - 2];
         if (lost_.kept()) {
             fields[quantities] = &lost_.x, fields[quantities + 1] = &lost_.v;
-            return system.sweep(fields, steps, stages, Stage<true>(system));
+            return sweep_or_damp(system, fields, steps, Stage<true>(system));
         }
         std::array<Field<T>*, quantities> kept;
         std::copy_n(fields.begin(), quantities, kept.begin());
-        system.sweep(kept, steps, stages, Stage<false>(system));
+        sweep_or_damp(system, kept, steps, Stage<false>(system));
     }
 
     std::size_t reach() const { return stages; }
@@ -84,6 +85,33 @@ private:
     /// give the end of the step.
     enum : std::size_t { x, v, stage_x, stage_v, sum_x, sum_v };
     static constexpr std::size_t quantities = stages > 1 ? 6 : 2;
+
+    template <class System, std::size_t Quantities, class Sinks>
+    void sweep_or_damp(System& system, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps,
+                       Sinks stage) {
+        if constexpr (System::can_be_damped) {
+            if (system.damped()) return advance_damped(system, fields, steps, stage);
+        }
+        system.sweep(fields, steps, stages, stage);
+    }
+
+    /// The same with damping, which acts on the velocities of a stage.
+    template <class System, std::size_t Quantities, class Sinks>
+    void advance_damped(System& system, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps,
+                        Sinks stage) {
+        Field<T> accelerations(x_.count());
+        InMemory<T, Quantities, 3> particles(fields);
+        const InMemory<T, 1, 3> changes({&accelerations});
+        const std::size_t registers = (x_.count() + N::count - 1) / N::count;
+        for (std::uint64_t part = 0; part < steps * stages; ++part) {
+            const Field<T>& velocity = part % stages == 0 ? v_ : temporary_[1];
+            stage(part % stages, [&](auto q, auto sink) {
+                system.accelerations(*fields[q], accelerations);
+                system.add_damping(*fields[q], velocity, accelerations);
+                for (std::size_t r = 0; r < registers; ++r) sink(particles, r, changes.get(0, r));
+            });
+        }
+    }
 
     static constexpr bool starts_from_one_slope() {
         for (std::size_t i = 0; i < stages; ++i) {

@@ -2,6 +2,7 @@
 
 #include "core/coupling.hpp"
 #include "core/field.hpp"
+#include "core/force_layout.hpp"
 #include "core/lanes.hpp"
 #include "methods/engines/moving_axes.hpp"
 #include "methods/engines/power_series.hpp"
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace steplab {
@@ -60,7 +62,7 @@ public:
         batches_.clear();
         left_out_ = false;
         force_.each_interaction(displacement, [&](std::size_t i, std::size_t j, std::size_t kind) {
-            if (each_on_each && move_together(displacement, velocity, i, j)) {
+            if (each_on_each && i != j && move_together(displacement, velocity, i, j)) {
                 left_out_ = true;
             } else {
                 append(i, j, kind);
@@ -79,12 +81,22 @@ private:
     using N = Lanes<T>;
     using SeriesForces<T>::axes_, SeriesForces<T>::singular_;
 
+    /// What the pull is multiplied by for the first and the second particles of a batch, and what the formula is told
+    /// of them.
+    struct Differing {
+        std::array<T, N::count> to_first{}, to_second{};
+        std::array<PairProperties<T>, N::count> properties{};
+    };
+    struct Alike {};
+
     /// Interactions of one kind whose series are computed together, one in each SIMD lane.
     struct Batch {
         std::size_t kind = 0, count = 0;
         std::array<std::uint32_t, N::count> first{}, second{};  ///< beyond `count` the first pair again
-        /// What the pull is multiplied by for the first and the second particles, where particles differ.
-        std::array<T, N::count> to_first{}, to_second{};
+        [[no_unique_address]] std::conditional_t<Force::capabilities.masses, Differing, Alike> particles{};
+
+        /// From outside, on the first particles.
+        bool external() const { return first[0] == second[0]; }
     };
 
     void append(std::size_t i, std::size_t j, std::size_t kind) {
@@ -92,14 +104,16 @@ private:
             batches_.push_back({.kind = kind, .count = 0});
             batches_.back().first.fill(static_cast<std::uint32_t>(i));
             batches_.back().second.fill(static_cast<std::uint32_t>(j));
+            if constexpr (Force::capabilities.masses)
+                batches_.back().particles.properties.fill(force_.properties(i, j, kind));
         }
         Batch& batch = batches_.back();
         batch.first[batch.count] = static_cast<std::uint32_t>(i);
         batch.second[batch.count] = static_cast<std::uint32_t>(j);
         if constexpr (Force::capabilities.masses) {
-            const T strength = force_.strength(i, j, kind);
-            batch.to_first[batch.count] = strength * force_.inverse_mass(i);
-            batch.to_second[batch.count] = strength * force_.inverse_mass(j);
+            batch.particles.properties[batch.count] = force_.properties(i, j, kind);
+            batch.particles.to_first[batch.count] = force_.inverse_mass(i);
+            batch.particles.to_second[batch.count] = i == j ? T(0) : force_.inverse_mass(j);
         }
         ++batch.count;
     }
@@ -115,7 +129,7 @@ private:
         for (std::size_t b = 0; b < batches_.size(); ++b) {
             const Batch& batch = batches_[b];
             SeriesTape<T> tape(tapes_.data() + b * kept_ * length, length, k);
-            const auto pull = pulls<Axes>(tape, formulas[batch.kind], differences<Axes>(batch, x_k, k));
+            const auto pull = pulls<Axes>(tape, formulas[batch.kind], batch, arguments<Axes>(batch, x_k, k));
             singular_ = singular_ || tape.singular();
             for (std::size_t axis = 0; axis < Axes; ++axis) scatter(batch, pull[axis], a[axis]);
         }
@@ -138,38 +152,52 @@ private:
 
     /// Coefficient k of what the formula of a batch is given.
     template <std::size_t Axes>
-    [[gnu::always_inline]] std::array<N, Axes> differences(const Batch& batch, const Field<T>& x_k,
-                                                           std::size_t k) const {
+    [[gnu::always_inline]] std::array<N, Axes> arguments(const Batch& batch, const Field<T>& x_k, std::size_t k) const {
         const std::array<const T*, 3> u = components(x_k);
         std::array<N, Axes> e;
+        if constexpr (Force::capabilities.fields) {
+            if (batch.external()) return places<Axes>(batch, x_k, k);
+        }
         for (std::size_t axis = 0; axis < Axes; ++axis) {
             const T* const along = u[axis];
             e[axis] = N::each([&](std::size_t lane) { return along[batch.second[lane]] - along[batch.first[lane]]; });
         }
         if constexpr (Force::capabilities.periodic) {
             if (k > 0) return e;
-            const auto of = [&](auto component) {
-                return N::each([&](std::size_t lane) {
-                    return component(force_.difference(x_k, batch.first[lane], batch.second[lane]));
-                });
-            };
-            e[0] = of([](const Vector<T>& d) { return d.x; });
-            if constexpr (Axes > 1) e[1] = of([](const Vector<T>& d) { return d.y; });
-            if constexpr (Axes > 2) e[2] = of([](const Vector<T>& d) { return d.z; });
+            return vectors<Axes>(
+                [&](std::size_t lane) { return force_.difference(x_k, batch.first[lane], batch.second[lane]); });
         }
         return e;
     }
 
+    /// The same of what acts from outside: the position.
+    template <std::size_t Axes>
+    std::array<N, Axes> places(const Batch& batch, const Field<T>& x_k, std::size_t k) const {
+        return vectors<Axes>([&](std::size_t lane) {
+            const std::size_t i = batch.first[lane];
+            return k == 0 ? force_.place(x_k, i) : Vector<T>{x_k.x()[i], x_k.y()[i], x_k.z()[i]};
+        });
+    }
+
+    template <std::size_t Axes, class VectorOf>
+    static std::array<N, Axes> vectors(VectorOf vector_of) {
+        std::array<N, Axes> lanes;
+        lanes[0] = N::each([&](std::size_t lane) { return vector_of(lane).x; });
+        if constexpr (Axes > 1) lanes[1] = N::each([&](std::size_t lane) { return vector_of(lane).y; });
+        if constexpr (Axes > 2) lanes[2] = N::each([&](std::size_t lane) { return vector_of(lane).z; });
+        return lanes;
+    }
+
     /// Coefficient k of the pulls of a batch. Flattened, so that the formula's intermediate results stay in registers.
     template <std::size_t Axes, class Formula>
-    [[gnu::flatten]] static std::array<N, Axes> pulls(SeriesTape<T>& tape, const Formula& formula,
+    [[gnu::flatten]] static std::array<N, Axes> pulls(SeriesTape<T>& tape, const Formula& formula, const Batch& batch,
                                                       const std::array<N, Axes>& e) {
         const auto variable = [&](std::size_t axis) {
             if (axis >= Axes) return Series<T>(T(0));
             return Series<T>::variable(tape, e[axis]);
         };
         const Series<T> x = variable(0), y = variable(1), z = variable(2);
-        const auto pull = formula(x, y, z);
+        const Vector<Series<T>> pull = pulled(formula, batch, x, y, z);
         std::array<N, Axes> coefficients;
         coefficients[0] = pull.x.coefficient();
         if constexpr (Axes > 1) coefficients[1] = pull.y.coefficient();
@@ -177,11 +205,28 @@ private:
         return coefficients;
     }
 
+    template <class Formula>
+    [[gnu::always_inline]] static Vector<Series<T>> pulled(const Formula& formula, const Batch& batch,
+                                                           const Series<T>& x, const Series<T>& y, const Series<T>& z) {
+        if constexpr (Force::capabilities.masses) {
+            const auto of = [&](T PairProperties<T>::*property) {
+                return Series<T>::constant(
+                    N::each([&](std::size_t lane) { return batch.particles.properties[lane].*property; }));
+            };
+            using P = PairProperties<T>;
+            return formula(x, y, z,
+                           PairProperties<Series<T>>{of(&P::first_mass), of(&P::second_mass), of(&P::first_charge),
+                                                     of(&P::second_charge)});
+        } else {
+            return formula(x, y, z);
+        }
+    }
+
     static void scatter(const Batch& batch, N pull, T* a) {
         for (std::size_t lane = 0; lane < batch.count; ++lane) {
             if constexpr (Force::capabilities.masses) {
-                a[batch.first[lane]] += batch.to_first[lane] * pull[lane];
-                a[batch.second[lane]] -= batch.to_second[lane] * pull[lane];
+                a[batch.first[lane]] += batch.particles.to_first[lane] * pull[lane];
+                a[batch.second[lane]] -= batch.particles.to_second[lane] * pull[lane];
             } else {
                 a[batch.first[lane]] += pull[lane];
                 a[batch.second[lane]] -= pull[lane];
@@ -208,12 +253,13 @@ private:
 
     /// Series that the formulas keep for each batch.
     static std::size_t kept_by_formulas(const Force& force) {
-        std::array<N, SeriesTape<T>::most_kept> memory;
+        std::vector<N, CacheLineAllocator<N>> memory(SeriesTape<T>::most_kept);
         std::size_t kept = 0;
+        const Batch any;
         for (const auto& formula : force.formulas()) {
             SeriesTape<T> tape(memory.data(), 1, 0);
             const auto e = [&tape] { return Series<T>::variable(tape, N(T(1))); };
-            formula(e(), e(), e());
+            pulled(formula, any, e(), e(), e());
             kept = std::max(kept, tape.kept());
         }
         return kept;

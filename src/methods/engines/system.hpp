@@ -129,6 +129,27 @@ public:
     void axes(std::size_t count) { axes_ = count; }
 
     T drag() const { return drag_; }
+
+    static constexpr bool can_be_damped = Force::capabilities.damping;
+    /// True if forces -D(x) v act besides the drag: dashpots, or drag that differs between particles.
+    bool damped() const {
+        if constexpr (Force::capabilities.damping) return force_.damped();
+        return false;
+    }
+    /// v by the flow of v' = -D(x) v over a time: symmetric, of order 2 in it; exact where D is diagonal.
+    void damp(const Field<T>& x, Field<T>& v, T time) const {
+        if constexpr (Force::capabilities.damping) force_.damp(x, v, time);
+    }
+    /// a -= D(x) v.
+    void add_damping(const Field<T>& x, const Field<T>& v, Field<T>& a) const {
+        if constexpr (Force::capabilities.damping) force_.add_damping(x, v, a);
+    }
+    /// Calls f(i, j, block) for the parts of D times the masses: block in the diagonal of i and of j and its opposite
+    /// beside it, with i = j in the diagonal alone.
+    template <class F>
+    void each_damping(const Field<T>& x, F f) const {
+        if constexpr (Force::capabilities.damping) force_.each_damping(x, f);
+    }
     T dt() const { return dt_; }
     std::uint64_t evaluations() const { return evaluations_; }
     void evaluations(std::uint64_t count) { evaluations_ = count; }

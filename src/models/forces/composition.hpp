@@ -1,11 +1,12 @@
 #pragma once
 
 #include "core/vec3.hpp"
+#include "models/potentials/expression_potential.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace steplab {
@@ -17,17 +18,23 @@ struct ComposedSpring {
     double length = 0;
     double stretch = 0;  ///< |rest|^2 - length^2
     double k = 0, quadratic = 0, cubic = 0;
+    double damping = 0;  ///< of a dashpot: force -damping times the relative velocity along the spring
 };
 
-/// A potential between the particles of two sets, or of one. Parameters as in docs/scene-files.md.
+/// A potential between the particles of two sets, or of one.
 struct ComposedPairs {
-    enum class Potential { morse, lennard_jones, gravity, coulomb };
-    Potential potential = Potential::morse;
-    double depth = 1, k = 1, r0 = 1;           ///< morse: D, k, r0
-    double epsilon = 1, sigma = 1;             ///< lennard_jones
-    double strength = 1, softening = 0;        ///< gravity: G; coulomb: K
-    double cutoff = 0;                         ///< 0: none
-    std::vector<std::uint32_t> first, second;  ///< particles; second empty: pairs within the first
+    std::string potential = {};                         ///< the name of a built-in one
+    std::vector<double> values = {};                    ///< of its parameters
+    std::shared_ptr<const ExpressionForce> expression;  ///< instead of a built-in one, its cut-off included
+    double cutoff = 0;                                  ///< 0: none
+    std::vector<std::uint32_t> first, second;           ///< particles; second empty: pairs within the first
+};
+
+/// A potential that acts on particles from outside.
+struct ComposedField {
+    std::shared_ptr<const ExpressionForce> expression;
+    bool along_y = true, along_z = true;  ///< whether it can pull along these axes
+    std::vector<std::uint32_t> particles;
 };
 
 /// What acts on the particles of a scene that no other layout has, as plain data in double.
@@ -35,11 +42,13 @@ struct Composition {
     std::size_t count = 0;
     double mass = 1;              ///< in units of which `masses` are; of each particle where that is empty
     std::vector<double> masses;   ///< of each particle divided by `mass`; empty where all are 1
-    std::vector<double> charges;  ///< empty where nothing asks for them
+    std::vector<double> charges;  ///< of each particle; empty where all are 0
     std::vector<char> fixed;      ///< empty where all particles move
     std::vector<Vec3> reference;  ///< positions; empty where all are the origin, as they are with pairs and in a box
+    std::vector<double> drag;     ///< rate c / m of each particle; empty where it is the same for all (Plan::drag)
     std::vector<ComposedSpring> springs;
     std::vector<ComposedPairs> pairs;
+    std::vector<ComposedField> fields;
     std::vector<Vec3>
         accelerations;  ///< from outside, of each particle; one for all where they are equal; may be empty
     Vec3 box;           ///< sides of space that repeats itself; 0: not along this axis

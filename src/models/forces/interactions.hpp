@@ -3,6 +3,7 @@
 #include "core/block.hpp"
 #include "core/dual.hpp"
 #include "core/field.hpp"
+#include "core/force_layout.hpp"
 #include "models/forces/morse_pair.hpp"
 #include "models/forces/spring.hpp"
 
@@ -39,14 +40,14 @@ struct MorseFormula {
     }
 };
 
-/// The exact derivative of a formula with respect to e, by dual numbers.
-template <class T, class Formula>
-Block<T> derivative(const Formula& formula, const Vector<T>& e) {
+/// The exact derivative of a formula with respect to e, by dual numbers; `properties` of the pair where it takes them.
+template <class T, class Formula, class... Properties>
+Block<T> derivative(const Formula& formula, const Vector<T>& e, const Properties&... properties) {
     using D = Dual<T>;
     Block<T> block;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto along = [axis](std::size_t a) { return a == axis ? T(1) : T(0); };
-        const Vector<D> slope = formula(D(e.x, along(0)), D(e.y, along(1)), D(e.z, along(2)));
+        const Vector<D> slope = formula(D(e.x, along(0)), D(e.y, along(1)), D(e.z, along(2)), properties...);
         block.at[0][axis] = slope.x.derivative;
         block.at[1][axis] = slope.y.derivative;
         block.at[2][axis] = slope.z.derivative;
@@ -66,16 +67,20 @@ Vector<T> difference(const Force& force, const Field<T>& u, std::size_t i, std::
 
 /// Calls f(i, j, block) for every interacting pair: block is the derivative of the acceleration of i with respect to
 /// u_j and of that of j with respect to u_i; with respect to their own displacements it is the opposite. Where
-/// particles differ in mass it is that of the force, in the unit of mass.
+/// particles differ in mass it is that of the force, in the unit of mass. Of what acts on a particle from outside the
+/// block is the opposite of the derivative, and i = j.
 template <class Force, class T, class F>
 void each_block(Force& force, const Field<T>& u, F f) {
     const auto formulas = force.formulas();
     force.each_interaction(u, [&](std::size_t i, std::size_t j, std::size_t kind) {
-        const auto block = derivative(formulas[kind], difference(force, u, i, j));
+        const auto& formula = formulas[kind];
         if constexpr (Force::capabilities.masses) {
-            f(i, j, force.strength(i, j, kind) * block);
+            const PairProperties<T> of = force.properties(i, j, kind);
+            const PairProperties<Dual<T>> properties{of.first_mass, of.second_mass, of.first_charge, of.second_charge};
+            if (i == j) return f(i, j, T(-1) * derivative(formula, force.place(u, i), properties));
+            f(i, j, derivative(formula, difference(force, u, i, j), properties));
         } else {
-            f(i, j, block);
+            f(i, j, derivative(formula, difference(force, u, i, j)));
         }
     });
 }

@@ -15,35 +15,40 @@ std::uint64_t join(std::uint64_t x, std::uint64_t y, std::uint64_t z) { return (
 
 }  // namespace
 
-std::uint64_t Neighbours::coordinate(double position) const {
-    const double cell = std::floor(position / cell_);
-    if (cells_ == 0) {
-        if (!(cell + farthest > 1)) return 1;  // also if the position is not a number
-        return static_cast<std::uint64_t>(std::min(cell + farthest, 2 * farthest - 2));
-    }
-    const auto cells = static_cast<double>(cells_), within = cell - cells * std::floor(cell / cells);
-    return within >= 0 && within < cells ? static_cast<std::uint64_t>(within) : 0;
+void Neighbours::Axis::divide(double reach) {
+    cells = period > 0 ? static_cast<std::uint64_t>(std::clamp(std::floor(period / reach), 1.0, farthest)) : 0;
+    cell = cells > 0 ? period / static_cast<double>(cells) : reach;
 }
 
-/// The coordinate of a cell this number of cells away.
-std::uint64_t Neighbours::beside(std::uint64_t coordinate, int cells) const {
-    const std::uint64_t at = coordinate + cells_ + static_cast<std::uint64_t>(static_cast<std::int64_t>(cells));
-    return cells_ == 0 ? at : at % cells_;
+std::uint64_t Neighbours::Axis::coordinate(double position) const {
+    const double at = std::floor(position / cell);
+    if (cells == 0) {
+        if (!(at + farthest > 1)) return 1;  // also if the position is not a number
+        return static_cast<std::uint64_t>(std::min(at + farthest, 2 * farthest - 2));
+    }
+    const auto all = static_cast<double>(cells), within = at - all * std::floor(at / all);
+    return within >= 0 && within < all ? static_cast<std::uint64_t>(within) : 0;
+}
+
+std::uint64_t Neighbours::Axis::beside(std::uint64_t coordinate, int number) const {
+    const std::uint64_t at = coordinate + cells + static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
+    return cells == 0 ? at : at % cells;
+}
+
+double Neighbours::Axis::nearest_image(double d) const {
+    return period == 0 ? d : d - period * std::nearbyint(d / period);
 }
 
 std::uint64_t Neighbours::key(Vec3 position) const {
-    return join(coordinate(position.x), coordinate(position.y), coordinate(position.z));
+    return join(x_.coordinate(position.x), y_.coordinate(position.y), z_.coordinate(position.z));
 }
 
 Vec3 Neighbours::nearest_image(Vec3 d) const {
-    if (period_ == 0) return d;
-    const auto along = [this](double x) { return x - period_ * std::nearbyint(x / period_); };
-    return {along(d.x), along(d.y), along(d.z)};
+    return {x_.nearest_image(d.x), y_.nearest_image(d.y), z_.nearest_image(d.z)};
 }
 
 void Neighbours::make_lists() {
-    cells_ = period_ > 0 ? static_cast<std::uint64_t>(std::clamp(std::floor(period_ / reach_), 1.0, farthest)) : 0;
-    cell_ = cells_ > 0 ? period_ / static_cast<double>(cells_) : reach_;
+    for (Axis* const axis : {&x_, &y_, &z_}) axis->divide(reach_);
     std::vector<Placed> placed(made_at_.size());
     for (std::size_t i = 0; i < placed.size(); ++i) placed[i] = {key(made_at_[i]), static_cast<std::uint32_t>(i)};
     std::sort(placed.begin(), placed.end(), [](Placed a, Placed b) { return a.cell < b.cell; });
@@ -57,12 +62,12 @@ void Neighbours::make_lists() {
 
 void Neighbours::append_neighbours(std::size_t i, std::span<const Placed> placed) {
     const Vec3 here = made_at_[i];
-    const std::uint64_t cx = coordinate(here.x), cy = coordinate(here.y), cz = coordinate(here.z);
+    const std::uint64_t cx = x_.coordinate(here.x), cy = y_.coordinate(here.y), cz = z_.coordinate(here.z);
     std::array<std::uint64_t, 27> cells{};
     std::size_t count = 0;
     for (int x = -1; x <= 1; ++x) {
         for (int y = -1; y <= 1; ++y) {
-            for (int z = -1; z <= 1; ++z) cells[count++] = join(beside(cx, x), beside(cy, y), beside(cz, z));
+            for (int z = -1; z <= 1; ++z) cells[count++] = join(x_.beside(cx, x), y_.beside(cy, y), z_.beside(cz, z));
         }
     }
     std::sort(cells.begin(), cells.end());

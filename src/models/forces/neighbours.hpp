@@ -18,8 +18,16 @@ namespace steplab {
 /// counts.
 class Neighbours {
 public:
-    explicit Neighbours(double cutoff, double period = 0)
-        : cutoff_(cutoff), period_(period), skin_(0.15 * cutoff), allowed_(0.45 * skin_), reach_(cutoff + skin_) {}
+    explicit Neighbours(double cutoff, double period = 0) : Neighbours(cutoff, Vec3{period, period, period}) {}
+    /// In a box of these sides; 0: open along that axis.
+    Neighbours(double cutoff, Vec3 box)
+        : cutoff_(cutoff),
+          x_{box.x},
+          y_{box.y},
+          z_{box.z},
+          skin_(0.15 * cutoff),
+          allowed_(0.45 * skin_),
+          reach_(cutoff + skin_) {}
 
     /// Renews the lists if a particle has moved too far since they were made. For number types with lanes, the lists
     /// are valid for the positions in every lane: their reach is larger by the distance between lanes.
@@ -89,20 +97,29 @@ private:
         return std::sqrt(farthest2);
     }
 
+    /// Cells along an axis.
+    struct Axis {
+        double period = 0;
+        double cell = 1;          ///< side of a cell
+        std::uint64_t cells = 0;  ///< their number in the period
+
+        void divide(double reach);
+        std::uint64_t coordinate(double position) const;
+        /// The coordinate of a cell this number of cells away.
+        std::uint64_t beside(std::uint64_t coordinate, int number) const;
+        double nearest_image(double d) const;
+    };
+
     void make_lists();
     void append_neighbours(std::size_t i, std::span<const Placed> placed);
-    std::uint64_t coordinate(double position) const;
-    std::uint64_t beside(std::uint64_t coordinate, int cells) const;
     std::uint64_t key(Vec3 position) const;
     Vec3 nearest_image(Vec3 d) const;
 
     double cutoff_;
-    double period_;
+    Axis x_, y_, z_;
     double skin_;
     double allowed_;  ///< largest allowed motion of a particle: half the skin minus a margin for rounding
     double reach_;
-    double cell_ = 1;          ///< side of a cell
-    std::uint64_t cells_ = 0;  ///< number of cells along an axis of the periodic box
     std::vector<Vec3> made_at_;
     std::vector<std::uint32_t> list_;
     std::vector<std::size_t> begin_;

@@ -1,104 +1,129 @@
 #pragma once
 
+#include "core/force_layout.hpp"
 #include "core/number.hpp"
-#include "core/power.hpp"
-#include "core/vector.hpp"
 #include "models/forces/composition.hpp"
+#include "models/potentials/expression_potential.hpp"
+#include "models/potentials/list.hpp"
 
-#include <limits>
+#include <cmath>
+#include <span>
+#include <type_traits>
+#include <variant>
 
 namespace steplab {
 
-/// A pair potential V(r) of unit strength in number type T, shifted to zero at a cut-off c together with its slope:
-/// V(r)
-/// - V(c) - (r - c) V'(c). What is multiplied by it is the product of masses or charges (ComposedPairs).
-template <class T>
-class PairPotential {
+/// A built-in potential V(r) divided by the unit of mass, shifted to zero at a cut-off c together with its slope: V(r)
+/// - V(c) - (r - c) V'(c).
+template <class T, class Potential>
+class ShiftedPotential {
+    using Weight = PotentialInfo::Weight;
+    static constexpr Weight weight = Potential::info.weight;
+
 public:
-    using Kind = ComposedPairs::Potential;
-
-    explicit PairPotential(const ComposedPairs& pairs)
-        : kind_(pairs.potential),
-          depth_(static_cast<T>(pairs.depth)),
-          b_(square_root(static_cast<T>(pairs.k) / (T(2) * static_cast<T>(pairs.depth)))),
-          r0_(static_cast<T>(pairs.r0)),
-          epsilon_(static_cast<T>(pairs.epsilon)),
-          sigma2_(static_cast<T>(pairs.sigma) * static_cast<T>(pairs.sigma)),
-          strength_(static_cast<T>(pairs.potential == Kind::gravity ? -pairs.strength : pairs.strength)),
-          softening2_(static_cast<T>(pairs.softening) * static_cast<T>(pairs.softening)),
-          cut_(pairs.cutoff > 0) {
+    ShiftedPotential(std::span<const double> values, double cutoff, double unit)
+        : potential_(values),
+          scale_(static_cast<T>(weight == Weight::masses ? unit : 1 / unit)),
+          cut_(cutoff > 0),
+          cutoff_(static_cast<T>(cutoff)) {
         if (!cut_) return;
-        cutoff_ = static_cast<T>(pairs.cutoff);
-        const T distance2 = cutoff_ * cutoff_;
-        force_there_ = uncut_factor(distance2, cutoff_) * cutoff_;
-        energy_there_ = uncut_energy(distance2, cutoff_);
+        const PairDistance<T> there{cutoff_ * cutoff_};
+        force_there_ = potential_.factor(there) * cutoff_;
+        energy_there_ = potential_.energy(there);
     }
 
-    bool cut() const { return cut_; }
-    T cutoff() const { return cutoff_; }
-
-    /// The force on a particle at distance vector d from another is this times d, |d|^2 = distance2 > 0 and below the
-    /// cut-off. In any number type that is made of T.
     template <class N>
-    N factor(const N& distance2) const {
-        const N distance = square_root(distance2);
-        const N uncut = uncut_factor(distance2, distance);
-        return cut_ ? uncut - N(force_there_) / distance : uncut;
+    N factor(const N& distance2, const PairProperties<N>& pair) const {
+        const PairDistance<N> at{distance2};
+        const N uncut = potential_.factor(at);
+        return weighted(cut_ ? uncut - N(force_there_) / at.length() : uncut, pair);
     }
-
-    /// V at that distance.
     template <class N>
-    N energy(const N& distance2) const {
-        const N distance = square_root(distance2);
-        const N uncut = uncut_energy(distance2, distance);
-        return cut_ ? uncut - N(energy_there_) + (distance - N(cutoff_)) * N(force_there_) : uncut;
-    }
-
-    /// V at distance 0, if it is finite there; else 0.
-    T energy_of_coincident() const {
-        if (kind_ == Kind::lennard_jones || (kind_ != Kind::morse && softening2_ == T(0))) return T(0);
-        return energy(T(0));
+    N energy(const N& distance2, const PairProperties<N>& pair) const {
+        const PairDistance<N> at{distance2};
+        const N uncut = potential_.energy(at);
+        if (!cut_) return weighted(uncut, pair);
+        return weighted(uncut - N(energy_there_) + (at.length() - N(cutoff_)) * N(force_there_), pair);
     }
 
 private:
     template <class N>
-    N uncut_factor(const N& distance2, const N& distance) const {
-        switch (kind_) {
-            case Kind::morse: {
-                const N e = exponential(N(b_) * (N(r0_) - distance));
-                return N(T(2) * b_ * depth_) * e * (e - N(T(1))) / distance;
-            }
-            case Kind::lennard_jones: {
-                const N s2 = N(sigma2_) / distance2, s6 = s2 * s2 * s2;
-                return N(T(24) * epsilon_) * s6 * (N(T(2)) * s6 - N(T(1))) / distance2;
-            }
-            default: {
-                const N softened2 = distance2 + N(softening2_);
-                return N(strength_) / (softened2 * square_root(softened2));
-            }
-        }
+    N weighted(const N& value, const PairProperties<N>& pair) const {
+        if constexpr (weight == Weight::masses) return N(scale_) * pair.first_mass * pair.second_mass * value;
+        if constexpr (weight == Weight::charges) return N(scale_) * pair.first_charge * pair.second_charge * value;
+        return N(scale_) * value;
     }
 
-    template <class N>
-    N uncut_energy(const N& distance2, const N& distance) const {
-        switch (kind_) {
-            case Kind::morse: {
-                const N e = exponential(N(b_) * (N(r0_) - distance));
-                return N(depth_) * e * (e - N(T(2)));
-            }
-            case Kind::lennard_jones: {
-                const N s2 = N(sigma2_) / distance2, s6 = s2 * s2 * s2;
-                return N(T(4) * epsilon_) * s6 * (s6 - N(T(1)));
-            }
-            default:
-                return N(strength_) / square_root(distance2 + N(softening2_));
-        }
-    }
-
-    Kind kind_;
-    T depth_, b_, r0_, epsilon_, sigma2_, strength_, softening2_;
+    Potential potential_;
+    T scale_;
     bool cut_;
-    T cutoff_ = T(0), force_there_ = T(0), energy_there_ = T(0);
+    T cutoff_, force_there_ = T(0), energy_there_ = T(0);
+};
+
+namespace detail {
+
+template <class T, class List>
+struct AnyPotentialOf;
+template <class T, template <class> class... Potentials>
+struct AnyPotentialOf<T, PotentialList<Potentials...>> {
+    using Type = std::variant<ExpressionPotential<T>, ShiftedPotential<T, Potentials<T>>...>;
+};
+
+/// The potential of a name.
+template <class T, std::size_t Index = 1>
+typename AnyPotentialOf<T, BuiltInPotentials>::Type potential_of(const ComposedPairs& pairs, double unit) {
+    using Any = typename AnyPotentialOf<T, BuiltInPotentials>::Type;
+    if (pairs.expression) return Any(ExpressionPotential<T>(pairs.expression));
+    if constexpr (Index + 1 < std::variant_size_v<Any>) {
+        if (BuiltInPotentials::infos[Index - 1]->name != pairs.potential)
+            return potential_of<T, Index + 1>(pairs, unit);
+    }
+    return Any(std::in_place_index<Index>, pairs.values, pairs.cutoff, unit);
+}
+
+}  // namespace detail
+
+/// Any pair potential in number type T, divided by the unit of mass and multiplied by the product of masses or charges
+/// that it takes.
+template <class T>
+class PairPotential {
+public:
+    PairPotential(const ComposedPairs& pairs, double unit)
+        : potential_(detail::potential_of<T>(pairs, unit)),
+          cut_(pairs.cutoff > 0),
+          cutoff_(static_cast<T>(pairs.cutoff)) {}
+
+    bool cut() const { return cut_; }
+    T cutoff() const { return cutoff_; }
+
+    /// Calls f with the potential as what it is, for loops over many pairs: its factor(distance2, properties) and
+    /// energy(distance2, properties) are those below.
+    template <class F>
+    decltype(auto) visit(F f) const {
+        return std::visit(f, potential_);
+    }
+
+    /// The force on a particle at distance vector d from another is this times d, |d|^2 = distance2 > 0 and below the
+    /// cut-off. In any number type that is made of T.
+    template <class N>
+    N factor(const N& distance2, const PairProperties<N>& pair) const {
+        return visit([&](const auto& potential) { return potential.factor(distance2, pair); });
+    }
+    /// V at that distance.
+    template <class N>
+    N energy(const N& distance2, const PairProperties<N>& pair) const {
+        return visit([&](const auto& potential) { return potential.energy(distance2, pair); });
+    }
+    /// V at distance 0, if it is finite there; else 0.
+    T energy_of_coincident(const PairProperties<T>& pair) const {
+        const T energy = this->energy(T(0), pair);
+        return std::isfinite(energy) ? energy : T(0);
+    }
+
+private:
+    typename detail::AnyPotentialOf<T, BuiltInPotentials>::Type potential_;
+    bool cut_;
+    T cutoff_;
 };
 
 }  // namespace steplab

@@ -3,6 +3,8 @@
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
+#include "models/potentials/list.hpp"
+#include "models/scene/potential_expression.hpp"
 #include "models/scene/spring_list.hpp"
 
 #include <fmt/format.h>
@@ -23,13 +25,15 @@ std::vector<std::uint32_t> indices(IndexRange range) {
 }
 
 ComposedPairs pairs_of(const PairTerm& term, const SceneParticles& particles) {
-    const BuiltInPotential* const named = built_in_potential(term.potential);
-    if (!named) throw UsageError("the potential of a pair force can only be a built-in one so far, not an expression");
     ComposedPairs pairs;
-    pairs.potential = named->potential;
-    for (const BuiltInPotential::Value& value : named->values) {
-        if (const auto given = term.values.find(std::string(value.name)); given != term.values.end())
-            pairs.*value.member = given->second.value;
+    if (const PotentialInfo* const named = built_in_potential(term.potential)) {
+        pairs.potential = term.potential;
+        for (const PotentialInfo::Parameter& parameter : named->parameters) {
+            const auto given = term.values.find(std::string(parameter.name));
+            pairs.values.push_back(given == term.values.end() ? 0 : given->second.value);
+        }
+    } else {
+        pairs.expression = expression_of(term, particles[0].mass);
     }
     if (term.cutoff) pairs.cutoff = term.cutoff->value;
     const std::string first = term.between.empty() ? "all" : term.between.front();
@@ -55,7 +59,8 @@ ComposedSpring spring_of(const SpringTerm& term, const ScenePair& pair, const Sc
                           .length = term.length ? term.length->value : length(rest),
                           .k = term.k.value,
                           .quadratic = term.quadratic.value,
-                          .cubic = term.cubic.value};
+                          .cubic = term.cubic.value,
+                          .damping = term.damping.value};
     if (from_positions) spring.rest = rest;
     const bool at_rest = from_positions && !term.length;  // exactly, whatever the root was rounded to
     spring.stretch = at_rest ? 0 : dot(spring.rest, spring.rest) - spring.length * spring.length;
@@ -64,7 +69,6 @@ ComposedSpring spring_of(const SpringTerm& term, const ScenePair& pair, const Sc
 
 void add_springs(const Scene& scene, const SceneParticles& particles, Composition& composition) {
     for (const SpringTerm& term : scene.springs) {
-        if (term.damping.value != 0) throw UsageError("dashpots (damping of springs) cannot be stepped so far");
         each_spring(particles, term, [&](const ScenePair& pair) {
             composition.springs.push_back(
                 spring_of(term, pair, particles, composition.box, counts_from_positions(scene)));
@@ -72,22 +76,40 @@ void add_springs(const Scene& scene, const SceneParticles& particles, Compositio
     }
 }
 
+/// Calls f(i) once for every particle of a field.
+template <class F>
+void each_particle(const FieldTerm& field, const SceneParticles& particles, F f) {
+    std::vector<bool> taken(particles.count(), field.particles.empty());
+    for (const std::string& name : field.particles) {
+        const IndexRange range = particles.named(name);
+        std::fill_n(taken.begin() + static_cast<std::ptrdiff_t>(range.first), range.count, true);
+    }
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+        if (taken[i]) f(i);
+    }
+}
+
 /// One vector where all are equal, none where all are zero.
 void add_gravity(const Scene& scene, const SceneParticles& particles, Composition& composition) {
     std::vector<Vec3> sum(particles.count());
     for (const FieldTerm& field : scene.fields) {
-        if (!field.potential.empty()) throw UsageError("the potential of a field cannot be stepped so far");
         if (!field.gravity) continue;
-        const std::vector<std::string> all{"all"};
-        for (const std::string& name : field.particles.empty() ? all : field.particles) {
-            const IndexRange range = particles.named(name);
-            for (std::size_t i = range.first; i < range.first + range.count; ++i)
-                sum[i] = sum[i] + field.gravity->value();
-        }
+        each_particle(field, particles, [&](std::size_t i) { sum[i] = sum[i] + field.gravity->value(); });
     }
     const bool equal = std::all_of(sum.begin(), sum.end(), [&](Vec3 a) { return a == sum.front(); });
     if (equal) sum.resize(sum.front() == Vec3{} ? 0 : 1);
     composition.accelerations = std::move(sum);
+}
+
+void add_fields(const Scene& scene, const SceneParticles& particles, Composition& composition) {
+    for (const FieldTerm& field : scene.fields) {
+        if (field.potential.empty()) continue;
+        ComposedField composed = expression_of(field, composition.mass);
+        each_particle(field, particles, [&](std::size_t i) {
+            if (!particles[i].fixed) composed.particles.push_back(static_cast<std::uint32_t>(i));
+        });
+        composition.fields.push_back(std::move(composed));
+    }
 }
 
 void add_particles(const SceneParticles& particles, bool from_positions, Composition& composition) {
@@ -105,31 +127,11 @@ void add_particles(const SceneParticles& particles, bool from_positions, Composi
         held = held || particle.fixed;
     }
     if (equal) composition.masses.clear();
-    if (!charged) composition.charges.assign(composition.charges.size(), 0.0);
+    if (!charged) composition.charges.clear();
     if (!held) composition.fixed.clear();
 }
 
 }  // namespace
-
-const BuiltInPotential* built_in_potential(std::string_view name) {
-    using Potential = ComposedPairs::Potential;
-    static const std::array potentials{
-        BuiltInPotential{"morse",
-                         Potential::morse,
-                         {{"D", &ComposedPairs::depth}, {"k", &ComposedPairs::k}, {"r0", &ComposedPairs::r0}}},
-        BuiltInPotential{"lennard-jones",
-                         Potential::lennard_jones,
-                         {{"epsilon", &ComposedPairs::epsilon}, {"sigma", &ComposedPairs::sigma}}},
-        BuiltInPotential{"gravity",
-                         Potential::gravity,
-                         {{"G", &ComposedPairs::strength}, {"softening", &ComposedPairs::softening, false}}},
-        BuiltInPotential{"coulomb",
-                         Potential::coulomb,
-                         {{"K", &ComposedPairs::strength}, {"softening", &ComposedPairs::softening, false}}}};
-    const auto found =
-        std::find_if(potentials.begin(), potentials.end(), [&](const auto& p) { return p.name == name; });
-    return found == potentials.end() ? nullptr : &*found;
-}
 
 Composition composed(const Scene& scene, const SceneParticles& particles) {
     Composition composition;
@@ -138,24 +140,39 @@ Composition composed(const Scene& scene, const SceneParticles& particles) {
     add_springs(scene, particles, composition);
     for (const PairTerm& term : scene.pairs) composition.pairs.push_back(pairs_of(term, particles));
     add_gravity(scene, particles, composition);
+    add_fields(scene, particles, composition);
     return composition;
 }
 
-double rate_of_drag(const Scene& scene, const SceneParticles& particles) {
-    double drag = 0;
+SceneDamping damping_of(const Scene& scene, const SceneParticles& particles) {
+    SceneDamping damping;
+    std::vector<double> rates(particles.count());
     for (const FieldTerm& field : scene.fields) {
-        if (!field.drag || field.drag->value == 0) continue;
-        std::size_t covered = 0;
-        for (const std::string& name : field.particles) covered += particles.named(name).count;
-        if (!field.particles.empty() && covered < particles.count())
-            throw UsageError("drag on some of the particles only cannot be stepped so far");
-        drag += field.drag->value;
+        if (!field.drag) continue;
+        each_particle(field, particles, [&](std::size_t i) { rates[i] += field.drag->value / particles[i].mass; });
     }
-    for (std::size_t i = 1; i < particles.count() && drag > 0; ++i) {
-        if (particles[i].mass != particles[0].mass)
-            throw UsageError("drag on particles of different masses cannot be stepped so far");
+    bool equal = true;
+    double first = -1;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        if (particles[i].fixed) continue;
+        if (first < 0) first = rates[i];
+        equal = equal && rates[i] == first;
+        damping.largest = std::max(damping.largest, rates[i]);
     }
-    return drag / particles[0].mass;
+    for (const SpringTerm& term : scene.springs) {
+        if (term.damping.value == 0) continue;
+        equal = false;
+        each_spring(particles, term, [&](const ScenePair& pair) {
+            for (const std::size_t i : {pair.first, pair.second})
+                damping.largest = std::max(damping.largest, term.damping.value / particles[i].mass);
+        });
+    }
+    if (equal) {
+        damping.drag = std::max(first, 0.0);
+    } else {
+        damping.rates = std::move(rates);
+    }
+    return damping;
 }
 
 }  // namespace steplab

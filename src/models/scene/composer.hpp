@@ -3,29 +3,22 @@
 #include "models/forces/composition.hpp"
 #include "models/scene/scene_particles.hpp"
 
-#include <string_view>
 #include <vector>
 
 namespace steplab {
 
-/// A pair potential that has a name, and the values it takes.
-struct BuiltInPotential {
-    struct Value {
-        std::string_view name;
-        double ComposedPairs::*member;
-        bool required = true;  ///< else 0 where it is not given
-    };
-    std::string_view name;
-    ComposedPairs::Potential potential;
-    std::vector<Value> values;
-};
-/// Null if there is none of this name.
-const BuiltInPotential* built_in_potential(std::string_view name);
-
-/// The forces of any scene, for the composed layout. Throws UsageError for what it does not have.
+/// The forces of any scene, for the composed layout. Throws UsageError for an expression that is too long.
 Composition composed(const Scene& scene, const SceneParticles& particles);
 
-/// gamma = c / m of the drag that acts on all particles. Throws UsageError where it is not the same for all.
-double rate_of_drag(const Scene& scene, const SceneParticles& particles);
+/// What acts against velocities.
+struct SceneDamping {
+    double drag = 0;            ///< rate gamma = c / m, where it is the same for all particles and nothing else damps
+    std::vector<double> rates;  ///< else that of each particle
+    double largest = 0;         ///< of any particle, dashpots included
+
+    /// Dashpots, or drag that differs between particles.
+    bool is_of_each() const { return !rates.empty(); }
+};
+SceneDamping damping_of(const Scene& scene, const SceneParticles& particles);
 
 }  // namespace steplab

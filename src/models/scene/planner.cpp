@@ -209,10 +209,12 @@ Plan planned(const Scene& scene) {
         }
     }
     Composition composition = composed(held->scene, held->particles);
+    SceneDamping damping = damping_of(held->scene, held->particles);
     const bool from_positions = !composition.reference.empty();
     Plan plan;
     plan.mass = composition.mass;
-    plan.drag = rate_of_drag(held->scene, held->particles);
+    plan.drag = damping.drag;
+    composition.drag = std::move(damping.rates);
     plan.reference.count = plan.reference.columns = composition.count;
     plan.start = start_of(held, from_positions);
     if (from_positions) plan.reference.points = std::make_shared<const std::vector<Vec3>>(composition.reference);

@@ -113,6 +113,7 @@ struct PairTerm {
     std::vector<std::string> between = {};  ///< none: all particles
     std::string potential;                  ///< the name of a built-in one, or an expression
     std::map<std::string, WrittenNumber> values = {};
+    std::map<std::string, double> parameters = {};  ///< of the scene, that the expression uses
     std::optional<WrittenNumber> cutoff = {};
     bool operator==(const PairTerm&) const = default;
 };
@@ -124,6 +125,7 @@ struct FieldTerm {
     std::optional<WrittenNumber> drag = {};
     std::string potential = {};  ///< an expression; empty: none
     std::map<std::string, WrittenNumber> values = {};
+    std::map<std::string, double> parameters = {};  ///< of the scene, that the expression uses
     bool operator==(const FieldTerm&) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "sim/run/energy.hpp"
 
 #include "core/sum.hpp"
+#include "models/potentials/list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +31,9 @@ double floor_of(const ComposedForces& forces) {
     double floor = std::numeric_limits<double>::min();
     for (const ComposedSpring& spring : forces.terms->springs) floor += spring_floor(spring.k, spring.length, 1);
     for (const ComposedPairs& pairs : forces.terms->pairs) {
-        using Potential = ComposedPairs::Potential;
-        const double depth = pairs.potential == Potential::morse           ? pairs.depth
-                             : pairs.potential == Potential::lennard_jones ? pairs.epsilon
-                                                                           : 0;
+        const PotentialInfo* const known = built_in_potential(pairs.potential);
+        const bool has_depth = known && known->weight == PotentialInfo::Weight::none;
+        const double depth = has_depth ? pairs.values.front() : 0;
         floor += depth * static_cast<double>(forces.count);
     }
     return floor;

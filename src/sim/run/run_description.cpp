@@ -63,6 +63,11 @@ void check_method(const RunDescription& description) {
     if (entry.info.curiosity && std::holds_alternative<ComposedForces>(scene.forces))
         throw UsageError(fmt::format("{} cannot run this scene: it is kept as printed in 2008, for the models of then",
                                      description.method));
+    if (facts_of(description).damping && entry.info.order_with_damping == 0)
+        throw UsageError(
+            fmt::format("{} cannot run this scene: dashpots, and drag that differs between particles, are "
+                        "not in its formulas",
+                        description.method));
     const auto refused = std::visit(
         [&](const auto& forces) {
             return entry.info.refusal ? entry.info.refusal(coupling(forces)) : std::optional<std::string>();
@@ -184,8 +189,14 @@ double fastest_frequency(const RunDescription& description) {
 
 bool has_drag(const RunDescription& description) { return facts_of(description).drag > 0; }
 
+int order_of(const RunDescription& description) {
+    const MethodInfo& info = method(description.method).info;
+    if (facts_of(description).damping) return info.order_with_damping;
+    return has_drag(description) ? info.order_with_drag : info.order;
+}
+
 bool integrates_drag_work(const RunDescription& description) {
-    return has_drag(description) && method(description.method).parts.known();
+    return has_drag(description) && !facts_of(description).damping && method(description.method).parts.known();
 }
 
 bool chooses_its_steps(const RunDescription& description) {

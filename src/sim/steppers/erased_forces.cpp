@@ -97,6 +97,20 @@ public:
         }
     }
 
+    bool damped() const override {
+        if constexpr (Force::capabilities.damping) return force_.damped();
+        return false;
+    }
+    void damp(const Field<T>& x, Field<T>& v, T time) const override {
+        if constexpr (Force::capabilities.damping) force_.damp(x, v, time);
+    }
+    void add_damping(const Field<T>& x, const Field<T>& v, Field<T>& a) const override {
+        if constexpr (Force::capabilities.damping) force_.add_damping(x, v, a);
+    }
+    void each_damping(const Field<T>& x, const typename Erased::BlockVisitor& f) const override {
+        if constexpr (Force::capabilities.damping) force_.each_damping(x, std::cref(f));
+    }
+
     std::optional<PairRange<T>> range() const override {
         if constexpr (Force::capabilities.range) {
             return force_.range();

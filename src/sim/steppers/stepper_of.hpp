@@ -237,14 +237,19 @@ std::unique_ptr<Stepper> make_erased_stepper(const StepperSetup& setup,
                                                                   std::move(integrator));
 }
 
-/// Chooses at the border what is static inside: the layout of forces.
+/// Chooses at the border what is static inside: the layout of forces. An evaluation of the composed layout is long
+/// enough for a virtual call.
 template <class Method, class T>
 std::unique_ptr<Stepper> make_stepper_with(const StepperSetup& setup,
                                            typename Method::template Integrator<T> integrator) {
     return std::visit(
         [&](const auto& forces) -> std::unique_ptr<Stepper> {
             using Force = decltype(engine<T>(forces));
-            return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces), std::move(integrator));
+            if constexpr (std::is_same_v<Force, Composed<T>>) {
+                return make_erased_stepper<Method, T>(setup, std::move(integrator));
+            } else {
+                return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces), std::move(integrator));
+            }
         },
         setup.scene.forces);
 }

@@ -50,7 +50,7 @@ std::string conservation_text(const MethodInfo& info, const Conservation& scene)
 }  // namespace
 
 std::string method_text(const MethodInfo& info, const RunDescription& description, const Conservation& scene) {
-    const int order = has_drag(description) ? info.order_with_drag : info.order;
+    const int order = order_of(description);
     const double evaluations = evaluations_per_step(info, description.method_parameters);
     std::string line =
         fmt::format("order {} · {} per step", order, counted(evaluations, "force evaluation", "force evaluations"));

@@ -1,0 +1,199 @@
+#pragma once
+
+#include "core/field.hpp"
+#include "core/lanes.hpp"
+#include "core/stages.hpp"
+#include "core/vector.hpp"
+#include "models/forces/composed_particles.hpp"
+#include "models/forces/composed_rows.hpp"
+#include "models/forces/neighbours.hpp"
+#include "models/forces/pair_potential.hpp"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+/// One pair force of a composition: the potential and the pairs it joins.
+template <class T>
+class PairForce {
+public:
+    PairForce(const ComposedPairs& pairs, const Composition& of)
+        : potential_(std::make_shared<const PairPotential<T>>(pairs, of.mass)), sides_(of.count) {
+        for (const std::uint32_t i : pairs.first) sides_[i] = pairs.second.empty() ? 3 : 1;
+        for (const std::uint32_t i : pairs.second) sides_[i] = sides_[i] == 1 ? 3 : 2;
+        if (pairs.cutoff > 0) neighbours_.emplace(pairs.cutoff, of.box);
+        if constexpr (in_batches) rows_ = PairRows<T>::of(pairs, of);
+    }
+
+    const PairPotential<T>& potential() const { return *potential_; }
+
+    /// Of a pair, in the order in which the two sets are named.
+    PairProperties<T> properties(const ComposedParticles<T>& particles, std::size_t i, std::size_t j) const {
+        const bool turned = sides_[i] == 2 || (sides_[i] == 3 && sides_[j] == 1);
+        return turned ? particles.properties(j, i) : particles.properties(i, j);
+    }
+
+    /// Calls f(i, j, d, |d|^2), i < j, d from i to the nearest image of j, for the pairs that act on each other.
+    template <class F>
+    void each(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
+        const T cutoff2 = potential().cutoff() * potential().cutoff();
+        each_candidate(particles, u, [&](std::size_t i, std::size_t j) {
+            const Vector<T> d = particles.difference(u, i, j);
+            const T distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
+            if (potential().cut() && none(distance2 < cutoff2)) return;
+            f(i, j, d, distance2);
+        });
+    }
+
+    /// Adds all accelerations, where pairs are rows of a matrix; else false.
+    bool add_rows(const Field<T>& u, Field<T>& a) const {
+        if (!rows_) return false;
+        potential().visit([&](const auto& potential) { rows_->add(potential, u, a); });
+        return true;
+    }
+
+    /// Calls f(i, j, d, factor): the force on j, divided by the unit of mass, is factor times d, that on i the
+    /// opposite.
+    template <class F>
+    void each_force(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
+        if constexpr (in_batches) {
+            each_batch<false>(particles, u, f);
+        } else {
+            const T cutoff2 = potential().cutoff() * potential().cutoff();
+            each(particles, u, [&](std::size_t i, std::size_t j, const Vector<T>& d, const T& distance2) {
+                const T inside = where(distance2 > T(0), distance2, T(1));
+                T factor = potential().factor(inside, properties(particles, i, j));
+                factor = where(distance2 > T(0), factor, T(0));
+                if (potential().cut()) factor = where(distance2 < cutoff2, factor, T(0));
+                f(i, j, d, factor);
+            });
+        }
+    }
+
+    /// Calls f(i, j, d, energy), the energy divided by the unit of mass.
+    template <class F>
+    void each_energy(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
+        if constexpr (in_batches) {
+            each_batch<true>(particles, u, f);
+        } else {
+            each(particles, u, [&](std::size_t i, std::size_t j, const Vector<T>& d, const T& distance2) {
+                const PairProperties<T> pair = properties(particles, i, j);
+                f(i, j, d,
+                  distance2 > T(0) ? potential().energy(distance2, pair) : potential().energy_of_coincident(pair));
+            });
+        }
+    }
+
+private:
+    static constexpr bool in_batches = std::same_as<T, float> || std::same_as<T, double>;
+    static constexpr std::size_t capacity = 64;
+
+    /// Pairs that are computed together, register by register, or of an expression all at once.
+    struct Batch {
+        std::size_t count = 0;
+        std::array<std::uint32_t, capacity> first, second;
+        std::array<Vector<T>, capacity> d;
+        alignas(64) std::array<T, capacity> distance2, first_mass, second_mass, first_charge, second_charge, result;
+    };
+
+    template <class Condition>
+    static bool none(const Condition& condition) {
+        if constexpr (HasLanes<T>)
+            return !any(condition, T::count);
+        else
+            return !condition;
+    }
+
+    bool acts(const ComposedParticles<T>& particles, std::size_t i, std::size_t j) const {
+        const bool across =
+            ((sides_[i] & 1) != 0 && (sides_[j] & 2) != 0) || ((sides_[i] & 2) != 0 && (sides_[j] & 1) != 0);
+        return across && (particles.moves(i) || particles.moves(j));
+    }
+
+    /// Calls f(i, j), i < j, for all pairs; of a force with a cut-off at least for those within it.
+    template <class F>
+    void each_candidate(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
+        if (neighbours_) neighbours_->follow(u);
+        for (std::size_t i = 0; i < sides_.size(); ++i) {
+            if (sides_[i] == 0) continue;
+            const auto visit = [&](std::size_t j) {
+                if (acts(particles, i, j)) f(i, j);
+            };
+            if (neighbours_) {
+                for (const std::uint32_t j : neighbours_->of(i)) {
+                    if (j > i) visit(j);
+                }
+            } else {
+                for (std::size_t j = i + 1; j < sides_.size(); ++j) visit(j);
+            }
+        }
+    }
+
+    template <bool Energies, class F>
+    void each_batch(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
+        Batch batch;
+        each(particles, u, [&](std::size_t i, std::size_t j, const Vector<T>& d, const T& distance2) {
+            const std::size_t k = batch.count++;
+            batch.first[k] = static_cast<std::uint32_t>(i);
+            batch.second[k] = static_cast<std::uint32_t>(j);
+            batch.d[k] = d;
+            batch.distance2[k] = distance2;
+            if (batch.count == capacity) empty<Energies>(particles, batch, f);
+        });
+        empty<Energies>(particles, batch, f);
+    }
+
+    template <bool Energies, class F>
+    void empty(const ComposedParticles<T>& particles, Batch& batch, F f) {
+        for (std::size_t k = 0; k < batch.count; ++k) {
+            const PairProperties<T> pair = properties(particles, batch.first[k], batch.second[k]);
+            batch.first_mass[k] = pair.first_mass, batch.second_mass[k] = pair.second_mass;
+            batch.first_charge[k] = pair.first_charge, batch.second_charge[k] = pair.second_charge;
+        }
+        potential().visit([&](const auto& potential) { compute<Energies>(potential, batch); });
+        for (std::size_t k = 0; k < batch.count; ++k) {
+            T result = batch.result[k];
+            if (!(batch.distance2[k] > T(0)))
+                result =
+                    Energies
+                        ? this->potential().energy_of_coincident(properties(particles, batch.first[k], batch.second[k]))
+                        : T(0);
+            f(batch.first[k], batch.second[k], batch.d[k], result);
+        }
+        batch.count = 0;
+    }
+
+    template <bool Energies, class Potential>
+    static void compute(const Potential& potential, Batch& batch) {
+        using N =
+            std::conditional_t<std::same_as<Potential, ExpressionPotential<T>>, RegisterLanes<T, capacity>, Lanes<T>>;
+        for (std::size_t k = batch.count; k < capacity; ++k) batch.distance2[k] = T(1);
+        for (std::size_t k = 0; k < batch.count; k += N::count) {
+            const auto at = [k](const std::array<T, capacity>& numbers) { return N::load(numbers.data() + k); };
+            const PairProperties<N> pair{at(batch.first_mass), at(batch.second_mass), at(batch.first_charge),
+                                         at(batch.second_charge)};
+            const N result =
+                Energies ? potential.energy(at(batch.distance2), pair) : potential.factor(at(batch.distance2), pair);
+            result.store(batch.result.data() + k);
+        }
+    }
+
+    std::shared_ptr<const PairPotential<T>> potential_;
+    /// 1 for the particles of the first set, 2 for those of the second, 3 within one.
+    std::vector<unsigned char> sides_;
+    std::optional<Neighbours> neighbours_;
+    struct NoRows {
+        template <class Potential>
+        void add(const Potential&, const Field<T>&, Field<T>&) const {}
+    };
+    std::optional<std::conditional_t<in_batches, PairRows<T>, NoRows>> rows_;
+};
+
+}  // namespace steplab

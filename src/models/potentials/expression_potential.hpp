@@ -1,0 +1,82 @@
+#pragma once
+
+#include "core/elementary_numbers.hpp"
+#include "core/expression_program.hpp"
+#include "core/force_layout.hpp"
+#include "core/vector.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+/// A potential that was written as an expression, and the force that follows from it, as programs. Variables of a pair
+/// force: r^2, the masses in the unit of mass, the charges; its result is the factor -V'(r) / r. Of a field: x, y, z,
+/// mass, charge; results are the components of the force. Energies and forces are divided by the unit of mass.
+struct ExpressionForce {
+    ExpressionProgram force, energy;
+    bool takes_properties = false;  ///< masses or charges
+};
+
+/// The results of a program whose constants are of type T.
+template <class T, std::size_t Results, class N, std::size_t Variables>
+std::array<N, Results> results_of(const ExpressionProgram& program, const std::array<N, Variables>& variables) {
+    std::vector<N> slots(program.slots, N(T(0)));
+    std::copy(variables.begin(), variables.end(), slots.begin());
+    program.set_constants<T>(std::span<N>(slots));
+    program.run(std::span<N>(slots));
+    return [&]<std::size_t... K>(std::index_sequence<K...>) {
+        return std::array<N, Results>{slots[program.results[K]]...};
+    }
+    (std::make_index_sequence<Results>());
+}
+
+/// A pair potential given as an expression. Its energy and factor are those of potential.hpp, its cut-off included.
+template <class T>
+class ExpressionPotential {
+public:
+    explicit ExpressionPotential(std::shared_ptr<const ExpressionForce> of) : of_(std::move(of)) {}
+
+    template <class N>
+    N energy(const N& distance2, const PairProperties<N>& pair) const {
+        return results_of<T, 1>(of_->energy, variables(distance2, pair))[0];
+    }
+    template <class N>
+    N factor(const N& distance2, const PairProperties<N>& pair) const {
+        return results_of<T, 1>(of_->force, variables(distance2, pair))[0];
+    }
+
+private:
+    template <class N>
+    static std::array<N, 5> variables(const N& distance2, const PairProperties<N>& pair) {
+        return {distance2, pair.first_mass, pair.second_mass, pair.first_charge, pair.second_charge};
+    }
+
+    std::shared_ptr<const ExpressionForce> of_;
+};
+
+/// The potential of one particle at a position, given as an expression.
+template <class T>
+class FieldPotential {
+public:
+    explicit FieldPotential(std::shared_ptr<const ExpressionForce> of) : of_(std::move(of)) {}
+
+    template <class N>
+    N energy(const Vector<N>& at, const N& mass, const N& charge) const {
+        return results_of<T, 1>(of_->energy, std::array<N, 5>{at.x, at.y, at.z, mass, charge})[0];
+    }
+    template <class N>
+    Vector<N> force(const Vector<N>& at, const N& mass, const N& charge) const {
+        const auto [x, y, z] = results_of<T, 3>(of_->force, std::array<N, 5>{at.x, at.y, at.z, mass, charge});
+        return {x, y, z};
+    }
+
+private:
+    std::shared_ptr<const ExpressionForce> of_;
+};
+
+}  // namespace steplab

@@ -1,0 +1,137 @@
+// Dashpots, and drag that differs between particles, with every method that takes them.
+
+#include "core/number_text.hpp"
+#include "io/scene_file.hpp"
+#include "models/forces/linear_response.hpp"
+#include "sim/run/simulation.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace steplab::test {
+namespace {
+
+RunDescription run_of_text(const std::string& text, const MethodCase& method, double dt) {
+    RunDescription run =
+        with_method(describe(scene_from({{.name = "", .content = "steplab = 1\n" + text}}, "a.toml")), method.id());
+    run.precision = method.precision;
+    run.dt = dt;
+    return run;
+}
+
+/// Masses of 1 and 3 that a spring and its dashpot hold 1 apart: mu = 3/4, omega = 2, gamma = c / mu.
+std::string damped_dimer(double damping) {
+    return R"(
+[[particles]]
+group = "light"
+velocity = [0.3, 0, 0]
+[[particles]]
+group = "heavy"
+position = [1, 0, 0]
+mass = 3
+velocity = [-0.1, 0, 0]
+[[springs]]
+pairs = [["light", "heavy"]]
+k = 3
+damping = )" +
+           number_text(damping) + "\n";
+}
+
+double stretch_after(double damping, const MethodCase& method, double time, std::uint64_t steps) {
+    Simulation simulation(run_of_text(damped_dimer(damping), method, time / static_cast<double>(steps)));
+    simulation.advance(steps);
+    const Frame frame = simulation.frame();
+    EXPECT_LT(std::abs(frame.positions[0].x + 3 * (frame.positions[1].x - 1)), 1e-5) << "the centre of mass rests";
+    return frame.positions[1].x - frame.positions[0].x - 1;
+}
+
+bool takes_damping(const MethodCase& c) { return c.info->order_with_damping > 0; }
+
+std::vector<MethodCase> damping_methods(bool takes) {
+    std::vector<MethodCase> all;
+    for (const MethodCase& c : working_methods()) {
+        if (takes_damping(c) == takes) all.push_back(c);
+    }
+    return all;
+}
+
+class Dashpots : public testing::TestWithParam<MethodCase> {};
+
+// Weak, critical and strong damping: gamma = 2 omega is critical, c = 3. Steps of 1/300: an error of first order is
+// some hundredths of the amplitude 0.2, one of second order 1e-5; float rounds at 1e-6.
+TEST_P(Dashpots, in_all_three_regimes) {
+    const MethodCase& c = GetParam();
+    for (const double damping : {0.3, 3.0, 9.0}) {
+        const double exact = -0.4 * kick_response(4, damping / 0.75, 1.5);
+        const double allowed = c.info->order_with_damping == 1 ? 0.01 : c.precision == Precision::float_ ? 2e-5 : 1e-5;
+        EXPECT_NEAR(stretch_after(damping, c, 1.5, 450), exact, allowed) << damping;
+    }
+}
+
+// The error falls with the power of the step that the method states; of orders above 5 rounding is reached first.
+TEST_P(Dashpots, have_the_stated_order) {
+    const MethodCase& c = GetParam();
+    const int order = c.info->order_with_damping;
+    if (c.precision == Precision::double_ && !c.info->adaptive) {
+        const double exact = -0.4 * kick_response(4, 0.9 / 0.75, 1.5);
+        const double coarse = std::abs(stretch_after(0.9, c, 1.5, 60) - exact);
+        const double fine = std::abs(stretch_after(0.9, c, 1.5, 120) - exact);
+        EXPECT_NEAR(std::log2(coarse / fine), order, 0.15) << coarse << ' ' << fine;
+    } else {
+        const double exact = -0.4 * kick_response(4, 0.9 / 0.75, 1.5);
+        EXPECT_NEAR(stretch_after(0.9, c, 1.5, 450), exact, order == 1 ? 0.01 : 2e-5);
+    }
+}
+
+// v = v0 exp(-c t / m) of each particle by itself.
+TEST_P(Dashpots, drag_of_each_particle) {
+    const std::string text = R"(
+[[particles]]
+group = "a"
+velocity = [1, 0, 0]
+[[particles]]
+group = "b"
+velocity = [1, 0, 0]
+mass = 4
+[[fields]]
+drag = 0.5
+[[fields]]
+particles = "b"
+drag = 1
+)";
+    const MethodCase& c = GetParam();
+    Simulation simulation(run_of_text(text, c, 0.005));
+    simulation.advance(400);
+    const Frame frame = simulation.frame();
+    const double allowed = c.info->order_with_damping == 1 ? 0.005 : c.precision == Precision::float_ ? 1e-4 : 1e-5;
+    EXPECT_NEAR(frame.velocities[0].x, std::exp(-0.5 * 2), allowed);
+    EXPECT_NEAR(frame.velocities[1].x, std::exp(-1.5 / 4 * 2), allowed);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Dashpots, testing::ValuesIn(damping_methods(true)), case_name);
+
+TEST(Damping, is_refused_by_name_where_formulas_have_none) {
+    const std::vector<MethodCase> refused = damping_methods(false);
+    ASSERT_FALSE(refused.empty());
+    for (const MethodCase& c : refused) {
+        try {
+            check(run_of_text(damped_dimer(1), c, 0.01));
+            ADD_FAILURE() << c.id();
+        } catch (const UsageError& error) {
+            EXPECT_NE(std::string(error.what()).find(c.id() + " cannot run this scene: dashpots"), std::string::npos);
+        }
+    }
+}
+
+// A drag that is the same for all keeps every method, and has the bits of the drag of models.
+TEST(Damping, equal_drag_is_the_drag_of_models) {
+    const std::string text =
+        "[[particles]]\nvelocity = [1, 0, 0]\n[[particles]]\nposition = [5, 0, 0]\n[[fields]]\ndrag = 0.5\n";
+    for (const MethodCase& c : working_methods()) EXPECT_NO_THROW(check(run_of_text(text, c, 0.01))) << c.id();
+}
+
+}  // namespace
+}  // namespace steplab::test
