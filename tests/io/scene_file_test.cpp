@@ -214,16 +214,5 @@ TEST(SceneFile, written_again_is_the_same_scene) {
     EXPECT_EQ(model_of(once).scene(once.scene), model_of(again).scene(again.scene));
 }
 
-TEST(SceneFile, of_every_shipped_scene_runs) {
-    for (const std::string& name : shipped_scenes()) {
-        const RunDescription run = describe(find_scene(name));
-        check(run);
-        Simulation simulation(run);
-        simulation.advance(200);
-        EXPECT_FALSE(simulation.divergence()) << name;
-        EXPECT_FALSE(run.origin->model->info.name.empty() || run.origin->model->info.what.empty()) << name;
-    }
-}
-
 }  // namespace
 }  // namespace steplab

@@ -1,0 +1,140 @@
+// The scenes that are shipped: an exact value or a conserved quantity of each.
+
+#include "io/scene_file.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/run/simulation.hpp"
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+RunDescription shipped(const std::string& name) { return describe(find_scene(name)); }
+
+Frame frame_at(const RunDescription& run, double time) {
+    return frame_after(run, static_cast<std::uint64_t>(std::lround(time / run.dt)));
+}
+
+TEST(ShippedScenes, are_at_least_sixteen_with_a_title_and_what_they_teach) {
+    const std::vector<std::string> names = shipped_scenes();
+    EXPECT_GE(names.size(), 16U);
+    for (const std::string& name : names) {
+        const Model& scene = *find_scene(name)->model;
+        EXPECT_FALSE(scene.info.name.empty()) << name;
+        EXPECT_TRUE(scene.info.what.ends_with('.')) << name;
+    }
+}
+
+// Symplectic methods at the steps the scenes open with: the energy wobbles by a few per cent of what moves at most.
+TEST(ShippedScenes, keep_their_energy) {
+    for (const std::string& name : shipped_scenes()) {
+        const RunDescription run = shipped(name);
+        check(run);
+        Simulation simulation(run);
+        const double start = simulation.frame().diagnostics.energy;
+        double error = 0, moving = 0;
+        for (int part = 0; part < 20; ++part) {
+            simulation.advance(25);
+            const Diagnostics now = simulation.frame().diagnostics;
+            error = std::max(error, std::abs(now.energy - start));
+            moving = std::max(moving, now.kinetic);
+        }
+        EXPECT_FALSE(simulation.divergence()) << name;
+        if (!has_drag(run)) EXPECT_LE(error, 0.05 * moving) << name;
+    }
+}
+
+// `free` within rounding: its accelerations become fields.
+TEST(ShippedScenes, every_model_is_one_with_its_hash) {
+    for (const Model& model : models()) {
+        const RunDescription file = shipped(std::string(model.info.id));
+        RunDescription direct = describe(model.info.id, file.method);
+        direct.dt = file.dt;
+        Simulation a(direct), b(file);
+        a.advance(50);
+        b.advance(50);
+        if (model.info.id == "free") {
+            EXPECT_LT(distance(a.frame(), b.frame()), 1e-12);
+        } else {
+            EXPECT_EQ(a.hash(), b.hash()) << model.info.id;
+        }
+    }
+}
+
+// Small swings: the period is longer by angle^2 / 16 = 4e-5; the rod is stretched by m g / S = 1e-3 of its length,
+// which makes it longer by half of that; at a quarter of a period the angle passes 0.
+TEST(ShippedScenes, pendulum_has_the_period_of_a_pendulum) {
+    RunDescription run = shipped("pendulum");
+    run.scene.set("angle", 0.025);
+    const double period = 2 * std::numbers::pi * std::sqrt(1 / 9.81);
+    for (const double quarter : {0.25, 0.75, 1.25})
+        EXPECT_NEAR(frame_at(run, quarter * period).positions[1].x, 0, 0.025 * 0.015) << quarter;
+    EXPECT_NEAR(frame_at(run, period).positions[1].x, 0.025, 0.025 * 0.01);
+}
+
+// V'' = 8 h in the wells.
+TEST(ShippedScenes, double_well_swings_with_the_frequency_of_its_wells) {
+    RunDescription run = shipped("double-well");
+    const Frame start = frame_after(run, 0);
+    EXPECT_NEAR(start.positions[3].x, 0.95, 1e-12);
+    const double omega = std::sqrt(8 * 0.25), half = std::numbers::pi / omega;
+    EXPECT_NEAR(frame_at(run, half).positions[3].x, 1.05, 0.01);  // the next term of V is a tenth of the first
+    EXPECT_NEAR(frame_at(run, 2 * half).positions[3].x, 0.95, 0.005);
+}
+
+// The last ball rises as high as the first came from, L (1 - cos 0.6); what the others keep of it is a few per cent.
+TEST(ShippedScenes, cradle_hands_its_swing_to_the_last_ball) {
+    const RunDescription run = shipped("newtons-cradle");
+    Simulation simulation(run);
+    const double height = 1 - std::cos(0.6);
+    EXPECT_NEAR(simulation.frame().positions[5].y, height, 1e-12);
+    double highest = 0, middle = 0;
+    for (int part = 0; part < 120; ++part) {
+        simulation.advance(20);
+        const Frame frame = simulation.frame();
+        highest = std::max(highest, frame.positions[9].y);
+        middle = std::max(middle, frame.positions[7].y);
+    }
+    EXPECT_NEAR(highest, height, 0.15 * height);
+    EXPECT_LT(middle, 0.1 * height);
+}
+
+// Perihelion and aphelion of Jupiter, 4.95 and 5.46 astronomical units; its year of 4333 days.
+TEST(ShippedScenes, jupiter_keeps_to_its_orbit) {
+    const RunDescription run = shipped("outer-solar-system");
+    const auto from_sun = [](const Frame& frame) { return frame.positions[1] - frame.positions[0]; };
+    Simulation simulation(run);
+    const Vec3 start = from_sun(simulation.frame());
+    for (int part = 0; part < 100; ++part) {
+        simulation.advance(5);
+        const double distance = length(from_sun(simulation.frame()));
+        EXPECT_GT(distance, 4.9);
+        EXPECT_LT(distance, 5.5);
+    }
+    EXPECT_LT(length(from_sun(frame_at(run, 4333)) - start), 0.1);
+}
+
+TEST(ShippedScenes, network_and_crystal_keep_their_momentum) {
+    for (const char* const name : {"spring-network", "fcc-crystal"}) {
+        const RunDescription run = shipped(name);
+        const Vec3 start = frame_after(run, 0).diagnostics.momentum, end = frame_after(run, 200).diagnostics.momentum;
+        EXPECT_LT(length(end - start), 1e-10) << name;  // rounding of some thousand forces a step
+    }
+}
+
+// sum m v^2 = (3 n - 3) kT.
+TEST(ShippedScenes, crystal_has_its_temperature) {
+    const Frame frame = frame_after(shipped("fcc-crystal"), 0);
+    EXPECT_NEAR(2 * frame.diagnostics.kinetic, (3.0 * 256 - 3) * 0.3, 1e-9);
+}
+
+}  // namespace
+}  // namespace steplab::test
