@@ -44,6 +44,7 @@ struct FrameBlock {
     std::size_t rows = 0;                     ///< of each frame in this block
     std::vector<std::size_t> particles = {};  ///< the number in its scene for each of these rows; empty: as the row
     std::vector<Role> roles = {};             ///< of these rows; empty: not known
+    std::vector<double> masses = {};          ///< of the rows of a file of any program; empty: not known
     std::vector<Moment> moments = {};
     // Frame by frame; a vector that is not wanted, or not known, is empty.
     std::vector<Vec3> positions = {};

@@ -87,10 +87,34 @@ CrystalArrangement crystal(const toml::node& node, SceneNumbers& numbers) {
     return crystal;
 }
 
-void read_arrangement(const toml::table& table, ParticleBlock& block, const toml::node& node, SceneNumbers& numbers) {
+ListedParticles listed(const toml::node& node, ParticleFiles& files) {
+    try {
+        return files.particles(text_of(node));
+    } catch (const FileError& error) {
+        fail_at(node, error.what());
+    }
+}
+
+/// What the block says goes before what the file says; one mass of all is the block's.
+void settle_listed(const toml::table& table, ParticleBlock& block) {
+    auto* const list = std::get_if<ListedParticles>(&block.arrangement);
+    if (!list) return;
+    list->roles = list->roles && !table.contains("role") && !table.contains("fixed");
+    list->masses = list->masses && !table.contains("mass");
+    const double first = list->particles->front().mass;
+    const bool equal = std::all_of(list->particles->begin(), list->particles->end(),
+                                   [first](const auto& particle) { return particle.mass == first; });
+    if (list->masses && equal) block.mass = first, list->masses = false;
+    if (list->masses && block.temperature)
+        fail_at(*table.get("temperature"), "the masses in the file differ: a temperature needs one mass of the block");
+}
+
+void read_arrangement(const toml::table& table, ParticleBlock& block, const toml::node& node, SceneNumbers& numbers,
+                      ParticleFiles& files) {
     if (block.arrangement.index() != 0) fail_at(node, "a block has at most one of line, grid, lattice and file");
     if (table.get("line") == &node) block.arrangement = line(node, numbers);
     if (table.get("grid") == &node) block.arrangement = grid(node, numbers);
+    if (table.get("file") == &node) block.arrangement = listed(node, files);
     if (table.get("lattice") == &node) block.arrangement = crystal(node, numbers);
 }
 
@@ -191,9 +215,9 @@ std::vector<std::string> texts_of(const toml::node& node) {
     return texts;
 }
 
-ParticleBlock particle_block(const toml::table& table, SceneNumbers& numbers) {
+ParticleBlock particle_block(const toml::table& table, SceneNumbers& numbers, ParticleFiles& files) {
     ParticleBlock block;
-    const auto arrangement = [&](const toml::node& node) { read_arrangement(table, block, node, numbers); };
+    const auto arrangement = [&](const toml::node& node) { read_arrangement(table, block, node, numbers, files); };
     read_keys(table, "[[particles]]",
               {{"group", [&](const toml::node& node) { block.group = group_name(node); }},
                {"position", [&](const toml::node& node) { block.position = numbers.vector(node, Use::start); }},
@@ -205,9 +229,10 @@ ParticleBlock particle_block(const toml::table& table, SceneNumbers& numbers) {
                {"line", arrangement},
                {"grid", arrangement},
                {"lattice", arrangement},
-               {"file", [](const toml::node& node) { fail_at(node, "particles cannot be read from a file so far"); }},
+               {"file", arrangement},
                {"displacement", [&](const toml::node& node) { read_displacement(block, node, numbers); }},
                {"temperature", [&](const toml::node& node) { block.temperature = temperature_of(node, numbers); }}});
+    settle_listed(table, block);
     return block;
 }
 

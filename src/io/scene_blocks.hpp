@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/particle_files.hpp"
 #include "io/scene_parameters.hpp"
 #include "models/scene/scene.hpp"
 
@@ -11,7 +12,7 @@ namespace steplab {
 // The blocks of a scene file, one by one, as they are written. They throw SceneProblem; whether what they name exists
 // is a matter of all of them together (scene_reader.cpp).
 
-ParticleBlock particle_block(const toml::table& table, SceneNumbers& numbers);
+ParticleBlock particle_block(const toml::table& table, SceneNumbers& numbers, ParticleFiles& files);
 Fix fix_of(const toml::table& table, SceneNumbers& numbers);
 SpringTerm spring_term(const toml::table& table, SceneNumbers& numbers);
 PairTerm pair_term(const toml::table& table, SceneNumbers& numbers);

@@ -7,6 +7,8 @@
 #include "models/scene/composer.hpp"
 #include "models/scene/planner.hpp"
 #include "models/scene/scene_particles.hpp"
+#include "sim/run/known_motion.hpp"
+#include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
 
@@ -25,23 +27,58 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
 
+/// What is asked for in every frame of a window, and takes long to find.
+template <class What>
+class Known {
+public:
+    template <class Find>
+    What of(const ParameterValues& values, const Find& find) {
+        const std::lock_guard lock(mutex_);
+        if (!last_ || !(last_->first == values)) last_.emplace(values, find());
+        return last_->second;
+    }
+
+private:
+    std::mutex mutex_;
+    std::optional<std::pair<ParameterValues, What>> last_;
+};
+
 /// A parsed file; the scene for given values of its parameters is read from it anew.
 class Document {
 public:
-    Document(const std::string& text, const std::string& name)
-        : root_(toml::parse(text, name)), parameters_(root_), start_(ParameterValues(parameters_.infos())) {
-        SceneNumbers numbers(parameters_, start_);
+    Document(const std::string& text, const std::string& name, ParticleFiles files)
+        : root_(toml::parse(text, name)), files_(std::move(files)), parameters_(root_) {
+        const ParameterValues values(parameters_.infos());
+        SceneNumbers numbers(parameters_, values);
         texts_ = read_texts(root_, numbers);
-        count_ = static_cast<double>(read_scene(root_, numbers).count());
+        const SceneStart start = read_scene(root_, numbers, files_).start;
         note_uses(numbers);
+        if (start.mode > 0) plan(values);
     }
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
     Scene scene(const ParameterValues& values) const {
         SceneNumbers numbers(parameters_, values);
-        return read_scene(root_, numbers);
+        return read_scene(root_, numbers, files_);
     }
+    /// How it is stepped from the start that the file says. Modes take long to find: they are kept.
+    Plan plan(const ParameterValues& values) const {
+        const Scene scene = this->scene(values);
+        const SceneStart& start = scene.start;
+        if (start == SceneStart()) return planned(scene);
+        const auto find = [&] {
+            Plan plan = planned(scene);
+            try {
+                return started(std::move(plan), shape_of(scene), start);
+            } catch (const UsageError& error) {
+                fail_at(*root_.get("start"), error.what());
+            }
+        };
+        return start.mode > 0 ? plans_.of(values, find) : find();
+    }
+    /// The files that it reads.
+    const std::vector<SceneFile::Part>& parts() const { return files_.parts(); }
     const SceneTexts& texts() const { return texts_; }
     std::span<const ParameterInfo> infos() const { return parameters_.infos(); }
 
@@ -60,10 +97,10 @@ private:
     }
 
     toml::table root_;
+    mutable ParticleFiles files_;  // all of them are read when the document is made
+    mutable Known<Plan> plans_;
     SceneParameters parameters_;
-    ParameterValues start_;
     SceneTexts texts_;
-    double count_ = 0;
 };
 
 std::string at(const std::string& name, toml::source_position place) {
@@ -85,6 +122,8 @@ SceneFacts facts_of(const Scene& scene) {
     const SceneDamping damping = damping_of(scene, particles);
     SceneFacts facts{.mass = particles[0].mass, .drag = damping.largest, .damping = damping.is_of_each()};
     for (const ParticleBlock& block : scene.particles) {
+        const auto* const list = std::get_if<ListedParticles>(&block.arrangement);
+        if (list && list->masses) facts.mass = 0;
         if (block.mass.value != scene.particles.front().mass.value) facts.mass = 0;
     }
     for (const Fix& fix : scene.fixes) {
@@ -93,21 +132,6 @@ SceneFacts facts_of(const Scene& scene) {
     for (const PairTerm& term : scene.pairs) facts.lists_pairs = facts.lists_pairs || term.cutoff.has_value();
     return facts;
 }
-
-/// What is known of a scene is asked for in every frame of a window, and takes a look at all particles.
-class KnownFacts {
-public:
-    template <class Find>
-    SceneFacts of(const ParameterValues& values, const Find& find) {
-        const std::lock_guard lock(mutex_);
-        if (!last_ || !(last_->first == values)) last_.emplace(values, find());
-        return last_->second;
-    }
-
-private:
-    std::mutex mutex_;
-    std::optional<std::pair<ParameterValues, SceneFacts>> last_;
-};
 
 Model model_of(const std::shared_ptr<const Document>& document, const std::string& name) {
     const auto scene = [document, name](const ParameterValues& values) {
@@ -122,8 +146,9 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
     if (!defaults.method.empty()) model.opening.method = defaults.method;
     if (defaults.dt) model.opening.dt = *defaults.dt;
     if (!defaults.precision.empty()) model.opening.precision = *parse_precision(defaults.precision);
+    model.opening.until = defaults.until;
     model.particles = [scene](const ParameterValues& values) { return static_cast<double>(scene(values).count()); };
-    model.facts = [scene, known = std::make_shared<KnownFacts>()](const ParameterValues& values) {
+    model.facts = [scene, known = std::make_shared<Known<SceneFacts>>()](const ParameterValues& values) {
         return known->of(values, [&]() -> SceneFacts {
             try {
                 return facts_of(scene(values));
@@ -133,10 +158,18 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
         });
     };
     model.scene = scene;
-    model.plan = [scene](const ParameterValues& values) { return planned(scene(values)); };
+    model.plan = [document, name](const ParameterValues& values) {
+        return with_place(name, [&] { return document->plan(values); });
+    };
     model.shape = [scene](const ParameterValues& values) { return shape_of(scene(values)); };
-    model.omega_max = [](const ParameterValues&) { return std::optional<double>(); };
-    model.exact = [](const ParameterValues&) { return std::shared_ptr<const ExactSolution>(); };
+    model.omega_max = [model_plan = model.plan, shape = model.shape,
+                       known = std::make_shared<Known<std::optional<double>>>()](const ParameterValues& values) {
+        return known->of(values, [&]() -> std::optional<double> {
+            const auto frequency = known_frequency(model_plan(values), shape(values));
+            return frequency ? std::optional(frequency->omega) : std::nullopt;
+        });
+    };
+    model.exact = [model_plan = model.plan](const ParameterValues& values) { return known_motion(model_plan(values)); };
     return model;
 }
 
@@ -153,13 +186,12 @@ std::string content_of(const std::string& path) {
     return content;
 }
 
-}  // namespace
-
-SceneOrigin scene_from(std::vector<SceneFile::Part> parts, const std::string& name) {
+SceneOrigin origin_of(std::string text, const std::string& name, ParticleFiles files) {
     try {
-        auto document = std::make_shared<const Document>(parts.front().content, name);
+        auto document = std::make_shared<const Document>(text, name, std::move(files));
         auto file = std::make_shared<SceneFile>();
-        file->parts = std::move(parts);
+        file->parts.push_back({.name = "", .content = std::move(text)});
+        file->parts.insert(file->parts.end(), document->parts().begin(), document->parts().end());
         file->given = name;
         file->model = std::make_shared<const Model>(model_of(document, name));
         return SceneOrigin(std::move(file));
@@ -168,6 +200,18 @@ SceneOrigin scene_from(std::vector<SceneFile::Part> parts, const std::string& na
     } catch (const SceneProblem& problem) {
         throw FileError(at(name, problem.place()) + problem.what());
     }
+}
+
+SceneOrigin origin_of_file(const std::filesystem::path& path, const std::string& name) {
+    return origin_of(content_of(path), name, ParticleFiles::in_folder(path.parent_path()));
+}
+
+}  // namespace
+
+SceneOrigin scene_from(std::vector<SceneFile::Part> parts, const std::string& name) {
+    std::string text = parts.front().content;
+    parts.erase(parts.begin());
+    return origin_of(std::move(text), name, ParticleFiles::carried(std::move(parts)));
 }
 
 std::vector<std::filesystem::path> scene_folders() {
@@ -195,14 +239,12 @@ SceneOrigin find_scene(const std::string& name) {
     for (const auto& folder : scene_folders()) {
         const auto path = folder / (name + ".toml");
         std::error_code error;
-        if (std::filesystem::exists(path, error)) return scene_from({{.name = "", .content = content_of(path)}}, name);
+        if (std::filesystem::exists(path, error)) return origin_of_file(path, name);
     }
     const std::vector<std::string> names = shipped_scenes();
     throw UsageError(unknown_word("scene", name, std::vector<std::string_view>(names.begin(), names.end())));
 }
 
-SceneOrigin read_scene_file(const std::string& path) {
-    return scene_from({{.name = "", .content = content_of(path)}}, path);
-}
+SceneOrigin read_scene_file(const std::string& path) { return origin_of_file(path, path); }
 
 }  // namespace steplab

@@ -4,9 +4,9 @@
 #include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/scene_blocks.hpp"
+#include "io/scene_defaults.hpp"
 #include "models/scene/potential_expression.hpp"
 #include "models/scene/scene_particles.hpp"
-#include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,8 @@ private:
 /// Reads the blocks of a file, each with its place.
 class Reader {
 public:
-    Reader(const toml::table& root, SceneNumbers& numbers) : root_(root), numbers_(numbers) {}
+    Reader(const toml::table& root, SceneNumbers& numbers, ParticleFiles& files)
+        : root_(root), numbers_(numbers), files_(files) {}
 
     Scene scene() {
         read_blocks();
@@ -71,6 +72,7 @@ private:
 
     const toml::table& root_;
     SceneNumbers& numbers_;
+    ParticleFiles& files_;
     Scene scene_;
     Problems problems_;
     std::vector<const toml::table*> fixes_, springs_, pairs_, fields_, blocks_;
@@ -87,11 +89,17 @@ void Reader::read_blocks() {
             });
         });
     };
-    each("particles", particle_block, scene_.particles, blocks_);
+    const auto particles = [this](const toml::table& table, SceneNumbers& numbers) {
+        return particle_block(table, numbers, files_);
+    };
+    each("particles", particles, scene_.particles, blocks_);
     each("fix", fix_of, scene_.fixes, fixes_);
     each("springs", spring_term, scene_.springs, springs_);
     each("pairs", pair_term, scene_.pairs, pairs_);
     each("fields", field_term, scene_.fields, fields_);
+    problems_.attempt([&] {
+        if (const toml::node* const start = root_.get("start")) scene_.start = scene_start(*start, numbers_, files_);
+    });
     problems_.attempt([&] {
         const toml::node* const box = root_.get("box");
         if (!box) return;
@@ -126,6 +134,7 @@ void Reader::check_meaning() {
         problems_.attempt_at(*fixes_[i], [&] {
             for (const std::string& name : scene_.fixes[i].particles) particles.named(name);
         });
+    problems_.attempt([&] { check_start(root_, scene_.start, particles.count()); });
     for (std::size_t i = 0; i < springs_.size(); ++i)
         problems_.attempt_at(*springs_[i], [&] { check_springs(particles, scene_.springs[i]); });
     for (std::size_t i = 0; i < pairs_.size(); ++i)
@@ -188,29 +197,10 @@ void Reader::check_field(const SceneParticles& particles, const FieldTerm& term)
     }
 }
 
-std::vector<std::string_view> method_ids() {
-    std::vector<std::string_view> ids;
-    ids.reserve(methods().size());
-    for (const Method& method : methods()) ids.push_back(method.info.id);
-    return ids;
-}
-
-void read_defaults(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defaults) {
-    read_keys(table_of(node, "[run]"), "[run]",
-              {{"method", [&](const toml::node& given) { defaults.method = word_of(given, "method", method_ids()); }},
-               {"dt", [&](const toml::node& given) { defaults.dt = numbers.positive(given, Use::start).value; }},
-               {"precision",
-                [&](const toml::node& given) {
-                    defaults.precision = word_of(given, "precision", {"float", "double"});
-                }},
-               {"until", [&](const toml::node& given) { defaults.until = numbers.positive(given, Use::start).value; }},
-               {"compare", [&](const toml::node& given) { defaults.compare = texts_of(given); }}});
-}
-
 }  // namespace
 
-Scene read_scene(const toml::table& root, SceneNumbers& numbers) {
-    Scene scene = Reader(root, numbers).scene();
+Scene read_scene(const toml::table& root, SceneNumbers& numbers, ParticleFiles& files) {
+    Scene scene = Reader(root, numbers, files).scene();
     scene.followers = numbers.followers();
     return scene;
 }
@@ -241,8 +231,8 @@ SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers) {
                {"pairs", ignore},
                {"fields", ignore},
                {"box", ignore},
-               {"run", [&](const toml::node& node) { read_defaults(node, numbers, texts.defaults); }},
-               {"start", [](const toml::node& node) { fail_at(node, "[start] cannot be used so far"); }},
+               {"run", [&](const toml::node& node) { read_run(node, numbers, texts.defaults); }},
+               {"start", ignore},
                {"view", view}});
     if (!versioned) throw SceneProblem({1, 1}, "a scene file begins with its version: steplab = 1");
     return texts;

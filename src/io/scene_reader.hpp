@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/particle_files.hpp"
 #include "io/scene_parameters.hpp"
 #include "models/scene/scene.hpp"
 
@@ -13,8 +14,9 @@ struct SceneTexts {
     SceneDefaults defaults;
 };
 
-/// The scene of a parsed file for the values that `numbers` has. Throws the SceneProblem that comes first in the file.
-Scene read_scene(const toml::table& root, SceneNumbers& numbers);
+/// The scene of a parsed file for the values that `numbers` has; `files` are those it reads. Throws the SceneProblem
+/// that comes first in the file.
+Scene read_scene(const toml::table& root, SceneNumbers& numbers, ParticleFiles& files);
 
 /// The texts and the [run] and [view] of a file. Throws SceneProblem.
 SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers);

@@ -2,6 +2,7 @@
 
 #include "core/expression.hpp"
 #include "core/number_text.hpp"
+#include "io/starting_values_file.hpp"
 
 #include <fmt/format.h>
 
@@ -80,6 +81,7 @@ public:
     void operator()(const SpringTerm& term);
     void operator()(const PairTerm& term);
     void operator()(const FieldTerm& field);
+    void operator()(const SceneStart& start);
 
 private:
     void arrangement(const std::monostate&) {}
@@ -104,9 +106,12 @@ void Writer::operator()(const ParticleBlock& block) {
     if (!block.group.empty()) line("group", quoted(block.group));
     unless({}, "position", block.position);
     unless({}, "velocity", block.velocity);
-    unless(WrittenNumber(1), "mass", block.mass);
+    const auto* const list = std::get_if<ListedParticles>(&block.arrangement);
+    if (list && !list->masses) line("mass", block.mass);
+    if (!list) unless(WrittenNumber(1), "mass", block.mass);
+    if (list && !list->roles) flag("fixed", block.fixed);
     unless(WrittenNumber(0), "charge", block.charge);
-    if (block.fixed) flag("fixed", true);
+    if (block.fixed && !list) flag("fixed", true);
     if (block.role != Role::moving) line("role", quoted(id(block.role)));
     std::visit([this](const auto& given) { arrangement(given); }, block.arrangement);
     if (const auto* vector = std::get_if<WrittenVector>(&block.displacement)) line("displacement", *vector);
@@ -164,6 +169,15 @@ void Writer::operator()(const FieldTerm& field) {
     for (const auto& [name, value] : field.parameters) names.insert(name);
 }
 
+void Writer::operator()(const SceneStart& start) {
+    if (start == SceneStart()) return;
+    begin("[start]");
+    if (!start.file.empty()) line("from", quoted(file_at_step(start.file).file));
+    if (start.mode > 0) line("mode", fmt::format("{}", start.mode));
+    if (start.mode > 0) line("amplitude", start.amplitude);
+    if (start.change.reverse) flag("reverse", true);
+}
+
 std::string parameters_text(const RunDescription& run, const Scene& scene, Writer& writer) {
     const std::string followers = writer.followers(scene);
     std::string text;
@@ -199,6 +213,8 @@ std::string scene_file_text(const RunDescription& run) {
     writer.line("method", quoted(run.method));
     writer.line("dt", number_text(run.dt));
     writer.line("precision", quoted(id(run.precision)));
+    if (model.opening.until) writer.line("until", number_text(*model.opening.until));
+    writer(scene.start);
     return fmt::format("steplab = 1\ntitle = {}\nteaches = {}\n", quoted(model.info.name), quoted(model.info.what)) +
            parameters_text(run, scene, writer) + writer.text;
 }

@@ -2,18 +2,23 @@
 
 #include "io/number_append.hpp"
 
+#include <utility>
+
 namespace steplab {
 
-SeriesWriter::SeriesWriter(OutputFile& file, const Columns& columns) : file_(file), columns_(columns) {
+SeriesWriter::SeriesWriter(OutputFile& file, Columns columns) : file_(file), columns_(std::move(columns)) {
     file_.at_program_end(UnfinishedFile::AtEnd::kept_in_lines);
     if (columns_.run) file_.write("run,");
     file_.write(
         "step,time,kinetic,potential,energy,energy_error,px,py,pz,lx,ly,lz,"
         "max_displacement,max_speed");
-    file_.write(columns_.error ? ",error\n" : "\n");
+    std::string rest = columns_.error ? ",error" : "";
+    for (const std::string& name : columns_.more) rest += ',' + name;
+    file_.write(rest + '\n');
 }
 
-void SeriesWriter::add(std::uint64_t step, double time, const Diagnostics& d, std::size_t run) {
+void SeriesWriter::add(std::uint64_t step, double time, const Diagnostics& d, std::size_t run,
+                       std::span<const std::optional<double>> more) {
     std::string line;
     if (columns_.run) {
         append_number(line, run);
@@ -36,6 +41,10 @@ void SeriesWriter::add(std::uint64_t step, double time, const Diagnostics& d, st
     append(d.max_speed);
     if (columns_.error && d.error) append(*d.error);
     if (columns_.error && !d.error) line += ',';  // no longer known: an empty cell
+    for (const std::optional<double>& value : more) {
+        line += ',';
+        if (value) append_number(line, *value);
+    }
     line += '\n';
     file_.write(line);
 }

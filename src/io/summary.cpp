@@ -3,6 +3,7 @@
 #include "core/duration.hpp"
 #include "core/number_text.hpp"
 #include "core/text.hpp"
+#include "io/carried_json.hpp"
 #include "io/commit.hpp"
 
 #include <fmt/format.h>
@@ -46,6 +47,12 @@ nlohmann::ordered_json parameters_json(const RunDescription& run) {
         }
     }
     return json;
+}
+
+/// The files of the scene, and where the run starts if not where its scene does.
+void add_carried(nlohmann::ordered_json& json, const RunDescription& run) {
+    if (run.origin) json["scene"] = json_of(*run.origin);
+    if (!run.start.is_none()) json["start"] = json_of(run.start);
 }
 
 /// What drag takes is no error.
@@ -97,6 +104,7 @@ std::string summary_json(const RunSummary& summary) {
                                 {"method", summary.run.method},
                                 {"precision", id(summary.run.precision)},
                                 {"parameters", parameters_json(summary.run)}};
+    add_carried(json, summary.run);
     add_result(json, summary, true);
     return json.dump(2) + "\n";
 }
@@ -142,17 +150,15 @@ std::string summary_json(const EnsembleSummary& summary) {
         add_result(run, summary.runs[i].summary, false);
         runs.push_back(std::move(run));
     }
-    const nlohmann::ordered_json json{{"version", STEPLAB_VERSION},
-                                      {"commit", STEPLAB_COMMIT},
-                                      {"model", first.model},
-                                      {"method", first.method},
-                                      {"precision", id(first.precision)},
-                                      {"parameters", parameters_json(first)},
-                                      {"ensemble", summary.runs.size()},
-                                      {"spread", ranges},
-                                      {"diverged", summary.diverged()},
-                                      {"wall_seconds", summary.wall_seconds},
-                                      {"runs", runs}};
+    nlohmann::ordered_json json{
+        {"version", STEPLAB_VERSION}, {"commit", STEPLAB_COMMIT},         {"model", first.model},
+        {"method", first.method},     {"precision", id(first.precision)}, {"parameters", parameters_json(first)}};
+    add_carried(json, first);
+    json["ensemble"] = summary.runs.size();
+    json["spread"] = ranges;
+    json["diverged"] = summary.diverged();
+    json["wall_seconds"] = summary.wall_seconds;
+    json["runs"] = runs;
     return json.dump(2) + "\n";
 }
 

@@ -19,8 +19,9 @@ struct RunSummary {
     std::vector<std::string> notes = {};  ///< of rounding (sim/run/notes.hpp)
 };
 
-/// One JSON object; numbers that are not finite are null. Collisions are in it if there were any: their number, and the
-/// times and particles of the first hundred.
+/// One JSON object; numbers that are not finite are null. It has the texts of a scene file and of what it reads, and
+/// the values that the run starts from. Collisions are in it if there were any: their number, and the times and
+/// particles of the first hundred.
 std::string summary_json(const RunSummary& summary);
 /// A few aligned lines for people: at most 4 significant digits, with units.
 std::string summary_text(const RunSummary& summary);

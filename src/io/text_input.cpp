@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace steplab {
@@ -16,14 +17,24 @@ constexpr std::size_t longest_line = std::size_t{1} << 16;
 
 }  // namespace
 
-TextInput::TextInput(InputFile file)
-    : file_(std::move(file)), decompressor_(decompressor(compression_in(file_.read(0, 4)))) {}
+TextInput::TextInput(std::string name, Source source)
+    : name_(std::move(name)), source_(std::move(source)), decompressor_(decompressor(compression_in(source_(0, 4)))) {}
+
+TextInput::TextInput(const std::shared_ptr<const InputFile>& file)
+    : TextInput(file->name(), [file](std::uint64_t place, std::uint64_t bytes) { return file->read(place, bytes); }) {}
+
+TextInput::TextInput(InputFile file) : TextInput(std::make_shared<const InputFile>(std::move(file))) {}
+
+TextInput::TextInput(std::string name, std::shared_ptr<const std::string> text)
+    : TextInput(std::move(name), [held = std::move(text)](std::uint64_t place, std::uint64_t bytes) {
+          return held->substr(std::min<std::uint64_t>(place, held->size()), bytes);
+      }) {}
 
 bool TextInput::fill() {
     text_.erase(0, taken_);
     taken_ = 0;
     if (decompressor_) return decompress();
-    const std::string part = file_.read(place_, piece);
+    const std::string part = source_(place_, piece);
     place_ += part.size();
     text_ += part;
     return !part.empty();
@@ -33,7 +44,7 @@ bool TextInput::fill() {
 bool TextInput::decompress() {
     for (const std::size_t before = text_.size(); text_.size() == before;) {
         if (used_ == raw_.size() && !more_) {
-            raw_ = file_.read(place_, piece);
+            raw_ = source_(place_, piece);
             used_ = 0;
             place_ += raw_.size();
             if (raw_.empty() && decompressor_->complete()) return false;
@@ -54,6 +65,13 @@ std::string_view TextInput::peek(std::size_t bytes) {
     while (text_.size() - taken_ < bytes && fill()) {
     }
     return std::string_view(text_).substr(taken_, bytes);
+}
+
+std::string TextInput::rest(std::size_t most) {
+    do {
+        if (text_.size() - taken_ > most) fail(fmt::format("it holds more than the {} bytes that fit in memory", most));
+    } while (fill());
+    return std::exchange(text_, {}).substr(std::exchange(taken_, 0));
 }
 
 std::optional<std::string_view> TextInput::line() {
@@ -78,7 +96,7 @@ std::optional<std::string_view> TextInput::line() {
 
 void TextInput::fail(const std::string& reason) const {
     const std::string line = lines_ == 0 ? "" : fmt::format("line {}: ", lines_);
-    throw FileError(fmt::format("cannot read '{}': {}{}", shown(file_.name()), line, reason));
+    throw FileError(fmt::format("cannot read '{}': {}{}", shown(name_), line, reason));
 }
 
 }  // namespace steplab

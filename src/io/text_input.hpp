@@ -4,6 +4,7 @@
 #include "io/input_file.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,27 +12,37 @@
 
 namespace steplab {
 
-/// The lines of a text file, decompressed if it is compressed, whatever its name. Holds a line and a piece of the file
-/// at a time.
+/// The lines of a text, decompressed if it is compressed, whatever its name. Holds a line and a piece of a file at a
+/// time.
 class TextInput {
 public:
     explicit TextInput(InputFile file);
+    /// Of a text in memory, with this name in messages.
+    TextInput(std::string name, std::shared_ptr<const std::string> text);
 
     /// The next line without its end; none at the end of the file. Valid until the next call. Throws FileError for
     /// damaged or truncated compressed data, and for lines that are no text of ours.
     std::optional<std::string_view> line();
     /// The next bytes, up to `bytes` of them, which are not taken.
     std::string_view peek(std::size_t bytes);
+    /// All that is left. Throws FileError as line() does, and for more than `most` bytes.
+    std::string rest(std::size_t most);
 
     /// Throws FileError: the file, the number of the last line, the reason.
     [[noreturn]] void fail(const std::string& reason) const;
-    const std::string& name() const { return file_.name(); }
+    const std::string& name() const { return name_; }
 
 private:
+    /// The bytes from a place on, fewer at the end.
+    using Source = std::function<std::string(std::uint64_t place, std::uint64_t bytes)>;
+
+    TextInput(std::string name, Source source);
+    explicit TextInput(const std::shared_ptr<const InputFile>& file);
     bool fill();
     bool decompress();
 
-    InputFile file_;
+    std::string name_;
+    Source source_;
     std::unique_ptr<Decompressor> decompressor_;
     std::uint64_t place_ = 0;  ///< in the file, of what is read next
     std::string raw_;          ///< compressed bytes

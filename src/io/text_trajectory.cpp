@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -24,10 +25,14 @@ std::array<std::vector<Vec3>*, 3> vectors_of(FrameBlock& frame) {
 }  // namespace
 
 std::unique_ptr<TextTrajectory> TextTrajectory::open(InputFile file) {
-    TextInput input(std::move(file));
-    const std::string_view begin = input.peek(csv_begin.size());
+    return open(TextInput(std::move(file)), From::steplab);
+}
+
+std::unique_ptr<TextTrajectory> TextTrajectory::open(TextInput input, From from) {
+    std::string_view begin = input.peek(csv_begin.size());
     if (begin == csv_begin) return csv_trajectory(std::move(input));
-    if (!begin.empty() && begin[0] >= '0' && begin[0] <= '9') return xyz_trajectory(std::move(input));
+    if (from == From::any_program) begin.remove_prefix(std::min(begin.find_first_not_of(" \t"), begin.size()));
+    if (!begin.empty() && begin[0] >= '0' && begin[0] <= '9') return xyz_trajectory(std::move(input), from);
     if (begin.starts_with("run,step")) input.fail("it holds the runs of an ensemble: convert reads files of one run");
     input.fail("it is none of steplab's formats (CSV and XYZ of --out, trajectory)");
 }

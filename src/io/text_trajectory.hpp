@@ -13,8 +13,13 @@ namespace steplab {
 /// Reads the frames of a CSV or XYZ file as steplab writes them, also compressed, from front to back. Holds one frame.
 class TextTrajectory {
 public:
+    /// An XYZ file of another program need not say Step and Time, may have any box, and its Properties may be missing:
+    /// a species and a position then. It may have momenta instead of velocities; each row has its mass.
+    enum class From { steplab, any_program };
+
     /// Throws FileError if the file cannot be read or begins like neither.
     static std::unique_ptr<TextTrajectory> open(InputFile file);
+    static std::unique_ptr<TextTrajectory> open(TextInput input, From from);
     virtual ~TextTrajectory() = default;
 
     /// Those that the file has.
@@ -44,7 +49,7 @@ private:
 
 /// "step,time,particle" and columns. Its first line is not yet read.
 std::unique_ptr<TextTrajectory> csv_trajectory(TextInput input);
-/// Extended XYZ with Time and Step.
-std::unique_ptr<TextTrajectory> xyz_trajectory(TextInput input);
+/// Extended XYZ.
+std::unique_ptr<TextTrajectory> xyz_trajectory(TextInput input, TextTrajectory::From from);
 
 }  // namespace steplab

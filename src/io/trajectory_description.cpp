@@ -2,8 +2,8 @@
 
 #include "core/error.hpp"
 #include "core/shown.hpp"
+#include "io/carried_json.hpp"
 #include "io/commit.hpp"
-#include "io/scene_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -39,19 +39,6 @@ Json json_of(const ParameterValues& values) {
     return json;
 }
 
-Json json_of(const SceneFile& file) {
-    Json parts = Json::array();
-    for (const SceneFile::Part& part : file.parts) parts.push_back({{"name", part.name}, {"content", part.content}});
-    return {{"name", file.given}, {"files", parts}};
-}
-
-SceneOrigin origin_of(const Json& json) {
-    std::vector<SceneFile::Part> parts;
-    for (const Json& part : json.at("files")) parts.push_back({part.at("name"), part.at("content")});
-    if (parts.empty()) throw std::runtime_error("no scene");
-    return scene_from(std::move(parts), json.at("name"));
-}
-
 Json run_json(const RunDescription& run) {
     return {{"model", run.model},
             {"parameters", json_of(run.scene)},
@@ -64,7 +51,8 @@ Json run_json(const RunDescription& run) {
 
 Json json_of(const RunDescription& run) {
     Json json = run_json(run);
-    if (run.origin) json["scene"] = json_of(*run.origin);
+    if (run.origin) json["scene"] = steplab::json_of(*run.origin);
+    if (!run.start.is_none()) json["start"] = steplab::json_of(run.start);
     return json;
 }
 
@@ -232,6 +220,7 @@ RunDescription parse_run(const std::string& text) {
     set_parameters(run.method_parameters, json.at("method_parameters"));
     run.precision = precision_of(json);
     run.dt = json.at("dt");
+    if (json.contains("start")) run.start = start_of(json.at("start"));
     return run;
 }
 

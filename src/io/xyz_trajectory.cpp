@@ -17,14 +17,20 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-/// The words of a line.
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+/// The words of a line; the memory of `words` is reused.
+void split(std::string_view line, std::vector<std::string_view>& words) {
+    words.clear();
+    for (std::size_t begin = 0, end = 0; begin < line.size(); begin = end) {
+        while (begin < line.size() && is_blank(line[begin])) ++begin;
+        for (end = begin; end < line.size() && !is_blank(line[end]);) ++end;
+        if (end > begin) words.push_back(line.substr(begin, end - begin));
+    }
+}
 std::vector<std::string_view> words_of(std::string_view line) {
     std::vector<std::string_view> words;
-    for (auto begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
-        const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-        words.push_back(line.substr(begin, end - begin));
-        begin = line.find_first_not_of(blanks, end);
-    }
+    split(line, words);
     return words;
 }
 
@@ -46,10 +52,10 @@ std::map<std::string, std::string, std::less<>> pairs_of(std::string_view line) 
 }
 
 /// What a word of a row is.
-enum class Word { number, mass, role, other };
+enum class Word { number, momentum, mass, role, other };
 struct Place {
     Word word = Word::other;
-    Column column = Column::x;  ///< of a number
+    Column column = Column::x;  ///< of a number, or a momentum
 };
 
 struct Property {
@@ -63,6 +69,7 @@ constexpr std::array properties{
     Property{"pos", 3, Word::number, Column::x},
     Property{"velo", 3, Word::number, Column::vx},
     Property{"disp", 3, Word::number, Column::ux},
+    Property{"momenta", 3, Word::momentum, Column::vx},
     Property{"masses", 1, Word::mass},
     Property{"role", 1, Word::role},
     Property{"type", 1, Word::role},  // of steplab 0.2
@@ -70,7 +77,9 @@ constexpr std::array properties{
 
 class XyzTrajectory final : public TextTrajectory {
 public:
-    explicit XyzTrajectory(TextInput input) : TextTrajectory(std::move(input)) { read_head(); }
+    XyzTrajectory(TextInput input, From from) : TextTrajectory(std::move(input)), foreign_(from == From::any_program) {
+        read_head();
+    }
 
 private:
     bool read(FrameBlock& frame) override {
@@ -80,8 +89,10 @@ private:
         for (std::uint64_t row = 0; row < rows_; ++row) {
             const auto line = input_.line();
             if (!line) input_.fail(fmt::format("it ends after {} of the {} rows of a frame", row, rows_));
-            read_row(frame, words_of(*line));
+            split(*line, words_);
+            read_row(frame, words_);
         }
+        if (foreign_ && frame.masses.size() == frame.rows) take_momenta(frame);
         if (frame.roles.size() != frame.rows) frame.roles.clear();
         if (!same_mass_) frame.scene.mass = 0;
         read_head();
@@ -95,7 +106,7 @@ private:
         add_row(frame);
         for (std::size_t i = 0; i < words.size(); ++i) {
             const Place& place = places_[i];
-            if (place.word == Word::number) set(frame, place.column, words[i]);
+            if (place.word == Word::number || place.word == Word::momentum) set(frame, place.column, words[i]);
             if (place.word == Word::mass) set_mass(frame, number<double>(words[i]));
             if (place.word != Word::role) continue;
             if (const auto role = parse_role(words[i])) frame.roles.push_back(*role);
@@ -106,6 +117,16 @@ private:
     void set_mass(FrameBlock& frame, double mass) {
         if (frame.rows == 1) frame.scene.mass = mass, same_mass_ = true;
         same_mass_ = same_mass_ && frame.scene.mass == mass;
+        if (foreign_) frame.masses.push_back(mass);
+    }
+
+    /// As velocities, where the file has no others.
+    void take_momenta(FrameBlock& frame) const {
+        if (!momenta_) return;
+        for (std::size_t i = 0; i < frame.rows; ++i) {
+            if (!(frame.masses[i] > 0)) input_.fail("momenta need masses > 0");
+            frame.velocities[i] = 1 / frame.masses[i] * frame.velocities[i];
+        }
     }
 
     /// The two lines before the rows of a frame.
@@ -117,18 +138,19 @@ private:
         if (rows_ == 0) input_.fail("a frame has no rows");
         const auto comment = input_.line();
         const auto pairs = pairs_of(comment.value_or(""));
-        const auto value = [&](std::string_view key) -> const std::string& {
+        const auto value = [&](std::string_view key, std::string_view otherwise = "") -> std::string {
             const auto pair = pairs.find(key);
-            if (pair == pairs.end()) input_.fail(fmt::format("the line of a frame has no {}=", key));
-            return pair->second;
+            if (pair != pairs.end()) return pair->second;
+            if (!foreign_ || otherwise.empty()) input_.fail(fmt::format("the line of a frame has no {}=", key));
+            return std::string(otherwise);
         };
-        moment_ = {number<std::uint64_t>(value("Step")), number<double>(value("Time"))};
+        moment_ = {number<std::uint64_t>(value("Step", std::to_string(heads_++))), number<double>(value("Time", "0"))};
         const auto precision = pairs.find("Precision");
         scene_ = {};
         if (precision != pairs.end() && precision->second == id(Precision::float_))
             scene_.precision = Precision::float_;
-        if (pairs.contains("Lattice")) read_box(value("Lattice"), value("Origin"));
-        read_properties(value("Properties"));
+        if (pairs.contains("Lattice") && !foreign_) read_box(value("Lattice"), value("Origin"));
+        read_properties(value("Properties", "species:S:1:pos:R:3"));
     }
 
     /// Behind an empty line, of which some programs write one at the end.
@@ -157,8 +179,10 @@ private:
         properties_ = text;
         std::vector<std::string> parts(1);
         for (const char c : text) c == ':' ? parts.emplace_back() : parts.back().append(1, c);
+        use_momenta_ = foreign_ && std::find(parts.begin(), parts.end(), "velo") == parts.end();
         if (parts.size() % 3 != 0) input_.fail("its Properties are not name:type:count ...");
         for (std::size_t i = 0; i < parts.size(); i += 3) add_places(parts[i], number<std::uint64_t>(parts[i + 2]));
+        if (momenta_ && !with_masses_) input_.fail("momenta need masses");
         if (columns_.empty()) input_.fail("its Properties name none of pos, velo and disp");
     }
 
@@ -172,14 +196,22 @@ private:
             Place place;
             if (known != properties.end())
                 place = {known->word, static_cast<Column>(static_cast<std::uint64_t>(known->column) + i)};
-            if (place.word == Word::number && contains(columns_, place.column))
+            if (place.word == Word::momentum && !use_momenta_) place.word = Word::other;
+            const bool number = place.word == Word::number || place.word == Word::momentum;
+            if (number && contains(columns_, place.column))
                 input_.fail(fmt::format("its Properties name {} twice", shown(name)));
-            if (place.word == Word::number) columns_.push_back(place.column);
+            if (number) columns_.push_back(place.column);
+            momenta_ = momenta_ || place.word == Word::momentum;
+            with_masses_ = with_masses_ || place.word == Word::mass;
             places_.push_back(place);
         }
     }
 
+    bool foreign_;
     bool has_head_ = false;
+    std::uint64_t heads_ = 0;
+    std::vector<std::string_view> words_;
+    bool use_momenta_ = false, momenta_ = false, with_masses_ = false;
     std::uint64_t rows_ = 0;
     FrameBlock::Moment moment_;
     FileScene scene_;
@@ -190,8 +222,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<TextTrajectory> xyz_trajectory(TextInput input) {
-    return std::make_unique<XyzTrajectory>(std::move(input));
+std::unique_ptr<TextTrajectory> xyz_trajectory(TextInput input, TextTrajectory::From from) {
+    return std::make_unique<XyzTrajectory>(std::move(input), from);
 }
 
 }  // namespace steplab

@@ -51,6 +51,7 @@ struct Opening {
     std::string_view method = "rk4";
     double dt = 0.1;
     Precision precision = Precision::double_;
+    std::optional<double> until = {};  ///< where a run ends that is given no end; none: after a number of steps
 };
 
 /// A model, a kind of scene: its description, and what follows from its parameters. The functions take checked values.

@@ -6,12 +6,15 @@
 #include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/scene_file.hpp"
+#include "io/starting_values_file.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/opening.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace steplab {
@@ -28,7 +31,7 @@ constexpr ParameterInfo dt_option = [] {
     option.name = "--dt";
     return option;
 }();
-constexpr ParameterInfo until_info{.name = "--until", .unit = "", .what = "end time"};
+constexpr ParameterInfo until_info{.name = "--until", .unit = "", .minimum = -infinity, .what = "end time"};
 constexpr ParameterInfo steps_info{.name = "--steps",
                                    .kind = ParameterInfo::Kind::integer,
                                    .unit = "",
@@ -100,12 +103,22 @@ void SceneOptions::declare(CLI::App& app) {
                 fmt::format("Integration method ({}{})", default_text(method_), many), group);
     text_option(app, "--precision", precision_, "float|double",
                 fmt::format("Floating-point precision of the run (default {})", precision_), group);
-    text_option(app, "--dt", dt_, "X", fmt::format("Time step [s] ({})", default_text(dt_)), group);
+    text_option(app, "--dt", dt_, "X",
+                fmt::format("Time step [s] ({}){}", default_text(dt_),
+                            time_ == Time::both ? "; negative: backward in time, with a negative end time" : ""),
+                group);
+    text_option(app, "--from", from_, "FILE[:STEP]",
+                "Start from the positions and velocities of a trajectory, CSV or XYZ (default: its last step)", group);
+    flag_option(app, "--reverse", reverse_, "Turn all velocities round at the start", group);
     footer(app, catalogue_hint);
 }
 
-bool SceneOptions::names_method() const { return is_given(*app_, "--method"); }
-bool SceneOptions::names_precision() const { return is_given(*app_, "--precision"); }
+bool SceneOptions::is_given() const {
+    constexpr std::array names{"--model", "--scene", "--set", "--method", "--precision", "--dt", "--from", "--reverse"};
+    return std::any_of(names.begin(), names.end(), [this](const char* name) { return steplab::is_given(*app_, name); });
+}
+bool SceneOptions::names_method() const { return steplab::is_given(*app_, "--method"); }
+bool SceneOptions::names_precision() const { return steplab::is_given(*app_, "--precision"); }
 
 std::string SceneOptions::default_text(std::string_view fixed) const {
     return defaults_ == Defaults::fixed ? fmt::format("default {}", fixed) : "default: as suits the model";
@@ -118,23 +131,35 @@ RunDescription SceneOptions::chosen_scene() const {
         scene.precision = precision_of(precision_);
         return scene;
     }
-    if (is_given(*app_, "--model"))
+    if (steplab::is_given(*app_, "--model"))
         throw UsageError("--model and --scene both choose the scene: give only one of them");
     RunDescription scene = describe(find_scene(scene_));
     if (names_precision()) scene.precision = precision_of(precision_);
     return scene;
 }
 
+double SceneOptions::given_dt() const {
+    ParameterInfo option = dt_option;
+    if (time_ == Time::both && dt_.starts_with('-')) option.minimum = -infinity;
+    return parse_value(option, dt_);
+}
+
+StartChange SceneOptions::start() const {
+    StartChange start{.reverse = reverse_};
+    if (!from_.empty()) start.from = std::make_shared<const StartingValues>(starting_values(from_));
+    return start;
+}
+
 /// The dt that a model recommends depends on the parameters of the scene. A scene file says how it opens.
 RunDescription SceneOptions::with_given_method(RunDescription scene) const {
     if (scene.origin) {
         RunDescription description = names_method() ? with_method(scene, method_) : scene;
-        if (is_given(*app_, "--dt")) description.dt = parse_value(dt_option, dt_);
+        if (steplab::is_given(*app_, "--dt")) description.dt = given_dt();
         return description;
     }
     const bool recommends = defaults_ == Defaults::recommended;
     RunDescription description = recommends && !names_method() ? opening(scene) : with_method(scene, method_);
-    description.dt = recommends && !is_given(*app_, "--dt") ? opening_dt(scene) : parse_value(dt_option, dt_);
+    description.dt = recommends && !steplab::is_given(*app_, "--dt") ? opening_dt(scene) : given_dt();
     return description;
 }
 
@@ -146,6 +171,7 @@ RunDescription SceneOptions::description() const {
     }
     RunDescription description = with_given_method(scene);
     for (const Setting& setting : settings) set_parameter(description, setting.name, setting.text);
+    description.start = start();
     check(description);
     return description;
 }
@@ -154,11 +180,12 @@ std::vector<RunDescription> SceneOptions::descriptions() const {
     if (method_ != all_methods) return {description()};
     const std::vector<Setting> settings = parse_settings(settings_);
     std::vector<RunDescription> runs;
-    const RunDescription scene = chosen_scene();
+    RunDescription scene = chosen_scene();
+    scene.start = start();
     for (const Method& method : methods()) runs.push_back(with_method(scene, method.info.id));
     check_known(settings, runs);
     for (RunDescription& run : runs) {
-        if (!run.origin || is_given(*app_, "--dt")) run.dt = parse_value(dt_option, dt_);
+        if (!run.origin || steplab::is_given(*app_, "--dt")) run.dt = given_dt();
         for (const Setting& setting : settings) {
             if (has_parameter(run, setting.name)) set_parameter(run, setting.name, setting.text);
         }
@@ -169,7 +196,9 @@ std::vector<RunDescription> SceneOptions::descriptions() const {
 
 void TimeOptions::declare(CLI::App& app) {
     const std::string group = "Time";
-    text_option(app, "--steps", steps_, "N", fmt::format("Number of steps (default {})", default_steps_), group);
+    const std::string_view before = default_ == Default::scene ? "the end that a scene file gives, else " : "";
+    text_option(app, "--steps", steps_, "N", fmt::format("Number of steps (default {}{})", before, default_steps_),
+                group);
     text_option(app, "--until", until_, "T", "End time [s], instead of --steps", group);
 }
 
@@ -177,34 +206,42 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
     if (!steps_.empty() && !until_.empty())
         throw UsageError("--steps and --until both set the length of the run: give only one of them");
     if (!steps_.empty()) return static_cast<std::uint64_t>(parse_value(steps_info, steps_));
-    if (until_.empty()) return default_steps_;
-    const double until = parse_value(until_info, until_);
-    if (until / description.dt > most_steps) {
-        throw UsageError(fmt::format("--until {} needs more than {} steps of dt {}", shown(until_),
+    const std::optional<double> until = this->until(description);
+    if (!until) return default_steps_;
+    if (*until / description.dt < 0)
+        throw UsageError(
+            fmt::format("the end time {} s and dt = {} s differ in sign: a negative dt goes with a "
+                        "negative end time",
+                        exact_text(*until), exact_text(description.dt)));
+    if (*until / description.dt > most_steps) {
+        throw UsageError(fmt::format("--until {} needs more than {} steps of dt {}", exact_text(*until),
                                      number_text(most_steps), exact_text(description.dt)));
     }
-    return steps_until(until, description.dt);
+    return steps_until(*until, description.dt);
 }
 
 RunEnd TimeOptions::end(const RunDescription& description) const {
     const std::uint64_t number = steps(description);
-    return until_.empty() ? RunEnd{number} : run_end(description, *until());
+    const std::optional<double> until = this->until(description);
+    return until ? run_end(description, *until) : RunEnd{number};
 }
 
 std::optional<std::string> TimeOptions::note(const RunDescription& description, const RunEnd& end) const {
-    const double dt = description.dt, time = static_cast<double>(end.step) * dt, asked = until().value_or(time);
-    if (end.time || time - asked <= 1e-6 * dt) return std::nullopt;
+    const double dt = description.dt, time = static_cast<double>(end.step) * dt,
+                 asked = until(description).value_or(time);
+    if (end.time || std::abs(time - asked) <= 1e-6 * std::abs(dt)) return std::nullopt;
     return fmt::format("{} {} of dt = {} s end{} at t = {} s, not at {} s", end.step, end.step == 1 ? "step" : "steps",
                        typed(dt, 6), end.step == 1 ? "s" : "", typed(time, 6), typed(asked, 6));
 }
 
-std::optional<double> TimeOptions::until() const {
-    return until_.empty() ? std::nullopt : std::optional(parse_value(until_info, until_));
+std::optional<double> TimeOptions::until(const RunDescription& description) const {
+    if (!until_.empty()) return parse_value(until_info, until_);
+    const bool of_scene = default_ == Default::scene && steps_.empty();
+    return of_scene ? model_of(description).opening.until : std::nullopt;
 }
 
 double TimeOptions::duration(const RunDescription& description) const {
-    const double time =
-        until_.empty() ? static_cast<double>(steps(description)) * description.dt : parse_value(until_info, until_);
+    const double time = until(description).value_or(static_cast<double>(steps(description)) * description.dt);
     if (!(time > 0)) throw UsageError("the end time must be > 0: give --until T, or --steps N with --dt X");
     return time;
 }

@@ -23,7 +23,8 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts);
 /// "float" or "double". Throws UsageError.
 Precision precision_of(std::string_view text);
 
-/// The options SCENE, the same for every command and program: --model, --set, --method, --precision, --dt.
+/// The options SCENE, the same for every command and program: --model, --scene, --set, --method, --precision, --dt,
+/// --from, --reverse.
 /// All values are stored as text and read by our own parsers: in the C locale, with one form of message.
 class SceneOptions {
 public:
@@ -31,7 +32,10 @@ public:
     enum class Methods { one, one_or_all };
     /// The method and dt that are not given: fixed ones, or those that the model recommends (Opening).
     enum class Defaults { fixed, recommended };
+    /// Whether dt may be negative.
+    enum class Time { forward, both };
     explicit SceneOptions(Methods methods = Methods::one) : methods_(methods) {}
+    explicit SceneOptions(Time time) : time_(time) {}
     explicit SceneOptions(Defaults defaults) : defaults_(defaults) {}
 
     /// Adds the options, and the table of models, methods and parameters at the end of the help.
@@ -42,6 +46,8 @@ public:
     /// whether its method accepts the scene is not checked. Throws UsageError, also for a setting that is a parameter
     /// of no model or method.
     std::vector<RunDescription> descriptions() const;
+    /// True if any of the options was given.
+    bool is_given() const;
     /// True if --method was given; a command may otherwise use all methods.
     bool names_method() const;
     /// True if --precision was given.
@@ -49,27 +55,35 @@ public:
 
 private:
     RunDescription chosen_scene() const;
+    StartChange start() const;
+    double given_dt() const;
     std::string default_text(std::string_view fixed) const;
     RunDescription with_given_method(RunDescription scene) const;
 
     Methods methods_ = Methods::one;
     Defaults defaults_ = Defaults::fixed;
+    Time time_ = Time::forward;
     std::string model_, scene_;
     std::vector<std::string> settings_;
     std::string method_;
     std::string precision_;
     std::string dt_;
+    std::string from_;
+    bool reverse_ = false;
     const CLI::App* app_ = nullptr;
 };
 
 /// The options TIME: --steps or --until.
 class TimeOptions {
 public:
-    explicit TimeOptions(std::uint64_t default_steps) : default_steps_(default_steps) {}
+    /// What counts where neither is given: a number of steps, or before it the `until` of a scene file.
+    enum class Default { steps, scene };
+    explicit TimeOptions(std::uint64_t default_steps, Default given = Default::steps)
+        : default_steps_(default_steps), default_(given) {}
     void declare(CLI::App& app);
     /// Number of steps from the start. Throws UsageError.
     std::uint64_t steps(const RunDescription& description) const;
-    /// Where the run ends: after --steps, or by run_end() at --until. Throws UsageError.
+    /// Where the run ends: after --steps, or by run_end() at --until or the scene's end. Throws UsageError.
     RunEnd end(const RunDescription& description) const;
     /// The end time: --until, or the steps times dt. Throws UsageError unless it is > 0.
     double duration(const RunDescription& description) const;
@@ -78,9 +92,10 @@ public:
 
 private:
     /// The end time asked for, if one was.
-    std::optional<double> until() const;
+    std::optional<double> until(const RunDescription& description) const;
 
     std::uint64_t default_steps_;
+    Default default_;
     std::string steps_;
     std::string until_;
 };

@@ -9,6 +9,7 @@
 #include "app/commands/hard_cases.hpp"
 #include "app/commands/limits.hpp"
 #include "app/commands/list.hpp"
+#include "app/commands/observe.hpp"
 #include "app/commands/report.hpp"
 #include "app/commands/run.hpp"
 #include "app/commands/snapshot.hpp"
@@ -83,6 +84,7 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     all.push_back(list_command());
     all.push_back(run_command());
     all.push_back(convert_command());
+    all.push_back(observe_command());
     all.push_back(export_command());
     all.push_back(snapshot_command());
     all.push_back(limits_command());

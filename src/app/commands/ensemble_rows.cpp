@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "io/trajectory_text.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/starting.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -14,7 +15,7 @@ namespace steplab {
 
 namespace {
 
-bool has_exact(const EnsembleRun& run) { return model_of(run.description).exact(run.description.scene) != nullptr; }
+bool has_exact(const EnsembleRun& run) { return exact_of(run.description) != nullptr; }
 
 }  // namespace
 

@@ -2,6 +2,8 @@
 
 #include "app/cli/catalogue_text.hpp"
 #include "app/cli/command_line.hpp"
+#include "app/cli/scene_listing.hpp"
+#include "app/cli/scene_options.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "io/scene_file.hpp"
@@ -20,18 +22,28 @@ namespace {
 class ListCommand final : public Command {
 public:
     std::string_view name() const override { return "list"; }
-    std::string_view what() const override { return "List the models, methods and shipped scenes"; }
+    std::string_view what() const override {
+        return "List the models, methods and shipped scenes, or say what one scene consists of";
+    }
 
     void declare(CLI::App& app) override {
-        text_option(app, "kind", kind_, "models|methods|scenes",
-                    "Only these, with all their parameters (default: models and methods, in short)");
+        text_option(app, "kind", kind_, "models|methods|scenes|scene",
+                    "Only these, with all their parameters (default: models and methods, in short); scene: what the "
+                    "one of the options below consists of, and how it is stepped");
         flag_option(app, "--json", json_, "Print JSON with all data of the entries");
+        scene_.declare(app);
     }
 
     int run() override {
-        constexpr std::array<std::string_view, 3> kinds{"models", "methods", "scenes"};
+        constexpr std::array<std::string_view, 4> kinds{"models", "methods", "scenes", "scene"};
         if (!kind_.empty() && std::find(kinds.begin(), kinds.end(), kind_) == kinds.end())
             throw UsageError(unknown_word("list", kind_, kinds));
+        if (kind_ == kinds[3]) {
+            const SceneListing scene = scene_listing(scene_.description());
+            print(json_ ? scene_json(scene) : scene_text(scene));
+            return static_cast<int>(ExitCode::done);
+        }
+        if (scene_.is_given()) throw UsageError("the options of a scene belong to `steplab list scene`");
         if (kind_ == kinds[2]) {
             print(json_ ? scenes_json() : scenes_table());
             return static_cast<int>(ExitCode::done);
@@ -67,6 +79,7 @@ private:
         return scenes.dump(2) + "\n";
     }
 
+    SceneOptions scene_;
     std::string kind_;
     bool json_ = false;
 };

@@ -76,6 +76,7 @@ private:
     static void print_note(const std::string& note) { fmt::print(stderr, "steplab run: note: {}\n", note); }
 
     int run_ensemble(const RunDescription& description) const {
+        if (!output_.observables.empty()) throw UsageError("--observables are those of one run, not of an ensemble");
         const std::vector<ParameterRange> ranges = ensemble_.ranges(description);
         EnsembleJob job{.ranges = ranges,
                         .runs = ensemble_.runs(description, ranges, time_),
@@ -115,8 +116,8 @@ private:
         return static_cast<std::uint64_t>(parse_value(info, text));
     }
 
-    SceneOptions scene_;
-    TimeOptions time_{1000};
+    SceneOptions scene_{SceneOptions::Time::both};
+    TimeOptions time_{1000, TimeOptions::Default::scene};
     std::string every_;
     std::string isa_, threads_;
     OutputOptions output_;

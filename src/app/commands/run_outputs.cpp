@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,8 @@ void OutputOptions::declare(CLI::App& app) {
     text_option(app, "--particles", particles, "9,0-3", "Particles in --out (default all)", group);
     text_option(app, "--columns", columns, "x,ux,...", columns_help, group);
     text_option(app, "--series", series, "FILE", "Energy, momentum and other diagnostics over time (CSV)", group);
+    text_option(app, "--observables", observables, "kT,pressure,msd",
+                "Further columns of --series: temperature, pressure by the virial, mean squared displacement", group);
     text_option(app, "--summary", summary, "FILE|-", "Summary of the run (JSON)", group);
 }
 
@@ -30,6 +33,8 @@ void OutputOptions::check() const {
     if (out.empty() && !particles.empty())
         throw UsageError("--particles selects those in --out, but there is no --out");
     if (out.empty() && !columns.empty()) throw UsageError("--columns selects those of --out, but there is no --out");
+    if (series.empty() && !observables.empty())
+        throw UsageError("--observables adds columns to --series, but there is no --series");
     const std::array<std::pair<std::string_view, const std::string*>, 3> files{
         {{"--out", &out}, {"--series", &series}, {"--summary", &summary}}};
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -90,16 +95,25 @@ RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& descr
         streamed_ = written_directly(options.out);
     }
     if (!options.series.empty()) {
+        std::vector<std::string> more;
+        if (!options.observables.empty()) {
+            observables_.emplace(plan_of(as_held(description)), parse_observables(options.observables));
+            for (const Observable observable : observables_->wanted()) more.emplace_back(id(observable));
+        }
         series_file_.emplace(options.series, compression_of(options.series));
-        series_.emplace(*series_file_, SeriesWriter::Columns{.error = scene.exact(description.scene) != nullptr,
-                                                             .energy_error = !has_drag(description) ||
-                                                                             integrates_drag_work(description)});
+        series_.emplace(*series_file_, SeriesWriter::Columns{
+                                           .error = exact_of(description) != nullptr,
+                                           .energy_error = !has_drag(description) || integrates_drag_work(description),
+                                           .more = std::move(more)});
     }
     if (!options.summary.empty()) summary_file_.emplace(options.summary, compression_of(options.summary));
 }
 
 void RunOutputs::record(const Simulation& simulation) {
-    if (series_) series_->add(simulation.step(), simulation.time(), simulation.diagnostics());
+    if (series_) {
+        const auto more = observables_ ? observables_->of(simulation.state()) : std::vector<std::optional<double>>();
+        series_->add(simulation.step(), simulation.time(), simulation.diagnostics(), 0, more);
+    }
     if (!rows_) return;
     simulation.frame(frame_, rows_->needs());
     rows_->add(frame_);

@@ -4,6 +4,7 @@
 #include "io/series.hpp"
 #include "io/summary.hpp"
 #include "io/trajectory.hpp"
+#include "sim/run/observables.hpp"
 #include "sim/run/simulation.hpp"
 
 #include <chrono>
@@ -19,12 +20,13 @@ namespace steplab {
 
 /// The options of `run` for its output files.
 struct OutputOptions {
-    std::string out;        ///< empty: no rows
-    std::string format;     ///< empty: by the file name extension
-    std::string particles;  ///< empty: all
-    std::string columns;    ///< empty: the usual ones
-    std::string series;     ///< empty: none
-    std::string summary;    ///< empty: only the text for people
+    std::string out;          ///< empty: no rows
+    std::string format;       ///< empty: by the file name extension
+    std::string particles;    ///< empty: all
+    std::string columns;      ///< empty: the usual ones
+    std::string series;       ///< empty: none
+    std::string summary;      ///< empty: only the text for people
+    std::string observables;  ///< of --series; empty: none
 
     void declare(CLI::App& app);
     /// Throws UsageError for options that contradict each other.
@@ -69,6 +71,7 @@ private:
     std::optional<OutputFile> summary_file_;
     std::optional<TrajectoryWriter> rows_;
     std::optional<SeriesWriter> series_;
+    std::optional<Observables> observables_;
     bool streamed_ = false;  ///< the rows go to a pipe, a terminal or a device
     std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
     Frame frame_;

@@ -100,8 +100,8 @@ private:
                           short_number(view.frame.time), picture_.size_text(), gl));
     }
 
-    SceneOptions scene_;
-    TimeOptions time_{0};
+    SceneOptions scene_{SceneOptions::Time::both};
+    TimeOptions time_{0, TimeOptions::Default::scene};
     SnapshotOptions picture_;
     EnsembleOptions ensemble_;
 };

@@ -5,6 +5,7 @@
 #include "lab/limits/mode_run.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/linear_limit.hpp"
+#include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
 
@@ -81,7 +82,7 @@ std::optional<double> Limit::ratio() const {
 }
 
 StabilityLab::StabilityLab(const RunDescription& description)
-    : scene_(balanced(model_of(description).plan(as_held(description).scene))),
+    : scene_(balanced(plan_of(as_held(description)))),
       spacing_(model_of(description).shape(as_held(description).scene).spacing),
       linearised_(scene_, model_of(description).shape(as_held(description).scene)),
       modes_(modes(linearised_)) {}

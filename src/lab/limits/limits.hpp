@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lab/limits/linearised.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/linearised.hpp"
 #include "sim/run/run_description.hpp"
 
 #include <optional>

@@ -1,11 +1,11 @@
 #include "lab/study/lyapunov.hpp"
 
 #include "core/interruption.hpp"
-#include "lab/limits/linearised.hpp"
 #include "methods/engines/extrapolation.hpp"
 #include "methods/engines/system.hpp"
 #include "models/forces/layouts.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/linearised.hpp"
 
 #include <fmt/format.h>
 

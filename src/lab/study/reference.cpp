@@ -1,11 +1,12 @@
 #include "lab/study/reference.hpp"
 
 #include "core/interruption.hpp"
-#include "lab/limits/linearised.hpp"
 #include "methods/engines/extrapolation.hpp"
 #include "methods/engines/system.hpp"
 #include "models/forces/layouts.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/linearised.hpp"
+#include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
 
@@ -240,7 +241,7 @@ std::optional<Reference> refined(const RunDescription& held, std::span<const dou
 /// With fixed steps, shortened if particles pass each other only because steps are too long; with adaptive steps if
 /// particles do pass each other.
 Reference refined(const RunDescription& held, std::span<const double> times, const ReferenceEffort& effort) {
-    const Plan scene = model_of(held).plan(held.scene);
+    const Plan scene = plan_of(held);
     Runs run(scene, times, effort);
     double step = longest_step(held, scene, times, effort);
     if (auto made = refined(held, times, effort, run, {.step = step})) return *made;
@@ -255,7 +256,7 @@ Reference refined(const RunDescription& held, std::span<const double> times, con
 }
 
 std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std::span<const double> times) {
-    const auto exact = model_of(held).exact(held.scene);
+    const auto exact = exact_of(held);
     return exact && (times.empty() || times.back() <= exact->valid_until()) ? exact : nullptr;
 }
 

@@ -2,11 +2,12 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
-#include "lab/limits/linearised.hpp"
 #include "lab/study/gain_watch.hpp"
 #include "lab/study/parallel.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/linearised.hpp"
 #include "sim/run/memory.hpp"
+#include "sim/run/starting.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -170,7 +171,7 @@ constexpr double expensive_partners = 140;
 /// Approximate number of particles that each one interacts with: the cost of an evaluation per particle.
 double partners(const RunDescription& scene) {
     const Model& entry = model_of(scene);
-    const bool all_pairs = std::holds_alternative<PairForces>(entry.plan(scene.scene).forces);
+    const bool all_pairs = std::holds_alternative<PairForces>(plan_of(scene).forces);
     return all_pairs ? entry.particles(scene.scene) : 8;
 }
 
@@ -204,7 +205,7 @@ bool takes_tolerance(const std::string& method) {
 
 double frequency(const StudyPlan& plan) {
     const Model& scene = model_of(plan.scene);
-    const LinearisedScene linearised(scene.plan(plan.scene.scene), scene.shape(plan.scene.scene));
+    const LinearisedScene linearised(plan_of(plan.scene), scene.shape(plan.scene.scene));
     const double omega = highest_frequency(modes(linearised));
     return omega > 0 ? omega : 5 * 3.14159265358979 / plan.time;
 }

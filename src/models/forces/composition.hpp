@@ -3,6 +3,7 @@
 #include "core/vec3.hpp"
 #include "models/potentials/expression_potential.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -52,6 +53,12 @@ struct Composition {
     std::vector<Vec3>
         accelerations;  ///< from outside, of each particle; one for all where they are equal; may be empty
     Vec3 box;           ///< sides of space that repeats itself; 0: not along this axis
+
+    /// Dashpots, or drag that differs between particles.
+    bool is_damped() const {
+        return !drag.empty() ||
+               std::any_of(springs.begin(), springs.end(), [](const auto& s) { return s.damping > 0; });
+    }
 };
 
 /// Any forces between any particles.  composed.hpp

@@ -2,6 +2,7 @@
 
 #include "core/shape.hpp"
 #include "core/vec3.hpp"
+#include "models/scene/starting_values.hpp"
 #include "models/scene/written_number.hpp"
 
 #include <cstddef>
@@ -42,15 +43,22 @@ struct CrystalArrangement {
     bool operator==(const CrystalArrangement&) const = default;
 };
 
-/// Read from a file.
+/// Read from a file. Position and velocity of the block are added to those of each.
 struct ListedParticles {
     struct Particle {
         Vec3 position, velocity;
         double mass = 1;
+        Role role = Role::moving;
+        bool operator==(const Particle&) const = default;
     };
     std::string file;
-    std::shared_ptr<const std::vector<Particle>> particles;
-    bool operator==(const ListedParticles& other) const { return file == other.file; }
+    bool masses = false, roles = false;  ///< each has its own; else they are those of the block
+    std::shared_ptr<const std::vector<Particle>> particles = {};
+
+    bool operator==(const ListedParticles& other) const {
+        return file == other.file && masses == other.masses && roles == other.roles &&
+               (particles == other.particles || *particles == *other.particles);
+    }
 };
 
 using Arrangement = std::variant<std::monostate, LineArrangement, GridArrangement, CrystalArrangement, ListedParticles>;
@@ -129,6 +137,15 @@ struct FieldTerm {
     bool operator==(const FieldTerm&) const = default;
 };
 
+/// Changes the start of the whole scene: values of a file first, then a vibration in a normal mode, then a reversal.
+struct SceneStart {
+    std::string file = {};  ///< FILE or FILE:STEP, relative to the scene file; empty: none
+    StartChange change = {};
+    std::size_t mode = 0;         ///< from 1 by ascending frequency, zero modes left out; 0: none
+    WrittenNumber amplitude = 0;  ///< largest displacement of a particle
+    bool operator==(const SceneStart&) const = default;
+};
+
 /// What a file says of how its scene opens; options of the command line go before it.
 struct SceneDefaults {
     std::string method = {}, precision = {}, camera = {}, colour = {}, background = {};
@@ -146,6 +163,7 @@ struct Scene {
     WrittenVector box;                                  ///< sides of space that repeats itself; 0: not along this axis
     std::map<std::string, std::string> followers = {};  ///< names in expressions that are expressions themselves
     std::optional<WrittenVector> corner = {};           ///< of the box, for pictures and files
+    SceneStart start = {};
 
     std::size_t count() const;
     bool operator==(const Scene&) const = default;

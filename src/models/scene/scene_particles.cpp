@@ -96,6 +96,16 @@ void apply(const Fix& fix, SceneParticle& particle) {
     if (fix.role) particle.role = *fix.role;
 }
 
+/// What a file says of a particle beside its place.
+void apply(const ListedParticles& list, std::size_t index, SceneParticle& particle) {
+    const ListedParticles::Particle& listed = (*list.particles)[index];
+    particle.velocity = particle.velocity + listed.velocity;
+    if (list.masses) particle.mass = listed.mass;
+    if (!list.roles) return;
+    particle.role = listed.role;
+    particle.fixed = listed.role == Role::fixed;
+}
+
 }  // namespace
 
 std::size_t ParticleBlock::count() const { return std::visit(Count(), arrangement); }
@@ -152,6 +162,7 @@ SceneParticle SceneParticles::of_block(const Block& block, std::size_t index) co
                            .charge = of.charge.value,
                            .fixed = of.fixed,
                            .role = of.fixed && of.role == Role::moving ? Role::fixed : of.role};
+    if (const auto* list = std::get_if<ListedParticles>(&of.arrangement)) apply(*list, index, particle);
     if (const auto* vector = std::get_if<WrittenVector>(&of.displacement)) particle.displacement = vector->value();
     if (const auto* random = std::get_if<RandomDisplacement>(&of.displacement))
         particle.displacement = random_displacement(*random, index);

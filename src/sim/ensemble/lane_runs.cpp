@@ -7,6 +7,7 @@
 #include "sim/run/measures.hpp"
 #include "sim/run/segment.hpp"
 #include "sim/run/simulation_body.hpp"
+#include "sim/run/starting.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ struct Member {
 
     Member(const EnsembleRun& run, const Execution& execution)
         : held(as_held(run.description)),
-          scene(model_of(held).plan(held.scene)),
+          scene(plan_of(held)),
           meter(scene, instructions_of(execution)),
           steps(run.end.step) {}
 

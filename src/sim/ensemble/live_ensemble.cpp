@@ -7,6 +7,7 @@
 #include "sim/ensemble/lane_compatible.hpp"
 #include "sim/run/memory.hpp"
 #include "sim/run/segment.hpp"
+#include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
 
@@ -108,7 +109,7 @@ bool LiveEnsemble::begin(std::span<const SegmentBegin> segments, const std::func
     for (std::size_t i = members_.size(); i < runs_; ++i) {
         if (enough()) return false;
         RunDescription held = as_held(variation_(description, i));
-        Plan scene = model_of(held).plan(held.scene);
+        Plan scene = plan_of(held);
         if (static_cast<double>(scene.reference.count) != particles)
             throw UsageError(fmt::format("run {} of the ensemble has {} particles, the run itself {:.0f}", i,
                                          scene.reference.count, particles));
@@ -119,7 +120,7 @@ bool LiveEnsemble::begin(std::span<const SegmentBegin> segments, const std::func
 }
 
 void LiveEnsemble::check_memory(const RunDescription& description) const {
-    const Plan scene = model_of(description).plan(description.scene);
+    const Plan scene = plan_of(description);
     const double one = static_cast<double>(scene.reference.count) * bytes_per_particle(description) +
                        bytes_of_interactions(description, scene);
     const double needed = static_cast<double>(runs_) * one, there = available_memory();
@@ -151,7 +152,7 @@ void LiveEnsemble::continue_in(const SegmentBegin& segment, std::size_t i, const
         state.velocity.set(particle, {});
     }
     member.held = as_held(variation_(segment.description, i));
-    member.scene = model_of(member.held).plan(member.held.scene);
+    member.scene = plan_of(member.held);
     member.scene.start = Start(std::move(state));
 }
 

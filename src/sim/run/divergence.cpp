@@ -28,7 +28,7 @@ std::string reason(const Divergence& divergence, const RunDescription& held) {
     if (!divergence.limit) return fmt::format("{} is too large for {} on this scene", dt, held.method);
     if (*divergence.limit == 0)
         return fmt::format("{} gains energy at any dt, the faster the larger dt is ({})", held.method, dt);
-    if (held.dt >= *divergence.limit) {
+    if (std::abs(held.dt) >= *divergence.limit) {
         return fmt::format("{} is beyond the stability limit {} of {} on this scene", dt,
                            significant(*divergence.limit, 4), held.method);
     }

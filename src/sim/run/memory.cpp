@@ -2,6 +2,7 @@
 
 #include "models/forces/neighbours.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/starting.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -99,7 +100,7 @@ double bytes_per_particle(const RunDescription& description) {
 double bytes_of_run(const RunDescription& description) {
     const Model& entry = model_of(description);
     return entry.particles(description.scene) * bytes_per_particle(description) +
-           bytes_of_interactions(description, entry.plan(description.scene));
+           bytes_of_interactions(description, plan_of(description));
 }
 
 double bytes_of_interactions(const RunDescription& description, const Plan& scene) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 namespace steplab {
@@ -26,7 +27,7 @@ constexpr double units_of_an_increment = 128;
 std::optional<std::string> note_of_increments(const RunDescription& run, double omega) {
     const bool compensated = run.method_parameters.contains("compensated") && run.method_parameters["compensated"] > 0;
     const bool kept = compensated || chooses_its_steps(run) || !(omega > 0);
-    if (kept || run.dt * omega >= units_of_an_increment * rounding_unit(run.precision)) return std::nullopt;
+    if (kept || std::abs(run.dt) * omega >= units_of_an_increment * rounding_unit(run.precision)) return std::nullopt;
     const std::string remedy = run.method_parameters.contains("compensated") ? ", compensated=1 keeps it" : "";
     return fmt::format(
         "a step of dt = {} s adds so little that {} rounds most of it away: a larger dt is more accurate{}",

@@ -63,6 +63,13 @@ std::optional<double> smaller_dt(RunDescription run, double limit, const Judge& 
 
 Remedies remedies(const RunDescription& run, const Plan& scene) {
     if (chooses_its_steps(run)) return {};
+    if (run.dt < 0) {  // what is stable forward in time is so backward
+        RunDescription forward = run;
+        forward.dt = -run.dt;
+        Remedies found = remedies(forward, scene);
+        if (found.dt) found.dt = -*found.dt;
+        return found;
+    }
     const auto limit = stability_limit(run);
     const bool fails_always = method(run.method).info.curiosity;
     if (!limit) return {fails_always ? std::nullopt : std::optional(nice_floor(run.dt / 4)), std::nullopt};

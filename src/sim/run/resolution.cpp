@@ -30,10 +30,10 @@ bool Resolution::is_good() const { return keeps_motion() && error <= most_error 
 std::optional<Resolution> resolution(const RunDescription& run, double omega) {
     const Method& entry = method(run.method);
     if (!(omega > 0) || chooses_its_steps(run) || entry.info.curiosity) return std::nullopt;
-    const double phase = omega * run.dt, steps = 2 * std::numbers::pi / phase;
+    const double phase = omega * std::abs(run.dt), steps = 2 * std::numbers::pi / phase;
     // the equations of a step over more than a period take long to solve
     if (entry.info.implicit && steps < 1) return Resolution{steps, 0, infinity};
-    const auto eigenvalues = step_eigenvalues(entry, run.method_parameters, omega, 0, run.dt);
+    const auto eigenvalues = step_eigenvalues(entry, run.method_parameters, omega, 0, std::abs(run.dt));
     const auto error = [&](const std::complex<double>& value) { return std::abs(value - std::polar(1.0, phase)); };
     return Resolution{.steps_per_period = steps,
                       .amplification = std::pow(size_of_worst(eigenvalues), steps),

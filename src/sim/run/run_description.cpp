@@ -6,6 +6,7 @@
 #include "sim/catalogue.hpp"
 #include "sim/run/linear_limit.hpp"
 #include "sim/run/memory.hpp"
+#include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
 
@@ -21,8 +22,13 @@ namespace {
 
 void check_dt(const RunDescription& description) {
     const double dt = description.dt, held = rounded_to(description.precision, dt);
-    check_value(dt_parameter, dt);
-    if (!std::isfinite(held) || !(held > 0)) {
+    check_value(dt_parameter, std::abs(dt));
+    if (dt < 0 && (method(description.method).info.adaptive || chooses_its_steps(description)))
+        throw UsageError(
+            fmt::format("{} chooses its own steps, which go forward in time: dt must be > 0 (--reverse "
+                        "turns the velocities round)",
+                        description.method));
+    if (!std::isfinite(held) || held == 0) {
         throw UsageError(
             fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", exact_text(dt)));
     }
@@ -58,8 +64,8 @@ void check_memory(const RunDescription& description, double needed_for_interacti
 void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
     const bool from_file = static_cast<bool>(description.origin);
-    if (!entry.info.refusal && !facts_of(description).lists_pairs && !from_file) return;
-    const Plan scene = model_of(description).plan(description.scene);
+    if (!entry.info.refusal && !facts_of(description).lists_pairs && !from_file && !description.start.from) return;
+    const Plan scene = plan_of(description);
     if (entry.info.curiosity && std::holds_alternative<ComposedForces>(scene.forces))
         throw UsageError(fmt::format("{} cannot run this scene: it is kept as printed in 2008, for the models of then",
                                      description.method));
@@ -114,6 +120,7 @@ RunDescription with_model(RunDescription description, std::string_view id) {
     const ModelInfo& info = model(id).info;
     description.model = info.id;
     description.origin = {};
+    description.start = {};
     description.scene = ParameterValues(info.parameters);
     return description;
 }
@@ -166,9 +173,11 @@ RunDescription as_held(RunDescription description) {
 std::string command_line(const RunDescription& description) {
     const std::string scene =
         description.origin ? "--scene " + description.origin->given : "--model " + description.model;
-    return fmt::format("{}{} --method {}{} --precision {} --dt {}", scene, changed_parameters(description.scene),
+    const StartChange& start = description.start;
+    return fmt::format("{}{} --method {}{} --precision {} --dt {}{}{}", scene, changed_parameters(description.scene),
                        description.method, changed_parameters(description.method_parameters), id(description.precision),
-                       exact_text(description.dt));
+                       exact_text(description.dt), start.from ? " --from " + start.from->given : "",
+                       start.reverse ? " --reverse" : "");
 }
 
 std::optional<StabilityLimit> stability_limit(const RunDescription& description) {
@@ -213,7 +222,7 @@ RunEnd run_end(const RunDescription& description, double until) {
     if (steps == 0 || !chooses_its_steps(description)) return {steps};
     const double reached = static_cast<double>(steps) * rounded_to(description.precision, description.dt);
     // up to rounding the steps end there anyway
-    return std::abs(reached - until) <= 1e-6 * description.dt ? RunEnd{steps} : RunEnd{steps, until};
+    return std::abs(reached - until) <= 1e-6 * std::abs(description.dt) ? RunEnd{steps} : RunEnd{steps, until};
 }
 
 }  // namespace steplab

@@ -3,6 +3,7 @@
 #include "core/entry.hpp"
 #include "core/precision.hpp"
 #include "models/model.hpp"
+#include "models/scene/starting_values.hpp"
 #include "models/scene_origin.hpp"
 
 #include <cstdint>
@@ -33,6 +34,7 @@ struct RunDescription {
     ParameterValues method_parameters;
     Precision precision = Precision::double_;
     double dt = dt_parameter.default_value;
+    StartChange start = {};  ///< of the scene
 
     friend bool operator==(const RunDescription&, const RunDescription&) = default;
 };
@@ -54,7 +56,8 @@ RunDescription with_method(RunDescription description, std::string_view method);
 /// Sets a parameter of the model or of the method, whichever has it. Throws UsageError naming the known ones.
 void set_parameter(RunDescription& description, std::string_view name, std::string_view text);
 
-/// Throws UsageError unless dt is finite, > 0 and not lost in the precision, every parameter fits into the precision,
+/// Throws UsageError unless dt is finite, > 0 and not lost in the precision (of a method that does not choose its steps
+/// it may be < 0: time runs backward), every parameter fits into the precision,
 /// the particles fit into this machine's memory (the message names the bytes needed) and the method can run the scene.
 void check(const RunDescription& description);
 /// The part of check() that makes no scene: all but what method and memory say of its interactions.
@@ -91,7 +94,7 @@ bool integrates_drag_work(const RunDescription& description);
 /// True if the method chooses its own steps within dt by its tolerance; false if every step is dt.
 bool chooses_its_steps(const RunDescription& description);
 
-/// ceil(duration / dt * (1 - 1e-12)): the steps that reach `duration`.
+/// ceil(duration / dt * (1 - 1e-12)): the steps that reach `duration`, which has the sign of dt.
 std::uint64_t steps_until(double duration, double dt);
 
 /// Where a run ends: after so many steps, the last of which ends at `time` where that is given.
@@ -100,8 +103,8 @@ struct RunEnd {
     std::optional<double> time = {};
 };
 
-/// The end of a run that is to reach `until` > 0: a method that chooses its own steps ends there, any other at the end
-/// of the step of dt that reaches it.
+/// The end of a run that is to reach `until`, which has the sign of dt: a method that chooses its own steps ends there,
+/// any other at the end of the step of dt that reaches it.
 RunEnd run_end(const RunDescription& description, double until);
 
 }  // namespace steplab

@@ -1,6 +1,7 @@
 #include "sim/run/segment.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "sim/run/starting.hpp"
 #include "sim/steppers/bands.hpp"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ Segment::Segment(const RunDescription& given, const Execution& how)
     : description(given),
       held(as_held(given)),
       execution(how),
-      scene(model_of(held).plan(held.scene)),
+      scene(plan_of(held)),
       meter(scene, instructions_of(how)),
       steps_at_once(most_at_once(held, scene)) {
     restart();
@@ -45,7 +46,7 @@ Segment::Segment(const RunDescription& given, const Execution& how, const Start&
     : description(given),
       held(as_held(given)),
       execution(how),
-      scene(model_of(held).plan(held.scene)),
+      scene(plan_of(held)),
       meter(scene, instructions_of(how)),
       steps_at_once(most_at_once(held, scene)) {
     scene.start = start;

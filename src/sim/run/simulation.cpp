@@ -16,7 +16,7 @@ namespace {
 
 /// True if only what may change under way differs between the two.
 bool continues(const RunDescription& from, const RunDescription& to) {
-    if (from.model != to.model || from.origin != to.origin) return false;
+    if (from.model != to.model || from.origin != to.origin || from.start != to.start) return false;
     return std::all_of(from.scene.infos().begin(), from.scene.infos().end(), [&](const ParameterInfo& info) {
         return info.on_change == OnChange::applies_live || from.scene[info.name] == to.scene[info.name];
     });
@@ -178,6 +178,7 @@ std::string Simulation::why_not_exact() const {
     const ExactSolution* const exact = body_->exact();
     if (exact && time() <= exact->valid_until()) return {};
     if (exact) return fmt::format("the exact solution ends at t = {} s", typed(exact->valid_until(), 4));
+    if (!body_->segment.held.start.is_none() || dt() < 0) return "the exact solution has another start";
     const Model& entry = model_of(body_->segment.held);
     const bool for_others = entry.exact(ParameterValues(entry.info.parameters)) != nullptr;
     return for_others ? "no exact solution for these parameters" : "no exact solution is known for this scene";

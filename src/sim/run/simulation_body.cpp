@@ -3,6 +3,7 @@
 #include "core/flush_subnormals.hpp"
 #include "core/interruption.hpp"
 #include "sim/run/divergence.hpp"
+#include "sim/run/starting.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -59,7 +60,11 @@ void Simulation::Body::measure(const PortionSink& portions, const PieceSink& pie
 
 const ExactSolution* Simulation::Body::exact() {
     if (!exact_scene) return nullptr;
-    if (!exact_known) solution = model_of(segment.held).exact(*exact_scene);
+    if (!exact_known) {
+        RunDescription run = segment.held;
+        run.scene = *exact_scene;
+        solution = exact_of(run);
+    }
     exact_known = true;
     return solution.get();
 }

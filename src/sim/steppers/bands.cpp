@@ -197,11 +197,31 @@ std::size_t paying_threads(const Execution& execution, std::size_t particles) {
     return std::min(allowed, particles / std::max<std::size_t>(1, execution.particles_a_thread));
 }
 
+/// The bands that a scene is divided into, and the units that a step reaches.
+struct Division {
+    std::size_t bands = 1, reach = 0;
+};
+
+Division division_of(const Method& method, const StepperSetup& setup, const Units& units, const Execution& execution) {
+    const std::size_t paying = paying_threads(execution, units.count * units.particles);
+    if (paying < 2 || units.count < 3) return {};
+    const auto reach = reach_of(method, setup, units);
+    // a border lies in the neighbouring band alone
+    const std::size_t count = reach ? std::min(paying, units.count / (2 * *reach)) : 1;
+    return count > 1 ? Division{count, *reach} : Division{};
+}
+
+/// Threads that share the sums of pairs of a scene in one piece.
+std::size_t threads_of_pairs(const Forces& forces, const Execution& execution) {
+    const auto* const pairs = std::get_if<NearPairForces>(&forces);
+    if (!pairs) return 1;
+    const std::size_t threads = std::min(paying_threads(execution, pairs->count * time_of_pairs), most_threads(*pairs));
+    return std::max<std::size_t>(1, threads);
+}
+
 /// In one piece, whose forces may be summed by several threads.
 std::unique_ptr<Stepper> make_whole(const Method& method, const StepperSetup& setup, const Execution& execution) {
-    const auto* const pairs = std::get_if<NearPairForces>(&setup.scene.forces);
-    if (!pairs) return method.make(setup);
-    const std::size_t threads = std::min(paying_threads(execution, pairs->count * time_of_pairs), most_threads(*pairs));
+    const std::size_t threads = threads_of_pairs(setup.scene.forces, execution);
     if (threads < 2) return method.make(setup);
     Plan scene = setup.scene;
     std::get<NearPairForces>(scene.forces).threads = threads;
@@ -212,14 +232,14 @@ std::unique_ptr<Stepper> make_whole(const Method& method, const StepperSetup& se
 
 std::unique_ptr<Stepper> make_stepper(const Method& method, const StepperSetup& setup, const Execution& execution) {
     const Units units = units_of(setup.scene.forces);
-    const std::size_t paying = paying_threads(execution, units.count * units.particles);
-    if (paying > 1 && units.count >= 3) {
-        const auto reach = reach_of(method, setup, units);
-        // a border lies in the neighbouring band alone
-        const std::size_t count = reach ? std::min(paying, units.count / (2 * *reach)) : 1;
-        if (count > 1) return std::make_unique<Bands>(method, setup, units, count, *reach);
-    }
+    const Division division = division_of(method, setup, units, execution);
+    if (division.bands > 1) return std::make_unique<Bands>(method, setup, units, division.bands, division.reach);
     return make_whole(method, setup, execution);
+}
+
+std::size_t threads_for(const Method& method, const StepperSetup& setup, const Execution& execution) {
+    const std::size_t bands = division_of(method, setup, units_of(setup.scene.forces), execution).bands;
+    return bands > 1 ? bands : threads_of_pairs(setup.scene.forces, execution);
 }
 
 }  // namespace steplab

@@ -4,6 +4,7 @@
 #include "sim/run/execution.hpp"
 #include "sim/steppers/stepper.hpp"
 
+#include <cstddef>
 #include <memory>
 
 namespace steplab {
@@ -11,5 +12,7 @@ namespace steplab {
 /// The method on a scene, with several threads where they help: long chains and large grids are divided into bands, for
 /// methods whose steps have a bounded reach; forces between many pairs with a cut-off are summed in parallel.
 std::unique_ptr<Stepper> make_stepper(const Method& method, const StepperSetup& setup, const Execution& execution);
+/// The number of threads that it steps with.
+std::size_t threads_for(const Method& method, const StepperSetup& setup, const Execution& execution);
 
 }  // namespace steplab

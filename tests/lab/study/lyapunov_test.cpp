@@ -2,9 +2,9 @@
 
 #include "core/dual.hpp"
 #include "core/error.hpp"
-#include "lab/limits/linearised.hpp"
 #include "lab/study/advice.hpp"
 #include "models/forces/layouts.hpp"
+#include "sim/run/linearised.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>

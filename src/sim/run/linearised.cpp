@@ -1,0 +1,136 @@
+#include "sim/run/linearised.hpp"
+
+#include "models/forces/layouts.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace steplab {
+
+namespace {
+
+constexpr Eigen::Index complete_up_to = 300;
+constexpr Eigen::Index most_numbers = 100'000'000;  // largest size of a basis
+constexpr double converged = 1e-9;                  // residual, relative to the eigenvalue
+
+/// Numbers between -1 and 1, the same on every machine (Knuth's linear congruential generator, MMIX).
+Eigen::VectorXd arbitrary_vector(Eigen::Index size) {
+    Eigen::VectorXd v(size);
+    std::uint64_t state = 1;
+    for (double& number : v) {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        number = static_cast<double>(state >> 11) * 0x1p-52 - 1;
+    }
+    return v.normalized();
+}
+
+/// The tridiagonal matrix of the Lanczos method, and its basis vectors.
+struct Krylov {
+    std::vector<double> alpha, beta;  ///< diagonal and off-diagonal elements; the last beta leads out of the space
+    Eigen::MatrixXd basis;
+    Eigen::Index steps = 0;
+
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solve() const {
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+        solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(alpha.data(), steps),
+                                      Eigen::Map<const Eigen::VectorXd>(beta.data(), steps - 1));
+        return solver;
+    }
+
+    /// Adds a vector; false if the space is closed under the matrix.
+    bool step(const LinearMap& matrix) {
+        Eigen::VectorXd next = matrix(basis.col(steps));
+        alpha.push_back(basis.col(steps).dot(next));
+        ++steps;
+        const double size = next.norm();
+        for (int twice = 0; twice < 2; ++twice) {  // twice is enough: Parlett, The Symmetric Eigenvalue Problem, 6.9
+            next -= basis.leftCols(steps) * (basis.leftCols(steps).transpose() * next);
+        }
+        beta.push_back(next.norm());
+        largest = std::max({largest, size, beta.back()});
+        if (!(beta.back() > 1e-12 * largest)) return false;
+        if (steps < basis.cols()) basis.col(steps) = next / beta.back();
+        return true;
+    }
+
+    double largest = 0;  ///< norm of the matrix times a unit vector
+};
+
+}  // namespace
+
+Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size) {
+    if (size == 0) return {.values = {}, .vectors = {}, .complete = true};
+    const Eigen::Index most = std::min(size, std::clamp<Eigen::Index>(most_numbers / size, 30, complete_up_to));
+    Krylov krylov{.alpha = {}, .beta = {}, .basis = Eigen::MatrixXd(size, most)};
+    krylov.basis.col(0) = arbitrary_vector(size);
+    bool closed = false;
+    const auto residual = [&](const auto& solver) {
+        return krylov.beta.back() * std::abs(solver.eigenvectors()(krylov.steps - 1, krylov.steps - 1));
+    };
+    while (!closed && krylov.steps < most) {
+        closed = !krylov.step(matrix);
+        const bool test = size > complete_up_to && krylov.steps % 10 == 0;
+        if (!test || closed) continue;
+        const auto solver = krylov.solve();
+        if (residual(solver) < converged * std::abs(solver.eigenvalues()(krylov.steps - 1))) break;
+    }
+    const auto solver = krylov.solve();
+    return {.values = solver.eigenvalues(),
+            .vectors = krylov.basis.leftCols(krylov.steps) * solver.eigenvectors(),
+            .complete = closed || krylov.steps == size,
+            .residual = residual(solver)};
+}
+
+LinearisedScene::LinearisedScene(const Plan& scene, const Shape& shape)
+    : start_(scene.start.state().displacement),
+      accelerations_(std::visit(
+          [](const auto& forces) -> decltype(accelerations_) {
+              return [force = engine<Number>(forces)](const Field<Number>& x, Field<Number>& a) mutable {
+                  force.accelerations(x, a);
+              };
+          },
+          scene.forces)) {
+    const std::size_t stride = start_.flat().size() / 3;
+    for (std::size_t i = 0; i < start_.count(); ++i) {
+        if (shape.roles[i] == Role::fixed) continue;
+        for (std::size_t component = 0; component < 3; ++component) {
+            moving_.push_back(component * stride + i);
+            roots_.push_back(scene.masses.empty() ? 1 : std::sqrt(scene.masses[i]));
+        }
+    }
+}
+
+Eigen::VectorXd LinearisedScene::stiffness(const Eigen::VectorXd& u) const {
+    Field<Number> x = converted<Number>(start_), a(start_.count());
+    const auto at = [](Eigen::Index k) { return static_cast<std::size_t>(k); };
+    for (Eigen::Index k = 0; k < u.size(); ++k) x.flat()[moving_[at(k)]].derivative = u[k] / roots_[at(k)];
+    accelerations_(x, a);
+    Eigen::VectorXd out(u.size());
+    for (Eigen::Index k = 0; k < u.size(); ++k) out[k] = -a.flat()[moving_[at(k)]].derivative * roots_[at(k)];
+    return out;
+}
+
+Field<double> LinearisedScene::field(const Eigen::VectorXd& u) const {
+    Field<double> field(start_.count());
+    for (Eigen::Index k = 0; k < u.size(); ++k) field.flat()[moving_[static_cast<std::size_t>(k)]] = u[k];
+    return field;
+}
+
+Eigen::VectorXd LinearisedScene::vector(const Field<double>& displacements) const {
+    Eigen::VectorXd u(size());
+    for (Eigen::Index k = 0; k < u.size(); ++k) u[k] = displacements.flat()[moving_[static_cast<std::size_t>(k)]];
+    return u;
+}
+
+Eigenpairs modes(const LinearisedScene& scene) {
+    return lanczos([&](const Eigen::VectorXd& u) { return scene.stiffness(u); }, scene.size());
+}
+
+double highest_frequency(const Eigenpairs& modes) {
+    const double largest = modes.values.size() > 0 ? modes.values[modes.values.size() - 1] : 0;
+    return std::sqrt(std::max(0.0, largest));
+}
+
+}  // namespace steplab

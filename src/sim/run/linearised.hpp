@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/dual.hpp"
+#include "core/field.hpp"
+#include "core/shape.hpp"
+#include "sim/catalogue.hpp"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace steplab {
+
+/// A symmetric matrix, given by its product with a vector.
+using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+/// Eigenvalues and eigenvectors of a symmetric matrix.
+struct Eigenpairs {
+    Eigen::VectorXd values;   ///< ascending
+    Eigen::MatrixXd vectors;  ///< columns of length 1
+    /// True if every distinct eigenvalue is included. If not, the largest is, and the others represent the spectrum
+    /// below it.
+    bool complete = false;
+    double residual = 0;  ///< |A v - lambda v| of the last one, a bound of the error of lambda
+};
+
+/// The method of Lanczos with full reorthogonalisation (Golub, Van Loan, Matrix Computations, 10.1 and 10.3), from a
+/// fixed start vector. For a matrix of up to 300 rows the iteration is completed.
+Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size);
+
+/// A scene linearised at its start: u'' = -K u - gamma u' for small displacements u of its moving particles. -K is the
+/// Jacobian of the accelerations, exact from dual numbers.
+class LinearisedScene {
+public:
+    LinearisedScene(const Plan& scene, const Shape& shape);
+
+    /// Number of elements of u: three for each moving particle.
+    Eigen::Index size() const { return static_cast<Eigen::Index>(moving_.size()); }
+    /// K u.
+    Eigen::VectorXd stiffness(const Eigen::VectorXd& u) const;
+    /// u as displacements of all particles, and back; fixed ones have none.
+    Field<double> field(const Eigen::VectorXd& u) const;
+    Eigen::VectorXd vector(const Field<double>& displacements) const;
+
+private:
+    using Number = Dual<double>;
+
+    Field<double> start_;
+    std::vector<std::size_t> moving_;  ///< places in Field::flat()
+    std::vector<double> roots_;        ///< of the masses, which make the matrix symmetric
+    std::function<void(const Field<Number>&, Field<Number>&)> accelerations_;
+};
+
+/// The modes of a linearised scene: eigenvalues omega^2 of K. A negative one means an unstable equilibrium.
+Eigenpairs modes(const LinearisedScene& scene);
+/// The largest angular frequency, 0 if nothing oscillates.
+double highest_frequency(const Eigenpairs& modes);
+
+}  // namespace steplab

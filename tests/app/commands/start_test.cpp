@@ -1,0 +1,153 @@
+#include "app/program.hpp"
+#include "io/files.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace steplab {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// Two masses on a spring along x.
+const std::string pair = R"(steplab = 1
+title = "Two masses"
+[parameters]
+k = 3
+[[particles]]
+group = "a"
+[[particles]]
+group = "b"
+position = [1, 0, 0]
+velocity = [0.5, 0, 0]
+[[springs]]
+pairs = [["a", "b"]]
+k = "k"
+[run]
+method = "velocity-verlet"
+dt = 0.01
+until = 2
+)";
+
+class StartCommands : public testing::Test {
+protected:
+    void SetUp() override { put_text(scene_, pair); }
+    static json summary(std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--summary", "-"});
+        const Outcome outcome = run_program(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return json::parse(outcome.out);
+    }
+    TemporaryFolder folder_;
+    const std::string scene_ = folder_.file("pair.toml");
+};
+
+TEST_F(StartCommands, runs_a_scene_until_the_end_that_its_file_gives) {
+    EXPECT_EQ(summary({"run", "--scene", scene_})["steps"], 200);
+    EXPECT_EQ(summary({"run", "--scene", scene_, "--steps", "7"})["steps"], 7);
+    EXPECT_EQ(summary({"run", "--scene", scene_, "--until", "0.5"})["steps"], 50);
+    EXPECT_EQ(summary({"run", "--scene", scene_, "--dt", "0.1"})["steps"], 20);
+}
+
+TEST_F(StartCommands, continues_from_a_file_and_says_so_by_content) {
+    const std::string file = folder_.file("half.trajectory");
+    const json whole = summary({"run", "--scene", scene_, "--steps", "200"});
+    const json half = summary({"run", "--scene", scene_, "--steps", "100", "--every", "50", "--out", file});
+    const json second = summary({"run", "--scene", scene_, "--steps", "100", "--from", file});
+    EXPECT_EQ(second["energy_end"], whole["energy_end"]);
+    EXPECT_THAT(second["start"]["from"]["content"].get<std::string>(), HasSubstr("step,time,particle,x,y,z,vx,vy,vz"));
+    EXPECT_EQ(second["scene"]["files"][0]["content"], pair);
+    EXPECT_FALSE(whole.contains("start"));
+    EXPECT_EQ(summary({"run", "--scene", scene_, "--steps", "0", "--from", file + ":50"})["energy_start"],
+              summary({"run", "--scene", scene_, "--steps", "50"})["energy_end"]);
+    // the models too, from text as well
+    const std::string csv = folder_.file("chain.csv");
+    const json chain = summary({"run", "--model", "chain", "--steps", "30", "--out", csv});
+    EXPECT_NEAR(summary({"run", "--model", "chain", "--steps", "0", "--from", csv})["energy_end"].get<double>(),
+                chain["energy_end"].get<double>(), 1e-14);  // positions in CSV are rounded to some 1e-15
+}
+
+TEST_F(StartCommands, goes_there_and_back) {
+    const std::string file = folder_.file("there.trajectory");
+    const json there = summary({"run", "--scene", scene_, "--out", file});
+    const std::vector<std::string> back{"run", "--scene", scene_, "--from", file};
+    for (const std::vector<std::string>& turned :
+         {std::vector<std::string>{"--reverse"}, {"--dt", "-0.01", "--until", "-2"}}) {
+        std::vector<std::string> arguments = back;
+        arguments.insert(arguments.end(), turned.begin(), turned.end());
+        const json again = summary(arguments);
+        EXPECT_NEAR(again["energy_end"].get<double>(), there["energy_start"].get<double>(), 1e-14);  // rounding
+        EXPECT_EQ(again["steps"], 200);
+    }
+    const Outcome signs = run_program({"run", "--scene", scene_, "--dt", "-0.01"});
+    EXPECT_EQ(signs.code, 2);
+    EXPECT_THAT(signs.err, HasSubstr("differ in sign"));
+    EXPECT_EQ(run_program({"advise", "--model", "chain", "--dt", "-0.1", "--error", "1"}).code, 2);
+}
+
+TEST_F(StartCommands, refuses_what_cannot_be_a_start) {
+    const auto refused = [&](const std::string& from, int code, const char* message) {
+        const Outcome outcome = run_program({"run", "--scene", scene_, "--from", from});
+        EXPECT_EQ(outcome.code, code);
+        EXPECT_THAT(outcome.err, HasSubstr(message));
+    };
+    refused(folder_.file("none.csv"), 3, "none.csv");
+    refused(folder_.file(""), 3, "it is a folder");
+    put_text(folder_.file("one.xyz"), "1\n\nX 0 0 0\n");
+    refused(folder_.file("one.xyz"), 2, "holds 1 particles, the scene has 2");
+    refused(folder_.file("one.xyz:9"), 3, "it has no frame of step 9");
+}
+
+TEST_F(StartCommands, writes_the_files_of_a_scene_beside_it) {
+    put_text(folder_.file("start.xyz"), "2\n\nX 0 0 0\nX 2 0 0\n");
+    put_text(folder_.file("listed.toml"),
+             "steplab = 1\n[[particles]]\nfile = \"start.xyz\"\n[[pairs]]\npotential = "
+             "\"gravity\"\nG = 1\n[run]\ndt = 0.01\nuntil = 0.1\n");
+    const TemporaryFolder other;
+    const std::string scene = folder_.file("listed.toml"), copy = other.file("copy.toml");
+    ASSERT_EQ(run_program({"export", "--scene", scene, "--to", "scene", "--out", copy}).code, 0);
+    EXPECT_EQ(text_of(other.file("start.xyz")), text_of(folder_.file("start.xyz")));
+    EXPECT_EQ(summary({"run", "--scene", copy})["hash"], summary({"run", "--scene", scene})["hash"]);
+    EXPECT_EQ(run_program({"export", "--scene", scene, "--to", "scene", "--out", copy}).code, 0) << "the same again";
+    put_text(other.file("start.xyz"), "something else");
+    const Outcome outcome = run_program({"export", "--scene", scene, "--to", "scene", "--out", copy});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("is there with other content"));
+}
+
+TEST_F(StartCommands, list_scene_says_what_is_recognised) {
+    const auto listed = [](std::vector<std::string> scene) {
+        scene.insert(scene.begin(), {"list", "scene", "--json"});
+        const Outcome outcome = run_program(scene);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return json::parse(outcome.out);
+    };
+    EXPECT_EQ(listed({"--model", "chain"})["layout"], "line");
+    EXPECT_EQ(listed({"--model", "mesh"})["layout"], "grid");
+    EXPECT_EQ(listed({"--model", "morse"})["layout"], "pairs");
+    EXPECT_EQ(listed({"--model", "crystal"})["layout"], "near-pairs");
+    EXPECT_EQ(listed({"--model", "free"})["layout"], "constant");
+    const json scene = listed({"--scene", scene_, "--set", "k=7"});
+    EXPECT_EQ(scene["layout"], "line") << "whoever wrote it";
+    EXPECT_EQ(scene["title"], "Two masses");
+    EXPECT_EQ(scene["particles"], 2);
+    EXPECT_EQ(scene["springs"], 1);
+    EXPECT_EQ(scene["mass"], (json{1.0, 1.0}));
+    EXPECT_EQ(scene["parameters"][0]["name"], "k");
+    const json pendulums = listed({"--scene", "three-pendulums"});
+    EXPECT_EQ(pendulums["layout"], "composed");
+    EXPECT_EQ(pendulums["fixed"], 3);
+    const json crystal = listed({"--model", "crystal", "--set", "edge=5"});
+    EXPECT_EQ(crystal["pair_forces"][0]["pairs"], 125 * 124 / 2);
+    EXPECT_THAT(run_program({"list", "scene", "--scene", "figure-eight"}).out, HasSubstr("gravity between 3 pairs"));
+}
+
+TEST_F(StartCommands, list_takes_a_scene_for_a_scene_alone) {
+    const Outcome outcome = run_program({"list", "models", "--scene", scene_});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("list scene"));
+}
+
+}  // namespace
+}  // namespace steplab

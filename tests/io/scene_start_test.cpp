@@ -1,0 +1,194 @@
+#include "core/error.hpp"
+#include "io/carried_json.hpp"
+#include "io/files.hpp"
+#include "io/scene_file.hpp"
+#include "io/scene_writer.hpp"
+#include "io/starting_values_file.hpp"
+#include "io/trajectory.hpp"
+#include "sim/run/simulation.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace steplab {
+namespace {
+
+using testing::HasSubstr;
+
+/// Six particles on springs between two walls.
+const std::string between_walls = R"(steplab = 1
+[[particles]]
+group = "row"
+line = { count = 8, step = [1, 0, 0] }
+[[fix]]
+particles = ["row[0]", "row[-1]"]
+fixed = true
+[[springs]]
+between = "row"
+k = 4
+[run]
+method = "taylor"
+)";
+constexpr int moving = 6;
+
+SceneOrigin read(const std::string& text) { return scene_from({{.name = "", .content = text}}, "a.toml"); }
+
+std::string refusal(const std::string& text) {
+    try {
+        read(text);
+        return "read";
+    } catch (const FileError& error) {
+        return error.what();
+    }
+}
+
+TEST(SceneStart, in_a_normal_mode_vibrates_with_its_frequency) {
+    for (int mode = 1; mode <= moving; ++mode) {
+        RunDescription run =
+            describe(read(between_walls + "[start]\nmode = " + std::to_string(mode) + "\namplitude = 1e-4\n"));
+        const double phase = mode * std::numbers::pi / (2 * (moving + 1)), omega = 2 * 2 * std::sin(phase);
+        const Start start = model_of(run).plan(run.scene).start;
+        double largest = 0;
+        for (int i = 1; i <= moving; ++i) {
+            const Vec3 at = start[static_cast<std::size_t>(i)].displacement;
+            largest = std::max(largest, length(at));
+            EXPECT_NEAR(std::abs(at.x),
+                        std::abs(start[1].displacement.x / std::sin(2 * phase) * std::sin(2 * phase * i)), 1e-12)
+                << mode;
+        }
+        EXPECT_NEAR(largest, 1e-4, 1e-16);
+        run.dt = 2 * std::numbers::pi / omega;
+        Simulation simulation(run);
+        const State<double> before = simulation.state();
+        simulation.advance(1);
+        // the springs are linear along the line: one period brings it back but for the tolerance of the method
+        for (std::size_t i = 0; i < 8; ++i)
+            EXPECT_LT(length(simulation.state().displacement.at(i) - before.displacement.at(i)), 1e-12) << mode;
+    }
+}
+
+TEST(SceneStart, in_a_mode_of_different_masses_leaves_the_centre_of_mass) {
+    const std::string pair = R"(steplab = 1
+[[particles]]
+group = "a"
+[[particles]]
+group = "b"
+position = [1, 0, 0]
+mass = 3
+[[springs]]
+pairs = [["a", "b"]]
+k = 1
+[start]
+mode = 1
+amplitude = 0.3
+)";
+    const RunDescription run = describe(read(pair));
+    const Start start = model_of(run).plan(run.scene).start;
+    EXPECT_NEAR(std::abs(start[0].displacement.x), 0.3, 1e-15);
+    EXPECT_NEAR(start[0].displacement.x + 3 * start[1].displacement.x, 0, 1e-15);
+    EXPECT_THAT(refusal(pair.substr(0, pair.find("mode = 1")) + "mode = 2\namplitude = 0.3\n"),
+                HasSubstr("there is no normal mode 2: the scene has 1 of a frequency > 0"));
+}
+
+TEST(SceneStart, that_is_wrong_is_refused_with_its_place) {
+    const std::vector<std::pair<std::string, const char*>> cases{
+        {"mode = 0\namplitude = 1", "a.toml:14:8: must be an integer from 1"},
+        {"mode = 1", "mode and amplitude belong together"},
+        {"mode = 7\namplitude = 1", "there is no normal mode 7: the scene has 6"},
+        {"reverse = 1", "a.toml:14:11: must be true or false"},
+        {"from = \"a.csv\"", "a.toml:14:8: cannot read 'a.csv': the run does not carry it"},
+        {"form = 1", "unknown key 'form' of [start] (did you mean 'from'?)"}};
+    for (const auto& [block, message] : cases)
+        EXPECT_THAT(refusal(between_walls + "[start]\n" + block + "\n"), HasSubstr(message)) << block;
+    std::string large = between_walls;
+    large.replace(large.find("count = 8"), 9, "count = 301");
+    EXPECT_THAT(refusal(large + "[start]\nmode = 1\namplitude = 1\n"),
+                HasSubstr("at most 300 particles, the scene has 301"));
+}
+
+TEST(SceneStart, from_a_trajectory_continues_its_run) {
+    const TemporaryFolder folder;
+    RunDescription run = describe(read(between_walls + "[start]\nmode = 2\namplitude = 0.1\n"));
+    run = with_method(run, "rk4");
+    Simulation simulation(run);
+    {
+        OutputFile file(folder.file("run.trajectory"));
+        TrajectoryWriter writer(file, TrajectoryFormat::trajectory, run);
+        Frame frame;
+        for (int i = 0; i < 4; ++i) {
+            simulation.frame(frame, writer.needs());
+            writer.add(frame);
+            if (i < 3) simulation.advance(5);
+        }
+        writer.finish();
+        file.commit();
+    }
+    for (const auto& [from, step] : {std::pair{"run.trajectory", 15}, {"run.trajectory:10", 10}}) {
+        put_text(folder.file("a.toml"), between_walls + "[start]\nfrom = \"" + from + "\"\n");
+        const SceneOrigin origin = read_scene_file(folder.file("a.toml"));
+        RunDescription rest = with_method(describe(origin), "rk4");
+        Simulation whole(run), second(rest);
+        whole.advance(static_cast<std::uint64_t>(step) + 5);
+        second.advance(5);
+        for (std::size_t i = 0; i < 8; ++i) {
+            EXPECT_EQ(second.state().displacement.at(i), whole.state().displacement.at(i)) << from;
+            EXPECT_EQ(second.state().velocity.at(i), whole.state().velocity.at(i)) << from;
+        }
+        EXPECT_EQ(origin_of(json_of(*origin)), origin);
+        EXPECT_THAT(scene_file_text(rest), HasSubstr("[start]\nfrom = \"run.trajectory\""));
+    }
+    put_text(folder.file("a.toml"), between_walls + "[start]\nfrom = \"run.trajectory:3\"\n");
+    try {
+        read_scene_file(folder.file("a.toml"));
+        ADD_FAILURE();
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("it has no frame of step 3"));
+    }
+}
+
+TEST(SceneStart, reversed_and_until_are_read_and_written) {
+    const RunDescription run = describe(
+        read(between_walls +
+             "until = 20\ncompare = [\"method=rk4,dt=0.02\", \"method=euler-forward\"]\n[start]\nreverse = true\n"));
+    EXPECT_EQ(model_of(run).opening.until, 20);
+    EXPECT_TRUE(model_of(run).scene(run.scene).start.change.reverse);
+    const std::string text = scene_file_text(run);
+    EXPECT_THAT(text, HasSubstr("until = 20\n"));
+    EXPECT_THAT(text, HasSubstr("[start]\nreverse = true\n"));
+    EXPECT_NO_THROW(read(text));
+}
+
+TEST(SceneRun, compares_only_runs_that_there_can_be) {
+    const std::vector<std::pair<std::string, const char*>> cases{
+        {"[\"method=rk4\", \"method=rk5\"]", "a.toml:13:26: unknown method 'rk5'"},
+        {"\"dt=0\"", "dt must be"},
+        {"\"rk4\"", "'rk4' is not of the form name=value"},
+        {"\"precision=half\"", "unknown precision 'half'"},
+        {"\"method=rk4,tolerance=1\"", "unknown setting 'tolerance'"},
+        {"\"method=dopri5,tolerance=1e-9\"", "read"}};
+    for (const auto& [list, message] : cases)
+        EXPECT_THAT(refusal(between_walls + "compare = " + list + "\n"), HasSubstr(message)) << list;
+}
+
+TEST(StartingValues, are_the_same_from_their_text) {
+    StartingValues values{.given = "a", .positions = {{0.1, 1e-300, 3}}, .velocities = {{1.0 / 3, 0, -2}}};
+    const auto again = [](const StartingValues& of) {
+        return starting_values(TextInput("b", std::make_shared<const std::string>(csv_text(of))), {});
+    };
+    EXPECT_EQ(again(values), values);
+    values.displacements = {{1e-17, 2, 3}};
+    EXPECT_EQ(again(values), values);
+    EXPECT_EQ(file_at_step("a:b.csv:12").step, 12u);
+    EXPECT_EQ(file_at_step("a:b.csv").file, "a:b.csv");
+    EXPECT_FALSE(file_at_step("a.csv:").step);
+}
+
+TEST(StartingValues, need_all_particles) {
+    const auto text = std::make_shared<const std::string>("step,time,particle,x,y,z\n0,0,0,1,2,3\n0,0,2,1,2,3\n");
+    EXPECT_THROW(starting_values(TextInput("b", text), {}), FileError);
+}
+
+}  // namespace
+}  // namespace steplab
