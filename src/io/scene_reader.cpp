@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/shown.hpp"
+#include "io/scene_appearance.hpp"
 #include "io/scene_blocks.hpp"
 #include "models/scene/scene_particles.hpp"
 #include "sim/catalogue.hpp"
@@ -169,6 +170,7 @@ std::vector<std::string_view> method_ids() {
 }
 
 void read_defaults(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defaults) {
+    const toml::node* parameters = nullptr;  // of the method, which may be named after them
     read_keys(table_of(node, "[run]"), "[run]",
               {{"method", [&](const toml::node& given) { defaults.method = word_of(given, "method", method_ids()); }},
                {"dt", [&](const toml::node& given) { defaults.dt = numbers.positive(given, Use::start).value; }},
@@ -177,7 +179,9 @@ void read_defaults(const toml::node& node, SceneNumbers& numbers, SceneDefaults&
                     defaults.precision = word_of(given, "precision", {"float", "double"});
                 }},
                {"until", [&](const toml::node& given) { defaults.until = numbers.positive(given, Use::start).value; }},
-               {"compare", [&](const toml::node& given) { defaults.compare = texts_of(given); }}});
+               {"compare", [&](const toml::node& given) { defaults.compare = texts_of(given); }},
+               {"parameters", [&](const toml::node& given) { parameters = &given; }}});
+    if (parameters) read_method_parameters(*parameters, defaults);
 }
 
 }  // namespace
@@ -197,16 +201,11 @@ SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers) {
         if (!number || number->get() != 1) fail_at(node, "this program reads version 1: steplab = 1");
         versioned = true;
     };
-    const auto view = [&](const toml::node& node) {
-        read_keys(table_of(node, "[view]"), "[view]",
-                  {{"camera", [&](const toml::node& given) { texts.defaults.camera = text_of(given); }},
-                   {"colour", [&](const toml::node& given) { texts.defaults.colour = text_of(given); }},
-                   {"background", [&](const toml::node& given) { texts.defaults.background = text_of(given); }}});
-    };
     read_keys(root, "a scene file",
               {{"steplab", version},
                {"title", [&](const toml::node& node) { texts.title = text_of(node); }},
                {"teaches", [&](const toml::node& node) { texts.teaches = text_of(node); }},
+               {"topic", [&](const toml::node& node) { texts.topic = read_topic(node); }},
                {"parameters", ignore},
                {"particles", ignore},
                {"fix", ignore},
@@ -216,7 +215,7 @@ SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers) {
                {"box", ignore},
                {"run", [&](const toml::node& node) { read_defaults(node, numbers, texts.defaults); }},
                {"start", [](const toml::node& node) { fail_at(node, "[start] cannot be used so far"); }},
-               {"view", view}});
+               {"view", [&](const toml::node& node) { read_view(node, texts.defaults); }}});
     if (!versioned) throw SceneProblem({1, 1}, "a scene file begins with its version: steplab = 1");
     return texts;
 }

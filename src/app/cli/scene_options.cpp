@@ -104,6 +104,11 @@ void SceneOptions::declare(CLI::App& app) {
     footer(app, catalogue_hint);
 }
 
+bool SceneOptions::any_given() const {
+    constexpr std::array options{"--model", "--scene", "--set", "--method", "--precision", "--dt"};
+    return std::any_of(options.begin(), options.end(), [this](const char* name) { return is_given(*app_, name); });
+}
+
 bool SceneOptions::names_method() const { return is_given(*app_, "--method"); }
 bool SceneOptions::names_precision() const { return is_given(*app_, "--precision"); }
 

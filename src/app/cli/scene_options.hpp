@@ -42,6 +42,8 @@ public:
     /// whether its method accepts the scene is not checked. Throws UsageError, also for a setting that is a parameter
     /// of no model or method.
     std::vector<RunDescription> descriptions() const;
+    /// True if any of the options was given.
+    bool any_given() const;
     /// True if --method was given; a command may otherwise use all methods.
     bool names_method() const;
     /// True if --precision was given.
