@@ -28,6 +28,7 @@ endforeach()
 
 install(DIRECTORY assets/scenes/ DESTINATION share/steplab/scenes)
 if(STEPLAB_GRAPHICS)
+  install(DIRECTORY assets/pictures/ DESTINATION share/steplab/pictures)
   install(DIRECTORY shaders/ DESTINATION share/steplab/shaders)
   install(FILES assets/steplab.desktop DESTINATION share/applications)
   install(FILES assets/steplab.svg DESTINATION share/icons/hicolor/scalable/apps)

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Renews what is made from the code and kept in the repository: scripts/renew.sh [hashes] [golden] [pages] [pictures] [counts]
+# Renews what is made from the code and kept in the repository: scripts/renew.sh [hashes] [golden] [pages] [scenes] [pictures] [counts]
 #
 #   hashes    assets/golden/hashes.txt: the last bits of every method on every model
 #   golden    assets/golden/*.png: the pictures that drawing is compared with
 #   pages     the made sections of README.md and docs/*.md
+#   scenes    assets/pictures: the pictures of models and shipped scenes on the window's page of scenes
 #   pictures  docs/images: the pictures and diagrams of the pages
 #   counts    tests/performance/counts.txt: instructions of the key kernels
 #
@@ -31,14 +32,15 @@ renew_golden() {
 
 renew_counts() { build release --target renew_counts; }
 renew_pages() { "$root/scripts/update-docs.sh"; }
+renew_scenes() { "$root/scripts/update-scene-pictures.sh"; }
 renew_pictures() { "$root/scripts/update-pictures.sh"; }
 
 ensure_packages core graphics tests
 if (($# == 0)); then set -- hashes golden pages; fi
 for part in "$@"; do
     case $part in
-        hashes | golden | pages | pictures | counts) "renew_$part" ;;
-        *) fail "unknown part '$part' (hashes, golden, pages, pictures, counts)" ;;
+        hashes | golden | pages | scenes | pictures | counts) "renew_$part" ;;
+        *) fail "unknown part '$part' (hashes, golden, pages, scenes, pictures, counts)" ;;
     esac
 done
 git -C "$root" status --short -- assets docs README.md tests/performance

@@ -2,7 +2,7 @@
 // One quad per particle that just covers a ball of u_radius, or of the smallest radius that is drawn.
 
 layout(location = 0) in vec3 a_centre;
-layout(location = 1) in vec4 a_colour;
+layout(location = 1) in vec4 a_colour;  // alpha: part of u_radius that the ball has
 
 uniform float u_radius;
 uniform float u_least_radius;  // pixels
@@ -27,9 +27,10 @@ void main() {
     v_colour = a_colour.rgb;
     float ahead = -v_centre.z;
     v_scale = u_pixels / ahead;
-    v_radius = max(u_radius, u_least_radius / v_scale);
+    float own_radius = a_colour.a * u_radius;
+    v_radius = max(own_radius, u_least_radius / v_scale);
     v_direction = vec3(0.0);
-    if (ahead <= 1.01 * u_radius) {  // the eye is inside, or it is not in front of the eye
+    if (ahead <= 1.01 * own_radius) {  // the eye is inside, or it is not in front of the eye
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
     }

@@ -1,6 +1,7 @@
 #include "app/png.hpp"
 
 #include "core/error.hpp"
+#include "core/shown.hpp"
 
 #include <fmt/format.h>
 #include <png.h>
@@ -59,6 +60,21 @@ std::string encode_png(int width, int height, std::span<const std::uint8_t> rgba
     bytes.reserve(rgba.size() / 8);
     PngWriter(bytes).write(width, height, rgba);
     return bytes;
+}
+
+ReadPicture read_png(const std::filesystem::path& file) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    const std::unique_ptr<png_image, void (*)(png_image*)> owner(&image, png_image_free);
+    ReadPicture picture;
+    if (png_image_begin_read_from_file(&image, file.c_str()) != 0) {
+        image.format = PNG_FORMAT_RGBA;
+        picture.width = static_cast<int>(image.width);
+        picture.height = static_cast<int>(image.height);
+        picture.rgba.resize(PNG_IMAGE_SIZE(image));
+        if (png_image_finish_read(&image, nullptr, picture.rgba.data(), 0, nullptr) != 0) return picture;
+    }
+    throw FileError(fmt::format("cannot read '{}': {}", shown(file.string()), image.message));
 }
 
 }  // namespace steplab

@@ -8,7 +8,7 @@ FileScene scene_of(const Frame& frame) {
     return {.precision = frame.precision,
             .reference = frame.reference,
             .mass = frame.mass,
-            .period = frame.shape->period,
+            .box = frame.shape->box,
             .corner = frame.shape->corner};
 }
 

@@ -20,7 +20,7 @@ struct FileScene {
     Precision precision = Precision::double_;
     std::optional<Lattice> reference = {};  ///< position = reference + displacement; none: not known
     double mass = 0;                        ///< of each particle; 0: not known
-    double period = 0;                      ///< side of the periodic box; 0: none
+    Vec3 box = {};                          ///< sides of the periodic box; 0: none along this axis
     Vec3 corner = {};                       ///< of the box, where its coordinates are smallest
 };
 

@@ -4,6 +4,7 @@
 #include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
+#include "io/scene_appearance.hpp"
 #include "io/scene_blocks.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/run_description.hpp"
@@ -87,7 +88,7 @@ void check_compared(const toml::node& node, const std::string& first_method) {
 }  // namespace
 
 void read_run(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defaults) {
-    const toml::node* compared = nullptr;
+    const toml::node *compared = nullptr, *parameters = nullptr;  // of the method, which may be named after them
     read_keys(table_of(node, "[run]"), "[run]",
               {{"method", [&](const toml::node& given) { defaults.method = word_of(given, "method", method_ids()); }},
                {"dt", [&](const toml::node& given) { defaults.dt = numbers.positive(given, Use::start).value; }},
@@ -99,7 +100,9 @@ void read_run(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defa
                {"compare", [&](const toml::node& given) {
                     defaults.compare = texts_of(given);
                     compared = &given;
-                }}});
+                }},
+               {"parameters", [&](const toml::node& given) { parameters = &given; }}});
+    if (parameters) read_method_parameters(*parameters, defaults);
     if (compared) check_compared(*compared, defaults.method.empty() ? "rk4" : defaults.method);
 }
 

@@ -4,6 +4,7 @@
 #include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/scene_reader.hpp"
+#include "io/shared_files.hpp"
 #include "models/scene/composer.hpp"
 #include "models/scene/planner.hpp"
 #include "models/scene/scene_particles.hpp"
@@ -143,6 +144,7 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
                   .name = document->texts().title,
                   .what = document->texts().teaches,
                   .parameters = document->infos()};
+    model.topic = document->texts().topic;
     if (!defaults.method.empty()) model.opening.method = defaults.method;
     if (defaults.dt) model.opening.dt = *defaults.dt;
     if (!defaults.precision.empty()) model.opening.precision = *parse_precision(defaults.precision);
@@ -193,6 +195,7 @@ SceneOrigin origin_of(std::string text, const std::string& name, ParticleFiles f
         file->parts.push_back({.name = "", .content = std::move(text)});
         file->parts.insert(file->parts.end(), document->parts().begin(), document->parts().end());
         file->given = name;
+        file->defaults = document->texts().defaults;
         file->model = std::make_shared<const Model>(model_of(document, name));
         return SceneOrigin(std::move(file));
     } catch (const toml::parse_error& error) {
@@ -214,15 +217,9 @@ SceneOrigin scene_from(std::vector<SceneFile::Part> parts, const std::string& na
     return origin_of(std::move(text), name, ParticleFiles::carried(std::move(parts)));
 }
 
-std::vector<std::filesystem::path> scene_folders() {
-    std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    return {(program.parent_path() / "../share/steplab/scenes").lexically_normal(), STEPLAB_SCENES_IN_SOURCE};
-}
-
 std::vector<std::string> shipped_scenes() {
     std::vector<std::string> names;
-    for (const auto& folder : scene_folders()) {
+    for (const auto& folder : shared_folders("scenes")) {
         std::error_code error;
         for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
             if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
@@ -233,14 +230,14 @@ std::vector<std::string> shipped_scenes() {
     return names;
 }
 
-SceneOrigin find_scene(const std::string& name) {
+std::filesystem::path scene_path(const std::string& name) {
     const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");
-    if (is_file) return read_scene_file(name);
-    for (const auto& folder : scene_folders()) {
-        const auto path = folder / (name + ".toml");
-        std::error_code error;
-        if (std::filesystem::exists(path, error)) return origin_of_file(path, name);
-    }
+    return is_file ? std::filesystem::path(name) : shared_file("scenes", name + ".toml");
+}
+
+SceneOrigin find_scene(const std::string& name) {
+    const std::filesystem::path path = scene_path(name);
+    if (!path.empty()) return origin_of_file(path, name);
     const std::vector<std::string> names = shipped_scenes();
     throw UsageError(unknown_word("scene", name, std::vector<std::string_view>(names.begin(), names.end())));
 }

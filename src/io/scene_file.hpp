@@ -4,6 +4,7 @@
 #include "models/scene/scene.hpp"
 #include "models/scene_origin.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ SceneOrigin read_scene_file(const std::string& path);
 
 /// The names of the scenes that come with the program, in order.
 std::vector<std::string> shipped_scenes();
+
+/// The file of --scene NAME; empty if no shipped scene has this name.
+std::filesystem::path scene_path(const std::string& name);
 
 /// The scene of --scene: a text with a slash, or that ends in .toml, is a file, any other the name of a shipped scene.
 /// Throws FileError, or UsageError that names the nearest scene.

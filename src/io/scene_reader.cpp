@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/number_text.hpp"
 #include "core/shown.hpp"
+#include "io/scene_appearance.hpp"
 #include "io/scene_blocks.hpp"
 #include "io/scene_defaults.hpp"
 #include "models/scene/potential_expression.hpp"
@@ -214,16 +215,11 @@ SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers) {
         if (!number || number->get() != 1) fail_at(node, "this program reads version 1: steplab = 1");
         versioned = true;
     };
-    const auto view = [&](const toml::node& node) {
-        read_keys(table_of(node, "[view]"), "[view]",
-                  {{"camera", [&](const toml::node& given) { texts.defaults.camera = text_of(given); }},
-                   {"colour", [&](const toml::node& given) { texts.defaults.colour = text_of(given); }},
-                   {"background", [&](const toml::node& given) { texts.defaults.background = text_of(given); }}});
-    };
     read_keys(root, "a scene file",
               {{"steplab", version},
                {"title", [&](const toml::node& node) { texts.title = text_of(node); }},
                {"teaches", [&](const toml::node& node) { texts.teaches = text_of(node); }},
+               {"topic", [&](const toml::node& node) { texts.topic = read_topic(node); }},
                {"parameters", ignore},
                {"particles", ignore},
                {"fix", ignore},
@@ -233,7 +229,7 @@ SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers) {
                {"box", ignore},
                {"run", [&](const toml::node& node) { read_run(node, numbers, texts.defaults); }},
                {"start", ignore},
-               {"view", view}});
+               {"view", [&](const toml::node& node) { read_view(node, texts.defaults); }}});
     if (!versioned) throw SceneProblem({1, 1}, "a scene file begins with its version: steplab = 1");
     return texts;
 }

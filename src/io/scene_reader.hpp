@@ -10,7 +10,7 @@ namespace steplab {
 
 /// What a scene file says beside its scene.
 struct SceneTexts {
-    std::string title, teaches;
+    std::string title, teaches, topic;
     SceneDefaults defaults;
 };
 

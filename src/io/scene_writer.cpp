@@ -193,11 +193,54 @@ std::string parameters_text(const RunDescription& run, const Scene& scene, Write
     return text.empty() ? text : "\n[parameters]\n" + text;
 }
 
+/// Method parameters that are not at their defaults: { tolerance = 1e-9 }.
+std::string method_parameters_text(const ParameterValues& values) {
+    std::string text;
+    for (const ParameterInfo& info : values.infos()) {
+        if (values[info.name] == info.default_value) continue;
+        const std::string value = format_value(info, values[info.name]);
+        const bool is_word = info.kind == ParameterInfo::Kind::choice;
+        text += fmt::format("{} {} = {}", text.empty() ? "" : ",", info.name, is_word ? quoted(value) : value);
+    }
+    return text.empty() ? text : "{" + text + " }";
+}
+
+void write_run(Writer& writer, const RunDescription& run, const SceneDefaults& defaults) {
+    writer.begin("[run]");
+    writer.line("method", quoted(run.method));
+    const std::string parameters = method_parameters_text(run.method_parameters);
+    if (!parameters.empty()) writer.line("parameters", parameters);
+    writer.line("dt", number_text(run.dt));
+    writer.line("precision", quoted(id(run.precision)));
+    if (defaults.until) writer.line("until", number_text(*defaults.until));
+    if (!defaults.compare.empty()) writer.line("compare", list_of(defaults.compare));
+}
+
+void write_view(Writer& writer, const SceneView& view) {
+    if (view.camera.empty() && view.colour.empty() && view.background.empty()) return;
+    writer.begin("[view]");
+    if (!view.camera.empty()) writer.line("camera", quoted(view.camera));
+    if (!view.colour.empty()) writer.line("colour", quoted(view.colour));
+    if (!view.background.empty()) writer.line("background", quoted(view.background));
+}
+
+std::string head(const RunDescription& run) {
+    const Model& model = model_of(run);
+    const std::string topic = model.topic.empty() ? "" : fmt::format("topic = {}\n", quoted(model.topic));
+    return fmt::format("steplab = 1\ntitle = {}\nteaches = {}\n{}", quoted(model.info.name), quoted(model.info.what),
+                       topic);
+}
+
 }  // namespace
 
 std::string scene_file_text(const RunDescription& run) {
-    const Model& model = model_of(run);
-    const Scene scene = model.scene(run.scene);
+    if (!run.origin) return scene_file_text(run, {});
+    const SceneDefaults& defaults = run.origin->defaults;
+    return scene_file_text(run, {defaults.camera, defaults.colour, defaults.background});
+}
+
+std::string scene_file_text(const RunDescription& run, const SceneView& view) {
+    const Scene scene = model_of(run).scene(run.scene);
     Writer writer;
     for (const ParticleBlock& block : scene.particles) writer(block);
     for (const Fix& fix : scene.fixes) writer(fix);
@@ -209,14 +252,10 @@ std::string scene_file_text(const RunDescription& run) {
         writer.line("size", scene.box);
         if (scene.corner) writer.line("corner", *scene.corner);
     }
-    writer.begin("[run]");
-    writer.line("method", quoted(run.method));
-    writer.line("dt", number_text(run.dt));
-    writer.line("precision", quoted(id(run.precision)));
-    if (model.opening.until) writer.line("until", number_text(*model.opening.until));
+    write_run(writer, run, run.origin ? run.origin->defaults : SceneDefaults{});
     writer(scene.start);
-    return fmt::format("steplab = 1\ntitle = {}\nteaches = {}\n", quoted(model.info.name), quoted(model.info.what)) +
-           parameters_text(run, scene, writer) + writer.text;
+    write_view(writer, view);
+    return head(run) + parameters_text(run, scene, writer) + writer.text;
 }
 
 }  // namespace steplab

@@ -137,14 +137,21 @@ double mass_of(const Json& json, Precision precision) {
     return parameters.contains("m") ? rounded_to(precision, parameters.at("m")) : 0;
 }
 
+/// A cube has one edge, any other box three sides.
+Vec3 box_of(const Json& json) {
+    const double edge = json.contains("edge") ? json.at("edge").get<double>() : 0;
+    const Vec3 box = json.contains("sides") ? vector_of(json.at("sides")) : Vec3{edge, edge, edge};
+    if (!(box.x >= 0 && box.y >= 0 && box.z >= 0) || box == Vec3{}) throw std::runtime_error("no box");
+    return box;
+}
+
 FileScene scene_of(const Json& json, Version version) {
     FileScene scene;
     scene.precision = precision_of(json.at("run"));
     scene.mass = mass_of(json, scene.precision);
     if (version == Version::displacements) scene.reference = lattice_of(json.at("reference"));
     if (!json.contains("box")) return scene;
-    scene.period = json.at("box").at("edge");
-    if (!(scene.period > 0)) throw std::runtime_error("no box");
+    scene.box = box_of(json.at("box"));
     scene.corner = vector_of(json.at("box").at("corner"));
     return scene;
 }
@@ -177,7 +184,13 @@ std::string description_json(const RunDescription& run, const FileScene& scene, 
     Json json{{"program", "steplab " STEPLAB_VERSION}, {"run", json_of(run)},          {"rows", rows.particles.size()},
               {"particles", json_of(rows.particles)},  {"roles", json_of(rows.roles)}, {"mass", scene.mass}};
     if (scene.reference) json["reference"] = json_of(*scene.reference);
-    if (scene.period != 0) json["box"] = {{"edge", scene.period}, {"corner", json_of(scene.corner)}};
+    const Vec3& box = scene.box;
+    if (box != Vec3{}) {
+        const bool is_cube = box.x == box.y && box.y == box.z;
+        const Json corner = json_of(scene.corner);
+        json["box"] =
+            is_cube ? Json{{"edge", box.x}, {"corner", corner}} : Json{{"sides", json_of(box)}, {"corner", corner}};
+    }
     return json.dump() + "\n";
 }
 

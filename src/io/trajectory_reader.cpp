@@ -115,7 +115,7 @@ void TrajectoryReader::frame(std::uint64_t number, Frame& out) {
     while (entry != index_.begin() && std::prev(entry)->first_frame == first_frame) --entry;
     for (auto* vectors : {&out.positions, &out.displacements, &out.velocities}) vectors->clear();
     Shape shape;
-    shape.period = scene().period;
+    shape.box = scene().box;
     shape.corner = scene().corner;
     for (; out.velocities.size() < description_.rows; ++entry) {
         if (entry == index_.end() || entry->first_frame != first_frame)

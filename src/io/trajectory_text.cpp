@@ -121,10 +121,13 @@ struct XyzColumns {
 
 /// The periodic box, or that there is none, in the words of extended XYZ.
 std::string box_text(const FileScene& scene) {
-    if (scene.period == 0) return "pbc=\"F F F\"";
-    const std::string edge = number_text(scene.period);
-    return fmt::format("Lattice=\"{0} 0 0 0 {0} 0 0 0 {0}\" Origin=\"{1} {2} {3}\" pbc=\"T T T\"", edge,
-                       number_text(scene.corner.x), number_text(scene.corner.y), number_text(scene.corner.z));
+    const Vec3 &box = scene.box, &corner = scene.corner;
+    const auto flag = [](double side) { return side == 0 ? 'F' : 'T'; };
+    const std::string pbc = fmt::format("pbc=\"{} {} {}\"", flag(box.x), flag(box.y), flag(box.z));
+    if (box == Vec3{}) return pbc;
+    return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{} {} {}\" {}", number_text(box.x),
+                       number_text(box.y), number_text(box.z), number_text(corner.x), number_text(corner.y),
+                       number_text(corner.z), pbc);
 }
 
 }  // namespace

@@ -160,16 +160,18 @@ private:
         }
     }
 
-    /// A cube along the axes is all that a scene has.
+    /// A box along the axes is all that a scene has.
     void read_box(std::string_view lattice, std::string_view origin) {
         const auto edges = words_of(lattice), corner = words_of(origin);
         if (edges.size() != 9 || corner.size() != 3) input_.fail("its Lattice or Origin is not one of steplab");
+        std::array<double, 3> sides{};
         for (std::size_t i = 0; i < 9; ++i) {
             const double edge = number<double>(edges[i]);
-            if (i == 0) scene_.period = edge;
-            if (edge != (i % 4 == 0 ? scene_.period : 0)) input_.fail("its Lattice is not a cube along the axes");
+            if (i % 4 == 0) sides[i / 4] = edge;
+            if (i % 4 == 0 ? !(edge >= 0) : edge != 0) input_.fail("its Lattice is not a box along the axes");
         }
-        if (!(scene_.period > 0)) input_.fail("its Lattice is not a cube along the axes");
+        scene_.box = {sides[0], sides[1], sides[2]};
+        if (scene_.box == Vec3{}) input_.fail("its Lattice is not a box along the axes");
         scene_.corner = {number<double>(corner[0]), number<double>(corner[1]), number<double>(corner[2])};
     }
 

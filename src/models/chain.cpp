@@ -81,6 +81,7 @@ const Model& chain_model() {
                  .what = "Particles in a line, each connected to its neighbours by springs; the last one is kicked "
                          "along the line.",
                  .parameters = parameters},
+        .topic = "springs",
         .particles = [](const ParameterValues& values) { return values["n"]; },
         .facts =
             [](const ParameterValues& values) {

@@ -125,8 +125,8 @@ Shape shape(const ParameterValues& values) {
     for (std::size_t i = 0; i < random.count(); ++i) shape.rest.push_back(random.position(i));
     shape.roles.assign(random.count(), Role::moving);
     shape.spacing = values["spacing"];
-    shape.period = period(values);
-    const double half = values["spacing"] / 2, end = shape.period - half;
+    const double side = period(values), half = values["spacing"] / 2, end = side - half;
+    shape.box = {side, side, side};
     shape.corner = {-half, -half, -half};
     shape.expected = {shape.corner, {end, end, end}};
     return shape;
@@ -143,6 +143,7 @@ const Model& crystal_model() {
                  "A periodic Morse crystal at finite temperature; it relaxes into a denser lattice, or melts if hot.",
              .parameters = parameters},
         .opening = {.method = "velocity-verlet", .dt = 0.05},
+        .topic = "molecules",
         .particles = particles,
         .facts =
             [](const ParameterValues& values) {

@@ -72,6 +72,7 @@ const Model& free_model() {
                  .name = "Free particles",
                  .what = "Particles in free fall without interaction; particle i has the constant acceleration 0.1 i.",
                  .parameters = parameters},
+        .topic = "first steps",
         .particles = [](const ParameterValues& values) { return values["n"]; },
         .facts = [](const ParameterValues& values) { return SceneFacts{.mass = values["m"]}; },
         .scene = scene,

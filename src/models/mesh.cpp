@@ -132,6 +132,7 @@ const Model& mesh_model() {
                  .what = "dim × dim particles, each connected to its 8 neighbours by springs; the border is fixed, one "
                          "particle is kicked upwards.",
                  .parameters = parameters},
+        .topic = "springs",
         .particles = [](const ParameterValues& values) { return values["dim"] * values["dim"]; },
         .facts = [](const ParameterValues& values) { return SceneFacts{.mass = values["m"], .bond = values["L"]}; },
         .scene = scene,

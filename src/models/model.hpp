@@ -60,6 +60,7 @@ struct Model {
 
     ModelInfo info;
     Opening opening = {};
+    std::string_view topic = {};  ///< one of topic_ids, under which it is offered; empty: none
     /// Number of particles, as a double because it may be too large for an integer.
     std::function<double(const Values&)> particles;
     std::function<SceneFacts(const Values&)> facts;

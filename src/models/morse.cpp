@@ -98,6 +98,7 @@ const Model& morse_model() {
                  .what = "A cube of particles that interact by the Morse potential, and a bullet shot at it.",
                  .parameters = parameters},
         .opening = {.method = "rk4", .dt = 0.01},
+        .topic = "molecules",
         .particles = particles,
         .facts =
             [](const ParameterValues& values) {

@@ -74,6 +74,7 @@ const Model& oscillator_model() {
                  .name = "Oscillator",
                  .what = "One particle, connected to the origin by a spring of rest length 0 and kicked along x.",
                  .parameters = parameters},
+        .topic = "first steps",
         .particles = [](const ParameterValues&) { return 2.0; },
         .facts =
             [](const ParameterValues& values) {

@@ -78,6 +78,7 @@ const Model& rope_model() {
                          "and swings with drag.",
                  .parameters = parameters},
         .opening = {.method = "rk4", .dt = 0.02},
+        .topic = "springs",
         .particles = [](const ParameterValues& values) { return values["n"]; },
         .facts =
             [](const ParameterValues& values) {

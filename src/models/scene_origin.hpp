@@ -1,5 +1,7 @@
 #pragma once
 
+#include "models/scene/scene.hpp"
+
 #include <memory>
 #include <string>
 #include <utility>
@@ -19,6 +21,7 @@ struct SceneFile {
     };
     std::vector<Part> parts;  ///< the scene's file first, then those it reads
     std::string given;        ///< what names it on a command line; no part of the content
+    SceneDefaults defaults = {};
     std::shared_ptr<const Model> model;
 };
 

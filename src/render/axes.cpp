@@ -128,4 +128,44 @@ Axes axes_of(const AxesBox& box, const Projection& projection, double pixel_scal
     return axes;
 }
 
+namespace {
+
+constexpr double across_open = 0.4;  // strength of edges across an axis on which the box is open
+
+/// The strength of the edge along `axis` that starts at one of the corners, for each other axis at its high or low end.
+double edge_strength(const Shape& shape, int axis, const std::array<bool, 3>& high) {
+    for (int other = 0; other < 3; ++other) {
+        if (other == axis || component(shape.box, other) > 0) continue;
+        if (component(shape.box, axis) == 0) continue;  // both open: nothing is across
+        return high[static_cast<std::size_t>(other)] ? 0 : across_open;
+    }
+    return 1;
+}
+
+/// One of the four edges along an axis.
+void add_edge(Axes& axes, const Shape& shape, const Bounds& box, int axis, unsigned corner) {
+    const bool first = (corner & 1U) != 0, second = (corner & 2U) != 0;
+    const std::array<bool, 3> high{axis != 0 && first, axis == 0 ? first : axis == 2 && second, axis != 2 && second};
+    const double strength = edge_strength(shape, axis, high);
+    if (!(strength > 0)) return;
+    const Vec3 start{high[0] ? box.high.x : box.low.x, high[1] ? box.high.y : box.low.y,
+                     high[2] ? box.high.z : box.low.z};
+    axes.lines.push_back({start, with_component(start, axis, component(box.high, axis)), strength});
+}
+
+}  // namespace
+
+void add_box_edges(Axes& axes, const Shape& shape, const Bounds& within) {
+    if (!shape.is_periodic()) return;
+    Bounds box{shape.corner, shape.corner + shape.box};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (component(shape.box, axis) > 0) continue;
+        box.low = with_component(box.low, axis, component(within.low, axis));
+        box.high = with_component(box.high, axis, component(within.high, axis));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        for (unsigned corner = 0; corner < 4; ++corner) add_edge(axes, shape, box, axis, corner);
+    }
+}
+
 }  // namespace steplab::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/shape.hpp"
 #include "render/bounds.hpp"
 #include "render/camera.hpp"
 
@@ -31,5 +32,9 @@ struct Axes {
 /// An axis that points towards the camera fades. Ticks are as close as their numbers allow. Distances in the picture,
 /// such as that of a number from its axis, are proportional to `pixel_scale`.
 Axes axes_of(const AxesBox& box, const Projection& projection, double pixel_scale);
+
+/// Adds the edges of the periodic box. Along an axis on which it is open they are as long as what is drawn, `within`,
+/// and only the lower end has edges across, fainter.
+void add_box_edges(Axes& axes, const Shape& shape, const Bounds& within);
 
 }  // namespace steplab::render

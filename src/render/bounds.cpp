@@ -58,9 +58,10 @@ Bounds expected_bounds(const Shape& shape) {
 
 AxesBox axes_box(const Frame& frame) {
     const Shape& shape = *frame.shape;
-    // a periodic scene is drawn within its expected bounds
-    const Bounds now = shape.period == 0 ? bounds_of(frame.positions) : expected_bounds(shape);
-    return axes_box(expected_bounds(shape), shape.spacing, now);
+    if (!shape.is_periodic()) return axes_box(expected_bounds(shape), shape.spacing, bounds_of(frame.positions));
+    std::vector<Vec3> seen(frame.positions.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = frame.seen(i);
+    return axes_box(expected_bounds(shape), shape.spacing, bounds_of(seen));
 }
 
 AxesBox axes_box(const Bounds& expected, double spacing, const Bounds& now) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/appearance.hpp"
 #include "core/vec3.hpp"
 
 #include <optional>
@@ -15,11 +16,6 @@ struct Camera {
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };
-
-/// Cameras are no nearer to their focus than the first, and no farther from it or from the origin than the second:
-/// squares and quotients of such lengths are numbers of double.
-inline constexpr double least_distance = 1e-99;
-inline constexpr double largest_length = 1e102;
 
 /// Vertical field of view in degrees.
 inline constexpr double field_of_view = 28;

@@ -26,19 +26,27 @@ Rgb mixed(Rgb a, Rgb b, double part) {
 /// Length of a vector between points that are drawable().
 double size_of(Vec3 v) { return std::sqrt(dot(v, v)); }
 
+/// Distinct with every kind of colour blindness (M. Okabe and K. Ito, 2008), without black; more groups take turns.
+Rgb group_colour(std::size_t group) {
+    constexpr std::array<Rgb, 7> colours = {rgb(0x56b4e9), rgb(0xe69f00), rgb(0x009e73), rgb(0xcc79a7),
+                                            rgb(0xf0e442), rgb(0xd55e00), rgb(0x0072b2)};
+    return colours[group % colours.size()];
+}
+
 double particle_value(const Frame& frame, const Style& style, std::size_t i) {
     switch (style.colouring) {
         case Colouring::speed:
             return size_of(frame.velocities[i]);
         case Colouring::kinetic_energy:
-            return 0.5 * style.mass * dot(frame.velocities[i], frame.velocities[i]);
+            return 0.5 * (frame.shape->masses.empty() ? style.mass : frame.shape->masses[i]) *
+                   dot(frame.velocities[i], frame.velocities[i]);
         default:
             return size_of(frame.positions[i] - frame.shape->rest[i]);
     }
 }
 
 double strain(const Frame& frame, const Spring& spring) {
-    const double now = size_of(frame.positions[spring.second] - frame.positions[spring.first]);
+    const double now = size_of(frame.shape->nearest(frame.positions[spring.second] - frame.positions[spring.first]));
     // A spring without rest length has no strain: its length is the measure of its extension.
     return spring.rest_length > 0 ? now / spring.rest_length - 1 : now;
 }
@@ -79,7 +87,7 @@ Rgb ColourScale::colour(double value, const Palette& palette) const {
 }
 
 std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style) {
-    if (style.colouring == Colouring::role) return std::nullopt;
+    if (style.colouring == Colouring::role || style.colouring == Colouring::group) return std::nullopt;
     // Without a largest value, as before the first motion, any scale will do.
     const double largest = largest_value(frame, style);
     const double nice = nice_ceil(largest, scale_digits);
@@ -89,8 +97,8 @@ std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style) 
 }
 
 std::string_view title(Colouring colouring) {
-    constexpr std::array<std::string_view, 5> titles = {"", "speed [m/s]", "kinetic energy [J]", "displacement [m]",
-                                                        "strain"};
+    constexpr std::array<std::string_view, 6> titles = {
+        "", "speed [m/s]", "kinetic energy [J]", "displacement [m]", "strain", ""};
     return titles[static_cast<std::size_t>(colouring)];
 }
 
@@ -102,6 +110,8 @@ Rgb role_colour(const Style& style, Role role) {
 
 Rgb particle_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i) {
     const Role role = frame.shape->roles[i];
+    if (style.colouring == Colouring::group && role != Role::fixed && !frame.shape->groups.empty())
+        return group_colour(frame.shape->groups[i]);
     if (!scale || !shows_values(scale->colouring) || role == Role::fixed) return role_colour(style, role);
     return scale->colour(particle_value(frame, style, i), palette(style.background));
 }

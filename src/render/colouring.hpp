@@ -31,7 +31,11 @@ std::string_view title(Colouring colouring);
 
 /// True if particles are coloured by a value, not by their role.
 constexpr bool shows_values(Colouring colouring) {
-    return colouring != Colouring::role && colouring != Colouring::strain;
+    return colouring != Colouring::role && colouring != Colouring::strain && colouring != Colouring::group;
+}
+/// True if moving particles have colours of their own, by a value or by their group.
+inline bool differs_by_particle(const Style& style, const Shape& shape) {
+    return shows_values(style.colouring) || (style.colouring == Colouring::group && !shape.groups.empty());
 }
 /// The colour of all particles of a role where they are not coloured by a value.
 Rgb role_colour(const Style& style, Role role);

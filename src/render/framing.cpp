@@ -1,16 +1,12 @@
 #include "render/framing.hpp"
 
-#include "core/error.hpp"
 #include "core/number_text.hpp"
-#include "core/shown.hpp"
 #include "render/bounds.hpp"
 #include "render/drawn_sizes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace steplab::render {
@@ -50,30 +46,6 @@ struct Reach {
     double centre() const { return (positive - negative) / 2; }
     double distance() const { return (positive + negative) / (2 * tangent); }
 };
-
-bool read_number(std::string_view text, double& value) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
-}
-
-bool read_numbers(std::string_view text, std::array<double, 6>& numbers) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const std::size_t comma = text.find(',');
-        const bool last = i + 1 == numbers.size();
-        if (last != (comma == std::string_view::npos) || !read_number(text.substr(0, comma), numbers[i])) return false;
-        if (!last) text.remove_prefix(comma + 1);
-    }
-    return true;
-}
-
-void check_lengths(const Camera& camera) {
-    const Vec3& focus = camera.focus;
-    const double farthest = std::max({std::abs(focus.x), std::abs(focus.y), std::abs(focus.z), camera.distance});
-    if (camera.distance >= least_distance && farthest <= largest_length) return;
-    throw UsageError(fmt::format("--view: the distance must be from {} to {}, x, y and z from -{} to {} (got {})",
-                                 typed(least_distance), typed(largest_length), typed(largest_length),
-                                 typed(largest_length), view_text(camera)));
-}
 
 }  // namespace
 
@@ -127,21 +99,12 @@ std::string view_text(const Camera& camera) {
 }
 
 Camera camera_of(std::string_view text, const Frame& frame, PictureSize size) {
-    if (text == "default") return default_camera(frame, size);
-    if (text == "front") return framed(frame, 0, 0, size);
-    if (text == "side") return framed(frame, 90, 0, size);
-    if (text == "top") return framed(frame, 0, 90, size);
-    std::array<double, 6> numbers{};
-    if (!read_numbers(text, numbers) || std::abs(numbers[1]) > 90 || !(numbers[2] > 0)) {
-        throw UsageError(
-            fmt::format("--view must be default, front, side, top or yaw,pitch,distance,x,y,z with angles in degrees, "
-                        "pitch from -90 to "
-                        "90, distance > 0 and the point x,y,z at the centre (got \"{}\")",
-                        shown(text)));
-    }
-    const Camera camera{{numbers[3], numbers[4], numbers[5]}, numbers[2], numbers[0], numbers[1]};
-    check_lengths(camera);
-    return camera;
+    const WrittenView view = parse_view(text, "--view");
+    if (view.word == "default") return default_camera(frame, size);
+    if (view.word == "front") return framed(frame, 0, 0, size);
+    if (view.word == "side") return framed(frame, 90, 0, size);
+    if (view.word == "top") return framed(frame, 0, 90, size);
+    return {view.focus, view.distance, view.yaw, view.pitch};
 }
 
 }  // namespace steplab::render

@@ -11,7 +11,7 @@ constexpr float axis_strength = 0.55F;
 
 }  // namespace
 
-Ground::Ground() : backdrop_("backdrop"), ground_("ground"), line_("line") {}
+Ground::Ground() : backdrop_("backdrop"), ground_("ground") {}
 
 double Ground::reach(const AxesBox& box) {
     const Vec3 size = box.bounds.size();
@@ -53,15 +53,7 @@ void Ground::draw_axes(const Axes& axes, const ViewUniforms& view, const Palette
         rods.push_back({vertex(view.projection(), line.start), vertex(view.projection(), line.end),
                         vertex_colour(palette.grid, alpha)});
     }
-    lines_.upload(std::span<const Rod>(rods));
-    view.apply(line_);
-    line_.set("u_radius", 0.0F);
-    line_.set("u_least_width", 1.2F * static_cast<float>(pixel_scale));
-    line_.set("u_breadth", 1.0F);
-    line_.set("u_faded", -1.0F);
-    line_.set("u_fading", 0.0F);
-    line_.set("u_lit", 0.0F);
-    lines_.draw();
+    lines_.draw(rods, view, 1.2 * pixel_scale);
 }
 
 }  // namespace steplab::render

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/axes.hpp"
-#include "render/instances.hpp"
+#include "render/lines.hpp"
 #include "render/shader_program.hpp"
 
 namespace steplab::render {
@@ -20,9 +20,9 @@ public:
     static double reach(const AxesBox& box);
 
 private:
-    ShaderProgram backdrop_, ground_, line_;
+    ShaderProgram backdrop_, ground_;
     VertexArray no_vertices_;  ///< the shaders compute them
-    RodList lines_;
+    Lines lines_;
 };
 
 }  // namespace steplab::render

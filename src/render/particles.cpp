@@ -34,6 +34,12 @@ void use(const ShaderProgram& program, const ViewUniforms& view, float radius, f
     program.set("u_least_coverage", least_coverage);
 }
 
+/// The colour of a particle, with its size as the shaders of balls take it.
+VertexColour own_colour(const Shot& shot, std::size_t i) {
+    const auto part = static_cast<std::uint8_t>(std::lround(255 * shot.known.part(i)));
+    return vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i), part);
+}
+
 }  // namespace
 
 Particles::Particles()
@@ -46,9 +52,9 @@ Particles::Particles()
 
 void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& taken) {
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
-        kinds_[kind].radius = vertex_length(shot.projection, shot.known.sizes.radius(static_cast<Role>(kind)));
+        kinds_[kind].radius = vertex_length(shot.projection, shot.known.largest_radius(static_cast<Role>(kind)));
     }
-    const double radius = shot.known.sizes.radius(Role::moving);
+    const double radius = shot.known.largest_radius(Role::moving);
     for (const std::uint32_t i : shot.known.special) blocks.hide(i);
     chosen_ = blocks.choose(shot.projection, shot.tile, shot.part, radius);
     for (const auto& ranges : chosen_) blocks.mark(shot.projection, ranges, radius, taken);
@@ -59,14 +65,14 @@ void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& tak
 }
 
 void Particles::colour_moving(const Shot& shot) {
-    if (!shows_values(shot.style.colouring)) {
+    if (!differs_by_particle(shot.style, *shot.known.shape) && shot.known.parts.empty()) {
         return moving_.colour(vertex_colour(role_colour(shot.style, Role::moving)));
     }
     colours_.resize(shot.frame.positions.size());
     for (const auto& ranges : chosen_) {
         for (const auto& [first, count] : ranges) {
             for (std::size_t i = first; i < first + count; ++i) {
-                colours_[i] = vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i));
+                colours_[i] = own_colour(shot, i);
             }
         }
     }
@@ -84,14 +90,14 @@ void Particles::gather_special(const Shot& shot, Occupancy& taken) {
         const auto centre = drawable(position) ? projection.pixel(position) : std::nullopt;
         if (!centre) continue;
         const Role role = shot.known.shape->roles[i];
-        const double radius = shot.known.sizes.radius(role) * projection.pixels_per_unit(projection.depth(position));
+        const double radius = static_cast<double>(shot.known.part(i)) * shot.known.largest_radius(role) *
+                              projection.pixels_per_unit(projection.depth(position));
         // Near the edge of the picture, perspective elongates a ball.
         if (outside(*centre, 2 * radius + 1, projection.size())) continue;
         taken.mark(*centre, radius);
         Kind& kind = kinds_[index(role)];
         auto& list = radius > special_point_radius ? kind.listed_bodies : kind.listed_points;
-        list.push_back(
-            {vertex(projection, position), vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i))});
+        list.push_back({vertex(projection, position), own_colour(shot, i)});
     }
     for (Kind& kind : kinds_) {
         kind.bodies.upload(std::span<const Dot>(kind.listed_bodies));
@@ -112,7 +118,7 @@ void Particles::prepare_rings(const Shot& shot) {
     if (style.selected && *style.selected < frame.positions.size() && drawable(frame.seen(*style.selected))) {
         const std::size_t i = *style.selected;
         selected.push_back({vertex(projection, frame.seen(i)), vertex_colour(colours.selection, 235)});
-        selected_radius_ = kinds_[index(known.shape->roles[i])].radius;
+        selected_radius_ = known.part(i) * kinds_[index(known.shape->roles[i])].radius;
     }
     selected_ring_.upload(std::span<const Dot>(selected));
 }

@@ -3,6 +3,8 @@
 #include "render/ensemble_dots.hpp"
 #include "render/ground.hpp"
 #include "render/known_shape.hpp"
+#include "render/lines.hpp"
+#include "render/motion_lines.hpp"
 #include "render/overlay.hpp"
 #include "render/particle_blocks.hpp"
 #include "render/particles.hpp"
@@ -18,10 +20,10 @@ bool has_room(PictureSize size, double pixel_scale) {
 }
 
 /// The box around everything that is drawn, for the near and far planes.
-Bounds drawn_bounds(Bounds positions, const std::optional<Bounds>& ensemble, const DrawnSizes& sizes,
-                    const AxesBox& box, bool grid) {
+Bounds drawn_bounds(Bounds positions, const std::optional<Bounds>& ensemble, double margin, const AxesBox& box,
+                    bool grid) {
     if (ensemble) positions = joined(positions, *ensemble);
-    const Bounds bodies = joined(widened(positions, sizes.radius(Role::bullet)), box.bounds);
+    const Bounds bodies = joined(widened(positions, margin), box.bounds);
     if (!grid) return bodies;
     const double reach = Ground::reach(box);
     const Vec3 middle = box.bounds.centre();
@@ -37,6 +39,8 @@ struct SceneRenderer::Body {
     Springs springs;
     Particles particles;
     EnsembleDots ensemble;
+    Lines lines;
+    std::vector<Rod> arrows, trail;
     Sketch sketch;
     ParticleBlocks blocks;
     std::optional<KnownShape> known;  ///< of the last frame
@@ -68,6 +72,8 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     glDepthFunc(GL_LESS);
     if (style.springs) springs.draw(view, style.pixel_scale);
     particles.draw(view, target);
+    lines.draw(arrows, view, 1.5 * style.pixel_scale);
+    lines.draw(trail, view, 1.5 * style.pixel_scale);
     if (style.grid) ground.draw_axes(axes, view, colours, style.pixel_scale);
     if (style.grid && !from_above) draw_grid(style, box, view);
     glEnable(GL_BLEND);
@@ -110,19 +116,24 @@ void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& c
     const Tile tile = part.value_or(Tile{target.size()});
     const Projection projection(camera, tile.whole);
     const auto scale = colour_scale(frame, style);
-    auto& [ground, springs, particles, ensemble, sketch, blocks, known] = *body_;
+    auto& [ground, springs, particles, ensemble, lines, arrows, trail, sketch, blocks, known] = *body_;
     if (!known || known->shape != frame.shape) known.emplace(frame.shape);
     blocks.place(frame, projection);
     const AxesBox box = axes_box(known->expected, frame.shape->spacing, blocks.bounds());
-    const Axes axes = style.grid ? axes_of(box, projection, style.pixel_scale) : Axes{};
+    Axes axes = style.grid ? axes_of(box, projection, style.pixel_scale) : Axes{};
+    if (style.grid) add_box_edges(axes, *frame.shape, blocks.bounds());
     Occupancy taken(tile.whole);
     mark_cross(taken, tile.whole, style.pixel_scale);
     const Shot shot{frame, *known, style, scale, projection, tile, target.size()};
     if (style.springs) springs.prepare(shot, blocks);
     particles.prepare(shot, blocks, taken);
     ensemble.prepare(shot);
-    const ViewUniforms view(projection, drawn_bounds(blocks.bounds(), ensemble.bounds(), known->sizes, box, style.grid),
-                            tile, target.size(), palette(style.background));
+    arrows = style.velocities ? velocity_arrows(shot) : std::vector<Rod>{};
+    trail = trail_lines(shot);
+    const double reach = known->largest_radius(Role::bullet) + (style.velocities ? 2 * frame.shape->spacing : 0);
+    const Bounds bodies = style.trail ? joined(blocks.bounds(), bounds_of(*style.trail)) : blocks.bounds();
+    const ViewUniforms view(projection, drawn_bounds(bodies, ensemble.bounds(), reach, box, style.grid), tile,
+                            target.size(), palette(style.background));
     body_->draw_space(style, box, axes, view, tile, target);
     body_->draw_flat(style, projection, scale, axes, taken, tile, target.size());
 }

@@ -67,6 +67,20 @@ private:
     float half_width_, half_height_, pixels_, margin_, least_length_;
 };
 
+/// The sides of a periodic box in the units of vertices.
+glm::vec3 in_vertex_lengths(const Projection& projection, Vec3 box) {
+    return {vertex_length(projection, box.x), vertex_length(projection, box.y), vertex_length(projection, box.z)};
+}
+
+/// The part of a way that its nearest image does not have: whole sides of the box.
+glm::vec3 way_through_sides(glm::vec3 way, glm::vec3 sides) {
+    glm::vec3 through(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (sides[axis] > 0) through[axis] = sides[axis] * std::round(way[axis] / sides[axis]);
+    }
+    return through;
+}
+
 }  // namespace
 
 Springs::Springs() : round_program_("rod"), thin_program_("line") {}
@@ -83,14 +97,23 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
     for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->listed.clear();
     const float least = least_width * static_cast<float>(style.pixel_scale);
     const std::span<const Spring> springs = known.shape->springs;
-    for (std::size_t i = 0; i < springs.size(); ++i) {
-        const glm::vec3 start = blocks.vertices()[springs[i].first], end = blocks.vertices()[springs[i].second];
-        if (!filter.worth_drawing(start, end)) continue;
-        if (!drawable(frame.positions[springs[i].first]) || !drawable(frame.positions[springs[i].second])) continue;
+    const auto add = [&](glm::vec3 start, glm::vec3 end, std::size_t i) {
+        if (!filter.worth_drawing(start, end)) return;
+        if (!drawable(frame.positions[springs[i].first]) || !drawable(frame.positions[springs[i].second])) return;
         list_for(filter.thickness(start, end, radius_), least)
             .push_back({start, end, vertex_colour(spring_colour(frame, style, scale, i))});
+    };
+    const glm::vec3 sides = in_vertex_lengths(projection, known.shape->box);
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const glm::vec3 start = blocks.vertices()[springs[i].first], end = blocks.vertices()[springs[i].second];
+        const glm::vec3 through = way_through_sides(end - start, sides);
+        if (through == glm::vec3(0)) {
+            add(start, end, i);
+        } else {  // to the nearest image: half of it at each end
+            add(start, start + 0.5F * (end - start - through), i);
+            add(end, end - 0.5F * (end - start - through), i);
+        }
     }
-
     for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->list.upload(std::span<const Rod>(rods->listed));
 }
 

@@ -1,7 +1,6 @@
 #include "ui/actions.hpp"
 
 #include "render/framing.hpp"
-#include "sim/catalogue.hpp"
 #include "sim/run/opening.hpp"
 #include "ui/input.hpp"
 #include "ui/rate.hpp"
@@ -9,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace steplab::ui {
 namespace {
@@ -23,14 +23,14 @@ void zoom_to_fit(const Context& context) {
     camera = render::framed(context.view.frame, camera.yaw, camera.pitch, scene_size(context));
 }
 
-/// The model `offset` places further in the list; the list wraps around.
+/// The scene `offset` places further on the page of scenes; behind the last one comes the first.
 void change_scene(const Context& context, std::ptrdiff_t offset) {
-    const auto all = models();
-    const auto count = static_cast<std::ptrdiff_t>(all.size());
-    const auto here = std::find_if(all.begin(), all.end(),
-                                   [&](const Model& entry) { return entry.info.id == context.description().model; });
-    const std::ptrdiff_t next = (here - all.begin() + offset + count) % count;
-    context.ask(opening(with_model(context.description(), all[static_cast<std::size_t>(next)].info.id)));
+    const ScenesPage& page = context.session.scenes;
+    const std::string_view here = page.opening ? std::string_view(*page.opening) : id_of(context.description());
+    const auto count = static_cast<std::ptrdiff_t>(page.gallery.size());
+    auto place = static_cast<std::ptrdiff_t>(place_in(page.gallery, here));
+    if (place == count && offset > 0) place = -1;  // a file of the user's stands before the first and behind the last
+    open_exhibit(context, page.gallery[static_cast<std::size_t>((place + offset + count) % count)]);
 }
 
 /// The message that is drawn last. An open menu closes itself.
@@ -43,6 +43,8 @@ void close_topmost(const Context& context) {
         session.wanted.dismiss();
     } else if (session.notice) {
         session.notice.reset();
+    } else if (session.scenes.open) {
+        session.scenes.open = false;
     } else if (session.lost && !session.dismissed_lost) {
         session.dismissed_lost = true;
     } else if (context.view.divergence) {
@@ -54,9 +56,29 @@ void toggle_panel(const Context& context) { context.session.panel = context.layo
 
 }  // namespace
 
-void reset_view(const Context& context) {
-    context.stage.camera = render::default_camera(context.view.frame, scene_size(context));
+void open_exhibit(const Context& context, const Exhibit& exhibit) {
+    ScenesPage& page = context.session.scenes;
+    if (!exhibit.is_model && (page.opening || exhibit.id != id_of(context.description()))) {
+        return open_file(context, exhibit.id);
+    }
+    page.open = false;
+    page.opening.reset();
+    if (exhibit.id != id_of(context.description())) context.ask(opening(with_model(context.description(), exhibit.id)));
 }
+
+void open_file(const Context& context, const std::string& name) {
+    context.session.scenes.opening = name;
+    context.request({.kind = Request::Kind::open_scene, .text = name});
+}
+
+render::Camera home_camera(const Context& context) {
+    const auto& origin = context.view.description.origin;
+    const std::string_view view =
+        origin && !origin->defaults.camera.empty() ? std::string_view(origin->defaults.camera) : "default";
+    return render::camera_of(view, context.view.frame, scene_size(context));
+}
+
+void reset_view(const Context& context) { context.stage.camera = home_camera(context); }
 
 void perform(const Context& context, Action action) {
     Commands& run = context.commands;
@@ -82,6 +104,11 @@ void perform(const Context& context, Action action) {
             return change_scene(context, -1);
         case Action::next_scene:
             return change_scene(context, 1);
+        case Action::open_scene:
+            context.session.scenes.open = context.session.scenes.to_type = !context.session.scenes.open;
+            return;
+        case Action::save_scene:
+            return context.request({.kind = Request::Kind::save_scene});
         case Action::panel:
             return toggle_panel(context);
         case Action::help:
@@ -98,9 +125,20 @@ void perform(const Context& context, Action action) {
     }
 }
 
+namespace {
+
+/// Keys of the run and the view do nothing while the page of scenes hides both.
+bool acts_on_page(Action action) {
+    constexpr std::array actions{Action::open_scene, Action::help, Action::full_screen, Action::close, Action::quit};
+    return std::find(actions.begin(), actions.end(), action) != actions.end();
+}
+
+}  // namespace
+
 void perform_pressed_keys(const Context& context) {
     if (ImGui::GetIO().WantTextInput) return;
     for (const KeyBinding& binding : key_bindings()) {
+        if (context.session.scenes.open && !acts_on_page(binding.action)) continue;
         const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;
         if (ImGui::GetIO().KeyCtrl == binding.control && Input::pressed(binding.key, repeats)) {
             perform(context, binding.action);

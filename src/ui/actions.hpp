@@ -12,10 +12,17 @@ void perform(const Context& context, Action action);
 /// Performs the actions whose keys were pressed in this frame, unless ImGui itself uses the keyboard.
 void perform_pressed_keys(const Context& context);
 
+/// Opens a scene of the page of scenes, unless it is the one that is shown.
+void open_exhibit(const Context& context, const Exhibit& exhibit);
+/// Asks the program to read a scene file, or a shipped scene by its name.
+void open_file(const Context& context, const std::string& name);
+
 /// The tooltip of a button: "one step forward (Right)".
 std::string help_of(Action action);
 
-/// Moves the camera to where it is when the scene opens.
+/// Where the camera is when the scene opens: where its file says, else as suits the scene.
+render::Camera home_camera(const Context& context);
+/// Moves the camera there.
 void reset_view(const Context& context);
 
 }  // namespace steplab::ui

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "render/camera.hpp"
+#include "render/following.hpp"
 #include "render/known_shape.hpp"
 #include "render/style.hpp"
 #include "sim/run/share.hpp"
 #include "sim/run/worker.hpp"
 #include "ui/display.hpp"
+#include "ui/gallery.hpp"
 #include "ui/plot/history.hpp"
 #include "ui/wanted.hpp"
 #include "ui/widgets/layout.hpp"
@@ -42,6 +44,15 @@ struct Notice {
 /// The notice that a file was saved, with its whole path.
 Notice notice_of_saved(const std::string& file);
 
+/// The page of scenes, which covers all but the bar while it is open.
+struct ScenesPage {
+    bool open = false;
+    bool to_type = false;  ///< it was opened to type a path
+    Gallery gallery = model_gallery();
+    std::array<char, 4096> path{};       ///< typed so far
+    std::optional<std::string> opening;  ///< a scene that is being read
+};
+
 /// State that the interface keeps from frame to frame.
 struct Session {
     Wanted wanted;
@@ -51,7 +62,10 @@ struct Session {
     std::optional<render::KnownShape> shape;    ///< of the newest frame
     std::optional<bool> panel;                  ///< chosen by the user; none: shown where the window has room
     std::optional<std::size_t> first_selected;  ///< the particle to select first; none: the usual one
+    render::Following following = render::Following::nothing;
+    bool trail = false;  ///< of the selected particle is drawn
     bool help_open = false;
+    ScenesPage scenes;
     std::optional<std::size_t> pointed;               ///< the particle under the pointer, which a click selects
     Share pointing{0.05};                             ///< searching for it: in a large scene that takes long
     std::optional<std::size_t> pulled;                ///< the particle that follows the pointer

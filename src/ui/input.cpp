@@ -35,6 +35,8 @@ constexpr KeyName editing_keys[] = {
     {Key::f, ImGuiKey_F},
     {Key::p, ImGuiKey_P},
     {Key::q, ImGuiKey_Q},
+    {Key::o, ImGuiKey_O},
+    {Key::s, ImGuiKey_S},
     {Key::equal, ImGuiKey_Equal},
     {Key::minus, ImGuiKey_Minus},
     {Key::bracket_left, ImGuiKey_LeftBracket},

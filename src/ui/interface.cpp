@@ -1,9 +1,13 @@
 #include "ui/interface.hpp"
 
+#include "sim/run/opening.hpp"
 #include "ui/actions.hpp"
+#include "ui/follower.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/scene_pointer.hpp"
+#include "ui/trail.hpp"
 #include "ui/view_keeper.hpp"
+#include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -56,7 +60,18 @@ struct ImGuiClipboard {
     static void write(void* self, const char* text) { of(self).clipboard.write(text); }
 };
 
+/// What lies over all else.
+void draw_messages(const Context& context) {
+    draw_notices(context);
+    draw_help(context);
+}
+
 void draw_panels(const Context& context) {
+    if (context.session.scenes.open) {
+        draw_scenes_page(context);
+        draw_top_bar(context);
+        return draw_messages(context);
+    }
     draw_side_panel(context);
     draw_plots_panel(context);
     draw_top_bar(context);
@@ -65,16 +80,13 @@ void draw_panels(const Context& context) {
     if (context.purpose == Purpose::plot_picture) return;
     draw_lost_card(context);
     draw_divergence_card(context);
-    draw_notices(context);
-    draw_help(context);
+    draw_messages(context);
 }
 
 /// Draws the newest picture of the scene, stretched to its area until one of the right size is available.
 void draw_scene_picture(const Area& scene, std::uint32_t texture) {
     if (texture == 0) return;
-    // ImGui carries a texture's name as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
-    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
-    ImGui::GetBackgroundDrawList()->AddImage(id, {scene.x, scene.y}, {scene.right(), scene.bottom()});
+    ImGui::GetBackgroundDrawList()->AddImage(texture_id(texture), {scene.x, scene.y}, {scene.right(), scene.bottom()});
 }
 
 void set_style(render::Style& style, const RunView& view, const Display& display) {
@@ -95,6 +107,8 @@ struct Interface::Body {
     ImGuiClipboard clipboard;
     Session session;
     ViewKeeper view_keeper;
+    Follower follower;
+    Trail trail;
     Layout layout;
     WidgetMap widgets;
     std::uint32_t scene_texture = 0;
@@ -118,14 +132,35 @@ bool Interface::resize(const Display& display) {
 
 void Interface::record(const RunView& view) {
     body_->session.history.record(view);
+    body_->trail.record(view);
     body_->new_view = true;
 }
 
 void Interface::show_scene(std::uint32_t texture) { body_->scene_texture = texture; }
 
-void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> particle) {
+void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes) {
     body_->session.panel = panel;
     body_->session.first_selected = particle;
+    body_->session.scenes.open = scenes;
+}
+
+bool Interface::shows_scenes() const { return body_->session.scenes.open; }
+
+void Interface::show_gallery(Gallery gallery) { body_->session.scenes.gallery = std::move(gallery); }
+
+void Interface::open(const RunDescription& scene, Commands& commands) {
+    Session& session = body_->session;
+    session.scenes.opening.reset();
+    session.wanted.dismiss();
+    session.wanted.ask(scene, commands);
+    session.scenes.open = session.scenes.open && !session.wanted.message().empty();
+}
+
+void Interface::reload(const RunDescription& scene, Commands& commands) {
+    Wanted& wanted = body_->session.wanted;
+    if (!wanted.description().origin || id_of(wanted.description()) != id_of(scene)) return;
+    wanted.dismiss();
+    wanted.ask(reloaded(wanted.description(), scene), commands);
 }
 
 Input& Interface::input() { return body_->input; }
@@ -178,15 +213,19 @@ void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage,
                           commands,   stage,       body.session, body.widgets, purpose};
     if (purpose == Purpose::use) {
         body.view_keeper.keep(context);
+        body.follower.follow(context);
         perform_pressed_keys(context);
         use_pointer(context);
     }
     set_style(stage.style, view, body.display);
+    stage.style.trail = body.session.trail ? body.trail.places() : nullptr;
     draw_scene_picture(body.layout.scene, body.scene_texture);
     draw_panels(context);
     ImGui::Render();
     body.unsettled = body.widgets != before;
 }
+
+render::Following Interface::following() const { return body_->session.following; }
 
 PixelRect Interface::scene() const { return pixels(body_->layout.scene); }
 
@@ -221,7 +260,10 @@ void Interface::notify_saved(const std::string& file) {
     body_->session.notice = notice_of_saved(file);
 }
 
-void Interface::report_error(std::string text) { body_->session.wanted.refuse(std::move(text)); }
+void Interface::report_error(std::string text) {
+    body_->session.scenes.opening.reset();
+    body_->session.wanted.refuse(std::move(text));
+}
 
 const WidgetMap& Interface::widgets() const { return body_->widgets; }
 

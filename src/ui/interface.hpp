@@ -3,6 +3,7 @@
 #include "sim/run/worker.hpp"
 #include "ui/context.hpp"
 #include "ui/display.hpp"
+#include "ui/gallery.hpp"
 #include "ui/input.hpp"
 
 #include <cstdint>
@@ -47,8 +48,17 @@ public:
     /// draw data. 0: the scene is not part of the draw data.
     void show_scene(std::uint32_t texture);
 
-    /// Before the first frame: whether the panel is shown, and the particle that is selected; none: as usual.
-    void open_with(std::optional<bool> panel, std::optional<std::size_t> particle);
+    /// Before the first frame: whether the panel is shown, and the particle that is selected; none: as usual. `scenes`:
+    /// the page of scenes is open.
+    void open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes = false);
+    /// True while the page of scenes covers the scene.
+    bool shows_scenes() const;
+    /// What the page of scenes offers; until the first call: the models, without pictures.
+    void show_gallery(Gallery gallery);
+    /// Shows a scene that was read as the user asked. Closes the page of scenes.
+    void open(const RunDescription& scene, Commands& commands);
+    /// Shows a scene that was read again because its file changed, unless another one is shown by now.
+    void reload(const RunDescription& scene, Commands& commands);
     /// Takes events of keyboard and mouse for the next frames.
     Input& input();
     /// The clipboard for text entries; without one, copied text stays within the interface.
@@ -61,6 +71,8 @@ public:
     /// closed; `plot_alone`: without cards over the plots, either. The next draw() goes on as if nothing had been.
     void draw_picture(const RunView& view, Stage stage, bool plot_alone);
 
+    /// What the camera goes with.
+    render::Following following() const;
     /// The area of the scene in the last frame.
     PixelRect scene() const;
     /// The draw data of the last frame; valid until the next one.

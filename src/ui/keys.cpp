@@ -6,7 +6,7 @@
 namespace steplab::ui {
 namespace {
 
-constexpr std::array<KeyBinding, 16> keys = {{
+constexpr std::array<KeyBinding, 18> keys = {{
     {Action::pause, Key::space, false, "Space", "play or pause"},
     {Action::step_forward, Key::right, false, "Right", "one step forward"},
     {Action::step_back, Key::left, false, "Left", "one step back"},
@@ -17,6 +17,8 @@ constexpr std::array<KeyBinding, 16> keys = {{
     {Action::slower, Key::minus, false, "-", "play slower"},
     {Action::previous_scene, Key::bracket_left, false, "[", "previous scene"},
     {Action::next_scene, Key::bracket_right, false, "]", "next scene"},
+    {Action::open_scene, Key::o, true, "Ctrl+O", "choose or open a scene"},
+    {Action::save_scene, Key::s, true, "Ctrl+S", "save the scene as a file"},
     {Action::panel, Key::tab, false, "Tab", "show or hide the panel"},
     {Action::help, Key::f1, false, "F1", "help"},
     {Action::snapshot, Key::p, true, "Ctrl+P", "save a snapshot"},

@@ -19,6 +19,8 @@ enum class Action {
     slower,
     previous_scene,
     next_scene,
+    open_scene,
+    save_scene,
     panel,
     help,
     snapshot,
@@ -56,6 +58,8 @@ enum class Key {
     v,
     x,
     z,
+    o,
+    s,
     count
 };
 

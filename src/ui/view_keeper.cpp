@@ -9,25 +9,40 @@ namespace steplab::ui {
 void ViewKeeper::keep(const Context& context) {
     const RunView& view = context.view;
     if (!view.frame.shape) return;
-    const PixelRect place = pixels(context.layout.scene);
     const bool first = !shape_;
-    const bool other_model = model_ != view.description.model;
+    const bool other_scene = scene_ != id_of(view.description);
     const bool other_shape = shape_ != view.frame.shape;
     const std::size_t particles = view.frame.shape->roles.size();
-    if (first ? !view.tracked : other_model || (other_shape && shape_->roles.size() != particles)) {
+    if (first ? !view.tracked : other_scene || (other_shape && shape_->roles.size() != particles)) {
         const std::size_t usual = first_followed(*view.frame.shape);
         context.commands.track(first ? context.session.first_selected.value_or(usual) : usual);
     }
-    // The command line may have set the camera; one that is still untouched is placed where the scene opens.
-    const bool untouched = context.stage.camera == home_.value_or(render::Camera{});
-    const bool moved_about = other_shape || place != place_;
-    if ((first && untouched) || (!first && (other_model || (moved_about && untouched)))) {
-        reset_view(context);
-        home_ = context.stage.camera;
-    }
-    model_ = view.description.model;
+    place_camera(context, first, other_scene, other_shape);
+    if (first || other_scene) choose_colours(context, first);
+    scene_ = id_of(view.description);
+    origin_ = view.description.origin;
     shape_ = view.frame.shape;
-    place_ = place;
+    place_ = pixels(context.layout.scene);
+}
+
+/// The command line may have set the camera; one that is still untouched is placed where the scene opens.
+void ViewKeeper::place_camera(const Context& context, bool first, bool other_scene, bool other_shape) {
+    const bool untouched = context.stage.camera == home_.value_or(render::Camera{});
+    const bool read_again = !first && !other_scene && origin_ != context.view.description.origin;
+    const bool moved_about = (other_shape && !read_again) || pixels(context.layout.scene) != place_;
+    if (!(first ? untouched : other_scene || (moved_about && untouched))) return;
+    reset_view(context);
+    home_ = context.stage.camera;
+}
+
+void ViewKeeper::choose_colours(const Context& context, bool first) {
+    const SceneOrigin& origin = context.view.description.origin;
+    std::optional<render::Colouring> colouring;
+    std::optional<render::Background> background;
+    if (origin && !origin->defaults.colour.empty()) colouring = colouring_of(origin->defaults.colour);
+    if (origin && !origin->defaults.background.empty()) background = background_of(origin->defaults.background);
+    colouring_.follow(context.stage.style.colouring, colouring, first);
+    background_.follow(context.stage.style.background, background, first);
 }
 
 }  // namespace steplab::ui

@@ -2,6 +2,7 @@
 
 #include "core/number_text.hpp"
 #include "render/framing.hpp"
+#include "ui/actions.hpp"
 
 #include <fmt/format.h>
 
@@ -40,11 +41,18 @@ void add_picture(CommandLine& line, const Context& context) {
     const render::Style& style = context.stage.style;
     const render::Camera& camera = context.stage.camera;
     const Frame& frame = context.view.frame;
+    const auto& origin = context.description().origin;
+    const auto said = [&](std::string SceneDefaults::*of_file, std::string_view usual) {
+        return origin && !((*origin).defaults.*of_file).empty() ? std::string_view((*origin).defaults.*of_file) : usual;
+    };
     // without --view a window keeps the camera of the start
-    const bool usual = camera == render::default_camera(frame, context.projection().size());
-    line.add_unless(usual && frame.step == 0, "--view", usual ? "default" : render::view_text(camera));
-    line.add_unless(style.colouring == render::Colouring::role, "--colour", id(style.colouring));
-    line.add_unless(style.background == render::Background::dark, "--background", id(style.background));
+    const bool usual = camera == home_camera(context);
+    const std::string view = usual ? std::string(said(&SceneDefaults::camera, "default")) : render::view_text(camera);
+    line.add_unless(usual && frame.step == 0, "--view", view);
+    const std::string_view colour = id(style.colouring), background = id(style.background);
+    line.add_unless(colour == said(&SceneDefaults::colour, id(render::Style{}.colouring)), "--colour", colour);
+    line.add_unless(background == said(&SceneDefaults::background, id(render::Style{}.background)), "--background",
+                    background);
     line.add_unless(style.springs, "--springs", "off");
     line.add_unless(style.grid, "--grid", "off");
     const auto& tracked = context.view.tracked;

@@ -89,13 +89,23 @@ TEST(Trajectory, xyz_has_the_chosen_vectors) {
 TEST(Trajectory, xyz_has_the_periodic_box) {
     Frame frame = sample_frame(Precision::double_);
     Shape shape = *frame.shape;
-    shape.period = 6.5;
+    shape.box = {6.5, 6.5, 6.5};
     shape.corner = {-0.5, 0, 1};
     frame.shape = std::make_shared<const Shape>(shape);
     EXPECT_THAT(written(frame, TrajectoryFormat::xyz, {1}),
                 testing::StartsWith("1\n"
                                     "Lattice=\"6.5 0 0 0 6.5 0 0 0 6.5\" Origin=\"-0.5 0 1\" pbc=\"T T T\" "
                                     "Properties=species:S:1:pos:R:3:"));
+}
+
+TEST(Trajectory, xyz_says_where_the_box_is_open) {
+    Frame frame = sample_frame(Precision::double_);
+    Shape shape = *frame.shape;
+    shape.box = {6.5, 0, 4};
+    shape.corner = {-0.5, 0, 1};
+    frame.shape = std::make_shared<const Shape>(shape);
+    EXPECT_THAT(written(frame, TrajectoryFormat::xyz, {1}),
+                testing::StartsWith("1\nLattice=\"6.5 0 0 0 0 0 0 0 4\" Origin=\"-0.5 0 1\" pbc=\"T F T\" "));
 }
 
 TEST(Columns, are_read_from_a_list) {

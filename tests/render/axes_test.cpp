@@ -48,6 +48,47 @@ TEST(Axes, behind_the_eye_there_are_none) {
     EXPECT_TRUE(axes_of(box, Projection({{9, 1, 500}, 60, 0, 0}, size), 1).labels.empty());
 }
 
+std::ptrdiff_t strong(const Axes& axes) {
+    return std::count_if(axes.lines.begin(), axes.lines.end(), [](const AxisLine& line) { return line.strength == 1; });
+}
+
+TEST(BoxEdges, are_twelve_of_the_lengths_of_the_sides) {
+    Shape shape;
+    shape.box = {3, 4, 5};
+    shape.corner = {-1, 0, 2};
+    Axes axes;
+    add_box_edges(axes, shape, {});
+    ASSERT_EQ(axes.lines.size(), 12u);
+    EXPECT_EQ(strong(axes), 12);
+    double sum = 0;
+    for (const AxisLine& line : axes.lines) sum += length(line.end - line.start);
+    EXPECT_EQ(sum, 4 * (3 + 4 + 5));
+}
+
+// Open along y: its four edges are as long as what is drawn, and only the lower end has edges across.
+TEST(BoxEdges, of_an_open_box_close_it_at_its_lower_end_alone) {
+    Shape shape;
+    shape.box = {3, 0, 5};
+    Axes axes;
+    add_box_edges(axes, shape, {{0, -2, 0}, {3, 7, 5}});
+    EXPECT_EQ(axes.lines.size(), 8u);
+    EXPECT_EQ(strong(axes), 4);
+    for (const AxisLine& line : axes.lines) {
+        if (line.strength == 1) {
+            EXPECT_EQ(length(line.end - line.start), 9);
+        } else {
+            EXPECT_EQ(line.start.y, -2);
+            EXPECT_EQ(line.end.y, -2);
+        }
+    }
+}
+
+TEST(BoxEdges, of_a_scene_without_box_are_none) {
+    Axes axes;
+    add_box_edges(axes, Shape{}, {{0, 0, 0}, {1, 1, 1}});
+    EXPECT_TRUE(axes.lines.empty());
+}
+
 TEST(Occupancy, is_the_covered_part_of_a_rectangle) {
     Occupancy taken({320, 160});
     EXPECT_EQ(taken.taken({0, 0}, {319, 159}), 0);

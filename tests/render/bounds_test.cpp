@@ -49,7 +49,7 @@ TEST(AxesBox, of_a_periodic_scene_stays_where_everything_is_seen) {
 
 TEST(PeriodicScene, is_seen_in_its_box) {
     Shape shape;
-    shape.period = 4;
+    shape.box = {4, 4, 4};
     shape.corner = {-1, 0, 2};
     const Vec3 inside{0.5, 3.25, 5.5};
     EXPECT_EQ(shape.seen(inside), inside);
@@ -60,7 +60,10 @@ TEST(PeriodicScene, is_seen_in_its_box) {
         EXPECT_EQ(shape.seen(inside + Vec3{0, 4 * periods, 0}), inside);
         EXPECT_EQ(shape.seen(inside + Vec3{0, 0, -4 * periods}), inside);
     }
-    shape.period = 0;
+    shape.box = {4, 0, 2};
+    EXPECT_EQ(shape.seen({100, -100, 7}), (Vec3{0, -100, 3})) << "open along y";
+    EXPECT_EQ(shape.nearest({3, 9, -1.5}), (Vec3{-1, 9, 0.5}));
+    shape.box = {};
     EXPECT_EQ(shape.seen({100, -100, 7}), (Vec3{100, -100, 7}));
 }
 

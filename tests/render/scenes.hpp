@@ -26,7 +26,7 @@ inline Frame particles_at(std::vector<Vec3> places, std::vector<Role> roles = {}
 inline Frame periodic(std::vector<Vec3> places, double period, Vec3 corner) {
     Frame frame = particles_at(std::move(places));
     auto shape = std::make_shared<Shape>(*frame.shape);
-    shape->period = period;
+    shape->box = {period, period, period};
     shape->corner = corner;
     shape->rest = shape->expected = {corner, corner + Vec3{period, period, period}};
     shape->rest.resize(frame.positions.size(), corner);

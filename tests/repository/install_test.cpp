@@ -103,6 +103,7 @@ TEST_F(Installed, shaders_desktop_entry_and_icon_are_there) {
     EXPECT_TRUE(fs::exists(file("share/applications/steplab.desktop")));
     EXPECT_TRUE(fs::exists(file("share/icons/hicolor/scalable/apps/steplab.svg")));
     EXPECT_TRUE(fs::exists(file("bin/steplab-view")));
+    EXPECT_TRUE(fs::exists(file("share/steplab/pictures/chain.png")));
 }
 
 TEST_F(Installed, program_links_no_opengl) {

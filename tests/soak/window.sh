@@ -24,7 +24,7 @@ measured() (
 
 idle() {
     start_display 1280x800
-    open_window
+    open_window --model mesh
     sleep 5
     local before
     before=$(processor_time)

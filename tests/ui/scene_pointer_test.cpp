@@ -196,7 +196,7 @@ TEST(scene_pointer, what_is_pulled_in_a_periodic_scene_is_where_it_is_seen) {
     Desk desk(describe("crystal"));
     const std::size_t particle = desk.view.frame.positions.size() - 1;
     // It has left the box: another image of it is seen.
-    desk.view.frame.positions[particle].z -= 3 * desk.view.frame.shape->period;
+    desk.view.frame.positions[particle].z -= 3 * desk.view.frame.shape->box.z;
     const Vec3 seen = desk.view.frame.seen(particle);
     ASSERT_NE(seen, desk.view.frame.positions[particle]);
     const Point place = on_display(desk, particle);

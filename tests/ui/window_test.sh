@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Drives the real window with keys and mouse on a virtual display.
-#     window_test.sh PROGRAM CASE
+#     window_test.sh PROGRAM CASE DROP_FILE
 set -uo pipefail
 
 program=$(realpath "$1")
-readonly program
+drop_file=$(realpath "$3")
+readonly program drop_file
 folder=$(mktemp -d)
 readonly folder
 # shellcheck source=/dev/null
@@ -29,7 +30,7 @@ keys_drive_the_run() {
 
 keys_drive_the_window() {
     start_display 1280x800
-    open_window --size 1000x700
+    open_window --model mesh --size 1000x700
     xdotool key Tab; expect 'widget model gone'
     xdotool key Tab; expect 'widget model [0-9].*'
     xdotool key F1; expect 'widget help [0-9].*'
@@ -236,6 +237,75 @@ escape_closes_what_is_open() {
     xdotool key ctrl+p; expect 'saved steplab-mesh-1.png' 'widget notice [0-9].*'
     click notice; expect "copied $folder/steplab-mesh-1.png"
     xdotool key Escape; expect 'widget notice gone'
+    close_window
+}
+
+without_a_scene_it_opens_the_page_of_scenes() {
+    start_display 1280x800
+    open_window
+    expect 'widget model/two-planets [0-9].*'
+    click model/two-planets; expect 'model two-planets' 'widget scenes.path gone'
+    click model; expect 'widget model/rope [0-9].*'
+    click model/rope; expect 'model rope'
+    xdotool key ctrl+o; expect 'widget scenes.path [0-9].*'
+    xdotool key Escape key Escape; expect 'widget scenes.path gone'
+    close_window
+}
+
+# scene K: a scene file of a chain with this force constant.
+scene() {
+    printf 'steplab = 1\n[parameters]\nk = { value = %s, range = [1, 100], what = "stiffness" }\n' "$1"
+    printf '[[particles]]\ngroup = "c"\nline = { count = 5, step = [1, 0, 0] }\n'
+    printf '[[springs]]\nbetween = "c"\nk = "k"\n[run]\nmethod = "verlet"\ndt = 0.01\n'
+}
+
+scene_files_are_opened_by_path_and_by_drop() {
+    start_display 1280x800
+    scene 3 >"$folder/one.toml"
+    scene 4 >"$folder/the other.toml"
+    open_window --model mesh
+    xdotool key ctrl+o; expect 'widget scenes.path [0-9].*'
+    xdotool type -- 'none.toml'
+    xdotool key Return; expect 'refused none.toml: there is no such file' 'widget refusal.close [0-9].*'
+    click refusal.close; expect 'widget refusal gone'
+    click scenes.path
+    xdotool key ctrl+a type -- 'one.toml'
+    xdotool key Return; expect 'model one' 'widget scenes.path gone' 'widget scene.k.value [0-9].*'
+    "$drop_file" "$(xdotool search --name '^steplab$' | tail -1)" "$folder/the%20other.toml"
+    expect 'model the other' "command --scene '$folder/the other.toml' --method verlet --precision double --dt 0.01"
+    close_window
+}
+
+scene_file_is_read_again_when_it_changes() {
+    start_display 1280x800
+    scene 3 >"$folder/a.toml"
+    open_window --scene a.toml
+    xdotool mousemove 800 300 click 4; expect 'camera .*'
+    local camera
+    camera=$(grep '^camera ' "$folder/said" | tail -1)
+    click step; expect 'step 1'
+    enter dt 0.005; expect 'dt 0.005'
+    scene '"oops"' >"$folder/a.toml"
+    expect 'refused a.toml:3:.*' 'widget refusal.close [0-9].*'
+    click step; expect 'step 2' # of the last good scene
+    scene 4 >"$folder/b.toml"
+    mv "$folder/b.toml" "$folder/a.toml" # as editors do
+    expect 'run [0-9]+' 'step 0' 'widget refusal gone'
+    grep -q "^dt 0.005" "$folder/said" || fail "dt was lost"
+    [[ $(grep '^camera ' "$folder/said" | tail -1) == "$camera" ]] || fail "the camera moved"
+    close_window
+}
+
+saved_scene_opens_the_same_again() {
+    start_display 1280x800
+    open_window --model chain --set n=7 --method pefrl --dt 0.02 --view 10,20,30,1,2,3 --colour speed
+    xdotool key ctrl+s; expect 'saved steplab-chain-1.toml'
+    close_window
+    rm "$folder/trace"
+    open_window --scene steplab-chain-1.toml
+    grep -qx 'camera 10,20,30,1,2,3' "$folder/said" || fail "another view was opened"
+    grep -qx 'method pefrl' "$folder/said" || fail "another method was opened"
+    grep -qx 'dt 0.02' "$folder/said" || fail "another dt was opened"
     close_window
 }
 

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <string_view>
 
 namespace steplab {
@@ -19,16 +18,11 @@ namespace {
 constexpr ParameterInfo scale_info{
     .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "scale of text and lines"};
 
-/// The index of `word` among the known ones.
-std::size_t index_of(std::string_view option, std::string_view word, std::span<const std::string_view> known) {
-    const auto found = std::find(known.begin(), known.end(), word);
-    if (found == known.end()) throw UsageError(unknown_word(option, word, known));
-    return static_cast<std::size_t>(found - known.begin());
-}
-
 bool is_on(std::string_view option, std::string_view word) {
     constexpr std::array<std::string_view, 2> switches{"off", "on"};
-    return index_of(fmt::format("value of {}", option), word, switches) == 1;
+    if (std::find(switches.begin(), switches.end(), word) == switches.end())
+        throw UsageError(unknown_word(fmt::format("value of {}", option), word, switches));
+    return word == switches[1];
 }
 
 std::size_t parse_particle(std::string_view text, const RunDescription& description) {
@@ -44,6 +38,7 @@ std::size_t parse_particle(std::string_view text, const RunDescription& descript
 }  // namespace
 
 void AppearanceOptions::declare(CLI::App& app, const Help& help) {
+    app_ = &app;
     const auto add = [&](const char* name, std::string& value, const char* placeholder, const std::string& what) {
         text_option(app, name, value, placeholder, what, help.group);
     };
@@ -59,15 +54,27 @@ void AppearanceOptions::declare(CLI::App& app, const Help& help) {
     add("--scale", scale_, "X", help.scale);
 }
 
+/// The value of an option, which goes before what the scene's file says.
+const std::string& AppearanceOptions::said(const RunDescription& description, const char* option,
+                                           const std::string& value, std::string SceneDefaults::*of_file) const {
+    if (!description.origin || is_given(*app_, option)) return value;
+    const std::string& file = description.origin->defaults.*of_file;
+    return file.empty() ? value : file;
+}
+
 render::Style AppearanceOptions::style(const RunDescription& description) const {
     render::Style style;
-    style.colouring = static_cast<render::Colouring>(index_of("colouring", colour_, render::colouring_ids));
-    style.background = static_cast<render::Background>(index_of("background", background_, render::background_ids));
+    style.colouring = colouring_of(said(description, "--colour", colour_, &SceneDefaults::colour));
+    style.background = background_of(said(description, "--background", background_, &SceneDefaults::background));
     style.springs = is_on("--springs", springs_);
     style.grid = is_on("--grid", grid_);
     style.mass = facts_of(description).mass;
     if (!particle_.empty()) style.selected = parse_particle(particle_, description);
     return style;
+}
+
+const std::string& AppearanceOptions::view(const RunDescription& description) const {
+    return said(description, "--view", view_, &SceneDefaults::camera);
 }
 
 std::optional<bool> AppearanceOptions::panel() const {

@@ -25,16 +25,22 @@ public:
     };
     void declare(CLI::App& app, const Help& help);
 
-    /// How the scene is drawn, without pixel_scale. Throws UsageError for values of another form or out of range.
+    /// How the scene is drawn, without pixel_scale: as is given, else as the scene's file says. Throws UsageError for
+    /// values of another form or out of range.
     render::Style style(const RunDescription& description) const;
-    /// The camera as text, to be read by render::camera_of(); empty if none was given.
-    const std::string& view() const { return view_; }
+    /// The camera as text, to be read by render::camera_of(): that given, else that of the scene's file; empty if there
+    /// is none.
+    const std::string& view(const RunDescription& description) const;
     /// With the panel or without; none if that was not said. Throws UsageError.
     std::optional<bool> panel() const;
     /// Pixels per unit of the layout; none if that was not given. Throws UsageError.
     std::optional<double> scale() const;
 
 private:
+    const std::string& said(const RunDescription& description, const char* option, const std::string& value,
+                            std::string SceneDefaults::*of_file) const;
+
+    const CLI::App* app_ = nullptr;
     std::string view_;
     std::string colour_ = "role";
     std::string background_ = "dark";

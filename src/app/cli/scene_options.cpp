@@ -113,12 +113,12 @@ void SceneOptions::declare(CLI::App& app) {
     footer(app, catalogue_hint);
 }
 
-bool SceneOptions::is_given() const {
+bool SceneOptions::any_given() const {
     constexpr std::array names{"--model", "--scene", "--set", "--method", "--precision", "--dt", "--from", "--reverse"};
-    return std::any_of(names.begin(), names.end(), [this](const char* name) { return steplab::is_given(*app_, name); });
+    return std::any_of(names.begin(), names.end(), [this](const char* name) { return is_given(*app_, name); });
 }
-bool SceneOptions::names_method() const { return steplab::is_given(*app_, "--method"); }
-bool SceneOptions::names_precision() const { return steplab::is_given(*app_, "--precision"); }
+bool SceneOptions::names_method() const { return is_given(*app_, "--method"); }
+bool SceneOptions::names_precision() const { return is_given(*app_, "--precision"); }
 
 std::string SceneOptions::default_text(std::string_view fixed) const {
     return defaults_ == Defaults::fixed ? fmt::format("default {}", fixed) : "default: as suits the model";

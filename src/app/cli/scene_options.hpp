@@ -47,7 +47,7 @@ public:
     /// of no model or method.
     std::vector<RunDescription> descriptions() const;
     /// True if any of the options was given.
-    bool is_given() const;
+    bool any_given() const;
     /// True if --method was given; a command may otherwise use all methods.
     bool names_method() const;
     /// True if --precision was given.

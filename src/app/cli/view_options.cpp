@@ -69,7 +69,7 @@ WindowRequest ViewOptions::request(const RunDescription& description) const {
     WindowRequest request;
     read_size(size_, request);
     if (const auto scale = appearance_.scale()) request.scale = static_cast<float>(*scale);
-    request.view = appearance_.view();
+    request.view = appearance_.view(description);
     request.style = appearance_.style(description);
     request.panel = appearance_.panel();
     request.steps = time_.steps(description);

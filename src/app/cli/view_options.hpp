@@ -27,7 +27,8 @@ struct WindowRequest {
     std::uint64_t steps = 0;     ///< that the run takes before anything else
     std::optional<Rate> rate;    ///< none: the usual one
     LiveEnsembleOptions ensemble;
-    std::string trace;  ///< file to which events are written; empty: none
+    std::string trace;    ///< file to which events are written; empty: none
+    bool scenes = false;  ///< the page of scenes is open
     bool full_screen = false;
     bool playing = false;  ///< after these steps
 };

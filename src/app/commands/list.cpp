@@ -43,7 +43,7 @@ public:
             print(json_ ? scene_json(scene) : scene_text(scene));
             return static_cast<int>(ExitCode::done);
         }
-        if (scene_.is_given()) throw UsageError("the options of a scene belong to `steplab list scene`");
+        if (scene_.any_given()) throw UsageError("the options of a scene belong to `steplab list scene`");
         if (kind_ == kinds[2]) {
             print(json_ ? scenes_json() : scenes_table());
             return static_cast<int>(ExitCode::done);

@@ -76,7 +76,8 @@ PictureRequest SnapshotOptions::request(const RunDescription& description) const
     check_file(out_);
     PictureRequest request;
     request.size = parse_size(size_);
-    if (!appearance_.view().empty()) request.camera = appearance_.view();
+    const std::string view = appearance_.view(description);
+    if (!view.empty()) request.camera = view;
     request.panel = appearance_.panel().value_or(false);
     request.style = appearance_.style(description);
     request.style.pixel_scale = appearance_.scale().value_or(usual_scale(request.size));

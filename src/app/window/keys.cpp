@@ -39,6 +39,8 @@ constexpr Pair pairs[] = {
     {GLFW_KEY_P, Key::p, 'p'},
     {GLFW_KEY_Q, Key::q, 'q'},
     {GLFW_KEY_A, Key::a, 'a'},
+    {GLFW_KEY_O, Key::o, 'o'},
+    {GLFW_KEY_S, Key::s, 's'},
     {GLFW_KEY_C, Key::c, 'c'},
     {GLFW_KEY_V, Key::v, 'v'},
     {GLFW_KEY_X, Key::x, 'x'},

@@ -16,7 +16,8 @@ class Painting {
 public:
     std::vector<std::uint8_t> draw(const PaintJob& job) {
         if (!target_ || target_->size() != job.size) target_.emplace(job.size);
-        renderer_.draw(moment(job), job.style, job.camera, *target_);
+        const Frame& frame = moment(job);
+        renderer_.draw(frame, job.style, camera_at(frame, job), *target_);
         return target_->read();
     }
 
@@ -25,6 +26,15 @@ private:
         if (!job.from) return job.view->frame;
         render::between(job.from->frame, job.view->frame, job.fraction, between_);
         return between_;
+    }
+
+    /// Where the camera is when what it goes with is where it is in this frame.
+    static render::Camera camera_at(const Frame& frame, const PaintJob& job) {
+        render::Camera camera = job.camera;
+        const auto here = render::followed_point(frame, job.following, job.style.selected);
+        const auto there = render::followed_point(job.view->frame, job.following, job.style.selected);
+        if (here && there) camera.focus = camera.focus + (*here - *there);
+        return camera;
     }
 
     Frame between_;

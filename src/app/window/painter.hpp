@@ -2,6 +2,7 @@
 
 #include "app/window/window.hpp"
 #include "render/camera.hpp"
+#include "render/following.hpp"
 #include "render/style.hpp"
 #include "sim/run/run_view.hpp"
 
@@ -24,7 +25,8 @@ struct PaintJob {
     std::shared_ptr<const RunView> from;  ///< the view to interpolate from; null: none
     double fraction = 1;                  ///< position between `from` (0) and `view` (1)
     render::Style style;
-    render::Camera camera;
+    render::Camera camera;                                     ///< for the moment of `view`
+    render::Following following = render::Following::nothing;  ///< what the camera goes with until then
     render::PictureSize size;
     friend bool operator==(const PaintJob&, const PaintJob&) = default;
 };

@@ -51,7 +51,8 @@ int run(const std::vector<std::string>& arguments) {
         print(ui::key_table());
     } else {
         const RunDescription description = scene.description();
-        const WindowRequest request = options.request(description);
+        WindowRequest request = options.request(description);
+        request.scenes = !scene.any_given();
         if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);
         return open_window(description, request);
     }

@@ -41,20 +41,6 @@ std::shared_ptr<RunView> ViewPool::free_view() {
     return found != views_.end() ? *found : views_.emplace_back(std::make_shared<RunView>());
 }
 
-void SceneTexture::upload(const Painted& picture) {
-    glBindTexture(GL_TEXTURE_2D, texture_.id());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    const auto [width, height] = picture.size;
-    if (size_ == picture.size) {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
-        return;
-    }
-    size_ = picture.size;
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, picture.bytes.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-}
-
 Viewer::OpenGl::OpenGl() { render::load_opengl(); }
 
 Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
@@ -62,6 +48,7 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
       interface_(window_.display()),
       painter_(&Window::wake),
       trace_(request.trace),
+      files_(&Window::wake),
       worker_(start_worker(description)) {
     panels_.upload_fonts(interface_.fonts());
     window_.listen(interface_.input());
@@ -74,7 +61,7 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
 /// Asks the run for the moment to open at, and shows it from its start until then.
 void Viewer::open(const WindowRequest& request) {
     style_ = request.style;
-    interface_.open_with(request.panel, request.style.selected);
+    interface_.open_with(request.panel, request.style.selected, request.scenes);
     take_news();
     place_camera(request);  // a wrong text is reported now
     if (request.rate) worker_->set_rate(*request.rate);
@@ -123,12 +110,50 @@ void Viewer::take_news() {
         begin_as_asked();
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
+    take_files();
+    take_gallery();
     if (painter_.take(painted_)) {
-        scene_.upload(painted_);
+        scene_.upload(painted_.size, painted_.bytes);
         interface_.show_scene(scene_.name());
         measured_.frame_seconds = painted_.seconds;
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
+}
+
+/// What was dropped onto the window, and what became of files.
+void Viewer::take_files() {
+    for (const std::string& file : window_.take_dropped()) files_.open(file);
+    if (view_ && watched_ != view_->description.origin) {
+        watched_ = view_->description.origin;
+        files_.watch(view_->description);
+    }
+    while (const auto news = files_.take()) {
+        take(*news);
+        frames_wanted_ = std::max(frames_wanted_, 1);
+    }
+}
+
+void Viewer::take(const SceneFiles::News& news) {
+    switch (news.kind) {
+        case SceneFiles::News::Kind::opened:
+            return interface_.open(news.scene, *worker_);
+        case SceneFiles::News::Kind::read_again:
+            return interface_.reload(news.scene, *worker_);
+        case SceneFiles::News::Kind::saved:
+            interface_.notify_saved(news.text);
+            return trace_.report("saved", news.text);
+        case SceneFiles::News::Kind::failed:
+            interface_.report_error(news.text);
+            return trace_.report("refused", news.text);
+    }
+}
+
+void Viewer::take_gallery() {
+    if (interface_.shows_scenes()) gallery_.begin(&Window::wake);
+    auto gallery = gallery_.take();
+    if (!gallery) return;
+    interface_.show_gallery(std::move(*gallery));
+    frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
 void Viewer::wait() {
@@ -164,10 +189,17 @@ void Viewer::draw_frame() {
 }
 
 void Viewer::ask_for_scene(Clock::time_point now) {
+    if (interface_.shows_scenes()) return;
     const ui::PixelRect scene = interface_.scene();
     const bool gliding = measured_.frame_seconds < slow_picture && glide_.gliding(now);
     const auto from = gliding ? glide_.from(now) : nullptr;
-    painter_.ask({view_, from, gliding ? glide_.fraction(now) : 1, style_, camera_, {scene.width, scene.height}});
+    painter_.ask({view_,
+                  from,
+                  gliding ? glide_.fraction(now) : 1,
+                  style_,
+                  camera_,
+                  interface_.following(),
+                  {scene.width, scene.height}});
     if (gliding) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
@@ -186,6 +218,10 @@ void Viewer::carry_out(const ui::Request& request) {
         case ui::Request::Kind::copy_text:
             window_.copy(request.text);
             return trace_.report("copied", request.text);
+        case ui::Request::Kind::open_scene:
+            return files_.open(request.text);
+        case ui::Request::Kind::save_scene:
+            return save_scene();
         case ui::Request::Kind::full_screen:
             return window_.toggle_full_screen();
         case ui::Request::Kind::quit:
@@ -206,6 +242,11 @@ void Viewer::save_snapshot(const ui::Request& request) {
     }
     frames_wanted_ = std::max(frames_wanted_, 1);
     trace_.report("saved", name);
+}
+
+void Viewer::save_scene() {
+    files_.save(view_->description,
+                {render::view_text(camera_), std::string(id(style_.colouring)), std::string(id(style_.background))});
 }
 
 void Viewer::report() {

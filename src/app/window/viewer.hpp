@@ -1,17 +1,18 @@
 #pragma once
 
 #include "app/cli/view_options.hpp"
+#include "app/window/gallery_loader.hpp"
 #include "app/window/painter.hpp"
+#include "app/window/picture_texture.hpp"
+#include "app/window/scene_files.hpp"
 #include "app/window/trace.hpp"
 #include "app/window/window.hpp"
-#include "render/gl_objects.hpp"
 #include "render/imgui_renderer.hpp"
 #include "sim/run/worker.hpp"
 #include "ui/glide.hpp"
 #include "ui/interface.hpp"
 
 #include <chrono>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -26,17 +27,6 @@ public:
 
 private:
     std::vector<std::shared_ptr<RunView>> views_;
-};
-
-/// The newest picture of the scene as a texture in the context of the window.
-class SceneTexture {
-public:
-    void upload(const Painted& picture);
-    std::uint32_t name() const { return texture_.id(); }
-
-private:
-    render::Texture texture_;
-    render::PictureSize size_{0, 0};
 };
 
 /// The program of the window: the worker computes, the painter draws the scene, and this thread draws the panels over
@@ -61,12 +51,16 @@ private:
     void place_camera(const WindowRequest& request);
     void begin_as_asked();
     void take_news();
+    void take_files();
+    void take(const SceneFiles::News& news);
+    void take_gallery();
     void wait();
     void draw_frame();
     void ask_for_scene(Clock::time_point now);
     void draw_panels(const ui::Display& display);
     void carry_out(const ui::Request& request);
     void save_snapshot(const ui::Request& request);
+    void save_scene();
     void report();
 
     WindowSystem system_;
@@ -74,10 +68,13 @@ private:
     OpenGl opengl_;
     ui::Interface interface_;
     render::ImguiRenderer panels_;
-    SceneTexture scene_;
+    PictureTexture scene_;
     Painted painted_;
     ScenePainter painter_;
     Trace trace_;
+    GalleryLoader gallery_;
+    SceneFiles files_;
+    SceneOrigin watched_;  ///< the scene whose file is watched
     ViewPool pool_;
     std::unique_ptr<Worker> worker_;
     std::shared_ptr<RunView> view_;

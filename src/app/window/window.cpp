@@ -96,6 +96,11 @@ struct Window::Events {
     static void focus(GLFWwindow* handle, int focused) {
         if (focused == GLFW_FALSE) push(handle, ui::FocusLost{});
     }
+    static void dropped(GLFWwindow* handle, int count, const char** paths) {
+        Window& window = of(handle);
+        window.touched_ = true;
+        window.dropped_.insert(window.dropped_.end(), paths, paths + count);
+    }
     static void refresh(GLFWwindow* handle) { of(handle).touched_ = true; }
     static void size(GLFWwindow* handle, int, int) { of(handle).touched_ = true; }
     static void minimised(GLFWwindow* handle, int) { of(handle).touched_ = true; }
@@ -108,6 +113,7 @@ struct Window::Events {
         glfwSetScrollCallback(handle, wheel);
         glfwSetCharCallback(handle, character);
         glfwSetWindowFocusCallback(handle, focus);
+        glfwSetDropCallback(handle, dropped);
         glfwSetWindowRefreshCallback(handle, refresh);
         glfwSetFramebufferSizeCallback(handle, size);
         glfwSetWindowIconifyCallback(handle, minimised);

@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -36,6 +38,8 @@ public:
     ui::Display display() const;
     bool closing() const;
 
+    /// The paths of files dropped onto the window since the last call.
+    std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
     /// True if there was input, a change of size or an exposure since the last call.
     bool take_touched();
     /// Sleeps until an event or wake(), at most `seconds`.
@@ -64,6 +68,7 @@ private:
     std::optional<float> scale_;
     ui::Input* input_ = nullptr;
     bool touched_ = true;
+    std::vector<std::string> dropped_;
     Place windowed_;  ///< place to restore after full screen
 };
 

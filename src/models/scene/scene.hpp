@@ -150,6 +150,7 @@ struct SceneStart {
 struct SceneDefaults {
     std::string method = {}, precision = {}, camera = {}, colour = {}, background = {};
     std::optional<double> dt = {}, until = {};
+    std::map<std::string, std::string> method_parameters = {};  ///< as text: "tolerance" -> "1e-9"
     std::vector<std::string> compare = {};
     bool operator==(const SceneDefaults&) const = default;
 };

@@ -4,7 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace steplab {
 
@@ -13,7 +18,8 @@ namespace {
 /// The mean length of the springs; without any, the mean distance of a particle from the nearest one.
 double mean_spring(const Shape& shape) {
     double sum = 0;
-    for (const Spring& spring : shape.springs) sum += length(shape.rest[spring.second] - shape.rest[spring.first]);
+    for (const Spring& spring : shape.springs)
+        sum += length(shape.nearest(shape.rest[spring.second] - shape.rest[spring.first]));
     return shape.springs.empty() ? 0 : sum / static_cast<double>(shape.springs.size());
 }
 
@@ -32,21 +38,56 @@ double mean_nearest(const std::vector<Vec3>& places) {
     return asked > 0 ? sum / asked : 0;
 }
 
-void add_box(const Scene& scene, Shape& shape) {
-    const Vec3 box = scene.box.value();
-    if (box.x == 0 || box.x != box.y || box.y != box.z) return;
-    shape.period = box.x;
-    if (scene.corner) {
-        shape.corner = scene.corner->value();
-    } else {
-        Vec3 low = shape.rest.front(), high = low;
-        for (const Vec3 at : shape.rest) {
-            low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
-            high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
-        }
-        shape.corner = low - 0.5 * (box - (high - low));
+/// The smallest coordinates and the largest ones.
+std::pair<Vec3, Vec3> ends_of(const std::vector<Vec3>& places) {
+    Vec3 low = places.front(), high = low;
+    for (const Vec3 at : places) {
+        low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
     }
-    shape.expected = {shape.corner, shape.corner + box};
+    return {low, high};
+}
+
+/// Without a corner, the particles are in the middle of the box.
+void add_box(const Scene& scene, Shape& shape) {
+    shape.box = scene.box.value();
+    if (!shape.is_periodic()) return;
+    const auto [low, high] = ends_of(shape.rest);
+    shape.corner = scene.corner ? scene.corner->value() : low - 0.5 * (shape.box - (high - low));
+    const auto expected = [](double side, double corner, double least, double most) {
+        return side == 0 ? std::pair(least, most) : std::pair(corner, corner + side);
+    };
+    const auto x = expected(shape.box.x, shape.corner.x, low.x, high.x);
+    const auto y = expected(shape.box.y, shape.corner.y, low.y, high.y);
+    const auto z = expected(shape.box.z, shape.corner.z, low.z, high.z);
+    shape.expected = {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
+}
+
+/// Kept only where moving particles differ.
+void add_masses(const SceneParticles& particles, Shape& shape) {
+    std::vector<double> masses(particles.count());
+    std::optional<double> of_moving;
+    bool differ = false;
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+        const SceneParticle particle = particles[i];
+        masses[i] = particle.mass;
+        if (particle.fixed) continue;
+        differ = differ || (of_moving && *of_moving != particle.mass);
+        of_moving = particle.mass;
+    }
+    if (differ) shape.masses = std::move(masses);
+}
+
+/// Blocks of one group, or of none, are of one kind.
+void add_groups(const Scene& scene, Shape& shape) {
+    std::vector<std::string> names;
+    std::vector<std::uint16_t> groups;
+    for (const ParticleBlock& block : scene.particles) {
+        auto place = std::find(names.begin(), names.end(), block.group);
+        if (place == names.end()) place = names.insert(names.end(), block.group);
+        groups.insert(groups.end(), block.count(), static_cast<std::uint16_t>(place - names.begin()));
+    }
+    if (names.size() > 1) shape.groups = std::move(groups);
 }
 
 }  // namespace
@@ -61,16 +102,18 @@ Shape shape_of(const Scene& scene) {
         shape.roles.push_back(particle.role);
         shape.expected.push_back(particle.position + particle.displacement);
     }
+    add_masses(particles, shape);
+    add_groups(scene, shape);
+    add_box(scene, shape);
     for (const SpringTerm& term : scene.springs) {
         each_spring(particles, term, [&](const ScenePair& pair) {
-            const double rest = length(particles[pair.second].position - particles[pair.first].position);
+            const double rest = length(shape.nearest(particles[pair.second].position - particles[pair.first].position));
             shape.springs.push_back({static_cast<std::uint32_t>(pair.first), static_cast<std::uint32_t>(pair.second),
                                      term.length ? term.length->value : rest});
         });
     }
     const double apart = shape.springs.empty() ? mean_nearest(shape.rest) : mean_spring(shape);
     shape.spacing = apart > 0 ? apart : 1;
-    add_box(scene, shape);
     return shape;
 }
 

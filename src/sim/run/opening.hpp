@@ -12,4 +12,8 @@ RunDescription opening(RunDescription scene);
 /// default one.
 double opening_dt(const RunDescription& scene);
 
+/// A scene file that was changed, of which `fresh` is a new description: method, dt, precision and parameters that
+/// `now` has otherwise than its file says stay, where the new file has room for them; all else is the new file's.
+RunDescription reloaded(const RunDescription& now, RunDescription fresh);
+
 }  // namespace steplab

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <variant>
@@ -93,6 +94,18 @@ std::string changed_parameters(const ParameterValues& values) {
     return text;
 }
 
+/// A word of a command line, in quotation marks where a shell would not take it as it is.
+std::string shell_word(const std::string& text) {
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) != 0 || c >= 0x80 ||
+               std::string_view("/._-+,:=@%").find(static_cast<char>(c)) != std::string_view::npos;
+    };
+    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 }  // namespace
 
 SceneFacts facts_of(const RunDescription& description) { return model_of(description).facts(description.scene); }
@@ -106,6 +119,8 @@ RunDescription describe(SceneOrigin origin) {
     RunDescription description = with_method({}, scene.opening.method);
     description.model = std::filesystem::path(origin->given).stem().string();
     description.scene = ParameterValues(scene.info.parameters);
+    for (const auto& [name, text] : origin->defaults.method_parameters)
+        description.method_parameters.set_text(name, text);
     description.dt = scene.opening.dt;
     description.precision = scene.opening.precision;
     description.origin = std::move(origin);
@@ -172,7 +187,7 @@ RunDescription as_held(RunDescription description) {
 
 std::string command_line(const RunDescription& description) {
     const std::string scene =
-        description.origin ? "--scene " + description.origin->given : "--model " + description.model;
+        description.origin ? "--scene " + shell_word(description.origin->given) : "--model " + description.model;
     const StartChange& start = description.start;
     return fmt::format("{}{} --method {}{} --precision {} --dt {}{}{}", scene, changed_parameters(description.scene),
                        description.method, changed_parameters(description.method_parameters), id(description.precision),

@@ -21,6 +21,9 @@ void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
 void draw_plots_panel(const Context& context);
 
+/// In place of all of these and the scene: pictures of scenes to choose from.
+void draw_scenes_page(const Context& context);
+
 /// Over the scene: the ring around the particle under the pointer; readings of time, step and errors; messages; the
 /// cards of a scene out of view and of a diverged run; help.
 void draw_pointed(const Context& context);

@@ -2,6 +2,7 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace steplab::ui {
 namespace {
@@ -17,6 +18,7 @@ std::vector<ComboItem> colouring_items() {
         {.id = id(render::Colouring::strain),
          .name = "strain of the springs",
          .tooltip = "relative elongation: length / rest length - 1"},
+        {.id = id(render::Colouring::group), .name = "group", .tooltip = "of particles in the scene's file"},
     };
 }
 
@@ -44,6 +46,17 @@ void draw_background(const Context& context, render::Style& style) {
     }
 }
 
+void draw_following(const Context& context) {
+    constexpr std::array<std::string_view, 3> choices{"nothing", "particle", "centre"};
+    const RowPlaces places = row_places(context);
+    row_label(context, "follow",
+              "the camera goes with the selected particle, or with the centre of mass of all that are not fixed");
+    ImGui::SameLine(places.control);
+    auto chosen = static_cast<std::size_t>(context.session.following);
+    if (segmented(context, "follow", choices, chosen, places.right - places.control, row_height(context)))
+        context.session.following = static_cast<render::Following>(chosen);
+}
+
 }  // namespace
 
 void draw_show_panel(const Context& context) {
@@ -51,11 +64,17 @@ void draw_show_panel(const Context& context) {
     heading(context, "DISPLAY");
     draw_colouring(context, style);
     draw_background(context, style);
+    draw_following(context);
     check_row(context, "springs", "springs", style.springs);
     tooltip(context, "draw the springs");
     ImGui::SameLine(row_places(context).control);
     check_row(context, "grid", "grid and axes", style.grid);
     tooltip(context, "draw the ground grid and the axes in metres");
+    check_row(context, "trail", "trail", context.session.trail);
+    tooltip(context, "draw where the selected particle has been");
+    ImGui::SameLine(row_places(context).control);
+    check_row(context, "velocities", "velocities", style.velocities);
+    tooltip(context, "draw the velocity of each particle as an arrow");
     draw_ensemble_rows(context);
 }
 

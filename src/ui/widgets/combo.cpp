@@ -71,6 +71,18 @@ float list_width(const Context& context, std::span<const ComboItem> items) {
 
 }  // namespace
 
+bool choice_box(const Context& context, std::string_view widget, std::string_view name, float width) {
+    const WithId id(widget);
+    const bool clicked = ImGui::InvisibleButton("box", {width, ImGui::GetFrameHeight()});
+    context.mark(widget);
+    const Box box{ImGui::GetItemRectMin(), ImGui::GetItemRectMax()};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(box.from, box.to, ImGui::IsItemHovered() ? colour::control_hover : colour::control,
+                       ImGui::GetStyle().FrameRounding);
+    draw_box(context, list, box, name);
+    return clicked;
+}
+
 bool combo(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t& chosen,
            float width) {
     const WithId id(widget);

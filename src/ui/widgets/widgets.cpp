@@ -25,6 +25,11 @@ void draw_tick(ImVec2 from, float size, float thickness) {
 
 }  // namespace
 
+ImTextureID texture_id(std::uint32_t name) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
+}
+
 RowPlaces row_places(const Context& context) {
     const float left = ImGui::GetStyle().WindowPadding.x;
     const float right = left + ImGui::GetContentRegionAvail().x;

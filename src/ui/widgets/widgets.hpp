@@ -2,6 +2,9 @@
 
 #include "ui/context.hpp"
 
+#include <imgui.h>
+
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,6 +68,12 @@ struct ComboItem {
 /// A box that shows the chosen item and opens a menu of all items. True if another one was chosen.
 bool combo(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t& chosen,
            float width);
+
+/// A box like that of combo() for choices that are made elsewhere. True when clicked.
+bool choice_box(const Context& context, std::string_view widget, std::string_view name, float width);
+
+/// How ImGui carries the name of an OpenGL texture.
+ImTextureID texture_id(std::uint32_t name);
 
 /// A button with a text; `accent` highlights it.
 bool text_button(const Context& context, std::string_view widget, std::string_view text, bool accent = false,

@@ -1,0 +1,57 @@
+#include "app/window/gallery_loader.hpp"
+
+#include "app/window/priority.hpp"
+#include "core/error.hpp"
+#include "io/shared_files.hpp"
+
+#include <utility>
+
+namespace steplab {
+namespace {
+
+ReadPicture picture_of(const ui::Exhibit& exhibit) {
+    try {
+        return read_png(shared_file("pictures", exhibit.id + ".png"));
+    } catch (const FileError&) {
+        return {};  // the scene can be opened all the same
+    }
+}
+
+}  // namespace
+
+void GalleryLoader::begin(void (*wake)()) {
+    if (std::exchange(begun_, true)) return;
+    reading_ = std::async(std::launch::async, [this, wake] {
+        lower_priority();
+        Read result = read();
+        {
+            const std::lock_guard lock(mutex_);
+            ready_ = std::move(result);
+        }
+        wake();
+    });
+}
+
+GalleryLoader::Read GalleryLoader::read() {
+    Read result{ui::whole_gallery(), {}};
+    for (const ui::Exhibit& exhibit : result.gallery) result.pictures.push_back(picture_of(exhibit));
+    return result;
+}
+
+std::optional<ui::Gallery> GalleryLoader::take() {
+    std::optional<Read> result;
+    {
+        const std::lock_guard lock(mutex_);
+        std::swap(result, ready_);
+    }
+    if (!result) return std::nullopt;
+    for (std::size_t i = 0; i < result->gallery.size(); ++i) {
+        const ReadPicture& picture = result->pictures[i];
+        if (picture.rgba.empty()) continue;
+        textures_.emplace_back().upload({picture.width, picture.height}, picture.rgba);
+        result->gallery[i].picture = textures_.back().name();
+    }
+    return std::move(result->gallery);
+}
+
+}  // namespace steplab

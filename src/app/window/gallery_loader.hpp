@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/png.hpp"
+#include "app/window/picture_texture.hpp"
+#include "ui/gallery.hpp"
+
+#include <future>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace steplab {
+
+/// Reads the shipped scenes and all pictures for the page of scenes, on a thread of its own.
+class GalleryLoader {
+public:
+    /// Begins to read, unless it has begun; `wake` is called on the thread at the end.
+    void begin(void (*wake)());
+    /// The gallery, its pictures as textures of the current context, once it was read; none before and afterwards.
+    std::optional<ui::Gallery> take();
+
+private:
+    struct Read {
+        ui::Gallery gallery;
+        std::vector<ReadPicture> pictures;  ///< of each exhibit; without pixels where it has none
+    };
+    static Read read();
+
+    std::vector<PictureTexture> textures_;
+    bool begun_ = false;
+    std::mutex mutex_;
+    std::optional<Read> ready_;
+    std::future<void> reading_;
+};
+
+}  // namespace steplab

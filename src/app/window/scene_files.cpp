@@ -1,0 +1,148 @@
+#include "app/window/scene_files.hpp"
+
+#include "core/error.hpp"
+#include "io/output_file.hpp"
+#include "io/scene_file.hpp"
+#include "ui/plot/plot_files.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+namespace {
+
+// How often a file is looked at: one system call each time.
+constexpr std::chrono::milliseconds between_looks{500};
+
+std::string in_own_folder(const std::string& path) {
+    const char* const home = std::getenv("HOME");
+    return home && path.starts_with("~/") ? home + path.substr(1) : path;
+}
+
+/// The file of a scene and those that it reads, which lie in its folder.
+std::vector<std::filesystem::path> files_of(const SceneFile& scene) {
+    const std::filesystem::path file = scene_path(scene.given);
+    std::vector<std::filesystem::path> files{file};
+    for (const SceneFile::Part& part : scene.parts) {
+        if (!part.name.empty()) files.push_back(file.parent_path() / part.name);
+    }
+    return files;
+}
+
+}  // namespace
+
+SceneFiles::SceneFiles(void (*wake)()) : wake_(wake) {
+    thread_ = std::thread([this] { work(); });
+}
+
+SceneFiles::~SceneFiles() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void SceneFiles::open(const std::string& name) {
+    post([this, name = in_own_folder(name)] {
+        attempt([&] { report({.kind = News::Kind::opened, .scene = describe(find_scene(name))}); });
+    });
+}
+
+void SceneFiles::save(const RunDescription& run, const SceneView& view) {
+    post([this, run, view] {
+        attempt([&] {
+            const std::string name = ui::free_name({}, run.model, "toml");
+            OutputFile file(name);
+            file.write(scene_file_text(run, view));
+            file.commit();
+            report({.kind = News::Kind::saved, .text = name});
+        });
+    });
+}
+
+void SceneFiles::watch(const RunDescription& shown) {
+    post([this, origin = shown.origin] {
+        const bool other = !watching_ || !origin || watched_->given != origin->given;
+        watched_ = origin;
+        watching_ = static_cast<bool>(origin);
+        if (!other || !watching_) return;
+        files_ = FileWatch(files_of(*origin));
+        failed_ = false;
+        read_again();  // it may have changed before it was watched
+    });
+}
+
+std::optional<SceneFiles::News> SceneFiles::take() {
+    const std::lock_guard lock(mutex_);
+    if (news_.empty()) return std::nullopt;
+    News next = std::move(news_.front());
+    news_.pop_front();
+    return next;
+}
+
+void SceneFiles::post(Job job) {
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back(std::move(job));
+    }
+    changed_.notify_all();
+}
+
+void SceneFiles::work() {
+    std::unique_lock lock(mutex_);
+    while (!stopping_) {
+        if (!jobs_.empty()) {
+            const Job job = std::move(jobs_.front());
+            jobs_.pop_front();
+            lock.unlock();
+            job();
+            lock.lock();
+        } else if (!watching_) {
+            changed_.wait(lock);
+        } else if (changed_.wait_for(lock, between_looks) == std::cv_status::timeout) {
+            lock.unlock();
+            if (files_.changed()) read_again();
+            lock.lock();
+        }
+    }
+}
+
+/// What was wrong is over when the file is right again, even if it then is as it was.
+void SceneFiles::read_again() {
+    const bool failed = std::exchange(failed_, true);
+    attempt([&] {
+        const SceneOrigin fresh = find_scene(watched_->given);
+        failed_ = false;
+        if (!failed && fresh == watched_) return;
+        watched_ = fresh;
+        report({.kind = News::Kind::read_again, .scene = describe(fresh)});
+    });
+}
+
+void SceneFiles::report(News news) {
+    {
+        const std::lock_guard lock(mutex_);
+        news_.push_back(std::move(news));
+    }
+    wake_();
+}
+
+template <class Work>
+void SceneFiles::attempt(const Work& work) {
+    try {
+        work();
+    } catch (const std::bad_alloc&) {
+        report({.kind = News::Kind::failed, .text = "there is not enough memory for this scene"});
+    } catch (const std::exception& error) {
+        report({.kind = News::Kind::failed, .text = error.what()});
+    }
+}
+
+}  // namespace steplab

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "io/file_watch.hpp"
+#include "io/scene_writer.hpp"
+#include "sim/run/run_description.hpp"
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace steplab {
+
+/// Reads and writes scene files on a thread of its own, because large ones take long, and watches the file of the scene
+/// that is shown. Every call returns at once.
+class SceneFiles {
+public:
+    /// What a job came to.
+    struct News {
+        enum class Kind { opened, read_again, saved, failed };
+        Kind kind = Kind::failed;
+        RunDescription scene = {};  ///< opened, read_again: as the file describes it
+        std::string text = {};      ///< saved: the file; failed: the message
+    };
+
+    /// `wake` is called on the thread when there are news.
+    explicit SceneFiles(void (*wake)());
+    ~SceneFiles();
+    SceneFiles(const SceneFiles&) = delete;
+    SceneFiles& operator=(const SceneFiles&) = delete;
+
+    /// Reads a file, or a shipped scene by its name. `~/` at the front is the user's own folder.
+    void open(const std::string& name);
+    /// Writes the scene of a run to a new file in the current folder.
+    void save(const RunDescription& run, const SceneView& view);
+    /// The scene that is shown: its file, if it is one, is read again when it has changed since this scene was read
+    /// from it.
+    void watch(const RunDescription& shown);
+    /// The next news; none if there are none.
+    std::optional<News> take();
+
+private:
+    using Job = std::function<void()>;
+    void post(Job job);
+    void work();
+    void read_again();
+    void report(News news);
+    template <class Work>
+    void attempt(const Work& work);
+
+    void (*wake_)();
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Job> jobs_;
+    std::deque<News> news_;
+    bool stopping_ = false;
+    // of the thread
+    FileWatch files_;
+    SceneOrigin watched_;  ///< as it was read last
+    bool failed_ = false;  ///< the last time it was read again
+    bool watching_ = false;
+    std::thread thread_;
+};
+
+}  // namespace steplab

@@ -1,0 +1,22 @@
+#include "io/shared_files.hpp"
+
+#include <system_error>
+
+namespace steplab {
+
+std::vector<std::filesystem::path> shared_folders(const std::string& name) {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    return {(program.parent_path() / "../share/steplab" / name).lexically_normal(),
+            std::filesystem::path(STEPLAB_ASSETS_IN_SOURCE) / name};
+}
+
+std::filesystem::path shared_file(const std::string& folder, const std::string& name) {
+    for (const auto& place : shared_folders(folder)) {
+        std::error_code error;
+        if (std::filesystem::exists(place / name, error)) return place / name;
+    }
+    return {};
+}
+
+}  // namespace steplab
