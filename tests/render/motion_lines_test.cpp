@@ -57,7 +57,8 @@ TEST(TrailLines, join_the_places_and_fade_with_age) {
 
 TEST(TrailLines, do_not_cross_the_periodic_box) {
     Scene scene(test::periodic({{0, 0, 0}}, 4, {-2, -2, -2}));
-    scene.style.trail = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{1, 0, 0}, {1.9, 0, 0}, {2.1, 0, 0}});
+    scene.style.trail =
+        std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{1, 0, 0}, {1.9, 0, 0}, {2.1, 0, 0}});
     EXPECT_EQ(trail_lines(scene.shot()).size(), 1u);
 }
 
@@ -76,8 +77,7 @@ TEST(Sizes, go_by_mass_within_a_range) {
 }
 
 TEST(FollowedPoint, is_the_particle_or_the_centre_of_mass) {
-    Frame frame =
-        test::particles_at({{0, 0, 0}, {4, 0, 0}, {0, 9, 0}}, {Role::moving, Role::moving, Role::fixed});
+    Frame frame = test::particles_at({{0, 0, 0}, {4, 0, 0}, {0, 9, 0}}, {Role::moving, Role::moving, Role::fixed});
     EXPECT_FALSE(followed_point(frame, Following::nothing, 1));
     EXPECT_EQ(followed_point(frame, Following::particle, 1), (Vec3{4, 0, 0}));
     EXPECT_FALSE(followed_point(frame, Following::particle, std::nullopt));

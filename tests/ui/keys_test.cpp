@@ -149,6 +149,8 @@ TEST(keys, every_key_has_a_button_or_menu_entry) {
                                                   {Action::slower, "menu/slower"},
                                                   {Action::previous_scene, "menu/previous scene"},
                                                   {Action::next_scene, "menu/next scene"},
+                                                  {Action::open_scene, "menu/open scene"},
+                                                  {Action::save_scene, "menu/save scene"},
                                                   {Action::panel, "menu/panel"},
                                                   {Action::help, "menu/help"},
                                                   {Action::snapshot, "menu/snapshot"},

@@ -64,18 +64,19 @@ private:
         Frame frame;
         for (std::uint64_t i = 0; i < reader.frames(); ++i) {
             reader.frame(i, frame);
-            add(frame.positions, reader.scene().period, bins);
+            add(frame.positions, reader.scene().box, bins);
             progress.at(i + 1);
         }
     }
 
     void measure(TextTrajectory& text, std::size_t bins) {
         text.require({Column::x, Column::y, Column::z});
-        for (FrameBlock frame; text.next(frame);) add(frame.positions, frame.scene.period, bins);
+        for (FrameBlock frame; text.next(frame);) add(frame.positions, frame.scene.box, bins);
     }
 
-    void add(const std::vector<Vec3>& positions, double side, std::size_t bins) {
-        if (!(side > 0))
+    void add(const std::vector<Vec3>& positions, Vec3 box, std::size_t bins) {
+        const double side = box.x;
+        if (!(side > 0) || box.y != side || box.z != side)
             throw FileError(
                 fmt::format("'{}' has no cubic periodic box, without which there is no density to compare "
                             "distances with",

@@ -52,7 +52,7 @@ TEST_P(EveryTheme, curves_sliders_and_buttons_stand_out) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Colours, EveryTheme, testing::Values(render::Background::dark, render::Background::light),
-                         [](const auto& test) { return std::string(render::id(test.param)); });
+                         [](const auto& test) { return std::string(id(test.param)); });
 
 /// Luminances of all that is drawn in one colour, with the colours of the glyphs.
 std::vector<double> luminances(Desk& desk) {
