@@ -111,7 +111,8 @@ Reduced reduced_by_bits(double x) {
     const auto whole = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(x), &exponent), 53));
     exponent -= 53;  // |x| = whole 2^exponent
     // Bits above these count whole turns: the first has the weight 2^(2 - 1 - exponent), the table's first 2^63.
-    const auto first = static_cast<std::size_t>(62 + exponent);
+    const int first_bit = 62 + exponent;
+    const auto first = static_cast<std::size_t>(first_bit);
     __extension__ using Wide = unsigned __int128;
     const Wide low = Wide(whole) * bits_of_two_over_pi(first + 128);
     const Wide middle = Wide(whole) * bits_of_two_over_pi(first + 64) + static_cast<std::uint64_t>(low >> 64);

@@ -97,7 +97,8 @@ void read_run(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defa
                     defaults.precision = word_of(given, "precision", {"float", "double"});
                 }},
                {"until", [&](const toml::node& given) { defaults.until = numbers.positive(given, Use::start).value; }},
-               {"compare", [&](const toml::node& given) {
+               {"compare",
+                [&](const toml::node& given) {
                     defaults.compare = texts_of(given);
                     compared = &given;
                 }},

@@ -97,11 +97,11 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
     for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->listed.clear();
     const float least = least_width * static_cast<float>(style.pixel_scale);
     const std::span<const Spring> springs = known.shape->springs;
+    const auto seen = [&](std::size_t i) { return drawable(shot.frame.positions[i]); };
     const auto add = [&](glm::vec3 start, glm::vec3 end, std::size_t i) {
-        if (!filter.worth_drawing(start, end)) return;
-        if (!drawable(frame.positions[springs[i].first]) || !drawable(frame.positions[springs[i].second])) return;
+        if (!filter.worth_drawing(start, end) || !seen(springs[i].first) || !seen(springs[i].second)) return;
         list_for(filter.thickness(start, end, radius_), least)
-            .push_back({start, end, vertex_colour(spring_colour(frame, style, scale, i))});
+            .push_back({start, end, vertex_colour(spring_colour(shot.frame, shot.style, shot.scale, i))});
     };
     const glm::vec3 sides = in_vertex_lengths(projection, known.shape->box);
     for (std::size_t i = 0; i < springs.size(); ++i) {
