@@ -40,13 +40,18 @@ private:
         enum class Kind : std::uint8_t { variable, constant, step };
         Kind kind = Kind::variable;
         std::uint32_t index = 0;
-        auto operator<=>(const Value&) const = default;
+
+        std::uint64_t key() const { return std::uint64_t(kind) << 32 | index; }
     };
     struct Planned {
         Made operation;
         std::array<Value, 4> operands;
         std::size_t count;
-        auto operator<=>(const Planned&) const = default;
+
+        std::array<std::uint64_t, 5> key() const {
+            return {static_cast<std::uint64_t>(operation), operands[0].key(), operands[1].key(), operands[2].key(),
+                    operands[3].key()};
+        }
     };
 
     Value constant(double number) {
@@ -63,7 +68,7 @@ private:
     Value step(Made operation, std::initializer_list<Value> operands) {
         Planned planned{operation, {}, operands.size()};
         std::copy(operands.begin(), operands.end(), planned.operands.begin());
-        const auto [known, is_new] = known_.try_emplace(planned, static_cast<std::uint32_t>(planned_.size()));
+        const auto [known, is_new] = known_.try_emplace(planned.key(), static_cast<std::uint32_t>(planned_.size()));
         if (is_new) planned_.push_back(planned);
         return {Value::Kind::step, known->second};
     }
@@ -182,7 +187,7 @@ private:
     const ExpressionGraph& graph_;
     ExpressionProgram program_;
     std::vector<Planned> planned_;
-    std::map<Planned, std::uint32_t> known_;
+    std::map<std::array<std::uint64_t, 5>, std::uint32_t> known_;
     std::vector<std::uint32_t> slot_of_step_, free_;
 };
 

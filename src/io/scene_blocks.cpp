@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace steplab {
@@ -141,8 +142,9 @@ Temperature temperature_of(const toml::node& node, SceneNumbers& numbers) {
 
 /// The values must be those of the potential.
 void check_values_of(const PairTerm& term, const toml::table& table, const PotentialInfo& built_in) {
-    std::vector<std::string_view> known;
-    for (const PotentialInfo::Parameter& parameter : built_in.parameters) known.push_back(parameter.name);
+    std::vector<std::string_view> known(built_in.parameters.size());
+    std::transform(built_in.parameters.begin(), built_in.parameters.end(), known.begin(),
+                   [](const PotentialInfo::Parameter& parameter) { return parameter.name; });
     for (const auto& [name, quantity] : term.values) {
         if (std::find(known.begin(), known.end(), name) == known.end())
             fail_at(*table.get(name), unknown_word("value", name, known, term.potential));
@@ -162,8 +164,9 @@ void check_is_expression(const PairTerm& term, const toml::node& potential, Scen
                                   [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-'; });
     const bool name = term.potential == "r" || numbers.parameter(term.potential, potential, Use::force).has_value();
     if (!word || name) return;
-    std::vector<std::string_view> known;
-    for (const PotentialInfo* const info : BuiltInPotentials::infos) known.push_back(info->name);
+    std::array<std::string_view, BuiltInPotentials::infos.size()> known;
+    std::transform(BuiltInPotentials::infos.begin(), BuiltInPotentials::infos.end(), known.begin(),
+                   [](const PotentialInfo* info) { return info->name; });
     fail_at(potential, unknown_word("potential", term.potential, known));
 }
 

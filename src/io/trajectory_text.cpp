@@ -123,7 +123,7 @@ struct XyzColumns {
 std::string box_text(const FileScene& scene) {
     const Vec3 &box = scene.box, &corner = scene.corner;
     const auto flag = [](double side) { return side == 0 ? 'F' : 'T'; };
-    const std::string pbc = fmt::format("pbc=\"{} {} {}\"", flag(box.x), flag(box.y), flag(box.z));
+    std::string pbc = fmt::format("pbc=\"{} {} {}\"", flag(box.x), flag(box.y), flag(box.z));
     if (box == Vec3{}) return pbc;
     return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{} {} {}\" {}", number_text(box.x),
                        number_text(box.y), number_text(box.z), number_text(corner.x), number_text(corner.y),

@@ -104,7 +104,7 @@ TEST_P(SceneAnswers, two_masses_held_by_a_typed_potential) {
 
 // In the field m omega^2 / 2 (x^2 + 4 y^2): x = cos(omega t), y = sin(2 omega t), whatever the mass.
 TEST_P(SceneAnswers, masses_in_a_typed_field) {
-    const std::string text = R"(
+    const std::string text = R"toml(
 [parameters]
 omega = 1.5
 [[particles]]
@@ -118,7 +118,7 @@ mass = 0.5
 [[fields]]
 potential = "m * omega^2 / 2 * (x^2 + stretch * y^2)"
 stretch = 4
-)";
+)toml";
     const Frame frame = after(run_of_text(text, GetParam(), std::numbers::pi / 1.5 / 100), 30);
     const double phase = 1.5 * frame.time;
     for (const Vec3& at : frame.positions) {

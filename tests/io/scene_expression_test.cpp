@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string salt = R"(steplab = 1
+const std::string salt = R"toml(steplab = 1
 [parameters]
 A = 4
 rho = { value = 0.5, range = [0.1, 1] }
@@ -36,11 +36,9 @@ C = "two / 4"
 [[fields]]
 potential = "w/2*(x^2 + y^2 + 2*z^2)"
 w = 0.3
-)";
+)toml";
 
-SceneOrigin read(const std::string& text) {
-    return scene_from({{.name = "", .content = text}}, "a.toml");
-}
+SceneOrigin read(const std::string& text) { return scene_from({{.name = "", .content = text}}, "a.toml"); }
 
 std::string refusal(const std::string& text) {
     try {
@@ -87,11 +85,12 @@ TEST(SceneExpression, written_and_read_again_is_the_same_run) {
 TEST(SceneExpression, says_what_is_wrong_and_where) {
     const std::string potential = "\"A*exp(-r/rho) + q1*q2/r - C/r^6\"";
     const std::pair<std::string, std::string> cases[] = {
-        {replaced(salt, potential, "\"A*exp(-r/rh) - C*q1\""), "a.toml:15:13: unknown name 'rh'; did you mean 'rho'?"},
+        {replaced(salt, potential, "\"A*exp(-r/rh) - C*q1\""),
+         "a.toml:15:13: unknown name 'rh'; known: r, m1, m2, q1, q2, C, A, rho, two"},
         {replaced(salt, potential, "\"A*exp(-r/rho)\""), "a.toml:16:5: the potential does not use 'C'"},
-        {replaced(salt, potential, "\"A*exp(-r/rho\""), "character 14: expected ')'"},
+        {replaced(salt, potential, "\"A*exp(-r/rho\""), "character 13: expected ')'"},
         {replaced(salt, potential, "\"A*foo(r) - C\""), "unknown function 'foo'"},
-        {replaced(salt, potential, "\"mors\""), "a.toml:15:13: unknown potential 'mors'; did you mean 'morse'?"},
+        {replaced(salt, potential, "\"mors\""), "a.toml:15:13: unknown potential 'mors' (did you mean 'morse'?)"},
         {replaced(salt, "C = ", "r = 1\nC = "), "a.toml:16:5: the potential does not use 'r'"},
         {replaced(salt, "w = 0.3\n", ""), "a.toml:19:13: unknown name 'w'"},
         {replaced(salt, "w = 0.3\n", "w = 0.3\nv = 1\n"), "a.toml:21:5: the potential does not use 'v'"},

@@ -60,6 +60,7 @@ TEST(SceneStart, in_a_normal_mode_vibrates_with_its_frequency) {
         }
         EXPECT_NEAR(largest, 1e-4, 1e-16);
         run.dt = 2 * std::numbers::pi / omega;
+        run.method_parameters.set("tolerance", 1e-13);
         Simulation simulation(run);
         const State<double> before = simulation.state();
         simulation.advance(1);

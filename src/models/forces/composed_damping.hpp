@@ -63,8 +63,8 @@ public:
             block.at = {{{scale * d.x * d.x, scale * d.x * d.y, scale * d.x * d.z},
                          {scale * d.y * d.x, scale * d.y * d.y, scale * d.y * d.z},
                          {scale * d.z * d.x, scale * d.z * d.y, scale * d.z * d.z}}};
-            const auto [i, j] = std::minmax(std::size_t(dashpot.first), std::size_t(dashpot.second));
-            f(i, j, block);
+            f(std::size_t(std::min(dashpot.first, dashpot.second)),
+              std::size_t(std::max(dashpot.first, dashpot.second)), block);
         }
     }
 

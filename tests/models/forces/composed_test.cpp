@@ -60,7 +60,8 @@ Composition everything(Vec3 box, double cutoff) {
     }
     PairTerm expression{.potential = "0.3*m1*m2*exp(-r) - q1*q2*tanh(r)/(1 + r)"};
     if (cutoff > 0) expression.cutoff = cutoff;
-    ComposedPairs written{.cutoff = cutoff};
+    ComposedPairs written;
+    written.cutoff = cutoff;
     written.expression = expression_of(expression, terms.mass);
     written.first = numbers(0, 9);
     terms.pairs.push_back(written);
@@ -189,7 +190,10 @@ TEST(Composed, lists_of_neighbours_in_any_box_miss_no_pair) {
         Composition terms;
         terms.count = 60;
         terms.box = box;
-        ComposedPairs pairs{.potential = "morse", .values = {1, 5, 1}, .expression = {}, .cutoff = 1.5};
+        ComposedPairs pairs;
+        pairs.potential = "morse";
+        pairs.values = {1, 5, 1};
+        pairs.cutoff = 1.5;
         pairs.first = numbers(0, 60);
         terms.pairs = {pairs};
         const Field<double> x = random_positions(60, 12, 11);

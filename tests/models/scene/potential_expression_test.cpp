@@ -1,6 +1,7 @@
 #include "models/scene/potential_expression.hpp"
 
 #include "core/error.hpp"
+#include "core/expression.hpp"
 #include "models/forces/pair_potential.hpp"
 
 #include <gtest/gtest.h>
@@ -36,10 +37,14 @@ TEST(PotentialExpression, is_the_built_in_potential_typed) {
     const double unit = 2.5;
     for (const Twin& twin : twins) {
         for (const double cutoff : {0.0, 2.5}) {
-            ComposedPairs built_in{.potential = twin.name, .values = twin.values, .expression = {}, .cutoff = cutoff};
+            ComposedPairs built_in;
+            built_in.potential = twin.name;
+            built_in.values = twin.values;
+            built_in.cutoff = cutoff;
             PairTerm term{.potential = twin.expression};
             if (cutoff > 0) term.cutoff = cutoff;
-            ComposedPairs typed{.cutoff = cutoff};
+            ComposedPairs typed;
+            typed.cutoff = cutoff;
             typed.expression = expression_of(term, unit);
             const PairPotential<double> a(built_in, unit), b(typed, unit);
             const PairProperties<double> pair{1, 0.4, -1, 0.5};

@@ -14,7 +14,8 @@ ParticleBlock line_of(std::size_t count, double step, const std::string& group =
 }
 
 TEST(SceneShape, has_masses_where_moving_particles_differ) {
-    Scene scene{.particles = {line_of(2, 1, "a"), line_of(1, 1, "b")}};
+    Scene scene;
+    scene.particles = {line_of(2, 1, "a"), line_of(1, 1, "b")};
     EXPECT_TRUE(shape_of(scene).masses.empty());
     scene.particles[1].mass = 3;
     EXPECT_EQ(shape_of(scene).masses, (std::vector<double>{1, 1, 3}));
@@ -23,14 +24,16 @@ TEST(SceneShape, has_masses_where_moving_particles_differ) {
 }
 
 TEST(SceneShape, numbers_groups_as_they_first_appear) {
-    Scene scene{.particles = {line_of(2, 1, "a"), line_of(1, 1), line_of(1, 1, "b"), line_of(1, 1)}};
+    Scene scene;
+    scene.particles = {line_of(2, 1, "a"), line_of(1, 1), line_of(1, 1, "b"), line_of(1, 1)};
     EXPECT_EQ(shape_of(scene).groups, (std::vector<std::uint16_t>{0, 0, 1, 2, 1}));
     scene.particles.resize(1);
     EXPECT_TRUE(shape_of(scene).groups.empty());
 }
 
 TEST(SceneShape, has_a_box_of_unequal_sides) {
-    Scene scene{.particles = {line_of(3, 1)}};
+    Scene scene;
+    scene.particles = {line_of(3, 1)};
     scene.box = {4, 0, 2};
     const Shape shape = shape_of(scene);
     EXPECT_EQ(shape.box, (Vec3{4, 0, 2}));
@@ -40,8 +43,11 @@ TEST(SceneShape, has_a_box_of_unequal_sides) {
 
 // From the last particle to the first, the nearest image is one step away.
 TEST(SceneShape, springs_through_a_side_of_the_box_have_the_length_of_their_nearest_image) {
-    Scene scene{.particles = {line_of(4, 1, "ring")}};
-    scene.springs = {{.pairs = {{"ring[3]", "ring[0]"}}, .k = 1}};
+    Scene scene;
+    scene.particles = {line_of(4, 1, "ring")};
+    scene.springs.resize(1);
+    scene.springs[0].pairs = {{"ring[3]", "ring[0]"}};
+    scene.springs[0].k = 1;
     scene.box = {4, 0, 0};
     EXPECT_EQ(shape_of(scene).springs.front().rest_length, 1);
     EXPECT_EQ(shape_of(scene).spacing, 1);
