@@ -29,6 +29,9 @@ public:
         for (const std::uint32_t i : pairs.first) sides_[i] = pairs.second.empty() ? 3 : 1;
         for (const std::uint32_t i : pairs.second) sides_[i] = sides_[i] == 1 ? 3 : 2;
         if (pairs.cutoff > 0) neighbours_.emplace(pairs.cutoff, of.box);
+        const PotentialInfo* const built_in = built_in_potential(pairs.potential);
+        takes_properties_ =
+            built_in ? built_in->weight != PotentialInfo::Weight::none : pairs.expression->takes_properties;
         if constexpr (in_batches) rows_ = PairRows<T>::of(pairs, of);
     }
 
@@ -100,7 +103,9 @@ private:
         std::size_t count = 0;
         std::array<std::uint32_t, capacity> first, second;
         std::array<Vector<T>, capacity> d;
-        alignas(64) std::array<T, capacity> distance2, first_mass, second_mass, first_charge, second_charge, result;
+        alignas(64) std::array<T, capacity> distance2, result;
+        alignas(64) std::array<T, capacity> first_mass{}, second_mass{}, first_charge{},
+            second_charge{};  ///< where asked for
     };
 
     template <class Condition>
@@ -127,9 +132,9 @@ private:
                 if (acts(particles, i, j)) f(i, j);
             };
             if (neighbours_) {
-                for (const std::uint32_t j : neighbours_->of(i)) {
-                    if (j > i) visit(j);
-                }
+                const auto near = neighbours_->of(i);  // ascending
+                const auto behind = std::upper_bound(near.begin(), near.end(), static_cast<std::uint32_t>(i));
+                std::for_each(behind, near.end(), visit);
             } else {
                 for (std::size_t j = i + 1; j < sides_.size(); ++j) visit(j);
             }
@@ -152,11 +157,7 @@ private:
 
     template <bool Energies, class F>
     void empty(const ComposedParticles<T>& particles, Batch& batch, F f) {
-        for (std::size_t k = 0; k < batch.count; ++k) {
-            const PairProperties<T> pair = properties(particles, batch.first[k], batch.second[k]);
-            batch.first_mass[k] = pair.first_mass, batch.second_mass[k] = pair.second_mass;
-            batch.first_charge[k] = pair.first_charge, batch.second_charge[k] = pair.second_charge;
-        }
+        if (takes_properties_) keep_properties(particles, batch);
         potential().visit([&](const auto& potential) { compute<Energies>(potential, batch); });
         for (std::size_t k = 0; k < batch.count; ++k) {
             T result = batch.result[k];
@@ -168,6 +169,14 @@ private:
             f(batch.first[k], batch.second[k], batch.d[k], result);
         }
         batch.count = 0;
+    }
+
+    void keep_properties(const ComposedParticles<T>& particles, Batch& batch) const {
+        for (std::size_t k = 0; k < batch.count; ++k) {
+            const PairProperties<T> pair = properties(particles, batch.first[k], batch.second[k]);
+            batch.first_mass[k] = pair.first_mass, batch.second_mass[k] = pair.second_mass;
+            batch.first_charge[k] = pair.first_charge, batch.second_charge[k] = pair.second_charge;
+        }
     }
 
     template <bool Energies, class Potential>
@@ -189,6 +198,7 @@ private:
     /// 1 for the particles of the first set, 2 for those of the second, 3 within one.
     std::vector<unsigned char> sides_;
     std::optional<Neighbours> neighbours_;
+    bool takes_properties_ = false;  ///< masses or charges
     struct NoRows {
         template <class Potential>
         void add(const Potential&, const Field<T>&, Field<T>&) const {}

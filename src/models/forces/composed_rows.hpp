@@ -10,7 +10,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,14 +31,16 @@ public:
         PairRows rows(*first, second ? *second : *first, pairs.second.empty());
         const bool apart = rows.rows_.end <= rows.columns_.begin || rows.columns_.end <= rows.rows_.begin;
         if (!rows.within_ && !apart) return std::nullopt;
+        rows.expression_ = pairs.expression;
         rows.keep_properties(ComposedParticles<T>(std::make_shared<const Composition>(all)));
         return rows;
     }
 
     template <class Potential>
     void add(const Potential& potential, const Field<T>& u, Field<T>& a) const {
+        auto factors = factors_of(potential);
         for (std::size_t i = rows_.begin; i < rows_.end; ++i)
-            add_row(potential, u, a, i, {within_ ? i + 1 : columns_.begin, columns_.end});
+            add_row(factors, u, a, i, {within_ ? i + 1 : columns_.begin, columns_.end});
     }
 
 private:
@@ -74,7 +78,27 @@ private:
     }
 
     template <class Potential>
-    void add_row(const Potential& potential, const Field<T>& u, Field<T>& a, std::size_t i, Range columns) const {
+    static auto factors_of(const Potential& potential) {
+        return [&potential](const N& distance2, const PairProperties<N>& pair) __attribute__((always_inline)) {
+            return potential.factor(distance2, pair);
+        };
+    }
+    /// Of an expression: in slots that are used again.
+    auto factors_of(const ExpressionPotential<T>&) const {
+        const ExpressionProgram& program = expression_->force;
+        std::vector<N> slots(program.slots, N(T(0)));
+        program.template set_constants<T>(std::span<N>(slots));
+        return [slots = std::move(slots), &program](const N& distance2,
+                                                    const PairProperties<N>& pair) mutable -> const N& {
+            slots[0] = distance2, slots[1] = pair.first_mass, slots[2] = pair.second_mass;
+            slots[3] = pair.first_charge, slots[4] = pair.second_charge;
+            program.run(std::span<N>(slots));
+            return slots[program.results[0]];
+        };
+    }
+
+    template <class Factors>
+    void add_row(Factors& factors, const Field<T>& u, Field<T>& a, std::size_t i, Range columns) const {
         const Vector<N> here{N(u.x()[i]), N(u.y()[i]), N(u.z()[i])};
         Vector<N> sum{N(T(0)), N(T(0)), N(T(0))};
         for (std::size_t j = columns.begin / width * width; j < columns.end; j += width) {
@@ -82,7 +106,7 @@ private:
             N distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
             if (j < columns.begin || j + width > columns.end) distance2 = inside(distance2, j, columns);
             const auto apart = distance2 > N(T(0));
-            const N factor = where(apart, potential.factor(where(apart, distance2, N(T(1))), pair_of(i, j)), N(T(0)));
+            const N factor = where(apart, factors(where(apart, distance2, N(T(1))), pair_of(i, j)), N(T(0)));
             const Vector<N> push = factor * d;
             const N inverse = N::load(properties_.y() + j);
             sum = sum + push;
@@ -117,6 +141,7 @@ private:
 
     Range rows_, columns_;
     bool within_, turned_;
+    std::shared_ptr<const ExpressionForce> expression_;
     Field<T> properties_;  ///< of each particle: mass, inverse mass, charge
 };
 

@@ -36,7 +36,7 @@ std::uint64_t Neighbours::Axis::beside(std::uint64_t coordinate, int number) con
 }
 
 double Neighbours::Axis::nearest_image(double d) const {
-    return period == 0 ? d : d - period * std::nearbyint(d / period);
+    return period == 0 || std::abs(d) <= period / 2 ? d : d - period * std::nearbyint(d / period);
 }
 
 std::uint64_t Neighbours::key(Vec3 position) const {
