@@ -32,10 +32,11 @@ moment() {
         three-pendulums) echo --until 3.3 --view -20,8,5,0,-0.5,0 ;;
         two-planets) echo --until 2 --view 20,40,9,0.4,0,0.9 ;;
         double-well) echo --until 8 --view 30,40,5,0.3,0,0.7 ;;
+        fermi-pasta-ulam) echo --until 700 --view -14,8,30,16.5,0,0 --colour speed ;;
         fcc-crystal) echo --until 4 --view 30,24,15,3.1,3.1,3.1 ;;
-        galaxies) echo --until 9 --view 10,50,11,0,0,0 ;;
+        galaxies) echo --until 9 --view 10,50,14,0,0,0.9 ;;
         newtons-cradle) echo --until 0.15 --view -20,8,3,0.3,0.4,0 ;;
-        outer-solar-system) echo --until 20000 --view 20,50,60,0,-5,-2 ;;
+        outer-solar-system) echo --until 20000 --view 20,50,95,0,-8,-3 ;;
         pendulum) echo --until 0.3 --view -14,8,3,0,-0.5,0 ;;
         spring-network) echo --until 0.4 --view 30,20,4.5,0,0,0 ;;
         *) echo --until "$(awk '$1 == "until" { print $3 / 6 }' "$root/assets/scenes/$1.toml")" ;;

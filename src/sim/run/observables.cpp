@@ -64,8 +64,9 @@ std::vector<Observable> parse_observables(std::string_view list) {
         const auto known = std::find_if(all_observables.begin(), all_observables.end(),
                                         [&](Observable observable) { return id(observable) == name; });
         if (known == all_observables.end()) {
-            std::vector<std::string_view> ids;
-            for (const Observable observable : all_observables) ids.push_back(id(observable));
+            std::array<std::string_view, all_observables.size()> ids;
+            std::transform(all_observables.begin(), all_observables.end(), ids.begin(),
+                           [](Observable observable) { return id(observable); });
             throw UsageError(unknown_word("observable", name, ids));
         }
         if (std::find(wanted.begin(), wanted.end(), *known) == wanted.end()) wanted.push_back(*known);
