@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/shape.hpp"
-#include "models/scene_origin.hpp"
 #include "render/camera.hpp"
+#include "sim/run/run_description.hpp"
 #include "ui/context.hpp"
 
 #include <cstddef>

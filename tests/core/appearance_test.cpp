@@ -39,7 +39,7 @@ TEST(Appearance, other_views_are_refused_by_the_name_of_their_key) {
                              "1,2,-3,4,5,6", "nan,2,3,4,5,6", "1,2,3,4,5,", "1 ,2,3,4,5,6"}) {
         EXPECT_THAT(refusal(view), StartsWith("camera must be default, front, side, top or yaw")) << view;
     }
-    EXPECT_THAT(refusal("1,2,1e-100,4,5,6"), StartsWith("camera: the distance must be from 1e-99 to 1e+102"));
+    EXPECT_THAT(refusal("1,2,1e-100,4,5,6"), StartsWith("camera: the distance must be from 1e-99 to 1e102"));
     EXPECT_THAT(refusal("1,2,3,4,5,1e103"), HasSubstr("(got 1,2,3,4,5,1e103)"));
 }
 

@@ -3,10 +3,12 @@
 #include "core/block.hpp"
 #include "core/field.hpp"
 #include "core/number.hpp"
+#include "core/phi.hpp"
 #include "core/vector.hpp"
 #include "models/forces/composed_particles.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -100,9 +102,16 @@ private:
         field.z()[i] += factor * vector.z;
     }
 
+    /// 1 - e^-z, accurate for small z, too.
+    static T lost_part(const T& z) {
+        if constexpr (std::floating_point<T>)
+            return z * phi_1(-z);
+        else
+            return T(1) - exponential(T(0) - z);
+    }
+
     void slow(Field<T>& v, const T& time) const {
-        for (std::size_t i = 0; i < drag_.size(); ++i)
-            change(v, i, exponential(T(0) - drag_[i] * time) - T(1), at(v, i));
+        for (std::size_t i = 0; i < drag_.size(); ++i) change(v, i, T(0) - lost_part(drag_[i] * time), at(v, i));
     }
 
     /// The relative velocity along the dashpot decays by itself; the momentum of both ends stays.
@@ -111,7 +120,7 @@ private:
         const Along along(dashpot, particles, u, v);
         if (!(along.distance2 > T(0))) return;
         const T both = dashpot.inverse_first + dashpot.inverse_second;
-        const T lost = T(1) - exponential(T(0) - dashpot.damping * both * time);
+        const T lost = lost_part(dashpot.damping * both * time);
         const T share = lost * along.closing / (both * along.distance2);
         change(v, dashpot.first, dashpot.inverse_first * share, along.d);
         change(v, dashpot.second, T(0) - dashpot.inverse_second * share, along.d);
