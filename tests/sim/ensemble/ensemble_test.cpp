@@ -259,7 +259,7 @@ TEST(Ensemble, tells_how_many_steps_are_done_and_ends_when_that_throws) {
 
 TEST(Ensemble, refuses_a_run_that_cannot_be) {
     auto runs = runs_of(test::run_of("chain", "euler", Precision::double_, 0.02), {{"k", 1, 2}}, 10);
-    runs[9].description.dt = -1;
+    runs[9].description.dt = 0;
     EXPECT_THROW(run_ensemble(runs, 10), UsageError);
 }
 

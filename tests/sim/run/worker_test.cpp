@@ -93,7 +93,7 @@ TEST_F(WorkerTest, goes_on_with_another_method_and_restarts_with_another_model) 
 
 TEST_F(WorkerTest, refuses_with_a_message_and_goes_on) {
     RunDescription wrong = view.description;
-    wrong.dt = -1;
+    wrong.dt = 0;
     worker.change(wrong);
     ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
     EXPECT_THAT(view.error, testing::HasSubstr("dt must be"));
