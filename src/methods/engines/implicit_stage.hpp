@@ -62,7 +62,7 @@ private:
             matrix_.solve(residual_, update_);
             const T change = largest(update_);
             if (!std::isfinite(change)) return false;
-            const T scale = largest(v) + largest(w) + largest(position_) / tau;
+            const T scale = largest(v) + largest(w) + largest(position_) / std::abs(tau);
             if (change <= rounding * scale) return add(w, T(1), w), true;
             const T before = size;
             if (!advance(system, x, v, tau, w, size, parts)) return change <= nearly * scale;
