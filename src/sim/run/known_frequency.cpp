@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t most_by_modes = 300;
 
 bool has_linear_springs_alone(const Composition& terms) {
-    return terms.pairs.empty() && std::all_of(terms.springs.begin(), terms.springs.end(), [](const auto& spring) {
-               return spring.quadratic == 0 && spring.cubic == 0;
-           });
+    return terms.pairs.empty() && terms.fields.empty() &&
+           std::all_of(terms.springs.begin(), terms.springs.end(),
+                       [](const auto& spring) { return spring.quadratic == 0 && spring.cubic == 0; });
 }
 
 /// A spring adds at most k |u_i - u_j|^2 <= 2 k (|u_i|^2 + |u_j|^2), and k |u_i|^2 where its other end is fixed.

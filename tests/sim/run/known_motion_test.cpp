@@ -191,5 +191,14 @@ TEST(KnownFrequency, of_springs_in_any_order_is_found_or_bounded) {
     EXPECT_LE(bound->omega, 4.000001);
 }
 
+// A typed field acts besides the springs: their frequency alone would be none of the scene's, and no bound.
+TEST(KnownFrequency, of_springs_in_a_typed_field_is_not_known) {
+    Scene trapped = between_walls();
+    FieldTerm trap;
+    trap.potential = "50*x^2";
+    trapped.fields = {trap};
+    EXPECT_FALSE(known_frequency(planned(trapped), shape_of(trapped)));
+}
+
 }  // namespace
 }  // namespace steplab::test
