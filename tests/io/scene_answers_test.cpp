@@ -1,9 +1,9 @@
 // Scenes from files whose motion is known in closed form, with every method that steps them.
 
 #include "core/number_text.hpp"
-#include "io/scene_file.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/runs.hpp"
+#include "support/scene_texts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,7 @@ namespace steplab::test {
 namespace {
 
 RunDescription run_of_text(const std::string& text, const MethodCase& method, double dt) {
-    RunDescription run =
-        with_method(describe(scene_from({{.name = "", .content = "steplab = 1\n" + text}}, "a.toml")), method.id());
+    RunDescription run = with_method(describe(read_scene("steplab = 1\n" + text)), method.id());
     run.precision = method.precision;
     run.dt = dt;
     return run;
@@ -43,12 +42,6 @@ velocity = [-0.1, 0, 0]
 pairs = [["light", "heavy"]]
 k = 2
 )";
-
-std::string replaced(std::string text, const std::string& old, const std::string& by) {
-    const std::size_t place = text.find(old);
-    EXPECT_NE(place, text.npos) << old;
-    return text.replace(place, old.size(), by);
-}
 
 class SceneAnswers : public testing::TestWithParam<MethodCase> {};
 

@@ -1,10 +1,10 @@
 // Dashpots, and drag that differs between particles, with every method that takes them.
 
 #include "core/number_text.hpp"
-#include "io/scene_file.hpp"
 #include "models/forces/linear_response.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/runs.hpp"
+#include "support/scene_texts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,7 @@ namespace steplab::test {
 namespace {
 
 RunDescription run_of_text(const std::string& text, const MethodCase& method, double dt) {
-    RunDescription run =
-        with_method(describe(scene_from({{.name = "", .content = "steplab = 1\n" + text}}, "a.toml")), method.id());
+    RunDescription run = with_method(describe(read_scene("steplab = 1\n" + text)), method.id());
     run.precision = method.precision;
     run.dt = dt;
     return run;

@@ -1,10 +1,9 @@
 // Potentials that scene files write as expressions.
 
-#include "core/error.hpp"
-#include "io/scene_file.hpp"
 #include "io/scene_writer.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/runs.hpp"
+#include "support/scene_texts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,33 +37,16 @@ potential = "w/2*(x^2 + y^2 + 2*z^2)"
 w = 0.3
 )toml";
 
-SceneOrigin read(const std::string& text) { return scene_from({{.name = "", .content = text}}, "a.toml"); }
-
-std::string refusal(const std::string& text) {
-    try {
-        read(text);
-        return "read";
-    } catch (const FileError& error) {
-        return error.what();
-    }
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t place = text.find(from);
-    EXPECT_NE(place, text.npos) << from;
-    return text.replace(place, from.size(), to);
-}
-
 TEST(SceneExpression, every_method_but_those_of_2008_runs_it) {
     for (const MethodCase& c : working_methods()) {
-        RunDescription run = with_method(describe(read(salt)), c.id());
+        RunDescription run = with_method(describe(read_scene(salt)), c.id());
         run.precision = c.precision;
         EXPECT_NO_THROW(check(run)) << c.id();
     }
 }
 
 TEST(SceneExpression, its_parameters_apply_at_once) {
-    RunDescription run = describe(read(salt));
+    RunDescription run = describe(read_scene(salt));
     for (const ParameterInfo& info : run.scene.infos()) EXPECT_EQ(info.on_change, OnChange::applies_live) << info.name;
     const Frame before = frame_after(run, 10);
     run.scene.set("rho", 0.6);
@@ -72,12 +54,12 @@ TEST(SceneExpression, its_parameters_apply_at_once) {
 }
 
 TEST(SceneExpression, written_and_read_again_is_the_same_run) {
-    RunDescription run = describe(read(salt));
+    RunDescription run = describe(read_scene(salt));
     run.scene.set("A", 3.5);
     run.method = "rk4";
     run.dt = 0.01;
     const std::string text = scene_file_text(run);
-    const RunDescription again = describe(read(text));
+    const RunDescription again = describe(read_scene(text));
     EXPECT_EQ(distance(frame_after(run, 200), frame_after(again, 200)), 0) << text;
     EXPECT_THAT(text, HasSubstr("potential = \"A*exp(-r/rho) + q1*q2/r - C/r^6\""));
 }
@@ -108,7 +90,7 @@ TEST(SceneExpression, says_what_is_wrong_and_where) {
                  }() +
                  '"'),
          "has more than 10000 numbers, names and operations"}};
-    for (const auto& [text, message] : cases) EXPECT_THAT(refusal(text), HasSubstr(message));
+    for (const auto& [text, message] : cases) EXPECT_THAT(refusal_of_scene(text), HasSubstr(message));
 }
 
 // Potentials that name masses or charges tell the two groups apart, whichever is numbered first.
@@ -118,7 +100,7 @@ TEST(SceneExpression, first_and_second_are_those_of_between) {
             "steplab = 1\n[[particles]]\ngroup = \"light\"\n[[particles]]\ngroup = \"heavy\"\n"
             "position = [2, 0, 0]\nmass = 5\n[[pairs]]\nbetween = " +
             between + "\npotential = \"" + potential + "\"\n";
-        const RunDescription run = describe(read(text));
+        const RunDescription run = describe(read_scene(text));
         return frame_after(with_method(run, "euler"), 1).velocities[1].x;
     };
     EXPECT_EQ(force_on_heavy("[\"heavy\", \"light\"]", "m1*m2^2*r"),
