@@ -209,10 +209,9 @@ std::uint64_t TimeOptions::steps(const RunDescription& description) const {
     const std::optional<double> until = this->until(description);
     if (!until) return default_steps_;
     if (*until / description.dt < 0)
-        throw UsageError(
-            fmt::format("the end time {} s and dt = {} s differ in sign: a negative dt goes with a "
-                        "negative end time",
-                        exact_text(*until), exact_text(description.dt)));
+        throw UsageError(fmt::format("{} {} and dt = {} differ in sign: a negative dt goes with a negative end time",
+                                     until_.empty() ? "the scene's until" : "--until", exact_text(*until),
+                                     exact_text(description.dt)));
     if (*until / description.dt > most_steps) {
         throw UsageError(fmt::format("--until {} needs more than {} steps of dt {}", exact_text(*until),
                                      number_text(most_steps), exact_text(description.dt)));

@@ -71,7 +71,7 @@ TEST(Help, names_defaults_and_commands) {
     EXPECT_TRUE(has_line(help, {"--method", "default " + defaults.method}));
     EXPECT_TRUE(has_line(help, {"--precision", "float|double", "default " + std::string(id(defaults.precision))}));
     EXPECT_TRUE(has_line(help, {"--dt", "default 0.1"}));
-    EXPECT_TRUE(has_line(help, {"--steps", "default 1000"}));
+    EXPECT_TRUE(has_line(help, {"--steps", "default", "else 1000"}));
     for (const char* command : {"list", "run", "snapshot", "view", "hard-cases", "help"})
         EXPECT_TRUE(has_line(run_program({"--help"}).out, {command}));
 }

@@ -120,7 +120,7 @@ TEST_F(WorkerTest, stops_where_the_run_diverges) {
 
 TEST_F(WorkerTest, counts_what_it_refuses) {
     RunDescription wrong = view.description;
-    wrong.dt = -1;
+    wrong.dt = 0;
     for (std::uint64_t times = 1; times <= 2; ++times) {
         worker.change(wrong);
         ASSERT_TRUE(see([=](const RunView& v) { return v.failures == times; }));
