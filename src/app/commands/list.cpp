@@ -65,7 +65,8 @@ private:
     static std::string scenes_table() {
         std::string text;
         for (const std::string& name : shipped_scenes()) {
-            const ModelInfo& info = find_scene(name)->model->info;
+            const auto scene = find_scene(name);  // owns the texts
+            const ModelInfo& info = scene->model->info;
             text += fmt::format("{:<24}{}\n", name, info.name);
         }
         return text;
@@ -73,7 +74,8 @@ private:
     static std::string scenes_json() {
         auto scenes = nlohmann::ordered_json::array();
         for (const std::string& name : shipped_scenes()) {
-            const ModelInfo& info = find_scene(name)->model->info;
+            const auto scene = find_scene(name);
+            const ModelInfo& info = scene->model->info;
             scenes.push_back({{"id", name}, {"title", info.name}, {"teaches", info.what}});
         }
         return scenes.dump(2) + "\n";

@@ -152,5 +152,24 @@ TEST(List, json_agrees_with_the_catalogue) {
     EXPECT_EQ(Json::parse(run_program({"list", "models", "--json"}).out).size(), 1u);
 }
 
+TEST(ListScenes, gives_the_title_and_the_lesson_of_each_file) {
+    const std::string table = run_program({"list", "scenes"}).out;
+    const Json list = Json::parse(run_program({"list", "scenes", "--json"}).out);
+    const std::filesystem::path folder = std::filesystem::path(STEPLAB_SOURCE_DIR) / "assets" / "scenes";
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".toml") continue;
+        const std::string id = entry.path().stem(), text = text_of(entry.path());
+        const auto found = std::find_if(list.begin(), list.end(), [&](const Json& scene) { return scene["id"] == id; });
+        ASSERT_NE(found, list.end()) << id;
+        const std::string title = (*found)["title"], lesson = (*found)["teaches"];
+        EXPECT_THAT(text, HasSubstr("title = \"" + title + '"'));
+        EXPECT_THAT(text, HasSubstr(lesson)) << id;
+        EXPECT_TRUE(has_line(table, {id + ' ', title})) << id;
+        ++files;
+    }
+    EXPECT_EQ(list.size(), files);
+}
+
 }  // namespace
 }  // namespace steplab
