@@ -13,7 +13,7 @@ namespace steplab {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// c[0] + c[1] x + ... (Horner's scheme).
@@ -177,14 +177,13 @@ constexpr auto tanh_coefficients = [] {
     return coefficients;
 }();
 
-bool is_whole(double x) { return x == std::rint(x); }
 bool is_odd(double x) { return is_whole(x) && std::abs(x) < 0x1p53 && std::fmod(x, 2) != 0; }
 
 /// base^exponent for a positive finite base.
 double positive_power(double base, double exponent) {
     constexpr double beyond = 0x1p70;  // any base but 1 has left the range long before
     const DoubleDouble logarithm = precise_logarithm(base);
-    if (std::abs(exponent) > beyond) return base == 1 ? 1 : (base > 1) == (exponent > 0) ? infinity : 0;
+    if (std::abs(exponent) > beyond) return base == 1 ? 1 : (base > 1) == (exponent > 0) ? endless : 0;
     const double coarse = exponent * logarithm.high;
     if (!(std::abs(coarse) < 1024)) return exponential(coarse);
     const DoubleDouble power = logarithm * exponent;
@@ -195,8 +194,8 @@ double positive_power(double base, double exponent) {
 }  // namespace
 
 double natural_logarithm(double x) {
-    if (x > 0 && x < infinity) return precise_logarithm(x).high;
-    return x == 0 ? -infinity : x < 0 ? not_a_number : x;
+    if (x > 0 && x < endless) return precise_logarithm(x).high;
+    return x == 0 ? -endless : x < 0 ? not_a_number : x;
 }
 
 double sine(double x) {
@@ -236,7 +235,7 @@ double general_power(double base, double exponent) {
     if (base < 0 && std::isfinite(exponent) && !is_whole(exponent)) return not_a_number;
     const double size = std::abs(base), sign = base < 0 && is_odd(exponent) ? -1 : 1;
     if (size == 1 && !std::isfinite(exponent)) return 1;
-    if (size == 0 || size == infinity) return sign * ((size == 0) == (exponent > 0) ? 0 : infinity);
+    if (size == 0 || size == endless) return sign * ((size == 0) == (exponent > 0) ? 0 : endless);
     return sign * positive_power(size, exponent);
 }
 

@@ -10,6 +10,8 @@ namespace steplab {
 // bit-identical on every system (libm's results differ); a result below the range of normal numbers is subnormal or 0.
 // Where a function has no value it is NaN.
 
+inline bool is_whole(double x) { return x == std::rint(x); }
+
 /// ln x; -infinity at 0.
 double natural_logarithm(double x);
 double sine(double x);

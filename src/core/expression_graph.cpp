@@ -11,8 +11,6 @@ namespace steplab {
 
 namespace {
 
-bool is_whole(double x) { return x == std::rint(x); }
-
 double function_of(Expression::Operation operation, double x) {
     using Operation = Expression::Operation;
     switch (operation) {

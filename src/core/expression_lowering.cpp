@@ -1,3 +1,4 @@
+#include "core/elementary.hpp"
 #include "core/expression_graph.hpp"
 
 #include <algorithm>
@@ -7,12 +8,6 @@
 #include <utility>
 
 namespace steplab {
-
-namespace {
-
-bool is_whole(double x) { return x == std::rint(x); }
-
-}  // namespace
 
 /// Makes the operations of a program: powers become products and roots, and slots are used again.
 class ExpressionGraph::Lowering {

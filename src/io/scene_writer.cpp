@@ -15,7 +15,7 @@ namespace steplab {
 
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') result += '\\';
@@ -30,7 +30,7 @@ std::string quoted(std::string_view text) {
 
 std::string list_of(const std::vector<std::string>& texts) {
     std::string list;
-    for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + quoted(text);
+    for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + toml_string(text);
     return "[" + list + "]";
 }
 
@@ -43,7 +43,7 @@ public:
     std::string number(const WrittenNumber& quantity) {
         if (quantity.text.empty()) return number_text(quantity.value);
         note_names(quantity.text);
-        return quoted(quantity.text);
+        return toml_string(quantity.text);
     }
     void note_names(const std::string& expression_text) {
         const Expression expression(expression_text);
@@ -59,7 +59,7 @@ public:
             if (next == scene.followers.end()) return lines;
             written.insert(next->first);
             note_names(next->second);
-            lines += fmt::format("{} = {}\n", next->first, quoted(next->second));
+            lines += fmt::format("{} = {}\n", next->first, toml_string(next->second));
         }
     }
     std::string vector(const WrittenVector& v) {
@@ -98,12 +98,12 @@ private:
                                     kinds[static_cast<std::size_t>(given.kind)], given.cells[0], given.cells[1],
                                     given.cells[2], number(given.constant)));
     }
-    void arrangement(const ListedParticles& given) { line("file", quoted(given.file)); }
+    void arrangement(const ListedParticles& given) { line("file", toml_string(given.file)); }
 };
 
 void Writer::operator()(const ParticleBlock& block) {
     begin("[[particles]]");
-    if (!block.group.empty()) line("group", quoted(block.group));
+    if (!block.group.empty()) line("group", toml_string(block.group));
     unless({}, "position", block.position);
     unless({}, "velocity", block.velocity);
     const auto* const list = std::get_if<ListedParticles>(&block.arrangement);
@@ -112,7 +112,7 @@ void Writer::operator()(const ParticleBlock& block) {
     if (list && !list->roles) flag("fixed", block.fixed);
     unless(WrittenNumber(0), "charge", block.charge);
     if (block.fixed && !list) flag("fixed", true);
-    if (block.role != Role::moving) line("role", quoted(id(block.role)));
+    if (block.role != Role::moving) line("role", toml_string(id(block.role)));
     std::visit([this](const auto& given) { arrangement(given); }, block.arrangement);
     if (const auto* vector = std::get_if<WrittenVector>(&block.displacement)) line("displacement", *vector);
     if (const auto* random = std::get_if<RandomDisplacement>(&block.displacement))
@@ -130,14 +130,15 @@ void Writer::operator()(const Fix& fix) {
     if (fix.displacement) line("displacement", *fix.displacement);
     if (fix.mass) line("mass", *fix.mass);
     if (fix.charge) line("charge", *fix.charge);
-    if (fix.role) line("role", quoted(id(*fix.role)));
+    if (fix.role) line("role", toml_string(id(*fix.role)));
 }
 
 void Writer::operator()(const SpringTerm& term) {
     constexpr std::array directions{"axes", "diagonals", "both"};
     begin("[[springs]]");
-    if (!term.between.empty()) line("between", quoted(term.between));
-    if (term.along != SpringTerm::Along::axes) line("along", quoted(directions[static_cast<std::size_t>(term.along)]));
+    if (!term.between.empty()) line("between", toml_string(term.between));
+    if (term.along != SpringTerm::Along::axes)
+        line("along", toml_string(directions[static_cast<std::size_t>(term.along)]));
     if (!term.pairs.empty()) {
         std::string pairs;
         for (const auto& [one, other] : term.pairs) pairs += (pairs.empty() ? "" : ", ") + list_of({one, other});
@@ -153,7 +154,7 @@ void Writer::operator()(const SpringTerm& term) {
 void Writer::operator()(const PairTerm& term) {
     begin("[[pairs]]");
     if (!term.between.empty()) line("between", list_of(term.between));
-    line("potential", quoted(term.potential));
+    line("potential", toml_string(term.potential));
     for (const auto& [name, value] : term.values) line(name, value);
     for (const auto& [name, value] : term.parameters) names.insert(name);
     if (term.cutoff) line("cutoff", *term.cutoff);
@@ -164,7 +165,7 @@ void Writer::operator()(const FieldTerm& field) {
     if (!field.particles.empty()) line("particles", list_of(field.particles));
     if (field.gravity) line("gravity", *field.gravity);
     if (field.drag) line("drag", *field.drag);
-    if (!field.potential.empty()) line("potential", quoted(field.potential));
+    if (!field.potential.empty()) line("potential", toml_string(field.potential));
     for (const auto& [name, value] : field.values) line(name, value);
     for (const auto& [name, value] : field.parameters) names.insert(name);
 }
@@ -172,7 +173,7 @@ void Writer::operator()(const FieldTerm& field) {
 void Writer::operator()(const SceneStart& start) {
     if (start == SceneStart()) return;
     begin("[start]");
-    if (!start.file.empty()) line("from", quoted(file_at_step(start.file).file));
+    if (!start.file.empty()) line("from", toml_string(file_at_step(start.file).file));
     if (start.mode > 0) line("mode", fmt::format("{}", start.mode));
     if (start.mode > 0) line("amplitude", start.amplitude);
     if (start.change.reverse) flag("reverse", true);
@@ -186,8 +187,8 @@ std::string parameters_text(const RunDescription& run, const Scene& scene, Write
         text +=
             fmt::format("{} = {{ value = {}, range = [{}, {}]{}, what = {}{} }}\n", info.name,
                         number_text(run.scene[info.name]), number_text(info.slider_low), number_text(info.slider_high),
-                        info.unit.empty() ? "" : fmt::format(", unit = {}", quoted(info.unit)), quoted(info.what),
-                        info.slider_logarithmic ? ", logarithmic = true" : "");
+                        info.unit.empty() ? "" : fmt::format(", unit = {}", toml_string(info.unit)),
+                        toml_string(info.what), info.slider_logarithmic ? ", logarithmic = true" : "");
     }
     text += followers;
     return text.empty() ? text : "\n[parameters]\n" + text;
@@ -200,18 +201,18 @@ std::string method_parameters_text(const ParameterValues& values) {
         if (values[info.name] == info.default_value) continue;
         const std::string value = format_value(info, values[info.name]);
         const bool is_word = info.kind == ParameterInfo::Kind::choice;
-        text += fmt::format("{} {} = {}", text.empty() ? "" : ",", info.name, is_word ? quoted(value) : value);
+        text += fmt::format("{} {} = {}", text.empty() ? "" : ",", info.name, is_word ? toml_string(value) : value);
     }
     return text.empty() ? text : "{" + text + " }";
 }
 
 void write_run(Writer& writer, const RunDescription& run, const SceneDefaults& defaults) {
     writer.begin("[run]");
-    writer.line("method", quoted(run.method));
+    writer.line("method", toml_string(run.method));
     const std::string parameters = method_parameters_text(run.method_parameters);
     if (!parameters.empty()) writer.line("parameters", parameters);
     writer.line("dt", number_text(run.dt));
-    writer.line("precision", quoted(id(run.precision)));
+    writer.line("precision", toml_string(id(run.precision)));
     if (defaults.until) writer.line("until", number_text(*defaults.until));
     if (!defaults.compare.empty()) writer.line("compare", list_of(defaults.compare));
 }
@@ -219,16 +220,16 @@ void write_run(Writer& writer, const RunDescription& run, const SceneDefaults& d
 void write_view(Writer& writer, const SceneView& view) {
     if (view.camera.empty() && view.colour.empty() && view.background.empty()) return;
     writer.begin("[view]");
-    if (!view.camera.empty()) writer.line("camera", quoted(view.camera));
-    if (!view.colour.empty()) writer.line("colour", quoted(view.colour));
-    if (!view.background.empty()) writer.line("background", quoted(view.background));
+    if (!view.camera.empty()) writer.line("camera", toml_string(view.camera));
+    if (!view.colour.empty()) writer.line("colour", toml_string(view.colour));
+    if (!view.background.empty()) writer.line("background", toml_string(view.background));
 }
 
 std::string head(const RunDescription& run) {
     const Model& model = model_of(run);
-    const std::string topic = model.topic.empty() ? "" : fmt::format("topic = {}\n", quoted(model.topic));
-    return fmt::format("steplab = 1\ntitle = {}\nteaches = {}\n{}", quoted(model.info.name), quoted(model.info.what),
-                       topic);
+    const std::string topic = model.topic.empty() ? "" : fmt::format("topic = {}\n", toml_string(model.topic));
+    return fmt::format("steplab = 1\ntitle = {}\nteaches = {}\n{}", toml_string(model.info.name),
+                       toml_string(model.info.what), topic);
 }
 
 }  // namespace

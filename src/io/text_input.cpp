@@ -12,7 +12,7 @@ namespace steplab {
 
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 18;
+constexpr std::size_t read_at_once = std::size_t{1} << 18;
 constexpr std::size_t longest_line = std::size_t{1} << 16;
 
 }  // namespace
@@ -34,7 +34,7 @@ bool TextInput::fill() {
     text_.erase(0, taken_);
     taken_ = 0;
     if (decompressor_) return decompress();
-    const std::string part = source_(place_, piece);
+    const std::string part = source_(place_, read_at_once);
     place_ += part.size();
     text_ += part;
     return !part.empty();
@@ -44,7 +44,7 @@ bool TextInput::fill() {
 bool TextInput::decompress() {
     for (const std::size_t before = text_.size(); text_.size() == before;) {
         if (used_ == raw_.size() && !more_) {
-            raw_ = source_(place_, piece);
+            raw_ = source_(place_, read_at_once);
             used_ = 0;
             place_ += raw_.size();
             if (raw_.empty() && decompressor_->complete()) return false;

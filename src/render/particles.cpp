@@ -6,7 +6,7 @@
 namespace steplab::render {
 namespace {
 
-constexpr float least_radius = 0.75F;  // pixels
+constexpr float least_ball_radius = 0.75F;  // pixels
 // Up to this radius in pixels, cubes and octahedra are drawn as points: their shape is not visible.
 constexpr double special_point_radius = 2.5;
 
@@ -30,7 +30,7 @@ bool outside(PixelPoint centre, double radius, PictureSize size) {
 void use(const ShaderProgram& program, const ViewUniforms& view, float radius, float least_coverage) {
     view.apply(program);
     program.set("u_radius", radius);
-    program.set("u_least_radius", least_radius);
+    program.set("u_least_radius", least_ball_radius);
     program.set("u_least_coverage", least_coverage);
 }
 

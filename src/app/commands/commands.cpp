@@ -16,6 +16,7 @@
 #include "app/commands/view.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "io/commit.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

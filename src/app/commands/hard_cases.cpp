@@ -12,7 +12,7 @@ namespace steplab {
 
 namespace {
 
-constexpr const char* examples =
+constexpr const char* hard_case_examples =
     "Examples:\n"
     "  steplab hard-cases\n"
     "  steplab hard-cases stiff-rope\n"
@@ -26,7 +26,7 @@ public:
     void declare(CLI::App& app) override {
         text_option(app, "name", name_, "NAME", "Case to run (default: list all cases)");
         flag_option(app, "--json", json_, "Print JSON", "Output");
-        footer(app, [] { return std::string(examples); });
+        footer(app, [] { return std::string(hard_case_examples); });
     }
 
     int run() override {

@@ -17,7 +17,7 @@ namespace steplab {
 
 namespace {
 
-constexpr const char* examples =
+constexpr const char* limits_examples =
     "Examples:\n"
     "  steplab limits --model chain --method all\n"
     "  steplab limits --model rope --set c=3 --method rk4 --json\n\n";
@@ -33,7 +33,7 @@ public:
     void declare(CLI::App& app) override {
         scene_.declare(app);
         flag_option(app, "--json", json_, "Print JSON: time steps; 0: unstable at any dt, null: no limit", "Output");
-        footer(app, [] { return std::string(examples) + catalogue_hint(); });
+        footer(app, [] { return std::string(limits_examples) + catalogue_hint(); });
     }
 
     int run() override {

@@ -23,10 +23,11 @@ namespace steplab {
 
 namespace {
 
-constexpr ParameterInfo error_info{.name = "--error", .unit = "", .minimum_included = false, .what = "target error"};
+constexpr ParameterInfo target_error_info{
+    .name = "--error", .unit = "", .minimum_included = false, .what = "target error"};
 constexpr ParameterInfo time_info{.name = "--time", .unit = "", .minimum_included = false, .what = "end time"};
 
-constexpr const char* examples =
+constexpr const char* report_examples =
     "Examples:\n"
     "  steplab report --quick --out out\n"
     "  steplab report --model chain --set n=100 --time 50 --error 1e-3 --error 1e-9 --out chain\n\n";
@@ -48,7 +49,7 @@ public:
         repeated_option(app, "--set", settings_, "name=value", "Parameter of the models or methods; repeatable");
         text_option(app, "--time", time_, "T", "End time of the runs [s] (default: one for each model)");
         repeated_option(app, "--error", errors_, "E", "Target error [m]; repeatable (default 1e-2 ... 1e-12)");
-        footer(app, [] { return std::string(examples) + catalogue_hint(); });
+        footer(app, [] { return std::string(report_examples) + catalogue_hint(); });
     }
 
     int run() override {
@@ -149,7 +150,7 @@ private:
 
     std::vector<double> errors() const {
         std::vector<double> values;
-        for (const std::string& text : errors_) values.push_back(parse_value(error_info, text));
+        for (const std::string& text : errors_) values.push_back(parse_value(target_error_info, text));
         std::sort(values.begin(), values.end(), std::greater<>());
         return values;
     }

@@ -21,7 +21,7 @@ namespace steplab {
 
 namespace {
 
-constexpr const char* examples =
+constexpr const char* run_examples =
     "Examples:\n"
     "  steplab run --model chain --set n=20 --until 100 --every 10 --out chain.csv\n"
     "  steplab run --model rope --method rk4 --dt 0.02 --series energy.csv --summary -\n"
@@ -40,7 +40,7 @@ public:
         ensemble_.declare(app);
         text_option(app, "--isa", isa_, "SET", "Instruction set (default: the fastest available)", "Computation");
         text_option(app, "--threads", threads_, "N", "Maximum number of threads (default: all cores)", "Computation");
-        footer(app, [] { return std::string(examples) + catalogue_hint(); });
+        footer(app, [] { return std::string(run_examples) + catalogue_hint(); });
     }
 
     int run() override {

@@ -4,6 +4,7 @@
 #include "app/window/viewer.hpp"
 #include "core/error.hpp"
 #include "core/program_end.hpp"
+#include "io/commit.hpp"
 #include "ui/keys.hpp"
 
 #include <CLI/CLI.hpp>

@@ -47,7 +47,7 @@ Table long_table() {
     const auto in_double = [](const Method& method) {
         return number_cell(phase_after(swing(Precision::double_, false, long_enough), method), 1e-10);
     };
-    const Column columns[] = {
+    const TableColumn columns[] = {
         {"double: phase error [rad]", in_double},
         energy_column("relative energy error", swing(Precision::double_, false, long_enough), 0.5, 1e-10),
         {"float: difference from double [rad]", [](const Method& m) { return float_phase_cell(m, false); }},
@@ -108,13 +108,14 @@ double fraction_covered(const Simulation& simulation) {
 
 Table stagnation_table() {
     const auto found = [](Simulation& simulation) { return fmt::format("{:.3f}", fraction_covered(simulation)); };
-    const Column columns[] = {end_column("float", crawling(Precision::float_, false), found),
-                              {"float, compensated",
-                               [found](const Method& method) -> std::string {
-                                   if (!ParameterValues(method.info.parameters).contains("compensated")) return "–";
-                                   return end_column("", crawling(Precision::float_, true), found).cell(method);
-                               }},
-                              end_column("double", crawling(Precision::double_, false), found)};
+    const TableColumn columns[] = {end_column("float", crawling(Precision::float_, false), found),
+                                   {"float, compensated",
+                                    [found](const Method& method) -> std::string {
+                                        if (!ParameterValues(method.info.parameters).contains("compensated"))
+                                            return "–";
+                                        return end_column("", crawling(Precision::float_, true), found).cell(method);
+                                    }},
+                                   end_column("double", crawling(Precision::double_, false), found)};
     return over_methods(columns);
 }
 
@@ -171,8 +172,8 @@ std::string decay_cell(const Method& method, Precision precision) {
 }
 
 Table decay_table() {
-    const Column columns[] = {{"float", [](const Method& m) { return decay_cell(m, Precision::float_); }},
-                              {"double", [](const Method& m) { return decay_cell(m, Precision::double_); }}};
+    const TableColumn columns[] = {{"float", [](const Method& m) { return decay_cell(m, Precision::float_); }},
+                                   {"double", [](const Method& m) { return decay_cell(m, Precision::double_); }}};
     return over_methods(columns);
 }
 

@@ -42,12 +42,12 @@ bool has_limit(const Method& method) {
     return !method.info.adaptive && limit_of(method) > 0 && std::isfinite(limit_of(method));
 }
 
-Table over_methods(std::span<const Column> columns) {
+Table over_methods(std::span<const TableColumn> columns) {
     Table table{{"method"}, {}};
-    for (const Column& column : columns) table.head.push_back(column.head);
+    for (const TableColumn& column : columns) table.head.push_back(column.head);
     for (const Method& method : methods()) {
         std::vector<std::string> row{fmt::format("`{}`", method.info.id)};
-        for (const Column& column : columns) {
+        for (const TableColumn& column : columns) {
             check_interruption();
             try {
                 row.push_back(column.cell(method));
@@ -79,11 +79,11 @@ std::string energy_cell(const Trial& trial, const Method& method, double scale, 
     return whole ? number_cell(worst, least) : divergence_cell(simulation);
 }
 
-Column energy_column(std::string head, const Trial& trial, double scale, double least) {
+TableColumn energy_column(std::string head, const Trial& trial, double scale, double least) {
     return {std::move(head), [=](const Method& method) { return energy_cell(trial, method, scale, least); }};
 }
 
-Column end_column(std::string head, const Trial& trial, const std::function<std::string(Simulation&)>& found) {
+TableColumn end_column(std::string head, const Trial& trial, const std::function<std::string(Simulation&)>& found) {
     return {std::move(head), [=](const Method& method) {
                 Simulation simulation = trial.with(method.info.id);
                 const bool whole = observed(simulation, trial.steps(), 1, [](Simulation&) {});

@@ -61,13 +61,13 @@ double limit_of(const Method& method);
 bool has_limit(const Method& method);
 
 /// A column of a table of methods.
-struct Column {
+struct TableColumn {
     std::string head;
     std::function<std::string(const Method&)> cell;
 };
 
 /// A table with a row for every method; cells say if a method cannot run the scene.
-Table over_methods(std::span<const Column> columns);
+Table over_methods(std::span<const TableColumn> columns);
 
 /// A number with two digits; below `least`, where rounding dominates, "< 1e-13".
 std::string number_cell(double value, double least = 1e-13);
@@ -77,9 +77,9 @@ std::string divergence_cell(const Simulation& simulation);
 /// The largest |E - E0| over 64 samples, in units of `scale`.
 std::string energy_cell(const Trial& trial, const Method& method, double scale = 1, double least = 1e-13);
 /// The column of energy_cell().
-Column energy_column(std::string head, const Trial& trial, double scale = 1, double least = 1e-13);
+TableColumn energy_column(std::string head, const Trial& trial, double scale = 1, double least = 1e-13);
 /// The column of what `found` returns at the end of the run.
-Column end_column(std::string head, const Trial& trial, const std::function<std::string(Simulation&)>& found);
+TableColumn end_column(std::string head, const Trial& trial, const std::function<std::string(Simulation&)>& found);
 
 /// y of a run over time, at `moments` times; until it diverges.
 Curve curve_over_time(const Trial& trial, std::string_view method, int colour,

@@ -51,9 +51,9 @@ Figure error_figure(const Trial& trial) {
 Trial passing(double dt) { return trial("chain", {{"n", 3}, {"L", 1}, {"v0", 5}}, dt, 10); }
 
 Table passing_table() {
-    const Column columns[] = {energy_column("dt = 0.01: energy error [J]", passing(0.01)),
-                              energy_column("dt = 0.001", passing(0.001)),
-                              end_column("collisions found", passing(0.01), collisions_cell)};
+    const TableColumn columns[] = {energy_column("dt = 0.01: energy error [J]", passing(0.01)),
+                                   energy_column("dt = 0.001", passing(0.001)),
+                                   end_column("collisions found", passing(0.01), collisions_cell)};
     return over_methods(columns);
 }
 
@@ -82,9 +82,9 @@ Table folding_table() {
     Trial fine = folding();
     fine.run.dt /= 4;
     fine.tolerance = 1e-12;
-    const Column columns[] = {{"largest number of reversed springs", most_reversed},
-                              energy_column("dt = 0.02, tolerance 1e-9: energy error [J]", folding()),
-                              energy_column("dt = 0.005, tolerance 1e-12", fine)};
+    const TableColumn columns[] = {{"largest number of reversed springs", most_reversed},
+                                   energy_column("dt = 0.02, tolerance 1e-9: energy error [J]", folding()),
+                                   energy_column("dt = 0.005, tolerance 1e-12", fine)};
     return over_methods(columns);
 }
 
@@ -99,7 +99,7 @@ Trial grazing(double aside) {
 }
 
 Table grazing_table() {
-    std::vector<Column> columns;
+    std::vector<TableColumn> columns;
     for (const double aside : {0.3, 1e-2, 1e-4, 1e-9, 0.0}) {
         columns.push_back(energy_column(
             aside > 0 ? fmt::format("impact parameter {:g}: energy error [J]", aside) : "head on", grazing(aside)));
@@ -139,7 +139,7 @@ double separation(const Simulation& simulation) {
 }
 
 /// Their final distance, and whether they have turned back.
-Column fate_column(std::string head, const Trial& trial) {
+TableColumn fate_column(std::string head, const Trial& trial) {
     return {std::move(head), [trial](const Method& method) {
                 Simulation simulation = trial.with(method.info.id);
                 double farthest = 0;
@@ -154,7 +154,7 @@ Column fate_column(std::string head, const Trial& trial) {
 
 Table escape_table() {
     const Trial in_double = escape(Precision::double_);
-    const Column columns[] = {
+    const TableColumn columns[] = {
         fate_column("distance at t = 2000", in_double), end_column("error [m]", in_double, error_cell),
         energy_column("energy error / D", in_double), fate_column("distance in float", escape(Precision::float_))};
     return over_methods(columns);
@@ -188,10 +188,10 @@ Trial deep_hit(double dt) {
 }
 
 Table deep_table() {
-    const Column columns[] = {energy_column("dt = 0.0005: energy error / 1000 D", deep_hit(5e-4), deep),
-                              end_column("error at the end [m]", deep_hit(5e-4), error_cell),
-                              energy_column("dt = 0.01: energy error / 1000 D", deep_hit(0.01), deep),
-                              end_column("error at the end [m]", deep_hit(0.01), error_cell)};
+    const TableColumn columns[] = {energy_column("dt = 0.0005: energy error / 1000 D", deep_hit(5e-4), deep),
+                                   end_column("error at the end [m]", deep_hit(5e-4), error_cell),
+                                   energy_column("dt = 0.01: energy error / 1000 D", deep_hit(0.01), deep),
+                                   end_column("error at the end [m]", deep_hit(0.01), error_cell)};
     return over_methods(columns);
 }
 
@@ -204,9 +204,9 @@ Trial cube() {
 }
 
 Table cube_table() {
-    const Column columns[] = {energy_column("energy error [J]", cube()),
-                              end_column("force evaluations", cube(), evaluations_cell),
-                              end_column("collisions found", cube(), collisions_cell)};
+    const TableColumn columns[] = {energy_column("energy error [J]", cube()),
+                                   end_column("force evaluations", cube(), evaluations_cell),
+                                   end_column("collisions found", cube(), collisions_cell)};
     return over_methods(columns);
 }
 
@@ -224,9 +224,9 @@ Trial nearly_coincident(double spacing) {
 }
 
 Table coincident_table() {
-    const Column columns[] = {energy_column("two at the same position: energy error [J]", same_position()),
-                              energy_column("eight 1e-3 apart", nearly_coincident(1e-3)),
-                              energy_column("eight 1e-9 apart", nearly_coincident(1e-9))};
+    const TableColumn columns[] = {energy_column("two at the same position: energy error [J]", same_position()),
+                                   energy_column("eight 1e-3 apart", nearly_coincident(1e-3)),
+                                   energy_column("eight 1e-9 apart", nearly_coincident(1e-9))};
     return over_methods(columns);
 }
 

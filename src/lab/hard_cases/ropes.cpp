@@ -45,7 +45,7 @@ Vec3 end_of(const Simulation& simulation) {
     return state.displacement.at(state.displacement.count() - 1);
 }
 
-Column sinking_column() {
+TableColumn sinking_column() {
     Trial fine = sinking();
     fine.tolerance = 1e-13;
     Simulation accurate = fine.with("rkn-12-10");
@@ -57,7 +57,7 @@ Column sinking_column() {
 }
 
 Table stiff_table() {
-    const Column columns[] = {
+    const TableColumn columns[] = {
         energy_column("whip without drag, dt = 0.01: relative energy error", whip(), whip_energy, 1e-12),
         {"at 0.9 of the stability limit", own_step_cell},
         end_column("with drag, t = 18: distance from equilibrium [m]", settling(),
@@ -105,7 +105,7 @@ Table chaos_table() {
     const Reference right = chaos_reference(chaos_times);
     std::map<std::string_view, std::vector<double>> errors;
     for (const Method& method : methods()) errors[method.info.id] = errors_at(method, right);
-    std::vector<Column> columns;
+    std::vector<TableColumn> columns;
     for (std::size_t i = 0; i < chaos_times.size(); ++i) {
         columns.push_back({fmt::format("error at t = {:g} [m]", chaos_times[i]), [i, &errors](const Method& method) {
                                const std::vector<double>& all = errors.at(method.info.id);

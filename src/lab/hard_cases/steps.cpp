@@ -60,7 +60,7 @@ std::string swing_cell(const Method& method, double factor) {
 }
 
 Table marginal_table() {
-    const Column columns[] = {
+    const TableColumn columns[] = {
         {"stability limit of ω dt", [](const Method& method) { return limit_cell(method, limit_of(method)); }},
         {"largest amplitude at 0.999 of the limit", [](const Method& method) { return swing_cell(method, 0.999); }},
         {"at 1.001 of the limit",
@@ -120,7 +120,7 @@ void swing(std::string_view method, Changes changes, const Observer& observe) {
     }
 }
 
-Column change_column(std::string head, Changes changes) {
+TableColumn change_column(std::string head, Changes changes) {
     return {std::move(head), [changes](const Method& method) {
                 double worst = 0;
                 bool diverged = false;
@@ -133,9 +133,9 @@ Column change_column(std::string head, Changes changes) {
 }
 
 Table change_table() {
-    const Column columns[] = {change_column("dt constant", Changes::none),
-                              change_column("halved once, after half the time", Changes::once),
-                              change_column("changed every quarter period", Changes::always)};
+    const TableColumn columns[] = {change_column("dt constant", Changes::none),
+                                   change_column("halved once, after half the time", Changes::once),
+                                   change_column("changed every quarter period", Changes::always)};
     return over_methods(columns);
 }
 
@@ -208,7 +208,7 @@ Table resonance_table() {
         if (limit_of(method) == 0) return "any";
         return limit_of(method) < scanned_to ? bands_cell(method) : fmt::format("above {:g}", limit_of(method));
     };
-    const Column columns[] = {{"unstable at ω dt", cell}};
+    const TableColumn columns[] = {{"unstable at ω dt", cell}};
     return over_methods(columns);
 }
 
@@ -232,7 +232,7 @@ std::string damped_limit_cell(const Method& method, double ratio) {
 }
 
 Table drag_table() {
-    std::vector<Column> columns;
+    std::vector<TableColumn> columns;
     for (const double ratio : {0.0, 0.2, 2.0, 20.0, 100.0}) {
         columns.push_back({fmt::format("γ/ω = {:g}", ratio),
                            [ratio](const Method& method) { return damped_limit_cell(method, ratio); }});

@@ -17,7 +17,7 @@ constexpr const char* before_title = R"(<!DOCTYPE html>
 <meta name="color-scheme" content="light dark">
 <title>)";
 
-constexpr const char* style = R"(
+constexpr const char* style_sheet = R"(
 * { box-sizing: border-box; }
 body { font: 16px/1.55 Inter, "Segoe UI", system-ui, "Noto Sans", "DejaVu Sans", sans-serif; color: var(--ink); background: var(--paper);
        max-width: 1280px; margin: 0 auto; padding: 3em 1.5em 6em; }
@@ -130,7 +130,7 @@ const char* const page_end = "</body></html>\n";
 std::string page_head(const std::string& title, const std::string& what, const Circumstances& made) {
     std::string page = before_title + title + " – steplab</title>\n<style>\n:root{color-scheme:light dark;" +
                        variables(false) + "}\n@media (prefers-color-scheme: dark){:root{" + variables(true) + "}}" +
-                       style + "</style>\n" + script + "</head><body>\n" + svg_marks();
+                       style_sheet + "</style>\n" + script + "</head><body>\n" + svg_marks();
     page += fmt::format("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n<dl class=\"made\">", title, what);
     for (const auto& [name, value] :
          {std::pair("machine", made.processor), std::pair("compiler", made.compiler),

@@ -24,7 +24,7 @@ std::vector<Vec3> cell_of(CrystalArrangement::Kind kind) {
     return {{0, 0, 0}};
 }
 
-struct Place {
+struct PlaceOf {
     Vec3 from;
     std::size_t index;
 
@@ -155,7 +155,7 @@ SceneParticle SceneParticles::operator[](std::size_t i) const {
 
 SceneParticle SceneParticles::of_block(const Block& block, std::size_t index) const {
     const ParticleBlock& of = *block.block;
-    SceneParticle particle{.position = std::visit(Place{of.position.value(), index}, of.arrangement),
+    SceneParticle particle{.position = std::visit(PlaceOf{of.position.value(), index}, of.arrangement),
                            .displacement = {},
                            .velocity = of.velocity.value(),
                            .mass = of.mass.value,

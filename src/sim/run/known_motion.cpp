@@ -16,7 +16,7 @@ namespace steplab {
 namespace {
 
 using Real = long double;
-using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+using RealColumn = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// All modes of more particles take too long to find in long double.
@@ -113,7 +113,7 @@ public:
     LineMotion(LineSystem system, Real drag) : system_(std::move(system)), drag_(drag) {
         const Eigen::Index n = system_.moving;
         RealMatrix stiffness = RealMatrix::Zero(n, n);
-        RealVector force = RealVector::Zero(n);
+        RealColumn force = RealColumn::Zero(n);
         for (const LineSpring& spring : system_.springs) add(spring, stiffness, force);
         const Eigen::SelfAdjointEigenSolver<RealMatrix> solver(stiffness);
         vectors_ = solver.eigenvectors();
@@ -171,7 +171,7 @@ private:
     }
 
     /// Its stiffness, and its force where all that moves is at u = 0.
-    void add(const LineSpring& spring, RealMatrix& stiffness, RealVector& force) const {
+    void add(const LineSpring& spring, RealMatrix& stiffness, RealColumn& force) const {
         const auto [i, j] = std::pair{system_.place[spring.first], system_.place[spring.second]};
         const Real first = system_.root_mass[spring.first], second = system_.root_mass[spring.second];
         const Real pull =
