@@ -33,7 +33,14 @@ template <class T>
 class Field {
 public:
     Field() = default;
-    explicit Field(std::size_t count) : count_(count), stride_(padded(count)), values_(3 * stride_ + granule, T(0)) {}
+    // not inlined: a call is nothing beside what they do, and steppers make fields in many places
+    [[gnu::noinline]] explicit Field(std::size_t count)
+        : count_(count), stride_(padded(count)), values_(3 * stride_ + granule, T(0)) {}
+    [[gnu::noinline]] Field(const Field& other) = default;
+    [[gnu::noinline]] Field& operator=(const Field& other) = default;
+    Field(Field&& other) noexcept = default;
+    Field& operator=(Field&& other) noexcept = default;
+    ~Field() = default;
 
     std::size_t count() const { return count_; }
     T* x() { return values_.data(); }

@@ -189,7 +189,7 @@ private:
     /// What a sweep does with the accelerations (sweeps.hpp).
     template <bool Drag, bool Compensated>
     struct Stage {
-        static constexpr bool in_registers = !Compensated;
+        static constexpr std::size_t in_registers = Compensated ? 0 : 2;
         const KickDrift<T>* parts;
 
         template <class F>

@@ -42,7 +42,7 @@ template <class T, std::size_t Quantities, std::size_t Axes, std::size_t Registe
 class InRegisters {
 public:
     using N = Lanes<T>;
-    static constexpr std::size_t registers = Registers, axes = Axes;
+    static constexpr std::size_t quantities = Quantities, registers = Registers, axes = Axes;
 
     [[gnu::always_inline]] Vector<N> get(std::size_t q, std::size_t r) const {
         const Vector<N>& value = values_[q][r];

@@ -61,15 +61,14 @@ public:
     }
     template <class System>
     void advance(System& system, std::uint64_t steps) {
-        std::array<Field<T>*, quantities + 2> fields{&x_, &v_};
+        Fields fields{&x_, &v_};
         for (std::size_t q = 2; q < quantities; ++q) fields[q] = &temporary_[q - 2];
-        if (lost_.kept()) {
-            fields[quantities] = &lost_.x, fields[quantities + 1] = &lost_.v;
-            return sweep_or_damp(system, fields, steps, Stage<true>(system));
+        fields[quantities] = &lost_.x, fields[quantities + 1] = &lost_.v;
+        const Stage stage{system.dt(), system.drag(), lost_.kept()};
+        if constexpr (System::can_be_damped) {
+            if (system.damped()) return advance_damped(system, fields, steps, stage);
         }
-        std::array<Field<T>*, quantities> kept;
-        std::copy_n(fields.begin(), quantities, kept.begin());
-        sweep_or_damp(system, kept, steps, Stage<false>(system));
+        system.sweep(fields, steps, stages, stage);
     }
 
     std::size_t reach() const { return stages; }
@@ -85,22 +84,15 @@ private:
     /// give the end of the step.
     enum : std::size_t { x, v, stage_x, stage_v, sum_x, sum_v };
     static constexpr std::size_t quantities = stages > 1 ? 6 : 2;
-
-    template <class System, std::size_t Quantities, class Sinks>
-    void sweep_or_damp(System& system, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps,
-                       Sinks stage) {
-        if constexpr (System::can_be_damped) {
-            if (system.damped()) return advance_damped(system, fields, steps, stage);
-        }
-        system.sweep(fields, steps, stages, stage);
-    }
+    /// These, and what rounding has cut off positions and velocities: empty where it is not kept.
+    using Fields = std::array<Field<T>*, quantities + 2>;
+    struct Stage;
 
     /// The same with damping, which acts on the velocities of a stage.
-    template <class System, std::size_t Quantities, class Sinks>
-    void advance_damped(System& system, const std::array<Field<T>*, Quantities>& fields, std::uint64_t steps,
-                        Sinks stage) {
+    template <class System>
+    void advance_damped(System& system, const Fields& fields, std::uint64_t steps, const Stage& stage) {
         Field<T> accelerations(x_.count());
-        InMemory<T, Quantities, 3> particles(fields);
+        InMemory<T, quantities + 2, 3> particles(fields);
         const InMemory<T, 1, 3> changes({&accelerations});
         const std::size_t registers = (x_.count() + N::count - 1) / N::count;
         for (std::uint64_t part = 0; part < steps * stages; ++part) {
@@ -129,22 +121,23 @@ private:
     }
 
     /// What a sweep does with the accelerations (sweeps.hpp).
-    template <bool Compensated>
     struct Stage {
-        static constexpr bool in_registers = !Compensated;
+        static constexpr std::size_t in_registers = quantities;
 
-        template <class System>
-        explicit Stage(const System& system) : dt(system.dt()), drag(system.drag()) {}
+        T dt, drag;
+        bool compensated;
 
         template <class F>
         [[gnu::always_inline]] void operator()(std::size_t part, F f) const {
+            if (part + 1 == stages && compensated) return take<stages - 1, true>(f);
             [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-                ((part == I ? take<I>(f) : void()), ...);
+                ((part == I ? take<I, false>(f) : void()), ...);
             }
             (std::make_index_sequence<stages>{});
         }
 
-        template <std::size_t I, class F>
+        /// Only the last stage, which ends the step, asks whether its sums are compensated.
+        template <std::size_t I, bool Compensated, class F>
         [[gnu::always_inline]] void take(F f) const {
             f(
                 std::integral_constant < std::size_t, I == 0 ? x : stage_x > {},
@@ -159,8 +152,8 @@ private:
                             particles.set(stage_x, r, particles.get(x, r) + h * (ahead * slope));
                             particles.set(stage_v, r, particles.get(v, r) + h * (ahead * a));
                         } else {
-                            finish(particles, x, r, h * sum<I>(particles, sum_x, r, slope));
-                            finish(particles, v, r, h * sum<I>(particles, sum_v, r, a));
+                            finish<Compensated>(particles, x, r, h * sum<I>(particles, sum_x, r, slope));
+                            finish<Compensated>(particles, v, r, h * sum<I>(particles, sum_v, r, a));
                         }
                     });
         }
@@ -179,11 +172,11 @@ private:
             if constexpr (table.b[I] != 0) particles.set(q, r, sum<I>(particles, q, r, slope));
         }
 
-        template <class Particles>
+        template <bool Compensated, class Particles>
         [[gnu::always_inline]] static void finish(Particles& particles, std::size_t q, std::size_t r,
                                                   const Vector<N>& change) {
             Vector<N> sum = particles.get(q, r);
-            if constexpr (Compensated) {
+            if constexpr (Compensated && Particles::quantities > quantities) {
                 Vector<N> lost = particles.get(quantities + q, r);
                 add_compensated(sum, lost, change);
                 particles.set(quantities + q, r, lost);
@@ -192,8 +185,6 @@ private:
             }
             particles.set(q, r, sum);
         }
-
-        T dt, drag;
     };
 
     std::array<Field<T>, 4> temporary_;

@@ -49,7 +49,7 @@ private:
 
     /// What a sweep does with the accelerations (sweeps.hpp).
     struct Stage {
-        static constexpr bool in_registers = false;
+        static constexpr std::size_t in_registers = 0;
 
         const std::vector<RungeKuttaStage<T>>& stages;
         std::size_t count;

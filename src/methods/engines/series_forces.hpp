@@ -73,13 +73,18 @@ public:
 
     void accelerations(const Field<T>& x_k, std::size_t k, Field<T>& out) override {
         if (axes_ == 1) return accelerations_along<1>(x_k, k, out);
-        if (axes_ == 2) return accelerations_along<2>(x_k, k, out);
+        if constexpr (formulas_of_one_kind) {
+            if (axes_ == 2) return accelerations_along<2>(x_k, k, out);
+        }
         accelerations_along<3>(x_k, k, out);
     }
 
 private:
     using N = Lanes<T>;
     using SeriesForces<T>::axes_, SeriesForces<T>::singular_;
+
+    /// Those that choose among laws are long: compiled for one axis and for all.
+    static constexpr bool formulas_of_one_kind = !Force::capabilities.masses;
 
     /// What the pull is multiplied by for the first and the second particles of a batch, and what the formula is told
     /// of them.
@@ -190,10 +195,11 @@ private:
 
     /// Coefficient k of the pulls of a batch. Flattened, so that the formula's intermediate results stay in registers.
     template <std::size_t Axes, class Formula>
-    [[gnu::flatten]] static std::array<N, Axes> pulls(SeriesTape<T>& tape, const Formula& formula, const Batch& batch,
-                                                      const std::array<N, Axes>& e) {
+    [[gnu::flatten]] std::array<N, Axes> pulls(SeriesTape<T>& tape, const Formula& formula, const Batch& batch,
+                                               const std::array<N, Axes>& e) const {
+        const std::size_t moving = formulas_of_one_kind ? Axes : axes_;
         const auto variable = [&](std::size_t axis) {
-            if (axis >= Axes) return Series<T>(T(0));
+            if (axis >= moving) return Series<T>(T(0));
             return Series<T>::variable(tape, e[axis]);
         };
         const Series<T> x = variable(0), y = variable(1), z = variable(2);

@@ -24,8 +24,8 @@ namespace steplab {
 //
 // An integrator describes its step as sweeps, part after part: stage(part, f) calls f(q, sink), where q (an
 // std::integral_constant) is the quantity that holds the positions of this part's evaluation, and sink(particles, r, a)
-// moves the particles of register r, whose accelerations are a. Stage::in_registers says whether it has few enough
-// quantities to be worth code for particles that stay in registers.
+// moves the particles of register r, whose accelerations are a. Quantities behind those in use are empty fields.
+// Stage::in_registers says how many quantities are worth code for particles that stay in registers; 0: none.
 
 namespace detail {
 
@@ -103,13 +103,22 @@ private:
             for (std::uint64_t s = 0; s < steps * parts; ++s) sweep_whole(force, fields, s % parts, stage);
         } else {
             const std::size_t registers = (fields[0]->count() + width - 1) / width;
-            if constexpr (Force::capabilities.sweeps_in_registers && Stage::in_registers && !HasLanes<T>) {
-                if (registers <= Force::most_registers)
-                    return run_in_registers<Axes, Force::most_registers>(force, fields, registers, steps, parts, stage);
+            const std::size_t used = in_use(fields);
+            if constexpr (Force::capabilities.sweeps_in_registers && Stage::in_registers > 0 && !HasLanes<T>) {
+                std::array<Field<T>*, Stage::in_registers> few;
+                std::copy_n(fields.begin(), few.size(), few.begin());
+                if (registers <= Force::most_registers && used == few.size())
+                    return run_in_registers<Axes, Force::most_registers>(force, few, registers, steps, parts, stage);
             }
             InMemory<T, Quantities, Axes> particles(fields);
-            run_in_memory(force, particles, registers, steps, parts, stage);
+            run_in_memory(force, particles, {used, registers}, steps, parts, stage);
         }
+    }
+
+    template <std::size_t Quantities>
+    static std::size_t in_use(const std::array<Field<T>*, Quantities>& fields) {
+        const auto empty = std::find_if(fields.begin(), fields.end(), [](Field<T>* f) { return f->count() == 0; });
+        return static_cast<std::size_t>(empty - fields.begin());
     }
 
     template <std::size_t Quantities, class Stage>
@@ -167,15 +176,20 @@ private:
         particles.store(memory);
     }
 
+    /// What a sweep goes over.
+    struct Extent {
+        std::size_t quantities, registers;
+    };
+
     template <class Particles, class Stage>
-    void run_in_memory(Force& force, Particles& particles, std::size_t registers, std::uint64_t steps,
-                       std::size_t parts, Stage stage) {
-        const std::size_t bytes = Particles::quantities * Particles::axes * sizeof(Lanes<T>) * registers;
+    void run_in_memory(Force& force, Particles& particles, const Extent& extent, std::uint64_t steps, std::size_t parts,
+                       Stage stage) {
+        const std::size_t bytes = extent.quantities * Particles::axes * sizeof(Lanes<T>) * extent.registers;
         const std::size_t most = bytes > Force::bytes_alone ? Force::sweeps_together : 1;
         std::size_t part = 0;
         for (std::uint64_t left = steps * parts; left > 0;) {
             const std::size_t together = std::min<std::uint64_t>(left, most);
-            sweep_together(force, particles, registers, together,
+            sweep_together(force, particles, extent, together,
                            [&](std::size_t s, auto f) { stage((part + s) % parts, f); });
             part = (part + together) % parts;
             left -= together;
@@ -185,13 +199,13 @@ private:
     /// Several sweeps at once, each behind the one before it by no more than it must be, so that particles are moved
     /// several times while they are in a cache.
     template <class Particles, class Stage>
-    void sweep_together(const Force& force, Particles& particles, std::size_t registers, std::size_t together,
+    void sweep_together(const Force& force, Particles& particles, const Extent& extent, std::size_t together,
                         Stage stage) {
         if (under_way_.size() < together) under_way_.resize(together);
         for (std::size_t s = 0; s < together; ++s) under_way_[s].restart();
-        const std::size_t behind = force.registers_ahead();
+        const std::size_t behind = force.registers_ahead(), registers = extent.registers;
         static_assert(Force::registers_a_turn >= Particles::quantities);
-        const std::size_t block = together > 1 ? Force::registers_a_turn / Particles::quantities : registers;
+        const std::size_t block = together > 1 ? Force::registers_a_turn / extent.quantities : registers;
         for (std::size_t front = block; under_way_[together - 1].at() < registers; front += block) {
             for (std::size_t s = 0; s < together && s * behind < front; ++s) {
                 auto& sweep = under_way_[s];

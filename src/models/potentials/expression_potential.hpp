@@ -22,9 +22,10 @@ struct ExpressionForce {
     bool takes_properties = false;  ///< masses or charges
 };
 
-/// The results of a program whose constants are of type T.
+/// The results of a program whose constants are of type T. Not inlined: it is large, and a call of it nothing.
 template <class T, std::size_t Results, class N, std::size_t Variables>
-std::array<N, Results> results_of(const ExpressionProgram& program, const std::array<N, Variables>& variables) {
+[[gnu::noinline]] std::array<N, Results> results_of(const ExpressionProgram& program,
+                                                    const std::array<N, Variables>& variables) {
     std::vector<N> slots(program.slots, N(T(0)));
     std::copy(variables.begin(), variables.end(), slots.begin());
     program.set_constants<T>(std::span<N>(slots));
