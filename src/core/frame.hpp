@@ -29,8 +29,9 @@ struct Frame {
     std::shared_ptr<const Shape> shape;
     /// From the reference positions, with all digits that the run has; empty unless they are asked for.
     std::vector<Vec3> displacements = {};
-    Lattice reference = {};  ///< position = reference + displacement, rounded to the run's precision
-    double mass = 0;         ///< of each particle; 0: not known, or they differ
+    std::vector<Vec3> forces = {};  ///< [N] on each particle; empty unless they are asked for
+    Lattice reference = {};         ///< position = reference + displacement, rounded to the run's precision
+    double mass = 0;                ///< of each particle; 0: not known, or they differ
 
     /// The position at which a particle is drawn (Shape::seen).
     Vec3 seen(std::size_t particle) const { return shape->seen(positions[particle]); }

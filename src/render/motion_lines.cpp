@@ -14,12 +14,12 @@ constexpr std::size_t most_arrows = 20000;
 constexpr double longest_arrow = 1.2;  // in distances of neighbours
 constexpr double head_length = 0.22, head_width = 0.09, largest_head = 0.25;
 
-/// The largest speed that is a number, rounded up so that it rarely changes while a scene moves.
-double scale_of_speeds(const Frame& frame) {
+/// The largest length that is a number, rounded up so that it rarely changes while a scene moves.
+double scale_of(const std::vector<Vec3>& vectors) {
     double largest = 0;
-    for (const Vec3& v : frame.velocities) {
-        const double speed = length(v);
-        if (std::isfinite(speed)) largest = std::max(largest, speed);
+    for (const Vec3& vector : vectors) {
+        const double size = length(vector);
+        if (std::isfinite(size)) largest = std::max(largest, size);
     }
     return nice_ceil(largest);
 }
@@ -39,27 +39,20 @@ void add_arrow(std::vector<Rod>& lines, const Projection& projection, Vec3 from,
     }
 }
 
-}  // namespace
-
-std::vector<Rod> velocity_arrows(const Shot& shot) {
-    std::vector<Rod> lines;
-    const double largest = scale_of_speeds(shot.frame), spacing = shot.known.shape->spacing;
-    if (!(largest > 0)) return lines;
-    const VertexColour colour = vertex_colour(palette(shot.style.background).text, 230);
-    const std::size_t count = shot.frame.velocities.size(), stride = 1 + count / most_arrows;
+/// One for each particle.
+void add_arrows(std::vector<Rod>& lines, const Shot& shot, const std::vector<Vec3>& vectors, VertexColour colour) {
+    const double largest = scale_of(vectors), spacing = shot.known.shape->spacing;
+    if (!(largest > 0)) return;
+    const std::size_t count = vectors.size(), stride = 1 + count / most_arrows;
     for (std::size_t i = 0; i < count; i += stride) {
-        const Vec3 way = (longest_arrow * spacing / largest) * shot.frame.velocities[i], from = shot.frame.seen(i);
+        const Vec3 way = (longest_arrow * spacing / largest) * vectors[i], from = shot.frame.seen(i);
         // shorter ones are hidden in their particles
         if (!drawable(from) || !(length(way) > 0.02 * spacing) || !drawable(from + way)) continue;
         add_arrow(lines, shot.projection, from, way, spacing, colour);
     }
-    return lines;
 }
 
-std::vector<Rod> trail_lines(const Shot& shot) {
-    std::vector<Rod> lines;
-    if (!shot.style.trail) return lines;
-    const std::vector<Vec3>& places = *shot.style.trail;
+void add_trail(std::vector<Rod>& lines, const Shot& shot, const std::vector<Vec3>& places) {
     const Shape& shape = *shot.known.shape;
     for (std::size_t i = 1; i < places.size(); ++i) {
         const Vec3 from = shape.seen(places[i - 1]), to = shape.seen(places[i]);
@@ -69,6 +62,22 @@ std::vector<Rod> trail_lines(const Shot& shot) {
         lines.push_back({vertex(shot.projection, from), vertex(shot.projection, to),
                          vertex_colour(palette(shot.style.background).selection, alpha)});
     }
+}
+
+}  // namespace
+
+std::vector<Rod> motion_arrows(const Shot& shot) {
+    std::vector<Rod> lines;
+    const Palette& colours = palette(shot.style.background);
+    if (shot.style.velocities) add_arrows(lines, shot, shot.frame.velocities, vertex_colour(colours.text, 230));
+    if (shot.style.forces) add_arrows(lines, shot, shot.frame.forces, vertex_colour(colours.force, 230));
+    return lines;
+}
+
+std::vector<Rod> trail_lines(const Shot& shot) {
+    std::vector<Rod> lines;
+    if (!shot.style.trails) return lines;
+    for (const std::vector<Vec3>& places : *shot.style.trails) add_trail(lines, shot, places);
     return lines;
 }
 

@@ -7,12 +7,12 @@
 
 namespace steplab::render {
 
-/// The velocities of all particles as arrows; the longest is about as long as neighbours are apart. Of very many
-/// particles, some have one.
-std::vector<Rod> velocity_arrows(const Shot& shot);
+/// The velocities and the forces of all particles as arrows, in two colours; the longest of each kind is about as long
+/// as neighbours are apart. Of very many particles, some have them. What the style does not ask for is left out.
+std::vector<Rod> motion_arrows(const Shot& shot);
 
-/// The way that a particle came, fainter the longer ago. In a periodic box it ends where the particle leaves the box,
-/// and goes on where it comes in again.
+/// The ways that particles came, fainter the longer ago. In a periodic box a way ends where the particle leaves the
+/// box, and goes on where it comes in again.
 std::vector<Rod> trail_lines(const Shot& shot);
 
 }  // namespace steplab::render

@@ -28,6 +28,7 @@ struct Palette {
     Rgb spring;
     Rgb neutral;                ///< moving particles where springs are coloured by strain
     Rgb selection;              ///< ring around the selected particle
+    Rgb force;                  ///< arrows of forces
     std::array<Rgb, 4> roles;   ///< by Role
     std::array<Rgb, 3> axes;    ///< x, y, z of the small cross
     Rgb compressed, stretched;  ///< ends of the scale of strain; its middle is `spring`

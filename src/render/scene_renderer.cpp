@@ -128,10 +128,13 @@ void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& c
     if (style.springs) springs.prepare(shot, blocks);
     particles.prepare(shot, blocks, taken);
     ensemble.prepare(shot);
-    arrows = style.velocities ? velocity_arrows(shot) : std::vector<Rod>{};
+    arrows = motion_arrows(shot);
     trail = trail_lines(shot);
-    const double reach = known->largest_radius(Role::bullet) + (style.velocities ? 2 * frame.shape->spacing : 0);
-    const Bounds bodies = style.trail ? joined(blocks.bounds(), bounds_of(*style.trail)) : blocks.bounds();
+    const double reach = known->largest_radius(Role::bullet) + (arrows.empty() ? 0 : 2 * frame.shape->spacing);
+    Bounds bodies = blocks.bounds();
+    if (style.trails) {
+        for (const std::vector<Vec3>& places : *style.trails) bodies = joined(bodies, bounds_of(places));
+    }
     const ViewUniforms view(projection, drawn_bounds(bodies, ensemble.bounds(), reach, box, style.grid), tile,
                             target.size(), palette(style.background));
     body_->draw_space(style, box, axes, view, tile, target);

@@ -32,6 +32,7 @@ public:
     void track(std::optional<std::size_t>) override {}
     void pull(std::size_t, Vec3) override {}
     void show_ensemble(const LiveEnsembleOptions&) override {}
+    void show_forces(bool) override {}
 };
 
 /// A context that reads and writes no files.
@@ -108,7 +109,7 @@ struct Interface::Body {
     Session session;
     ViewKeeper view_keeper;
     Follower follower;
-    Trail trail;
+    Trails trails;
     Layout layout;
     WidgetMap widgets;
     std::uint32_t scene_texture = 0;
@@ -132,7 +133,7 @@ bool Interface::resize(const Display& display) {
 
 void Interface::record(const RunView& view) {
     body_->session.history.record(view);
-    body_->trail.record(view);
+    body_->trails.record(view, body_->session.trail);
     body_->new_view = true;
 }
 
@@ -218,7 +219,7 @@ void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage,
         use_pointer(context);
     }
     set_style(stage.style, view, body.display);
-    stage.style.trail = body.session.trail ? body.trail.places() : nullptr;
+    stage.style.trails = body.session.trail ? body.trails.places() : nullptr;
     draw_scene_picture(body.layout.scene, body.scene_texture);
     draw_panels(context);
     ImGui::Render();

@@ -1,5 +1,7 @@
 #include "ui/trail.hpp"
 
+#include <algorithm>
+
 namespace steplab::ui {
 namespace {
 
@@ -7,17 +9,35 @@ constexpr std::size_t most_places = 1500;
 
 }  // namespace
 
-void Trail::record(const RunView& view) {
+void Trails::record(const RunView& view, bool shown) {
     if (!view.tracked || !view.frame.shape) return;
-    const bool other = particle_ != view.tracked->particle || run_ != view.run || view.frame.step < step_;
-    if (!other && view.frame.step == step_ && !kept_.empty()) return;
-    if (other) kept_.clear();
-    particle_ = view.tracked->particle;
+    if (run_ != view.run || view.frame.step < step_) trails_.clear();
     run_ = view.run;
+    const bool same_moment = view.frame.step == step_;
     step_ = view.frame.step;
-    kept_.push_back(view.frame.shape->rest[*particle_] + view.tracked->displacement);
-    if (kept_.size() > most_places) kept_.pop_front();
-    places_ = kept_.size() > 1 ? std::make_shared<const std::vector<Vec3>>(kept_.begin(), kept_.end()) : nullptr;
+    select(view.tracked->particle, shown);
+    for (Trail& trail : trails_) {
+        if (same_moment && !trail.places.empty()) continue;
+        trail.places.push_back(view.frame.positions[trail.particle]);
+        if (trail.places.size() > most_places) trail.places.pop_front();
+    }
+    render::Trails all;
+    for (const Trail& trail : trails_) {
+        if (trail.places.size() > 1) all.emplace_back(trail.places.begin(), trail.places.end());
+    }
+    places_ = all.empty() ? nullptr : std::make_shared<const render::Trails>(std::move(all));
+}
+
+void Trails::select(std::size_t particle, bool shown) {
+    const auto is_it = [particle](const Trail& trail) { return trail.particle == particle; };
+    if (!shown) std::erase_if(trails_, [&](const Trail& trail) { return !is_it(trail); });
+    const auto known = std::find_if(trails_.begin(), trails_.end(), is_it);
+    if (known == trails_.end()) {
+        trails_.push_back({particle});
+    } else {
+        std::rotate(known, known + 1, trails_.end());
+    }
+    if (trails_.size() > most_particles) trails_.erase(trails_.begin());
 }
 
 }  // namespace steplab::ui

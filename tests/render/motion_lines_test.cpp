@@ -30,35 +30,52 @@ struct Scene {
     Tile tile{size};
 };
 
-TEST(VelocityArrows, are_as_long_as_velocities_to_one_scale) {
+TEST(MotionArrows, are_as_long_as_velocities_to_one_scale) {
     Scene scene(test::particles_at({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
     scene.frame.velocities = {{0, 2, 0}, {0, 1, 0}, {0, 0, 0}};
-    const std::vector<Rod> lines = velocity_arrows(scene.shot());
+    EXPECT_TRUE(motion_arrows(scene.shot()).empty()) << "nobody asked for them";
+    scene.style.velocities = true;
+    const std::vector<Rod> lines = motion_arrows(scene.shot());
     ASSERT_EQ(lines.size(), 6u) << "three lines each, none for a particle at rest";
     const auto reach = [&](std::size_t i) { return glm::length(lines[i].end - lines[i].start); };
     EXPECT_FLOAT_EQ(reach(0), 2 * reach(3));
 }
 
-TEST(VelocityArrows, of_a_scene_at_rest_or_beyond_numbers_are_none) {
+TEST(MotionArrows, of_a_scene_at_rest_or_beyond_numbers_are_none) {
     Scene scene(test::particles_at({{0, 0, 0}}));
-    EXPECT_TRUE(velocity_arrows(scene.shot()).empty());
+    scene.style.velocities = scene.style.forces = true;
+    EXPECT_TRUE(motion_arrows(scene.shot()).empty());
     scene.frame.velocities = {{NAN, 0, 0}};
-    EXPECT_TRUE(velocity_arrows(scene.shot()).empty());
+    EXPECT_TRUE(motion_arrows(scene.shot()).empty());
+}
+
+TEST(MotionArrows, of_forces_have_a_scale_and_a_colour_of_their_own) {
+    Scene scene(test::particles_at({{0, 0, 0}, {1, 0, 0}}));
+    scene.frame.velocities = {{0, 3, 0}, {0, 0, 0}};
+    scene.frame.forces = {{0, 100, 0}, {0, -50, 0}};
+    scene.style.forces = true;
+    ASSERT_EQ(motion_arrows(scene.shot()).size(), 6u) << "those of two forces alone";
+    scene.style.velocities = true;
+    const std::vector<Rod> lines = motion_arrows(scene.shot());
+    ASSERT_EQ(lines.size(), 9u);
+    EXPECT_NE(lines[0].colour.green, lines[3].colour.green);
+    const auto reach = [&](std::size_t i) { return glm::length(lines[i].end - lines[i].start); };
+    EXPECT_FLOAT_EQ(reach(3), 2 * reach(6));
 }
 
 TEST(TrailLines, join_the_places_and_fade_with_age) {
     Scene scene(test::particles_at({{0, 0, 0}}));
-    scene.style.trail = std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
+    scene.style.trails =
+        std::make_shared<const Trails>(Trails{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {{5, 0, 0}, {5, 1, 0}}});
     const std::vector<Rod> lines = trail_lines(scene.shot());
-    ASSERT_EQ(lines.size(), 2u);
+    ASSERT_EQ(lines.size(), 3u) << "of one particle two, of another one";
     EXPECT_EQ(lines[0].end, lines[1].start);
     EXPECT_LT(lines[0].colour.alpha, lines[1].colour.alpha);
 }
 
 TEST(TrailLines, do_not_cross_the_periodic_box) {
     Scene scene(test::periodic({{0, 0, 0}}, 4, {-2, -2, -2}));
-    scene.style.trail =
-        std::make_shared<const std::vector<Vec3>>(std::vector<Vec3>{{1, 0, 0}, {1.9, 0, 0}, {2.1, 0, 0}});
+    scene.style.trails = std::make_shared<const Trails>(Trails{{{1, 0, 0}, {1.9, 0, 0}, {2.1, 0, 0}}});
     EXPECT_EQ(trail_lines(scene.shot()).size(), 1u);
 }
 

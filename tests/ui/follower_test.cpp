@@ -43,21 +43,54 @@ TEST(follow, selecting_another_particle_does_not_move_the_camera) {
     EXPECT_DOUBLE_EQ(desk.camera.focus.x, before.focus.x + 3);
 }
 
-TEST(trail, is_of_one_particle_in_one_run) {
-    RunView view = view_of(Simulation(describe("free")), 3);
-    Trail trail;
-    trail.record(view);
-    EXPECT_FALSE(trail.places());
-    view.frame.step = 1;
-    view.tracked->displacement = {0, 1, 0};
-    trail.record(view);
-    trail.record(view);
-    ASSERT_TRUE(trail.places());
-    EXPECT_EQ(trail.places()->size(), 2u);
-    EXPECT_EQ(trail.places()->back(), (view.frame.shape->rest[3] + Vec3{0, 1, 0}));
-    view.run = 7;
-    trail.record(view);
-    EXPECT_FALSE(trail.places());
+class TrailsTest : public testing::Test {
+protected:
+    /// A step later `particle` is selected, and all lie `height` above where they were.
+    void record(std::size_t particle, double height, bool shown = true) {
+        ++view_.frame.step;
+        view_.tracked->particle = particle;
+        for (std::size_t i = 0; i < start_.size(); ++i) view_.frame.positions[i] = start_[i] + Vec3{0, height, 0};
+        trails_.record(view_, shown);
+    }
+
+    RunView view_ = view_of(Simulation(describe("free")), 3);
+    std::vector<Vec3> start_ = view_.frame.positions;
+    Trails trails_;
+};
+
+TEST_F(TrailsTest, are_of_one_run) {
+    trails_.record(view_, true);
+    EXPECT_FALSE(trails_.places());
+    record(3, 1);
+    trails_.record(view_, true);  // the same moment
+    ASSERT_TRUE(trails_.places());
+    ASSERT_EQ(trails_.places()->size(), 1u);
+    EXPECT_EQ(trails_.places()->front(), (std::vector<Vec3>{start_[3], start_[3] + Vec3{0, 1, 0}}));
+    view_.run = 7;
+    record(3, 2);
+    EXPECT_FALSE(trails_.places());
+}
+
+TEST_F(TrailsTest, of_particles_selected_before_go_on_while_they_are_shown) {
+    record(3, 1);
+    record(3, 2);
+    record(5, 3);
+    record(5, 4);
+    ASSERT_EQ(trails_.places()->size(), 2u);
+    EXPECT_EQ(trails_.places()->front().size(), 4u);
+    EXPECT_EQ(trails_.places()->front().back(), (start_[3] + Vec3{0, 4, 0}));
+    EXPECT_EQ(trails_.places()->back().size(), 2u);
+    record(5, 5, false);
+    ASSERT_EQ(trails_.places()->size(), 1u);
+    EXPECT_EQ(trails_.places()->front().back(), (start_[5] + Vec3{0, 5, 0}));
+}
+
+TEST_F(TrailsTest, of_too_many_particles_lose_the_first) {
+    for (std::size_t i = 0; i <= Trails::most_particles; ++i) record(i, static_cast<double>(i));
+    record(0, 20);
+    record(0, 21);
+    ASSERT_EQ(trails_.places()->size(), Trails::most_particles);
+    EXPECT_EQ(trails_.places()->back().size(), 2u) << "it was forgotten, and selected again";
 }
 
 TEST(trail, is_drawn_where_it_is_wanted) {
@@ -66,11 +99,14 @@ TEST(trail, is_drawn_where_it_is_wanted) {
     next.tracked = desk.view.tracked = Tracked{3, {}, {}};
     desk.show(desk.view);
     desk.show(next);
-    EXPECT_FALSE(desk.style.trail);
+    EXPECT_FALSE(desk.style.trails);
     desk.click("trail");
-    EXPECT_TRUE(desk.style.trail);
+    EXPECT_TRUE(desk.style.trails);
     desk.click("velocities");
     EXPECT_TRUE(desk.style.velocities);
+    desk.click("forces");
+    EXPECT_TRUE(desk.style.forces);
+    EXPECT_TRUE(desk.recorder.with_forces) << "the worker has to compute them";
 }
 
 }  // namespace

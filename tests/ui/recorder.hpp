@@ -35,6 +35,10 @@ public:
         calls.push_back("ensemble");
         ensembles.push_back(ensemble);
     }
+    void show_forces(bool on) override {
+        calls.push_back("forces");
+        with_forces = on;
+    }
 
     struct Pull {
         std::size_t particle = 0;
@@ -44,6 +48,7 @@ public:
     std::vector<RunDescription> changes;
     std::vector<Rate> rates;
     std::optional<std::size_t> tracked;
+    bool with_forces = false;
     std::optional<Pull> pulled;
     std::vector<LiveEnsembleOptions> ensembles;
 };

@@ -71,6 +71,11 @@ const std::optional<Resolution>& Segment::resolution() const {
     return *resolution_;
 }
 
+ParticleForces& Segment::forces() const {
+    if (!forces_) forces_.emplace(scene);
+    return *forces_;
+}
+
 const Remedies& Segment::remedies() const {
     if (!remedies_) remedies_ = steplab::remedies(description, scene);
     return *remedies_;

@@ -107,6 +107,7 @@ void Simulation::prepare(Frame& out, const FrameParts& wanted) const {
     out.displacements.resize(wanted.displacements ? particles() : 0);
     out.velocities.resize(particles());
     out.ensemble.clear();
+    out.forces.clear();
 }
 
 void Simulation::fill(Frame& out, const Portion& portion) const {
@@ -138,6 +139,7 @@ std::string Simulation::hash() const {
 }
 
 const State<double>& Simulation::state() const { return settled().state(); }
+void Simulation::forces(std::vector<Vec3>& out) const { settled().segment.forces().at(state(), out); }
 
 Diagnostics Simulation::diagnostics() const {
     return measured([](const Portion&) {});

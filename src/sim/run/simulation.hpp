@@ -103,6 +103,8 @@ public:
     const State<double>& state() const;
     /// The unchanging part of the scene; built when first asked for.
     std::shared_ptr<const Shape> shape() const;
+    /// The forces in N on all particles at this moment, drag and damping included.
+    void forces(std::vector<Vec3>& out) const;
     /// Hash of step and synchronised state bits, 16 hexadecimal digits.
     std::string hash() const;
 

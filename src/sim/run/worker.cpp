@@ -67,6 +67,10 @@ void Worker::show_ensemble(const LiveEnsembleOptions& ensemble) {
     });
 }
 
+void Worker::show_forces(bool on) {
+    body_->post([on](Body& body) { body.with_forces = on; });
+}
+
 void Worker::set_rate(Rate rate) {
     body_->post([rate](Body& body) {
         body.rate = rate;

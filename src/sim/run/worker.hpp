@@ -23,6 +23,8 @@ public:
     virtual void pull(std::size_t particle, Vec3 position) = 0;
     /// Which runs go beside the run, from its start on.
     virtual void show_ensemble(const LiveEnsembleOptions& ensemble) = 0;
+    /// Whether views hold the forces on the particles.
+    virtual void show_forces(bool on) = 0;
 };
 
 /// Owns a simulation on a thread of its own. Commands return at once; results are taken when there are new ones.
@@ -40,6 +42,7 @@ public:
     void track(std::optional<std::size_t> particle) override;
     void pull(std::size_t particle, Vec3 position) override;
     void show_ensemble(const LiveEnsembleOptions& ensemble) override;
+    void show_forces(bool on) override;
 
     /// Takes the run forward to this step as fast as it can, unless another command of the run comes before it is
     /// there.

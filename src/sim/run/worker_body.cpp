@@ -120,6 +120,7 @@ bool Worker::Body::affordable() const {
 /// Makes `view` one of the present moment.
 void Worker::Body::see() {
     observe(simulation, tracked, view);
+    if (with_forces) simulation.forces(view.frame.forces);
     if (view.divergence) playing = false;
     view.playing = playing;
     view.goal = goal;

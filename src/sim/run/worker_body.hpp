@@ -49,6 +49,7 @@ struct Worker::Body {
     bool doubtful = false;  // the energy is impossible, and the check that decides about it has not come yet
     std::optional<std::uint64_t> goal;  // the step that the run is on its way to
     std::optional<std::size_t> tracked;
+    bool with_forces = false;            ///< in views
     std::vector<SegmentBegin> segments;  // of the run so far
     LiveEnsembleOptions ensemble;
     std::optional<LiveEnsemble> live_ensemble;

@@ -57,6 +57,24 @@ void draw_following(const Context& context) {
         context.session.following = static_cast<render::Following>(chosen);
 }
 
+/// What is drawn: a row of the scene, a row of its motion.
+void draw_parts(const Context& context, render::Style& style) {
+    const float second = row_places(context).control;
+    check_row(context, "springs", "springs", style.springs);
+    tooltip(context, "draw the springs");
+    ImGui::SameLine(second);
+    check_row(context, "grid", "grid and axes", style.grid);
+    tooltip(context, "draw the ground grid and the axes in metres");
+    check_row(context, "trail", "trail", context.session.trail);
+    tooltip(context, "draw where the selected particle has been; select others to see theirs too");
+    ImGui::SameLine(second);
+    check_row(context, "velocities", "velocities", style.velocities);
+    tooltip(context, "draw the velocity of each particle as an arrow");
+    ImGui::SameLine(second + context.px(104));
+    if (check_row(context, "forces", "forces", style.forces)) context.commands.show_forces(style.forces);
+    tooltip(context, "draw the force on each particle as an arrow, drag and damping included");
+}
+
 }  // namespace
 
 void draw_show_panel(const Context& context) {
@@ -65,16 +83,7 @@ void draw_show_panel(const Context& context) {
     draw_colouring(context, style);
     draw_background(context, style);
     draw_following(context);
-    check_row(context, "springs", "springs", style.springs);
-    tooltip(context, "draw the springs");
-    ImGui::SameLine(row_places(context).control);
-    check_row(context, "grid", "grid and axes", style.grid);
-    tooltip(context, "draw the ground grid and the axes in metres");
-    check_row(context, "trail", "trail", context.session.trail);
-    tooltip(context, "draw where the selected particle has been");
-    ImGui::SameLine(row_places(context).control);
-    check_row(context, "velocities", "velocities", style.velocities);
-    tooltip(context, "draw the velocity of each particle as an arrow");
+    draw_parts(context, style);
     draw_ensemble_rows(context);
 }
 

@@ -139,6 +139,14 @@ TEST_F(WorkerTest, tracks_a_particle_with_its_exact_solution) {
     ASSERT_TRUE(see([](const RunView& v) { return !v.tracked; })) << "no such particle";
 }
 
+TEST_F(WorkerTest, shows_forces_when_they_are_asked_for) {
+    EXPECT_TRUE(view.frame.forces.empty());
+    worker.show_forces(true);
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.forces.size() == v.frame.positions.size(); }));
+    worker.show_forces(false);
+    ASSERT_TRUE(see([](const RunView& v) { return v.frame.forces.empty(); }));
+}
+
 TEST_F(WorkerTest, pulls_a_particle) {
     worker.pull(5, {10, 1, 0});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.positions[5] == Vec3{10, 1, 0}; }));
