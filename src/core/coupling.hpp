@@ -20,6 +20,7 @@ struct Coupling {
 
     Kind kind = Kind::none;
     std::size_t particles = 0;
+    bool smooth = true;  ///< false where a potential has min, max or abs, which have seams
 };
 
 }  // namespace steplab

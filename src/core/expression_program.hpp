@@ -2,6 +2,7 @@
 
 #include "core/elementary.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -44,6 +45,12 @@ public:
     std::vector<Step> steps;
     std::size_t slots = 0;
     std::vector<std::uint32_t> results;  ///< their slots
+
+    /// False if it chooses between results, as min, max and abs do.
+    bool is_smooth() const {
+        return std::none_of(steps.begin(), steps.end(),
+                            [](const Step& step) { return step.operation == Operation::choose; });
+    }
 
     /// Sets the constants, T being the type of single numbers.
     template <class T, class N>

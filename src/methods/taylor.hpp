@@ -43,6 +43,7 @@ struct Taylor {
         if (coupling.kind == Coupling::Kind::all && coupling.particles > most_pairs)
             return "it stores the power series of all pairs, which is possible for up to " +
                    std::to_string(most_pairs) + not_for;
+        if (!coupling.smooth) return "its potential has min, max or abs, whose seams a power series does not see";
         return std::nullopt;
     }
 
@@ -109,7 +110,7 @@ public:
             check_interruption();
             advance(system);
             expand(system);
-            // below this time nothing moves by more than rounding: shorter steps are neither needed nor possible
+            // below this time nothing moves by more than rounding
             lengthen(
                 time_of_rounding(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_->axes()));
             if (is_stuck(target)) return stop(system, target);
@@ -168,10 +169,10 @@ private:
     }
     static constexpr double order_per_digit = 0.6;
 
-    /// A series may end at once, where two pairs cross a cut-off together, but not one after the other.
+    /// A series may end at once or not exist, but not one after the other.
     bool is_stuck(Time target) {
         const T least = static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon()));
-        progress_.stuck = progress_.length > least ? 0 : progress_.stuck + 1;
+        progress_.stuck = progress_.length > least && !forces_->singular() ? 0 : progress_.stuck + 1;
         lengthen(least);
         return progress_.stuck > 100;
     }
@@ -245,9 +246,8 @@ private:
         if (!forces_->singular()) end_at_collision(system);
     }
 
-    /// When a collision approaches, the series ends before it; close to the collision it ends as far behind it. Because
-    /// a series does not reach far beyond the time at which a distance is zero, collisions are predicted at several
-    /// times its duration.
+    /// When a collision approaches, the series ends before it; close to the collision it ends as far behind it. A
+    /// series does not reach far beyond a distance of zero: collisions are predicted at several times its duration.
     template <class System>
     void end_at_collision(System& system) {
         const MotionOf<T> begin = now(a_);

@@ -45,6 +45,34 @@ TEST(SceneExpression, every_method_but_those_of_2008_runs_it) {
     }
 }
 
+// A series at one side of a seam knows nothing of the other.
+TEST(SceneExpression, with_a_seam_is_refused_by_taylor_alone) {
+    const std::string potential = "A*exp(-r/rho) + q1*q2/r - C/r^6", field = "w/2*(x^2 + y^2 + 2*z^2)";
+    const std::string seamed[] = {replaced(salt, potential, "A*exp(-r/rho) + C*max(0, 1 - r)^2.5"),
+                                  replaced(salt, potential, "A*exp(-r/rho) + C*abs(r - 2)"),
+                                  replaced(salt, field, "w/2*min(x^2, 1)")};
+    for (const std::string& text : seamed) {
+        for (const MethodCase& c : working_methods()) {
+            const RunDescription run = with_method(describe(read_scene(text)), c.id());
+            if (c.id() == "taylor") {
+                EXPECT_THROW(check(run), UsageError) << text;
+            } else {
+                EXPECT_NO_THROW(check(run)) << c.id();
+            }
+        }
+    }
+}
+
+// The root of x = 0 has no series, and x stays 0.
+TEST(SceneExpression, without_a_series_where_it_rests_ends_the_run_of_taylor) {
+    const std::string text = "steplab = 1\n[[particles]]\n[[fields]]\npotential = \"exp(-y) + 1e-3*x*sqrt(x)\"\n";
+    RunDescription run = with_method(describe(read_scene(text)), "taylor");
+    Simulation simulation(run);
+    simulation.advance(100);
+    ASSERT_TRUE(simulation.divergence());
+    EXPECT_TRUE(simulation.divergence()->stop);
+}
+
 TEST(SceneExpression, its_parameters_apply_at_once) {
     RunDescription run = describe(read_scene(salt));
     for (const ParameterInfo& info : run.scene.infos()) EXPECT_EQ(info.on_change, OnChange::applies_live) << info.name;

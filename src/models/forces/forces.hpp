@@ -70,10 +70,14 @@ inline Coupling coupling(const PairForces& forces) { return {Coupling::Kind::all
 inline Coupling coupling(const NearPairForces& forces) { return {Coupling::Kind::near, forces.count}; }
 inline Coupling coupling(const ComposedForces& forces) {
     const Composition& terms = *forces.terms;
-    if (terms.pairs.empty()) return {terms.springs.empty() ? Coupling::Kind::none : Coupling::Kind::near, forces.count};
+    const auto smooth = [](const auto& term) { return !term.expression || term.expression->force.is_smooth(); };
+    const bool all_smooth = std::all_of(terms.pairs.begin(), terms.pairs.end(), smooth) &&
+                            std::all_of(terms.fields.begin(), terms.fields.end(), smooth);
+    const auto of_kind = [&](Coupling::Kind kind) { return Coupling{kind, forces.count, all_smooth}; };
+    if (terms.pairs.empty()) return of_kind(terms.springs.empty() ? Coupling::Kind::none : Coupling::Kind::near);
     const bool cut =
         std::all_of(terms.pairs.begin(), terms.pairs.end(), [](const auto& pairs) { return pairs.cutoff > 0; });
-    return {cut ? Coupling::Kind::near : Coupling::Kind::all, forces.count};
+    return of_kind(cut ? Coupling::Kind::near : Coupling::Kind::all);
 }
 
 /// Potential energy of a state in the parts that the tests of energy need.
