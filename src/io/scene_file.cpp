@@ -8,6 +8,7 @@
 #include "models/scene/composer.hpp"
 #include "models/scene/planner.hpp"
 #include "models/scene/scene_particles.hpp"
+#include "sim/catalogue.hpp"
 #include "sim/run/known_motion.hpp"
 #include "sim/run/starting.hpp"
 
@@ -54,6 +55,7 @@ public:
         texts_ = read_texts(root_, numbers);
         const SceneStart start = read_scene(root_, numbers, files_).start;
         note_uses(numbers);
+        check_names();
         if (start.mode > 0) plan(values);
     }
     Document(const Document&) = delete;
@@ -95,6 +97,18 @@ private:
             if (!numbers.used().contains(name) && first) unused = &entry, unused_name = name;
         }
         if (unused) fail_at(*unused->place, fmt::format("nothing uses the parameter '{}'", unused_name));
+    }
+
+    /// --set has to know which is meant.
+    void check_names() const {
+        if (texts_.defaults.method.empty()) return;
+        const MethodInfo& info = method(texts_.defaults.method).info;
+        for (const ParameterInfo& known : info.parameters) {
+            const auto same = parameters_.entries().find(known.name);
+            if (same == parameters_.entries().end()) continue;
+            fail_at(*same->second.place,
+                    fmt::format("'{}' is a parameter of the method {} too; give it another name", known.name, info.id));
+        }
     }
 
     toml::table root_;

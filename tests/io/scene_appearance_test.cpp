@@ -4,6 +4,7 @@
 #include "sim/catalogue.hpp"
 #include "sim/run/opening.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/scene_texts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,22 +13,11 @@
 
 // What a scene file says of how its scene opens, read and written.
 
-namespace steplab {
+namespace steplab::test {
 namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-SceneOrigin read(const std::string& text) { return scene_from({{.name = "", .content = text}}, "a.toml"); }
-
-std::string refusal(const std::string& text) {
-    try {
-        read(text);
-        return "read";
-    } catch (const FileError& error) {
-        return error.what();
-    }
-}
 
 const std::string two = R"(steplab = 1
 title = "Two"
@@ -45,7 +35,7 @@ k = "k"
 )";
 
 TEST(SceneAppearance, a_view_is_kept_as_it_is_written) {
-    const SceneOrigin scene = read(two + R"([view]
+    const SceneOrigin scene = read_scene(two + R"([view]
 camera = "30,20,8,0.7,0.9,0.7"
 colour = "kinetic-energy"
 background = "light"
@@ -56,41 +46,45 @@ background = "light"
 }
 
 TEST(SceneAppearance, a_wrong_view_is_an_error_at_its_place) {
-    EXPECT_THAT(refusal(two + "[view]\ncamera = \"up\"\n"), StartsWith("a.toml:15:10: camera must be default, front"));
-    EXPECT_THAT(refusal(two + "[view]\ncamera = \"1,2,0,4,5,6\"\n"), StartsWith("a.toml:15:10: camera must be"));
-    EXPECT_THAT(refusal(two + "[view]\n\ncolour = \"sped\"\n"),
+    EXPECT_THAT(refusal_of_scene(two + "[view]\ncamera = \"up\"\n"),
+                StartsWith("a.toml:15:10: camera must be default, front"));
+    EXPECT_THAT(refusal_of_scene(two + "[view]\ncamera = \"1,2,0,4,5,6\"\n"),
+                StartsWith("a.toml:15:10: camera must be"));
+    EXPECT_THAT(refusal_of_scene(two + "[view]\n\ncolour = \"sped\"\n"),
                 StartsWith("a.toml:16:10: unknown colouring 'sped' (did you mean 'speed'?)"));
-    EXPECT_THAT(refusal(two + "[view]\nbackground = \"grey\"\n"), StartsWith("a.toml:15:14: unknown background"));
-    EXPECT_THAT(refusal(two + "[view]\ncolour = 1\n"), StartsWith("a.toml:15:10: must be a text"));
-    EXPECT_THAT(refusal(two + "[view]\ncolor = \"speed\"\n"), StartsWith("a.toml:15:1: unknown key 'color'"));
+    EXPECT_THAT(refusal_of_scene(two + "[view]\nbackground = \"grey\"\n"),
+                StartsWith("a.toml:15:14: unknown background"));
+    EXPECT_THAT(refusal_of_scene(two + "[view]\ncolour = 1\n"), StartsWith("a.toml:15:10: must be a text"));
+    EXPECT_THAT(refusal_of_scene(two + "[view]\ncolor = \"speed\"\n"), StartsWith("a.toml:15:1: unknown key 'color'"));
 }
 
 TEST(SceneAppearance, a_topic_is_one_of_five) {
-    EXPECT_EQ(read("topic = \"hard cases\"\n" + two)->model->topic, "hard cases");
-    EXPECT_EQ(read(two)->model->topic, "");
-    EXPECT_THAT(refusal("topic = \"plants\"\n" + two),
+    EXPECT_EQ(read_scene("topic = \"hard cases\"\n" + two)->model->topic, "hard cases");
+    EXPECT_EQ(read_scene(two)->model->topic, "");
+    EXPECT_THAT(refusal_of_scene("topic = \"plants\"\n" + two),
                 StartsWith("a.toml:1:9: unknown topic 'plants' (did you mean 'planets'?)"));
 }
 
 TEST(SceneAppearance, parameters_of_the_method_are_its_own) {
     const std::string run = "[run]\nparameters = { tolerance = 1e-9 }\nmethod = \"dopri5\"\n";
-    EXPECT_EQ(describe(read(two + run)).method_parameters["tolerance"], 1e-9);
-    EXPECT_THAT(refusal(two + "[run]\nmethod = \"rk4\"\nparameters = { tolerance = 1e-9 }\n"),
+    EXPECT_EQ(describe(read_scene(two + run)).method_parameters["tolerance"], 1e-9);
+    EXPECT_THAT(refusal_of_scene(two + "[run]\nmethod = \"rk4\"\nparameters = { tolerance = 1e-9 }\n"),
                 StartsWith("a.toml:16:16: unknown key 'tolerance' of the parameters of rk4"));
-    EXPECT_THAT(refusal(two + "[run]\nmethod = \"dopri5\"\nparameters = { tolerance = -1 }\n"),
+    EXPECT_THAT(refusal_of_scene(two + "[run]\nmethod = \"dopri5\"\nparameters = { tolerance = -1 }\n"),
                 StartsWith("a.toml:16:28: tolerance must be"));
-    EXPECT_THAT(refusal(two + "[run]\nmethod = \"dopri5\"\nparameters = 3\n"), StartsWith("a.toml:16:14: "));
+    EXPECT_THAT(refusal_of_scene(two + "[run]\nmethod = \"dopri5\"\nparameters = 3\n"), StartsWith("a.toml:16:14: "));
 }
 
 // A scene that was saved opens as it was: the same run with the same view.
 TEST(SceneAppearance, what_is_written_opens_as_it_was) {
-    RunDescription run = with_method(describe(read(two + "[run]\nuntil = 7\ncompare = [\"dt=0.1\"]\n")), "dopri5");
+    RunDescription run =
+        with_method(describe(read_scene(two + "[run]\nuntil = 7\ncompare = [\"dt=0.1\"]\n")), "dopri5");
     run.method_parameters.set("tolerance", 1e-7);
     run.scene.set("k", 5);
     run.dt = 0.03;
     run.precision = Precision::float_;
     const SceneView view{.camera = "30,20,8,0.7,0.9,0.7", .colour = "speed", .background = "light"};
-    const RunDescription again = describe(read(scene_file_text(run, view)));
+    const RunDescription again = describe(read_scene(scene_file_text(run, view)));
     EXPECT_EQ(again.method, run.method);
     EXPECT_EQ(again.method_parameters, run.method_parameters);
     EXPECT_EQ(again.scene["k"], 5);
@@ -106,17 +100,17 @@ TEST(SceneAppearance, what_is_written_opens_as_it_was) {
 
 TEST(SceneAppearance, exporting_keeps_view_and_topic) {
     const std::string text =
-        scene_file_text(describe(read("topic = \"planets\"\n" + two + "[view]\ncolour = \"speed\"\n")));
+        scene_file_text(describe(read_scene("topic = \"planets\"\n" + two + "[view]\ncolour = \"speed\"\n")));
     EXPECT_THAT(text, HasSubstr("topic = \"planets\""));
     EXPECT_THAT(text, HasSubstr("[view]\ncolour = \"speed\"\n"));
     for (const Model& model : models())
-        EXPECT_EQ(read(scene_file_text(describe(model.info.id)))->model->topic, model.topic) << model.info.id;
+        EXPECT_EQ(read_scene(scene_file_text(describe(model.info.id)))->model->topic, model.topic) << model.info.id;
 }
 
 TEST(SceneAppearance, a_file_read_again_keeps_what_the_window_changed) {
-    RunDescription now = describe(read(two + "[run]\nmethod = \"velocity-verlet\"\ndt = 0.01\n"));
+    RunDescription now = describe(read_scene(two + "[run]\nmethod = \"velocity-verlet\"\ndt = 0.01\n"));
     const RunDescription fresh =
-        describe(read(two + "[fields]\ndrag = 0.1\n[run]\nmethod = \"rk4\"\ndt = 0.02\nprecision = \"float\"\n"));
+        describe(read_scene(two + "[fields]\ndrag = 0.1\n[run]\nmethod = \"rk4\"\ndt = 0.02\nprecision = \"float\"\n"));
     EXPECT_EQ(reloaded(now, fresh), fresh);
     now.dt = 0.005;
     now.scene.set("k", 7);
@@ -131,4 +125,4 @@ TEST(SceneAppearance, a_file_read_again_keeps_what_the_window_changed) {
 }
 
 }  // namespace
-}  // namespace steplab
+}  // namespace steplab::test

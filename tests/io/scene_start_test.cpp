@@ -6,13 +6,14 @@
 #include "io/starting_values_file.hpp"
 #include "io/trajectory.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/scene_texts.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace steplab {
+namespace steplab::test {
 namespace {
 
 using testing::HasSubstr;
@@ -33,21 +34,10 @@ method = "taylor"
 )";
 constexpr int moving = 6;
 
-SceneOrigin read(const std::string& text) { return scene_from({{.name = "", .content = text}}, "a.toml"); }
-
-std::string refusal(const std::string& text) {
-    try {
-        read(text);
-        return "read";
-    } catch (const FileError& error) {
-        return error.what();
-    }
-}
-
 TEST(SceneStart, in_a_normal_mode_vibrates_with_its_frequency) {
     for (int mode = 1; mode <= moving; ++mode) {
         RunDescription run =
-            describe(read(between_walls + "[start]\nmode = " + std::to_string(mode) + "\namplitude = 1e-4\n"));
+            describe(read_scene(between_walls + "[start]\nmode = " + std::to_string(mode) + "\namplitude = 1e-4\n"));
         const double phase = mode * std::numbers::pi / (2 * (moving + 1)), omega = 2 * 2 * std::sin(phase);
         const Start start = model_of(run).plan(run.scene).start;
         double largest = 0;
@@ -85,11 +75,11 @@ k = 1
 mode = 1
 amplitude = 0.3
 )";
-    const RunDescription run = describe(read(pair));
+    const RunDescription run = describe(read_scene(pair));
     const Start start = model_of(run).plan(run.scene).start;
     EXPECT_NEAR(std::abs(start[0].displacement.x), 0.3, 1e-15);
     EXPECT_NEAR(start[0].displacement.x + 3 * start[1].displacement.x, 0, 1e-15);
-    EXPECT_THAT(refusal(pair.substr(0, pair.find("mode = 1")) + "mode = 2\namplitude = 0.3\n"),
+    EXPECT_THAT(refusal_of_scene(pair.substr(0, pair.find("mode = 1")) + "mode = 2\namplitude = 0.3\n"),
                 HasSubstr("there is no normal mode 2: the scene has 1 of a frequency > 0"));
 }
 
@@ -102,16 +92,16 @@ TEST(SceneStart, that_is_wrong_is_refused_with_its_place) {
         {"from = \"a.csv\"", "a.toml:14:8: cannot read 'a.csv': the run does not carry it"},
         {"form = 1", "unknown key 'form' of [start] (did you mean 'from'?)"}};
     for (const auto& [block, message] : cases)
-        EXPECT_THAT(refusal(between_walls + "[start]\n" + block + "\n"), HasSubstr(message)) << block;
+        EXPECT_THAT(refusal_of_scene(between_walls + "[start]\n" + block + "\n"), HasSubstr(message)) << block;
     std::string large = between_walls;
     large.replace(large.find("count = 8"), 9, "count = 301");
-    EXPECT_THAT(refusal(large + "[start]\nmode = 1\namplitude = 1\n"),
+    EXPECT_THAT(refusal_of_scene(large + "[start]\nmode = 1\namplitude = 1\n"),
                 HasSubstr("at most 300 particles, the scene has 301"));
 }
 
 TEST(SceneStart, from_a_trajectory_continues_its_run) {
     const TemporaryFolder folder;
-    RunDescription run = describe(read(between_walls + "[start]\nmode = 2\namplitude = 0.1\n"));
+    RunDescription run = describe(read_scene(between_walls + "[start]\nmode = 2\namplitude = 0.1\n"));
     run = with_method(run, "rk4");
     Simulation simulation(run);
     {
@@ -150,15 +140,15 @@ TEST(SceneStart, from_a_trajectory_continues_its_run) {
 }
 
 TEST(SceneStart, reversed_and_until_are_read_and_written) {
-    const RunDescription run = describe(
-        read(between_walls +
-             "until = 20\ncompare = [\"method=rk4,dt=0.02\", \"method=euler-forward\"]\n[start]\nreverse = true\n"));
+    const RunDescription run = describe(read_scene(
+        between_walls +
+        "until = 20\ncompare = [\"method=rk4,dt=0.02\", \"method=euler-forward\"]\n[start]\nreverse = true\n"));
     EXPECT_EQ(model_of(run).opening.until, 20);
     EXPECT_TRUE(model_of(run).scene(run.scene).start.change.reverse);
     const std::string text = scene_file_text(run);
     EXPECT_THAT(text, HasSubstr("until = 20\n"));
     EXPECT_THAT(text, HasSubstr("[start]\nreverse = true\n"));
-    EXPECT_NO_THROW(read(text));
+    EXPECT_NO_THROW(read_scene(text));
 }
 
 TEST(SceneRun, compares_only_runs_that_there_can_be) {
@@ -170,7 +160,7 @@ TEST(SceneRun, compares_only_runs_that_there_can_be) {
         {"\"method=rk4,tolerance=1\"", "unknown setting 'tolerance'"},
         {"\"method=dopri5,tolerance=1e-9\"", "read"}};
     for (const auto& [list, message] : cases)
-        EXPECT_THAT(refusal(between_walls + "compare = " + list + "\n"), HasSubstr(message)) << list;
+        EXPECT_THAT(refusal_of_scene(between_walls + "compare = " + list + "\n"), HasSubstr(message)) << list;
 }
 
 TEST(StartingValues, are_the_same_from_their_text) {
@@ -192,4 +182,4 @@ TEST(StartingValues, need_all_particles) {
 }
 
 }  // namespace
-}  // namespace steplab
+}  // namespace steplab::test

@@ -84,6 +84,17 @@ void check_method(const RunDescription& description) {
     check_memory(description, bytes_of_interactions(description, scene));
 }
 
+/// --set has to know which is meant.
+void check_names(const RunDescription& description) {
+    for (const ParameterInfo& info : description.method_parameters.infos()) {
+        if (!description.scene.contains(info.name)) continue;
+        throw UsageError(
+            fmt::format("'{}' is a parameter of the scene and of {}: rename that of the scene, or "
+                        "choose another method",
+                        info.name, description.method));
+    }
+}
+
 /// "--set name=value" for every parameter that is not at its default.
 std::string changed_parameters(const ParameterValues& values) {
     std::string text;
@@ -159,6 +170,7 @@ void set_parameter(RunDescription& description, std::string_view name, std::stri
 
 void check_values(const RunDescription& description) {
     check_dt(description);
+    check_names(description);
     for (const ParameterValues& values : {description.scene, description.method_parameters}) {
         for (const auto& info : values.infos()) {
             check_value(info, values[info.name]);
