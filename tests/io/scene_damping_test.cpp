@@ -127,6 +127,16 @@ TEST(Damping, is_refused_by_name_where_formulas_have_none) {
     }
 }
 
+// At the beginning the spring is at its length: what acts is the dashpot, c times the relative velocity of 0.4.
+TEST(Damping, is_part_of_the_forces) {
+    Simulation simulation(run_of_text(damped_dimer(2), {&method("rk4").info, Precision::double_}, 0.01));
+    std::vector<Vec3> forces;
+    simulation.forces(forces);
+    ASSERT_EQ(forces.size(), 2u);
+    EXPECT_NEAR(forces[0].x, -0.8, 1e-15);
+    EXPECT_NEAR(forces[1].x, 0.8, 1e-15);
+}
+
 // A drag that is the same for all keeps every method, and has the bits of the drag of models.
 TEST(Damping, equal_drag_is_the_drag_of_models) {
     const std::string text =

@@ -128,7 +128,7 @@ TEST(ShippedScenes, jupiter_keeps_to_its_orbit) {
         EXPECT_LT(distance, 5.5);
     }
     RunDescription year = run;
-    year.dt = 4332.6 / 108;
+    year.dt = 4332.6 / 365.25 / 108;
     EXPECT_LT(length(from_sun(frame_after(year, 108)) - start), 0.06);  // what Saturn does in a year, 1 % of the orbit
 }
 
