@@ -39,9 +39,9 @@ target_compile_options(steplab_pch_for_ccache INTERFACE
                        $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
                        "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 
-# Headers that most sources include, compiled once: those of steplab_core serve all libraries, those of
-# steplab_command_line, which have a command line and JSON too, what is linked with it. Every source includes what it
-# needs nonetheless (preset `clang` builds without them).
+# Standard headers that most sources include, compiled once: those of steplab_core serve all libraries. Every source
+# includes what it needs nonetheless (preset `clang` builds without them). Headers of CLI11 and JSON would double the time
+# of the sources of app: what is precompiled is read whole.
 set(steplab_precompiled <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory> <optional> <span>
                         <string> <string_view> <type_traits> <utility> <variant> <vector> <fmt/format.h>)
 function(steplab_precompile target)
@@ -51,10 +51,6 @@ function(steplab_precompile target)
   target_link_libraries(${target} PRIVATE steplab_pch_for_ccache)
   if(target STREQUAL steplab_core)
     target_precompile_headers(${target} PRIVATE ${steplab_precompiled})
-  elseif(target STREQUAL steplab_command_line)
-    target_precompile_headers(${target} PRIVATE ${steplab_precompiled} <CLI/CLI.hpp> <nlohmann/json.hpp>)
-  elseif(target MATCHES "^steplab(_commands|-view)$")
-    target_precompile_headers(${target} REUSE_FROM steplab_command_line)
   else()
     target_precompile_headers(${target} REUSE_FROM steplab_core)
   endif()
