@@ -123,21 +123,6 @@ stretch = 4
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, SceneAnswers, testing::ValuesIn(working_methods()), case_name);
 
-// Period 2 pi a^(3/2) / sqrt(G m); from the perihelion, a = 1.
-TEST(SceneAnswer, an_ellipse_of_eccentricity_nine_tenths_returns) {
-    const double e = 0.9, far = 1 - e, speed = std::sqrt((1 + e) / (1 - e));
-    const std::string text = "[[particles]]\nfixed = true\n[[particles]]\nposition = [" + number_text(far) +
-                             ", 0, 0]\nvelocity = [0, " + number_text(speed) +
-                             ", 0]\n[[pairs]]\npotential = \"gravity\"\nG = 1\n";
-    for (const char* const method : {"ias15", "dop853", "taylor", "gauss-16"}) {
-        RunDescription run =
-            run_of_text(text, {&steplab::method(method).info, Precision::double_}, std::numbers::pi / 50);
-        run.method_parameters.set("tolerance", 1e-12);
-        const Frame frame = after(run, 1000);  // ten periods
-        EXPECT_LT(length(frame.positions[1] - Vec3{far, 0, 0}), 1e-6) << method;
-    }
-}
-
 // A pair in its minimum swings with sqrt(V'' / mu): V'' is 57.146 epsilon / sigma^2 for Lennard-Jones (r = 2^(1/6)
 // sigma), k for Morse. Small swings: the next term changes the period by the square of the amplitude.
 TEST(SceneAnswer, dimers_swing_with_the_frequency_of_their_minimum) {

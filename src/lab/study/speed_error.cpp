@@ -14,7 +14,6 @@
 #include <iterator>
 #include <mutex>
 #include <utility>
-#include <variant>
 
 namespace steplab {
 
@@ -170,9 +169,7 @@ constexpr double expensive_partners = 140;
 
 /// Approximate number of particles that each one interacts with: the cost of an evaluation per particle.
 double partners(const RunDescription& scene) {
-    const Model& entry = model_of(scene);
-    const bool all_pairs = std::holds_alternative<PairForces>(plan_of(scene).forces);
-    return all_pairs ? entry.particles(scene.scene) : 8;
+    return 2 * interacting_pairs(plan_of(scene)) / model_of(scene).particles(scene.scene);
 }
 
 }  // namespace

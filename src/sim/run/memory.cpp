@@ -103,6 +103,10 @@ double bytes_of_run(const RunDescription& description) {
            bytes_of_interactions(description, plan_of(description));
 }
 
+double interacting_pairs(const Plan& scene) {
+    return std::visit([&](const auto& forces) { return pairs(forces, scene); }, scene.forces);
+}
+
 double bytes_of_interactions(const RunDescription& description, const Plan& scene) {
     const Method& entry = method(description.method);
     const auto* const near = std::get_if<NearPairForces>(&scene.forces);
