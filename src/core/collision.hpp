@@ -23,6 +23,15 @@ public:
         if (count_ < kept_.size()) kept_[count_] = collision;
         ++count_;
     }
+    /// The same with each particle i called names[i].
+    CollisionRecord with_particles(std::span<const std::uint32_t> names) const {
+        CollisionRecord renamed = *this;
+        for (Collision& collision : std::span(renamed.kept_).first(kept().size())) {
+            collision.first = names[collision.first];
+            collision.second = names[collision.second];
+        }
+        return renamed;
+    }
     std::uint64_t count() const { return count_; }
     std::span<const Collision> kept() const { return {kept_.data(), count_ < kept_.size() ? count_ : kept_.size()}; }
 

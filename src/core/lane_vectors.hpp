@@ -82,6 +82,72 @@ template <class T, std::size_t Count, class F>
     }
 }
 
+/// x, y and z of Count vectors, one in each lane; vector j is stored as above.
+template <class T, std::size_t Count, class F>
+[[gnu::always_inline]] inline Vector<RegisterLanes<T, Count>> gathered_vectors(F address) {
+    using N = RegisterLanes<T, Count>;
+    if constexpr (N::width < 4) {
+        const auto along = [&](std::size_t axis) {
+            return N::each([&](std::size_t lane) { return address(lane)[axis]; });
+        };
+        return {along(0), along(1), along(2)};
+    } else {
+        constexpr std::size_t width = N::width, half = width / 2;
+        constexpr std::make_index_sequence<width> places{};
+        // of the vectors in two registers: all x and then all y; all z twice
+        constexpr auto xy = [](std::size_t i) { return i < half ? 4 * i : 4 * (i - half) + 1; };
+        constexpr auto zz = [](std::size_t i) { return 4 * (i % half) + 2; };
+        constexpr auto firsts = [](std::size_t i) { return i < half ? i : i + half; };
+        constexpr auto seconds = [](std::size_t i) { return i < half ? i + half : i + width; };
+        std::array<typename N::Register, N::parts> x, y, z;
+        for (std::size_t p = 0; p < N::parts; ++p) {
+            const auto at = [&](std::size_t j) __attribute__((always_inline)) { return address(p * width + j); };
+            const auto a = detail::fours<T, width, 0>(at), b = detail::fours<T, width, width / 4>(at);
+            const auto c = detail::fours<T, width, half>(at), d = detail::fours<T, width, width / 4 * 3>(at);
+            const auto xy1 = detail::picked(a, b, xy, places), xy2 = detail::picked(c, d, xy, places);
+            x[p] = detail::picked(xy1, xy2, firsts, places);
+            y[p] = detail::picked(xy1, xy2, seconds, places);
+            z[p] = detail::picked(detail::picked(a, b, zz, places), detail::picked(c, d, zz, places), firsts, places);
+        }
+        return {N(x), N(y), N(z)};
+    }
+}
+
+/// Calls f(j, four) for every lane j with its x, y and z and an unused number.
+template <class T, std::size_t Count, class F>
+[[gnu::always_inline]] inline void each_vector(const Vector<RegisterLanes<T, Count>>& v, F f) {
+    using N = RegisterLanes<T, Count>;
+    if constexpr (N::width < 4) {
+        for (std::size_t j = 0; j < Count; ++j) {
+            const std::array<T, 4> vector{v.x[j], v.y[j], v.z[j], v.z[j]};
+            f(j, RegisterLanes<T, 4>::each([&](std::size_t axis) { return vector[axis]; }));
+        }
+    } else {
+        constexpr std::size_t width = N::width;
+        constexpr std::make_index_sequence<width> places{};
+        // lane after lane of the first half of the lanes of both registers; then of the second half
+        constexpr auto low = [](std::size_t i) { return i / 2 + i % 2 * width; };
+        constexpr auto high = [](std::size_t i) { return i / 2 + width / 2 + i % 2 * width; };
+        // two numbers of each in turns
+        constexpr auto low_pairs = [](std::size_t i) { return i / 4 * 2 + i % 2 + i % 4 / 2 * width; };
+        constexpr auto high_pairs = [](std::size_t i) { return i / 4 * 2 + width / 2 + i % 2 + i % 4 / 2 * width; };
+        for (std::size_t p = 0; p < N::parts; ++p) {
+            const auto x = v.x.registers()[p], y = v.y.registers()[p], z = v.z.registers()[p];
+            std::size_t first = p * width;
+            const auto emit = [&](auto vectors) __attribute__((always_inline)) {
+                detail::each_four<T>(
+                    vectors, [&](std::size_t j, const auto& four) { f(first + j, four); },
+                    std::make_index_sequence<width / 4>{});
+                first += width / 4;
+            };
+            const auto xy1 = detail::picked(x, y, low, places), zz1 = detail::picked(z, z, low, places);
+            const auto xy2 = detail::picked(x, y, high, places), zz2 = detail::picked(z, z, high, places);
+            emit(detail::picked(xy1, zz1, low_pairs, places)), emit(detail::picked(xy1, zz1, high_pairs, places));
+            emit(detail::picked(xy2, zz2, low_pairs, places)), emit(detail::picked(xy2, zz2, high_pairs, places));
+        }
+    }
+}
+
 /// Four numbers, aligned to four numbers, repeated in every group of four lanes.
 template <class T, std::size_t Count>
 [[gnu::always_inline]] inline RegisterLanes<T, Count> repeated_four(const T* four) {

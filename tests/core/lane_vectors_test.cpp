@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <type_traits>
 
 namespace steplab::test {
 namespace {
@@ -41,6 +42,32 @@ TYPED_TEST(LaneVectors, come_from_memory_each_in_four_lanes) {
     expect_vectors_four_times<TypeParam, 4>();
     expect_vectors_four_times<TypeParam, 8>();
     expect_vectors_four_times<TypeParam, 16>();
+}
+
+template <class T, std::size_t Count>
+void expect_vectors_in_lanes() {
+    const Vectors<T> vectors;
+    const auto v = gathered_vectors<T, Count>([&](std::size_t j) { return vectors.address(j); });
+    for (std::size_t lane = 0; lane < Count; ++lane) {
+        const auto first = static_cast<T>(10 * Vectors<T>::vector(lane));
+        EXPECT_EQ(v.x[lane], first) << lane;
+        EXPECT_EQ(v.y[lane], first + 1) << lane;
+        EXPECT_EQ(v.z[lane], first + 2) << lane;
+    }
+    std::size_t seen = 0;
+    each_vector(v, [&](std::size_t j, const RegisterLanes<T, 4>& vector) {
+        EXPECT_EQ(j, seen++);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            EXPECT_EQ(vector[axis], static_cast<T>(10 * Vectors<T>::vector(j) + axis)) << j;
+    });
+    EXPECT_EQ(seen, Count);
+}
+
+TYPED_TEST(LaneVectors, come_from_memory_each_in_a_lane_and_go_back) {
+    if constexpr (std::is_same_v<TypeParam, double>) expect_vectors_in_lanes<double, 2>();
+    expect_vectors_in_lanes<TypeParam, 4>();
+    expect_vectors_in_lanes<TypeParam, 8>();
+    expect_vectors_in_lanes<TypeParam, 16>();
 }
 
 /// Numbers whose sum depends on the order: (big + 1) - big + 1 is not (big - big) + (1 + 1).

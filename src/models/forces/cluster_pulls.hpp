@@ -5,7 +5,6 @@
 #include "core/lane_vectors.hpp"
 #include "core/lanes.hpp"
 #include "models/forces/cluster_lists.hpp"
-#include "models/forces/morse_pair.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,11 +13,14 @@
 
 namespace steplab {
 
-/// The Morse pulls of the pairs of a cluster's row (cluster_lists.hpp), in SIMD lanes, as many pairs at a time as a
-/// cache line has numbers on every machine: four particles with two others (float: four). First the pairs within the
-/// cut-off are found, then their factors are computed, which takes roots and divisions, then the pulls: a processor can
-/// overlap several registers in each of these loops, and only one pair in four is near. T is float or double.
-template <class T>
+/// The pulls of the pairs of a cluster's row (cluster_lists.hpp), in SIMD lanes, as many pairs at a time as a cache
+/// line has numbers on every machine: four particles with two others (float: four). First the pairs within the cut-off
+/// are found, then their factors are computed, which takes roots and divisions, then the pulls: a processor can overlap
+/// several registers in each of these loops, and only one pair in four is near. T is float or double. Law is the force
+/// of a pair: its cutoff(), and make_factors(distances2, count), which replaces squared distances by the factors that
+/// turn a distance vector from another particle into the pull of that particle, 0 beyond the cut-off, and may use up to
+/// `together` numbers behind them.
+template <class T, class Law>
 class ClusterPulls {
     using N = CacheLineLanes<T>;
     using Lists = ClusterLists<T>;
@@ -31,12 +33,12 @@ public:
     /// along an axis is (Clusters places no real particle there).
     static constexpr T nowhere = std::is_same_v<T, float> ? T(0x1p126F) : T(0x1p1021);
 
-    explicit ClusterPulls(const CutMorseConstants<T>& morse) : morse_(morse) {}
+    explicit ClusterPulls(const Law& law) : law_(law) {}
 
     /// Reserves memory for rows of this length.
     void make_room(std::size_t others) {
         near_.resize(others / group + 1);
-        squares_.resize(others * Lists::size + 2 * N::count);
+        squares_.resize(others * Lists::size + 2 * N::count + Law::together);
     }
 
     /// Adds the pulls at the particles of the cluster and at the others to `sums`. `positions` and `sums` are those of
@@ -44,7 +46,7 @@ public:
     void add(const Row& row, const std::uint32_t* list, const T* positions, T* sums) {
         const Vector<N> own = four_of(positions + row.own);
         const auto [end, squares_end] = find_near(row, list, own, positions, sums);
-        make_factors(static_cast<std::size_t>(squares_end - squares_.data()));
+        law_.make_factors(squares_.data(), static_cast<std::size_t>(squares_end - squares_.data()));
         const Vector<N> pulls = pull(end, list, own, positions, sums);
         add_to_four(pulls, sums + row.own);
     }
@@ -108,7 +110,7 @@ private:
     /// The groups that contain near pairs, and the squared distances of these pairs.
     [[gnu::always_inline]] End find_near(const Row& row, const std::uint32_t* list, const Vector<N>& own,
                                          const T* positions, T* sums) {
-        const N cutoff2(morse_.cutoff * morse_.cutoff);
+        const N cutoff2(law_.cutoff() * law_.cutoff());
         End end{near_.data(), squares_.data()};
         const auto emit = [&](std::uint32_t first, const N& squares) __attribute__((always_inline)) {
             const LaneSet near = lanes_below(squares, cutoff2);
@@ -124,17 +126,6 @@ private:
             emit(k, square(distances(own, list + k, positions)));
         }
         return end;
-    }
-
-    /// Replaces `count` squared distances by the factors that turn distance vectors into pulls.
-    [[gnu::always_inline]] void make_factors(std::size_t count) {
-        using L = Lanes<T>;
-        const auto morse = constants_as<L>(morse_);
-        const L cutoff2 = morse.cutoff * morse.cutoff, zero(T(0));
-        for (std::size_t k = 0; k < count; k += L::count) {
-            const L squares = L::load(squares_.data() + k);
-            where(squares < cutoff2, morse_factor(morse, square_root(squares)), zero).store(squares_.data() + k);
-        }
     }
 
     /// Adds to the sums of the others and returns the pulls at the cluster's particles, separately for each other of a
@@ -175,7 +166,7 @@ private:
         }
     }
 
-    CutMorseConstants<T> morse_;
+    Law law_;
     std::vector<Group> near_;                        ///< of the current row
     std::vector<T, CacheLineAllocator<T>> squares_;  ///< later the factors
 };

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/field.hpp"
+#include "core/field_lanes.hpp"
 #include "core/force_layout.hpp"
 #include "core/sum.hpp"
+#include "core/team.hpp"
 #include "core/vector.hpp"
 #include "models/forces/composed_damping.hpp"
 #include "models/forces/composed_formula.hpp"
@@ -12,12 +14,16 @@
 #include "models/forces/composed_springs.hpp"
 #include "models/forces/forces.hpp"
 #include "models/forces/interactions.hpp"
+#include "models/forces/particle_registers.hpp"
 #include "models/forces/spring.hpp"
+#include "models/forces/spring_rows.hpp"
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -25,11 +31,19 @@
 namespace steplab {
 
 /// The engine of ComposedForces: springs in the order of the scene, then pairs term by term in the order of their
-/// particles, then fields. The sums depend on positions alone.
+/// particles, then fields. The sums depend on positions alone, but those in float and double by clusters
+/// (pair_list.hpp) on the positions at which these were made too.
 template <class T>
 class Composed {
+    static constexpr bool in_registers = std::same_as<T, float> || std::same_as<T, double>;
+
 public:
-    static constexpr ForceCapabilities capabilities{.periodic = true, .masses = true, .fields = true, .damping = true};
+    static constexpr ForceCapabilities capabilities{.hands_out = in_registers,
+                                                    .history = in_registers,
+                                                    .periodic = true,
+                                                    .masses = true,
+                                                    .fields = true,
+                                                    .damping = true};
 
     explicit Composed(const ComposedForces& forces);
 
@@ -40,6 +54,31 @@ public:
     }
 
     void accelerations(const Field<T>& u, Field<T>& a);
+    /// The same, passed to a sink: calls sink(r, a) for every register r of particles, by several threads in parallel,
+    /// when u of other registers is no longer read.
+    template <class Sink>
+    void each_acceleration(const Field<T>& u, Sink sink) requires(in_registers);
+    /// The same for observers: leaves clusters as they are.
+    void uncounted_accelerations(const Field<T>& u, Field<T>& a) requires(in_registers) {
+        if (clusters_hold_at(u)) return accelerations(u, a);
+        const Field<T> made_at = history();
+        accelerations(u, a);
+        history(made_at);
+    }
+
+    /// The positions at which the clusters were made; empty where there are none, and before the first evaluation.
+    const Field<T>& history() const requires(in_registers) {
+        for (const PairForce<T>& force : pairs_) {
+            if (force.clusters()) return force.clusters()->made_at();
+        }
+        return no_history_;
+    }
+    void history(const Field<T>& made_at) requires(in_registers) {
+        for (PairForce<T>& force : pairs_) {
+            if (force.clusters()) force.clusters()->make_at(made_at);
+        }
+    }
+
     PotentialEnergy potential(const Field<T>& u);
 
     template <class F>
@@ -104,7 +143,33 @@ public:
 private:
     using Vec = Vector<T>;
 
+    /// Of number types that are not summed in registers.
+    struct None {
+        explicit None(const ComposedParticles<T>&) {}
+    };
+    template <class Number, bool>
+    struct RegistersOf {
+        using Particles = None;
+        using Rows = None;
+    };
+    template <class Number>
+    struct RegistersOf<Number, true> {
+        using Particles = ParticleRegisters<Number>;
+        using Rows = SpringRows<Number>;
+    };
+
     const Composition& terms() const { return particles_.terms(); }
+
+    /// Clusters of all terms are made at the same positions.
+    bool clusters_hold_at(const Field<T>& u) {
+        for (PairForce<T>& force : pairs_) {
+            if (force.clusters() && !force.clusters()->holds_at(u)) return false;
+        }
+        return true;
+    }
+    void follow(const Field<T>& u) {
+        if (!clusters_hold_at(u)) history(u);
+    }
 
     static Vec at(const Field<T>& field, std::size_t i) { return {field.x()[i], field.y()[i], field.z()[i]}; }
     static void set(Field<T>& field, std::size_t i, const Vec& vector) {
@@ -112,7 +177,8 @@ private:
         field.y()[i] = vector.y;
         field.z()[i] = vector.z;
     }
-    void add_pairs(PairForce<T>& force, const Field<T>& u, Field<T>& a) const;
+    void add_outside_and_springs(const Field<T>& u, Field<T>& a);
+    void add_pairs(PairForce<T>& force, const Field<T>& u, Field<T>& a);
     void add_fields(const Field<T>& u, Field<T>& a) const;
     double gravity_energy(std::size_t i, const Field<T>& u) const;
     double spring_energy_of(std::size_t s, const Field<T>& u) const;
@@ -125,15 +191,25 @@ private:
     std::shared_ptr<const std::vector<FieldPotential<T>>> fields_;
     std::vector<ComposedFormula<T>> formulas_;
     std::vector<Vec> external_;
+    std::shared_ptr<Team> team_;  ///< shared with copies, which are never used at the same time
+    typename RegistersOf<T, in_registers>::Particles registers_;
+    std::optional<typename RegistersOf<T, in_registers>::Rows> rows_;
+    Field<T> no_history_, sums_;  ///< sums_: scratch of each_acceleration()
 };
 
 template <class T>
 Composed<T>::Composed(const ComposedForces& forces)
-    : forces_(forces), particles_(forces.terms), damping_(terms(), particles_), springs_(terms()) {
+    : forces_(forces),
+      particles_(forces.terms),
+      damping_(terms(), particles_),
+      springs_(terms()),
+      team_(in_registers ? std::make_shared<Team>(forces.threads) : nullptr),
+      registers_(particles_) {
+    if constexpr (in_registers) rows_ = SpringRows<T>::of(terms());
     const auto from = ComposedParticles<T>::vector;
     for (const ComposedSpring& spring : terms().springs)
         formulas_.push_back({from(spring.rest), SpringLaw<T>::of(spring, terms().mass)});
-    for (const ComposedPairs& pairs : terms().pairs) pairs_.emplace_back(pairs, terms());
+    for (const ComposedPairs& pairs : terms().pairs) pairs_.emplace_back(pairs, terms(), team_);
     for (const PairForce<T>& force : pairs_) formulas_.push_back({from({}), &force.potential()});
     auto fields = std::make_shared<std::vector<FieldPotential<T>>>();
     for (const ComposedField& field : terms().fields) fields->emplace_back(field.expression);
@@ -147,8 +223,8 @@ Composed<T>::Composed(const ComposedForces& forces)
 
 template <class T>
 void Composed<T>::accelerations(const Field<T>& u, Field<T>& a) {
-    for (std::size_t i = 0; i < particles_.count(); ++i) set(a, i, external(i));
-    springs_.add(particles_, u, a);
+    add_outside_and_springs(u, a);
+    if constexpr (in_registers) follow(u);
     for (PairForce<T>& force : pairs_) add_pairs(force, u, a);
     add_fields(u, a);
     for (std::size_t i = 0; i < terms().fixed.size(); ++i) {
@@ -157,8 +233,47 @@ void Composed<T>::accelerations(const Field<T>& u, Field<T>& a) {
 }
 
 template <class T>
-void Composed<T>::add_pairs(PairForce<T>& force, const Field<T>& u, Field<T>& a) const {
+template <class Sink>
+void Composed<T>::each_acceleration(const Field<T>& u, Sink sink) requires(in_registers) {
+    using N = Lanes<T>;
+    const auto emit = [&](std::size_t r, const Vector<N>& a) __attribute__((always_inline)) {
+        sink(r, registers_.held(r, a));
+    };
+    const bool springs_alone = rows_ && pairs_.empty() && fields_->empty();
+    if (springs_alone) return rows_->each(u, registers_, *team_, emit);
+    if (pairs_.size() == 1 && pairs_[0].clusters() && terms().springs.empty() && fields_->empty()) {
+        follow(u);
+        return pairs_[0].clusters()->accelerations(u, [&](std::size_t r, const Vector<N>& pulls) {
+            emit(r, registers_.outside(r) + registers_.of_forces(r, pulls));
+        });
+    }
+    if (sums_.count() != u.count()) sums_ = Field<T>(u.count());
+    accelerations(u, sums_);
+    const FieldLanes<const T> all(sums_);
+    for (std::size_t r = 0; r < (u.count() + N::count - 1) / N::count; ++r) sink(r, all.get(r));
+}
+
+/// To what `a` is at first.
+template <class T>
+void Composed<T>::add_outside_and_springs(const Field<T>& u, Field<T>& a) {
+    if constexpr (in_registers) {
+        const auto set = [to = FieldLanes<T>(a)](std::size_t r, const auto& sum) { to.set(r, sum); };
+        if (rows_) return rows_->each(u, registers_, *team_, set);
+    }
+    for (std::size_t i = 0; i < particles_.count(); ++i) set(a, i, external(i));
+    springs_.add(particles_, u, a);
+}
+
+template <class T>
+void Composed<T>::add_pairs(PairForce<T>& force, const Field<T>& u, Field<T>& a) {
     if (force.add_rows(u, a)) return;
+    if constexpr (in_registers) {
+        if (force.clusters()) {
+            return force.clusters()->accelerations(u, [&, to = FieldLanes<T>(a)](std::size_t r, const auto& pulls) {
+                to.set(r, to.get(r) + registers_.of_forces(r, pulls));
+            });
+        }
+    }
     force.each_force(particles_, u, [&](std::size_t i, std::size_t j, const Vec& d, const T& factor) {
         const Vec push = factor * d;
         set(a, i, at(a, i) - inverse_mass(i) * push);
@@ -186,9 +301,7 @@ PotentialEnergy Composed<T>::potential(const Field<T>& u) {
         if (moves(spring.first) || moves(spring.second)) count(spring_energy_of(s, u));
     }
     for (PairForce<T>& force : pairs_) {
-        force.each_energy(particles_, u, [&](std::size_t, std::size_t, const Vec&, const T& energy) {
-            count(static_cast<double>(energy) * terms().mass);
-        });
+        force.each_energy(particles_, u, [&](const T& energy) { count(static_cast<double>(energy) * terms().mass); });
     }
     for (std::size_t f = 0; f < fields_->size(); ++f) {
         for (const std::uint32_t i : terms().fields[f].particles) {

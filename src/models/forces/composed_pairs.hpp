@@ -7,14 +7,18 @@
 #include "models/forces/composed_particles.hpp"
 #include "models/forces/composed_rows.hpp"
 #include "models/forces/neighbours.hpp"
+#include "models/forces/pair_list.hpp"
 #include "models/forces/pair_potential.hpp"
+#include "models/forces/potential_pulls.hpp"
 
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,7 +28,8 @@ namespace steplab {
 template <class T>
 class PairForce {
 public:
-    PairForce(const ComposedPairs& pairs, const Composition& of)
+    /// The team shares the sums by clusters.
+    PairForce(const ComposedPairs& pairs, const Composition& of, const std::shared_ptr<Team>& team)
         : potential_(std::make_shared<const PairPotential<T>>(pairs, of.mass)), sides_(of.count) {
         for (const std::uint32_t i : pairs.first) sides_[i] = pairs.second.empty() ? 3 : 1;
         for (const std::uint32_t i : pairs.second) sides_[i] = sides_[i] == 1 ? 3 : 2;
@@ -32,7 +37,10 @@ public:
         const PotentialInfo* const built_in = built_in_potential(pairs.potential);
         takes_properties_ =
             built_in ? built_in->weight != PotentialInfo::Weight::none : pairs.expression->takes_properties;
-        if constexpr (in_batches) rows_ = PairRows<T>::of(pairs, of);
+        if constexpr (in_batches) {
+            rows_ = PairRows<T>::of(pairs, of);
+            if (goes_by_clusters(pairs, of)) clusters_.emplace(pairs.cutoff, of.box.x, pulls(pairs.expression), team);
+        }
     }
 
     const PairPotential<T>& potential() const { return *potential_; }
@@ -54,6 +62,10 @@ public:
             f(i, j, d, distance2);
         });
     }
+
+    /// The sums by clusters, where the force is within a cut-off and between all of many particles; else null.
+    auto* clusters() { return clusters_ ? &*clusters_ : nullptr; }
+    const auto* clusters() const { return clusters_ ? &*clusters_ : nullptr; }
 
     /// Adds all accelerations, where pairs are rows of a matrix; else false.
     bool add_rows(const Field<T>& u, Field<T>& a) const {
@@ -80,16 +92,17 @@ public:
         }
     }
 
-    /// Calls f(i, j, d, energy), the energy divided by the unit of mass.
+    /// Calls f(energy) for every pair, the energy divided by the unit of mass.
     template <class F>
     void each_energy(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
         if constexpr (in_batches) {
-            each_batch<true>(particles, u, f);
+            if (clusters_ && particles.terms().fixed.empty()) return each_energy_of_near(u, f);
+            each_batch<true>(particles, u,
+                             [&](std::size_t, std::size_t, const Vector<T>&, const T& energy) { f(energy); });
         } else {
-            each(particles, u, [&](std::size_t i, std::size_t j, const Vector<T>& d, const T& distance2) {
+            each(particles, u, [&](std::size_t i, std::size_t j, const Vector<T>&, const T& distance2) {
                 const PairProperties<T> pair = properties(particles, i, j);
-                f(i, j, d,
-                  distance2 > T(0) ? potential().energy(distance2, pair) : potential().energy_of_coincident(pair));
+                f(distance2 > T(0) ? potential().energy(distance2, pair) : potential().energy_of_coincident(pair));
             });
         }
     }
@@ -97,6 +110,8 @@ public:
 private:
     static constexpr bool in_batches = std::same_as<T, float> || std::same_as<T, double>;
     static constexpr std::size_t capacity = 64;
+    /// Of fewer particles, neighbours in the order of their indices are as fast, and sums depend on positions alone.
+    static constexpr std::size_t many = 200;
 
     /// Pairs that are computed together, register by register, or of an expression all at once.
     struct Batch {
@@ -107,6 +122,15 @@ private:
         alignas(64) std::array<T, capacity> first_mass{}, second_mass{}, first_charge{},
             second_charge{};  ///< where asked for
     };
+
+    bool goes_by_clusters(const ComposedPairs& pairs, const Composition& of) const {
+        const bool cubic = of.box.x == of.box.y && of.box.y == of.box.z;
+        const bool all = pairs.second.empty() && pairs.first.size() == of.count;
+        return pairs.cutoff > 0 && all && cubic && !takes_properties_ && of.count >= many;
+    }
+    PotentialPulls<T> pulls(const std::shared_ptr<const ExpressionForce>& expression) const {
+        return {potential_, expression};
+    }
 
     template <class Condition>
     static bool none(const Condition& condition) {
@@ -171,6 +195,24 @@ private:
         batch.count = 0;
     }
 
+    template <class F>
+    void each_energy_of_near(const Field<T>& u, F f) const {
+        Batch batch;
+        const auto empty = [&] {
+            potential().visit([&](const auto& potential) { compute<true>(potential, batch); });
+            for (std::size_t k = 0; k < batch.count; ++k)
+                f(batch.distance2[k] > T(0) ? batch.result[k] : potential().energy_of_coincident({}));
+            batch.count = 0;
+        };
+        clusters_->each_near_distance2(u, [&](std::span<const double> near) {
+            for (const double distance2 : near) {
+                batch.distance2[batch.count++] = static_cast<T>(distance2);
+                if (batch.count == capacity) empty();
+            }
+        });
+        empty();
+    }
+
     void keep_properties(const ComposedParticles<T>& particles, Batch& batch) const {
         for (std::size_t k = 0; k < batch.count; ++k) {
             const PairProperties<T> pair = properties(particles, batch.first[k], batch.second[k]);
@@ -199,11 +241,23 @@ private:
     std::vector<unsigned char> sides_;
     std::optional<Neighbours> neighbours_;
     bool takes_properties_ = false;  ///< masses or charges
-    struct NoRows {
+    /// Of number types that are not summed so.
+    struct None {
         template <class Potential>
         void add(const Potential&, const Field<T>&, Field<T>&) const {}
     };
-    std::optional<std::conditional_t<in_batches, PairRows<T>, NoRows>> rows_;
+    template <class Number, bool>
+    struct SumsOf {
+        using Rows = None;
+        using Clusters = None;
+    };
+    template <class Number>
+    struct SumsOf<Number, true> {
+        using Rows = PairRows<Number>;
+        using Clusters = PairList<Number, PotentialPulls<Number>>;
+    };
+    std::optional<typename SumsOf<T, in_batches>::Rows> rows_;
+    std::optional<typename SumsOf<T, in_batches>::Clusters> clusters_;
 };
 
 }  // namespace steplab

@@ -83,19 +83,7 @@ private:
             return potential.factor(distance2, pair);
         };
     }
-    /// Of an expression: in slots that are used again.
-    auto factors_of(const ExpressionPotential<T>&) const {
-        const ExpressionProgram& program = expression_->force;
-        std::vector<N> slots(program.slots, N(T(0)));
-        program.template set_constants<T>(std::span<N>(slots));
-        return [slots = std::move(slots), &program](const N& distance2,
-                                                    const PairProperties<N>& pair) mutable -> const N& {
-            slots[0] = distance2, slots[1] = pair.first_mass, slots[2] = pair.second_mass;
-            slots[3] = pair.first_charge, slots[4] = pair.second_charge;
-            program.run(std::span<N>(slots));
-            return slots[program.results[0]];
-        };
-    }
+    auto factors_of(const ExpressionPotential<T>&) const { return ExpressionFactors<T, N>(expression_->force); }
 
     template <class Factors>
     void add_row(Factors& factors, const Field<T>& u, Field<T>& a, std::size_t i, Range columns) const {

@@ -14,7 +14,8 @@
 
 namespace steplab {
 
-/// The forces of all springs of a composition, a block of springs at a time in SIMD lanes where numbers have them.
+/// The forces of all springs of a composition: a block of springs at a time in SIMD lanes, where numbers have them and
+/// rows would not pay (spring_rows.hpp).
 template <class T>
 class ComposedSprings {
 public:

@@ -66,6 +66,8 @@ struct ComposedForces {
     std::size_t count = 0;
     double mass = 1;
     std::shared_ptr<const Composition> terms;
+    /// Number of threads that share the work; the sums do not depend on it.
+    std::size_t threads = 1;
 };
 
 }  // namespace steplab

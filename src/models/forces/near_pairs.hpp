@@ -23,6 +23,24 @@
 
 namespace steplab {
 
+/// The Morse pulls of pairs by clusters (cluster_pulls.hpp).
+template <class T>
+struct CutMorsePulls {
+    static constexpr std::size_t together = Lanes<T>::count;
+    CutMorseConstants<T> constants;
+
+    T cutoff() const { return constants.cutoff; }
+    [[gnu::always_inline]] void make_factors(T* distances2, std::size_t count) const {
+        using L = Lanes<T>;
+        const auto morse = constants_as<L>(constants);
+        const L cutoff2 = morse.cutoff * morse.cutoff, zero(T(0));
+        for (std::size_t k = 0; k < count; k += L::count) {
+            const L squares = L::load(distances2 + k);
+            where(squares < cutoff2, morse_factor(morse, square_root(squares)), zero).store(distances2 + k);
+        }
+    }
+};
+
 /// The engine of NearPairForces. Sums in float and double go by clusters (pair_list.hpp); their last bits depend on the
 /// positions at which the list was made, and so on the history of the run, see history(). Everything else, including
 /// sums in other number types, goes through the neighbours of each particle in the order of their indices and depends
@@ -45,7 +63,7 @@ public:
           morse_(morse_constants<T>(forces)),
           periods_(forces.period),
           balance_(forces),
-          sums_(forces, morse_, team_),
+          sums_(forces.cutoff, forces.period, CutMorsePulls<T>{morse_}, team_),
           neighbours_(forces.cutoff, forces.period) {}
 
     /// The same forces in another number type.
@@ -93,11 +111,9 @@ public:
     PotentialEnergy potential(const Field<T>& u) const {
         MorseEnergies<T, CutMorseConstants<T>> energies(morse_);
         if constexpr (by_clusters) {
-            const auto position = [&](std::size_t i) { return within_period(periods_, u, i); };
-            each_near_distance2(count_, position, forces_.cutoff, forces_.period, *team_,
-                                [&](std::span<const double> near) {
-                                    for (const double distance2 : near) energies.add(static_cast<T>(distance2));
-                                });
+            sums_.each_near_distance2(u, [&](std::span<const double> near) {
+                for (const double distance2 : near) energies.add(static_cast<T>(distance2));
+            });
         } else {
             NearPairs(forces_, team_).each_near_pair(u, [&](std::size_t, std::size_t, const T& distance2) {
                 energies.add(distance2);
@@ -160,7 +176,7 @@ public:
 
 private:
     struct NoClusters {
-        NoClusters(const NearPairForces&, const CutMorseConstants<T>&, const std::shared_ptr<Team>&) {}
+        NoClusters(double, double, const CutMorsePulls<T>&, const std::shared_ptr<Team>&) {}
     };
     template <bool, class Number>
     struct SumsOf {
@@ -168,7 +184,7 @@ private:
     };
     template <class Number>
     struct SumsOf<true, Number> {
-        using Type = PairList<Number>;
+        using Type = PairList<Number, CutMorsePulls<Number>>;
     };
 
     bool acts(const Field<T>& u, const Field<T>& v, std::size_t i, std::size_t j) const {

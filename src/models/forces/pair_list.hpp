@@ -7,8 +7,6 @@
 #include "core/team.hpp"
 #include "models/forces/cluster_lists.hpp"
 #include "models/forces/cluster_pulls.hpp"
-#include "models/forces/forces.hpp"
-#include "models/forces/morse_pair.hpp"
 #include "models/periods.hpp"
 
 #include <algorithm>
@@ -21,25 +19,27 @@
 
 namespace steplab {
 
-/// The sums of NearPairForces in float and double. Lists (cluster_lists.hpp) extend beyond the cut-off by a skin and
-/// are renewed when a particle has moved by half the skin: until then no new pair can be within the cut-off. Particles
-/// that are near in space are near in memory.
+/// The sums of a force within a cut-off between all particles, in float and double. Lists (cluster_lists.hpp) extend
+/// beyond the cut-off by a skin and are renewed when a particle has moved by half the skin: until then no new pair can
+/// be within the cut-off. Particles that are near in space are near in memory.
 ///
 /// The order in which the pulls at a particle are added depends on these lists, and so on the positions at which they
 /// were made: slabs of clusters (Clusters::slabs()) are summed in parallel, first every other slab and then those
 /// between. The last bits of an acceleration depend on it too: made_at() is therefore part of the state of a run and is
 /// saved and restored with it, and observers do not renew the lists.
-template <class T>
+/// Law: see cluster_pulls.hpp.
+template <class T, class Law>
 class PairList {
 public:
-    /// The team shares the work; results do not depend on its size.
-    PairList(const NearPairForces& forces, const CutMorseConstants<T>& morse, std::shared_ptr<Team> team)
-        : period_(forces.period),
-          reach_((1 + skin) * forces.cutoff),
-          allowed_(most_moved * skin * forces.cutoff),
-          periods_(forces.period),
+    /// In a cubic box of this side; 0: none. The team shares the work; results do not depend on its size.
+    PairList(double cutoff, double period, const Law& law, std::shared_ptr<Team> team)
+        : cutoff_(cutoff),
+          period_(period),
+          reach_((1 + skin) * cutoff),
+          allowed_(most_moved * skin * cutoff),
+          periods_(period),
           team_(std::move(team)),
-          pulls_(team_->members(), ClusterPulls<T>(morse)) {}
+          pulls_(team_->members(), Pulls(law)) {}
 
     /// True if the lists hold all pairs nearer than the cut-off.
     bool holds_at(const Field<T>& u) {
@@ -60,10 +60,18 @@ public:
         sums_.clear();
         const auto position = [&](std::size_t i) { return within_period(periods_, u, i); };
         lists_.make(u.count(), position, reach_, period_, *team_);
-        for (ClusterPulls<T>& pulls : pulls_) pulls.make_room(lists_.longest());
-        positions_.assign(lists_.count(), ClusterPulls<T>::nowhere);
+        for (Pulls& pulls : pulls_) pulls.make_room(lists_.longest());
+        positions_.assign(lists_.count(), Pulls::nowhere);
         sums_.resize(lists_.count());
         made_at_ = u;
+    }
+
+    /// Calls f with the squared distances of all pairs nearer than the cut-off, some at a time, whatever the lists
+    /// hold.
+    template <class F>
+    void each_near_distance2(const Field<T>& u, F f) const {
+        const auto position = [&](std::size_t i) { return within_period(periods_, u, i); };
+        steplab::each_near_distance2(u.count(), position, cutoff_, period_, *team_, f);
     }
 
     /// With the lists as they are: calls sink(r, a) with the accelerations of every register r of particles, by all
@@ -89,6 +97,7 @@ public:
 private:
     using N = Lanes<T>;
     using Four = RegisterLanes<T, 4>;
+    using Pulls = ClusterPulls<T, Law>;
     using Numbers = std::vector<T, CacheLineAllocator<T>>;
 
     using Row = typename ClusterLists<T>::Row;
@@ -189,18 +198,19 @@ private:
     }
 
     /// Adds to the sums of the slab, of its images and of the next slab.
-    void add_pulls(const Slab& slab, ClusterPulls<T>& pulls) {
+    void add_pulls(const Slab& slab, Pulls& pulls) {
         place_images(slab);
         for (const Row& row : slab.rows) pulls.add(row, slab.list.data(), positions_.data(), sums_.data());
     }
 
+    double cutoff_;
     double period_;
     double reach_;
     double allowed_;
     Periods<T> periods_;
     std::shared_ptr<Team> team_;  ///< shared with copies, which are never used at the same time
-    ClusterLists<T> lists_{ClusterPulls<T>::group};
-    std::vector<ClusterPulls<T>> pulls_;  ///< one for each member
+    ClusterLists<T> lists_{Pulls::group};
+    std::vector<Pulls> pulls_;  ///< one for each member
     Field<T> made_at_;
     Numbers positions_, sums_;
 };

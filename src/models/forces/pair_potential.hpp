@@ -36,7 +36,7 @@ public:
     N factor(const N& distance2, const PairProperties<N>& pair) const {
         const PairDistance<N> at{distance2};
         const N uncut = potential_.factor(at);
-        return weighted(cut_ ? uncut - N(force_there_) / at.length() : uncut, pair);
+        return weighted(cut_ ? uncut - N(force_there_) * at.inverse() : uncut, pair);
     }
     template <class N>
     N energy(const N& distance2, const PairProperties<N>& pair) const {

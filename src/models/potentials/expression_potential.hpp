@@ -60,6 +60,26 @@ private:
     std::shared_ptr<const ExpressionForce> of_;
 };
 
+/// The factors of a pair potential given as an expression, many one after the other: in slots that are used again.
+/// Keeps a pointer to the program.
+template <class T, class N>
+class ExpressionFactors {
+public:
+    explicit ExpressionFactors(const ExpressionProgram& force) : program_(&force), slots_(force.slots, N(T(0))) {
+        force.template set_constants<T>(std::span<N>(slots_));
+    }
+    const N& operator()(const N& distance2, const PairProperties<N>& pair) {
+        slots_[0] = distance2, slots_[1] = pair.first_mass, slots_[2] = pair.second_mass;
+        slots_[3] = pair.first_charge, slots_[4] = pair.second_charge;
+        program_->run(std::span<N>(slots_));
+        return slots_[program_->results[0]];
+    }
+
+private:
+    const ExpressionProgram* program_;
+    std::vector<N> slots_;
+};
+
 /// The potential of one particle at a position, given as an expression.
 template <class T>
 class FieldPotential {

@@ -25,8 +25,8 @@ public:
     }
     template <class N>
     N factor(const PairDistance<N>& at) const {
-        const N s2 = N(sigma2_) / at.squared, s6 = s2 * s2 * s2;
-        return N(T(24) * epsilon_) * s6 * (N(T(2)) * s6 - N(T(1))) / at.squared;
+        const N inverse2 = at.inverse_squared(), s2 = N(sigma2_) * inverse2, s6 = s2 * s2 * s2;
+        return N(T(24) * epsilon_) * s6 * (N(T(2)) * s6 - N(T(1))) * inverse2;
     }
 
 private:

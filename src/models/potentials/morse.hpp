@@ -27,8 +27,8 @@ public:
     }
     template <class N>
     N factor(const PairDistance<N>& at) const {
-        const N distance = at.length(), e = exponential(N(b_) * (N(r0_) - distance));
-        return N(T(2) * b_ * depth_) * e * (e - N(T(1))) / distance;
+        const N e = exponential(N(b_) * (N(r0_) - at.length()));
+        return N(T(2) * b_ * depth_) * e * (e - N(T(1))) * at.inverse();
     }
 
 private:

@@ -26,11 +26,13 @@ struct PotentialInfo {
     Weight weight = Weight::none;
 };
 
-/// The distance of two particles; its root is taken where a formula needs it.
+/// The distance of two particles; its root is taken where a formula needs it, and divided by once.
 template <class N>
 struct PairDistance {
     N squared;
     N length() const { return square_root(squared); }
+    N inverse_squared() const { return N(1) / squared; }
+    N inverse() const { return length() * inverse_squared(); }
 };
 
 }  // namespace steplab

@@ -2,6 +2,7 @@
 
 #include "core/flush_subnormals.hpp"
 #include "core/team.hpp"
+#include "sim/steppers/reordered.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -183,12 +184,13 @@ std::optional<std::size_t> reach_of(const Method& method, const StepperSetup& se
         ->reach();
 }
 
-/// A particle whose pairs are summed takes at least as long as this number of particles with springs.
+/// A particle whose pairs are summed, or whose springs join it with any others, takes at least as long as this number
+/// of particles with springs in a line.
 constexpr std::size_t time_of_pairs = 5;
 
 /// Threads that slabs are enough for (Clusters::slabs()), about.
-std::size_t most_threads(const NearPairForces& forces) {
-    return static_cast<std::size_t>(std::cbrt(static_cast<double>(forces.count)) / 6);
+std::size_t most_threads(std::size_t particles) {
+    return static_cast<std::size_t>(std::cbrt(static_cast<double>(particles)) / 6);
 }
 
 /// Of those allowed, as many threads as it takes.
@@ -211,21 +213,41 @@ Division division_of(const Method& method, const StepperSetup& setup, const Unit
     return count > 1 ? Division{count, *reach} : Division{};
 }
 
-/// Threads that share the sums of pairs of a scene in one piece.
-std::size_t threads_of_pairs(const Forces& forces, const Execution& execution) {
-    const auto* const pairs = std::get_if<NearPairForces>(&forces);
-    if (!pairs) return 1;
-    const std::size_t threads = std::min(paying_threads(execution, pairs->count * time_of_pairs), most_threads(*pairs));
+// Threads that share the sums of a scene in one piece.
+
+std::size_t most_threads(const NearPairForces& forces) { return most_threads(forces.count); }
+std::size_t most_threads(const ComposedForces& forces) {
+    const Composition& terms = *forces.terms;
+    const bool cut = std::any_of(terms.pairs.begin(), terms.pairs.end(), [](const auto& p) { return p.cutoff > 0; });
+    if (cut) return most_threads(forces.count);
+    return terms.springs.empty() ? 1 : forces.count;
+}
+template <class Other>
+std::size_t most_threads(const Other&) {
+    return 1;
+}
+
+std::size_t threads_of_sums(const Plan& scene, const Execution& execution) {
+    const std::size_t most = std::visit([](const auto& forces) { return most_threads(forces); }, scene.forces);
+    const std::size_t threads = std::min(paying_threads(execution, scene.start.count() * time_of_pairs), most);
     return std::max<std::size_t>(1, threads);
+}
+
+template <class Other>
+void set_threads(Other& forces, std::size_t threads) {
+    if constexpr (requires { forces.threads; }) forces.threads = threads;
 }
 
 /// In one piece, whose forces may be summed by several threads.
 std::unique_ptr<Stepper> make_whole(const Method& method, const StepperSetup& setup, const Execution& execution) {
-    const std::size_t threads = threads_of_pairs(setup.scene.forces, execution);
-    if (threads < 2) return method.make(setup);
     Plan scene = setup.scene;
-    std::get<NearPairForces>(scene.forces).threads = threads;
-    return method.make({scene, setup.start, setup.parameters, setup.precision, setup.dt, setup.instructions});
+    const std::size_t threads = threads_of_sums(scene, execution);
+    std::visit([&](auto& forces) { set_threads(forces, threads); }, scene.forces);
+    const StepperSetup whole{scene, setup.start, setup.parameters, setup.precision, setup.dt, setup.instructions};
+    auto order = order_by_place(scene);
+    return order.empty() ? method.make(whole)
+                         : make_reordered(whole, std::move(order),
+                                          [&](const StepperSetup& reordered) { return method.make(reordered); });
 }
 
 }  // namespace
@@ -239,7 +261,7 @@ std::unique_ptr<Stepper> make_stepper(const Method& method, const StepperSetup& 
 
 std::size_t threads_for(const Method& method, const StepperSetup& setup, const Execution& execution) {
     const std::size_t bands = division_of(method, setup, units_of(setup.scene.forces), execution).bands;
-    return bands > 1 ? bands : threads_of_pairs(setup.scene.forces, execution);
+    return bands > 1 ? bands : threads_of_sums(setup.scene, execution);
 }
 
 }  // namespace steplab
