@@ -14,18 +14,19 @@ struct Force {
     using Number = typename Loop::Number;
     using Numbers = std::vector<Number>;
     std::size_t n;
+    Loop loop{};  ///< what it knows of the scene
 
     /// odeint's symplectic steppers: the rate of change of momentum.
-    void operator()(const Numbers& x, Numbers& a) const { Loop::accelerations(x.data(), a.data(), n); }
+    void operator()(const Numbers& x, Numbers& a) const { loop.accelerations(x.data(), a.data(), n); }
     /// odeint's velocity_verlet.
     void operator()(const Numbers& x, const Numbers&, Numbers& a, Number) const {
-        Loop::accelerations(x.data(), a.data(), n);
+        loop.accelerations(x.data(), a.data(), n);
     }
     /// Positions and velocities in one vector.
     void operator()(const Numbers& state, Numbers& rate, Number) const { rates(state.data(), rate.data()); }
     void rates(const Number* state, Number* rate) const {
         std::copy(state + 3 * n, state + 6 * n, rate);
-        Loop::accelerations(state, rate + 3 * n, n);
+        loop.accelerations(state, rate + 3 * n, n);
     }
 };
 

@@ -16,13 +16,14 @@ public:
     using Number = typename Loop::Number;
     using Numbers = std::vector<Number>;
 
-    HandWritten(Numbers x, Numbers v, Number dt) : n_(x.size() / 3), dt_(dt), x_(std::move(x)), v_(std::move(v)) {
+    HandWritten(Numbers x, Numbers v, Number dt, Loop loop = {})
+        : n_(x.size() / 3), dt_(dt), x_(std::move(x)), v_(std::move(v)), loop_(std::move(loop)) {
         for (Numbers* numbers : {&a_, &x1_, &v1_, &dx_, &dv_}) numbers->resize(3 * n_);
-        Loop::accelerations(x_.data(), a_.data(), n_);
+        loop_.accelerations(x_.data(), a_.data(), n_);
     }
 
     void euler() {
-        Loop::accelerations(x_.data(), a_.data(), n_);
+        loop_.accelerations(x_.data(), a_.data(), n_);
         each([dt = dt_, x = x_.data(), v = v_.data(), a = a_.data()](std::size_t k) {
             v[k] += dt * a[k];
             x[k] += dt * v[k];
@@ -35,14 +36,14 @@ public:
             v[k] += half * a[k];
             x[k] += dt * v[k];
         });
-        Loop::accelerations(x_.data(), a_.data(), n_);
+        loop_.accelerations(x_.data(), a_.data(), n_);
         each([half, v = v_.data(), a = a_.data()](std::size_t k) { v[k] += half * a[k]; });
     }
 
     void midpoint() {
-        Loop::accelerations(x_.data(), a_.data(), n_);
+        loop_.accelerations(x_.data(), a_.data(), n_);
         stage(dt_ / 2, v_.data());
-        Loop::accelerations(x1_.data(), a_.data(), n_);
+        loop_.accelerations(x1_.data(), a_.data(), n_);
         each([dt = dt_, x = x_.data(), v = v_.data(), v1 = v1_.data(), a = a_.data()](std::size_t k) {
             x[k] += dt * v1[k];
             v[k] += dt * a[k];
@@ -50,21 +51,21 @@ public:
     }
 
     void rk4() {
-        Loop::accelerations(x_.data(), a_.data(), n_);
+        loop_.accelerations(x_.data(), a_.data(), n_);
         each([dx = dx_.data(), dv = dv_.data(), v = v_.data(), a = a_.data()](std::size_t k) {
             dx[k] = v[k];
             dv[k] = a[k];
         });
         stage(dt_ / 2, v_.data());
         for (const Number step : {dt_ / 2, dt_}) {
-            Loop::accelerations(x1_.data(), a_.data(), n_);
+            loop_.accelerations(x1_.data(), a_.data(), n_);
             each([dx = dx_.data(), dv = dv_.data(), v1 = v1_.data(), a = a_.data()](std::size_t k) {
                 dx[k] += 2 * v1[k];
                 dv[k] += 2 * a[k];
             });
             stage(step, v1_.data());
         }
-        Loop::accelerations(x1_.data(), a_.data(), n_);
+        loop_.accelerations(x1_.data(), a_.data(), n_);
         each([sixth = dt_ / 6, x = x_.data(), v = v_.data(), v1 = v1_.data(), a = a_.data(), dx = dx_.data(),
               dv = dv_.data()](std::size_t k) {
             x[k] += sixth * (dx[k] + v1[k]);
@@ -93,6 +94,7 @@ private:
     Numbers a_;        ///< acceleration of the newest positions
     Numbers x1_, v1_;  ///< a stage
     Numbers dx_, dv_;  ///< sums of slopes
+    Loop loop_;
 };
 
 }  // namespace steplab::benchmark

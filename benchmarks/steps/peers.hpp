@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../c_libraries.hpp"
+#include "../composed_loops.hpp"
 #include "../loops.hpp"
 #include "hand_written.hpp"
 #include "stepping.hpp"
@@ -41,12 +42,12 @@ struct ByHand {
 };
 
 template <class Loop>
-void add_hand_written(std::vector<Contestant>& to, const Problem& problem) {
+void add_hand_written(std::vector<Contestant>& to, const Problem& problem, const Loop& loop = {}) {
     const auto add_if = [&]<void (HandWritten<Loop>::*method)()>(std::string_view id) {
         if (problem.method != id) return;
-        add(to, fmt::format("loops {}", Loop::way), [problem] {
+        add(to, fmt::format("loops {}", Loop::way), [problem, loop] {
             return ByHand<Loop, method>{{placed<Loop>(problem.positions), placed<Loop>(problem.velocities),
-                                         static_cast<typename Loop::Number>(problem.dt)}};
+                                         static_cast<typename Loop::Number>(problem.dt), loop}};
         });
     };
     add_if.template operator()<&HandWritten<Loop>::euler>("euler");
@@ -61,9 +62,12 @@ struct OdeintPair {
     using Number = typename Loop::Number;
     typename Force<Loop>::Numbers x, v;
     Number dt;
+    Loop loop{};
     Stepper stepper{};
 
-    void step() { stepper.do_step(Force<Loop>{x.size() / 3}, std::make_pair(std::ref(x), std::ref(v)), Number(0), dt); }
+    void step() {
+        stepper.do_step(Force<Loop>{x.size() / 3, loop}, std::make_pair(std::ref(x), std::ref(v)), Number(0), dt);
+    }
 };
 
 /// odeint with both in one vector.
@@ -73,8 +77,9 @@ struct OdeintVector {
     typename Force<Loop>::Numbers state;
     Number dt;
     Stepper stepper;
+    Loop loop{};
 
-    void step() { stepper.do_step(Force<Loop>{state.size() / 6}, state, Number(0), dt); }
+    void step() { stepper.do_step(Force<Loop>{state.size() / 6, loop}, state, Number(0), dt); }
 };
 
 template <class T>
@@ -88,20 +93,20 @@ GenericMidpoint<T> generic_midpoint() {
 }
 
 template <class Loop>
-void add_odeint(std::vector<Contestant>& to, const Problem& problem) {
+void add_odeint(std::vector<Contestant>& to, const Problem& problem, const Loop& loop = {}) {
     using T = typename Loop::Number;
     using Numbers = std::vector<T>;
     const std::string who = fmt::format("odeint {}", Loop::way);
     const auto add_pair = [&]<class Stepper>(std::type_identity<Stepper>) {
-        add(to, who, [problem] {
+        add(to, who, [problem, loop] {
             return OdeintPair<Loop, Stepper>{placed<Loop>(problem.positions), placed<Loop>(problem.velocities),
-                                             static_cast<T>(problem.dt)};
+                                             static_cast<T>(problem.dt), loop};
         });
     };
     const auto add_vector = [&](auto stepper) {
-        add(to, who, [problem, stepper] {
+        add(to, who, [problem, stepper, loop] {
             return OdeintVector<Loop, decltype(stepper)>{placed<Loop>(problem.positions, problem.velocities),
-                                                         static_cast<T>(problem.dt), stepper};
+                                                         static_cast<T>(problem.dt), stepper, loop};
         });
     };
     if (problem.method == "euler") add_pair(std::type_identity<odeint::symplectic_euler<Numbers, Numbers, T>>());
@@ -201,6 +206,15 @@ std::vector<Contestant> peers_in(const Problem& problem) {
     add_both.template operator()<PlainChain<T>, GatherChain<T>>("chain");
     add_both.template operator()<PlainMesh<T>, GatherMesh<T>>("mesh");
     add_both.template operator()<PlainMorse<T>, GatherMorse<T>>("morse");
+    const auto add_composed = [&]<class Loop>(std::string_view model, const Loop& loop) {
+        if (problem.model != model) return;
+        add_hand_written<Loop>(all, problem, loop);
+        add_odeint<Loop>(all, problem, loop);
+    };
+    add_composed("network", Network<T>{problem.springs});
+    add_composed("liquid", Liquid<T>(problem.box));
+    add_composed("gravity", PlainGravity<T>{});
+    add_composed("gravity", GatherGravity<T>{});
     return all;
 }
 

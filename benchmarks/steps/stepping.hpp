@@ -1,9 +1,11 @@
 #pragma once
 
+#include "../composed_loops.hpp"
 #include "core/vec3.hpp"
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +41,8 @@ struct Problem {
     std::string_view model, method;
     double dt = 0;
     std::vector<Vec3> positions, velocities;
+    std::shared_ptr<const std::vector<Join>> springs = nullptr;  ///< of a network
+    double box = 0;                                              ///< side, of a liquid
 };
 
 /// Hand-written loops, Boost.odeint and, in double, GSL and SUNDIALS, as far as they have the method; each with the

@@ -1,10 +1,11 @@
 // The time of a step: steplab's methods beside hand-written loops, Boost.odeint, GSL and SUNDIALS on the same scene, in
 // one process, interleaved; then an ensemble beside a single run; then steplab alone on scenes of 10 to 10^7 particles,
-// by one thread and by more; then what the machine can do at most. Prints one line of CSV for each: the least time of
-// all batches of steps of all repetitions, and for steplab the hash of the state at the end of a batch, which begins at
-// the scene's start. Usage: steps [--benchmark_filter=REGEX on row/method/precision] [further options of Google
-// Benchmark]
+// by one thread and by more; then composed scenes beside the same; then what the machine can do at most. Prints one
+// line of CSV for each: the least time of all batches of steps of all repetitions, and for steplab the hash of the
+// state at the end of a batch, which begins at the scene's start. Usage: steps [--benchmark_filter=REGEX on
+// row/method/precision] [further options of Google Benchmark]
 
+#include "composed.hpp"
 #include "core/flush_subnormals.hpp"
 #include "core/team.hpp"
 #include "lines.hpp"
@@ -25,6 +26,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -270,7 +272,10 @@ void run_all() {
     run_rows(growing_rows(), wanted, lines, [](const Row& row, std::string_view method, Precision precision) {
         return with_threads(row, method, precision);
     });
-    for (const Comparison& comparison : machine_comparisons()) {
+    const auto by_threads = [](const RunDescription& run, std::size_t threads) { return ourselves(run, threads); };
+    std::vector<Comparison> others = composed_comparisons(by_threads);
+    std::ranges::move(machine_comparisons(), std::back_inserter(others));
+    for (const Comparison& comparison : others) {
         if (std::regex_search(comparison.name, wanted)) run(comparison, lines);
     }
 }
