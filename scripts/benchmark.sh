@@ -45,6 +45,9 @@ lammps_rows() {
                 -var side "$side" -var style "$style"
         done
     done
+    for style in lj/smooth/linear lj/cut/opt; do
+        lammps liquid-32000 32000 "LAMMPS $style" lj_liquid.in 100 -var side 20 -var style "$style"
+    done
 }
 
 # The rows in which LAMMPS takes part, again in turns with it: whatever slows the machine for a while hits both.
@@ -53,7 +56,7 @@ measure() {
     local round row
     for ((round = 0; round < rounds; ++round)); do
         lammps_rows
-        for row in mesh-1000x1000 morse-bulk-4096 morse-bulk-32768 morse-bulk-262144; do
+        for row in mesh-1000x1000 morse-bulk-4096 morse-bulk-32768 morse-bulk-262144 liquid-32000; do
             if [[ $row/velocity-verlet/double =~ ${rows:-.} ]]; then
                 steps "$row/velocity-verlet" --benchmark_repetitions=1
             fi
