@@ -134,40 +134,17 @@ private:
 
 constexpr double gravity_constant = 0.001, gravity_softening = 0.1;  // of bodies of mass 1
 
-template <class T>
-T gravity_factor(T dx, T dy, T dz) {
-    const T softened = dx * dx + dy * dy + dz * dz + T(gravity_softening * gravity_softening);
-    return T(-gravity_constant) / (softened * std::sqrt(softened));
-}
-
-template <class T>
-struct PlainGravity : PointsInARow<T> {
-    static void accelerations(const T* x, T* a, std::size_t n) {
-        std::fill(a, a + 3 * n, T(0));
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = i + 1; j < n; ++j) {
-                const T *const p = x + 3 * i, *const q = x + 3 * j;
-                const T dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
-                add_pair(gravity_factor(dx, dy, dz), dx, dy, dz, a + 3 * i, a + 3 * j);
-            }
-        }
+struct GravityFactor {
+    template <class T>
+    static T of(T dx, T dy, T dz) {
+        const T softened = dx * dx + dy * dy + dz * dz + T(gravity_softening * gravity_softening);
+        return T(-gravity_constant) / (softened * std::sqrt(softened));
     }
 };
 
 template <class T>
-struct GatherGravity : ComponentsInARow<T> {
-    static void accelerations(const T* x, T* a, std::size_t n) {
-        const T *const y = x + n, *const z = y + n;
-        T *const ay = a + n, *const az = ay + n;
-        std::fill(a, a + 3 * n, T(0));
-        for (std::size_t j = 0; j < n; ++j) {
-            elementwise(n, [=](std::size_t i) {
-                const T dx = x[i] - x[j], dy = y[i] - y[j], dz = z[i] - z[j];
-                const T f = gravity_factor(dx, dy, dz);
-                a[i] += f * dx, ay[i] += f * dy, az[i] += f * dz;
-            });
-        }
-    }
-};
+using PlainGravity = PlainPairs<T, GravityFactor>;
+template <class T>
+using GatherGravity = GatherPairs<T, GravityFactor>;
 
 }  // namespace steplab::benchmark

@@ -152,29 +152,31 @@ constexpr double morse_depth = 1, morse_b = 0.5, morse_r0 = 0.5;  // b = sqrt(k 
 inline double exponential(double u) { return ::exp(u); }
 inline float exponential(float u) { return ::expf(u); }
 
-/// Acceleration along d per unit of d.
-template <class T>
-T morse_factor(T dx, T dy, T dz) {
-    const T r = std::sqrt(dx * dx + dy * dy + dz * dz), e = exponential(T(-morse_b) * (r - T(morse_r0)));
-    return T(-2 * morse_b * morse_depth) * e * (1 - e) / r;
-}
+struct MorseFactor {
+    template <class T>
+    static T of(T dx, T dy, T dz) {
+        const T r = std::sqrt(dx * dx + dy * dy + dz * dz), e = exponential(T(-morse_b) * (r - T(morse_r0)));
+        return T(-2 * morse_b * morse_depth) * e * (1 - e) / r;
+    }
+};
 
-template <class T>
-struct PlainMorse : PointsInARow<T> {
+/// A force between all pairs, of which Factor::of(dx, dy, dz) is the acceleration along d per unit of d.
+template <class T, class Factor>
+struct PlainPairs : PointsInARow<T> {
     static void accelerations(const T* x, T* a, std::size_t n) {
         std::fill(a, a + 3 * n, T(0));
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t j = i + 1; j < n; ++j) {
                 const T *const p = x + 3 * i, *const q = x + 3 * j;
                 const T dx = p[0] - q[0], dy = p[1] - q[1], dz = p[2] - q[2];
-                add_pair(morse_factor(dx, dy, dz), dx, dy, dz, a + 3 * i, a + 3 * j);
+                add_pair(Factor::of(dx, dy, dz), dx, dy, dz, a + 3 * i, a + 3 * j);
             }
         }
     }
 };
 
-template <class T>
-struct GatherMorse : ComponentsInARow<T> {
+template <class T, class Factor>
+struct GatherPairs : ComponentsInARow<T> {
     static void accelerations(const T* x, T* a, std::size_t n) {
         const T *const y = x + n, *const z = y + n;
         T *const ay = a + n, *const az = ay + n;
@@ -182,11 +184,16 @@ struct GatherMorse : ComponentsInARow<T> {
         for (std::size_t j = 0; j < n; ++j) {
             elementwise(n, [=](std::size_t i) {
                 const T dx = x[i] - x[j], dy = y[i] - y[j], dz = z[i] - z[j];
-                const T f = i == j ? T(0) : morse_factor(dx, dy, dz);
+                const T f = i == j ? T(0) : Factor::of(dx, dy, dz);
                 a[i] += f * dx, ay[i] += f * dy, az[i] += f * dz;
             });
         }
     }
 };
+
+template <class T>
+using PlainMorse = PlainPairs<T, MorseFactor>;
+template <class T>
+using GatherMorse = GatherPairs<T, MorseFactor>;
 
 }  // namespace steplab::benchmark

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -85,7 +86,8 @@ constexpr double liquid_box = 20 * 1.679595;  // density 0.8442
 SceneOrigin liquid(std::string_view pairs) {
     const std::string text = fmt::format(
         "steplab = 1\n[[particles]]\nlattice = {{ kind = \"fcc\", cells = [20, 20, 20], constant = {0} }}\n"
-        "temperature = {{ kT = 1.44, seed = 2008 }}\n[box]\nsize = [{1}, {1}, {1}]\n[[pairs]]\n{2}cutoff = 2.5\n",
+        "temperature = {{ kT = 1.44, seed = 2008 }}\n[box]\nsize = [{1}, {1}, {1}]\n[[pairs]]\n{2}epsilon = 1\nsigma = "
+        "1\ncutoff = 2.5\n",
         liquid_box / 20, liquid_box, pairs);
     return scene_from({{"", text}}, "scene.toml");
 }
@@ -124,37 +126,51 @@ Problem problem_of(const RunDescription& run, std::string_view model) {
     return problem;
 }
 
+struct Row {
+    std::string_view id, peers;
+    std::function<SceneOrigin()> scene;
+    double dt;
+    std::size_t steps;
+    std::vector<std::size_t> threads;
+};
+
+const std::vector<Row>& rows() {
+    static const std::vector<Row> all{
+        {"network-100000", "network", network, 0.05, 40, {1, 2}},
+        {"liquid-32000", "liquid", [] { return liquid("potential = \"lennard-jones\"\n"); }, 0.004, 20, {1, 2}},
+        {"liquid-32000-expression",
+         "",
+         [] { return liquid("potential = \"4*epsilon*((sigma/r)^12 - (sigma/r)^6)\"\n"); },
+         0.004,
+         20,
+         {1}},
+        {"gravity-1000", "gravity", gravity, 0.004, 100, {1}}};
+    return all;
+}
+
 }  // namespace
 
 std::vector<Comparison> composed_comparisons(
-    const std::function<Contestant(const RunDescription&, std::size_t threads)>& ourselves) {
-    struct Scene {
-        std::string_view id, peers;
-        SceneOrigin origin;
-        double dt;
-        std::size_t steps;
-        std::vector<std::size_t> threads;
-    };
-    const std::string_view built_in = "potential = \"lennard-jones\"\nepsilon = 1\nsigma = 1\n";
-    const std::string_view typed = "potential = \"4*epsilon*((sigma/r)^12 - (sigma/r)^6)\"\nepsilon = 1\nsigma = 1\n";
-    const std::vector<Scene> scenes{{"network-100000", "network", network(), 0.05, 40, {1, 2}},
-                                    {"liquid-32000", "liquid", liquid(built_in), 0.004, 20, {1, 2}},
-                                    {"liquid-32000-expression", "", liquid(typed), 0.004, 20, {1}},
-                                    {"gravity-1000", "gravity", gravity(), 0.004, 100, {1}}};
+    const std::function<Contestant(const RunDescription&, std::size_t threads)>& ourselves,
+    const std::function<bool(const std::string& name)>& wanted) {
     std::vector<Comparison> all;
-    for (const Scene& scene : scenes) {
+    for (const Row& row : rows()) {
+        std::optional<RunDescription> scene;
         for (const std::string_view method : {"velocity-verlet", "rk4"}) {
             for (const Precision precision : {Precision::double_, Precision::float_}) {
-                RunDescription run = with_method(describe(scene.origin), method);
+                const std::string name = fmt::format("{}/{}/{}", row.id, method, id(precision));
+                if (!wanted(name)) continue;
+                if (!scene) scene = describe(row.scene());
+                RunDescription run = with_method(*scene, method);
                 run.precision = precision;
-                run.dt = scene.dt;
-                const Problem problem = problem_of(run, scene.peers);
-                Comparison comparison{
-                    fmt::format("{}/{}/{}", scene.id, method, id(precision)), problem.positions.size(), {}};
-                for (const std::size_t threads : scene.threads)
-                    comparison.entries.push_back({ourselves(run, threads), scene.steps, scene.steps});
-                const auto peers = precision == Precision::float_ ? peers_in_float(problem) : peers_in_double(problem);
-                for (const Contestant& peer : peers) comparison.entries.push_back({peer, scene.steps, scene.steps});
+                run.dt = row.dt;
+                const Problem problem = problem_of(run, row.peers);
+                Comparison comparison{name, problem.positions.size(), {}};
+                for (const std::size_t threads : row.threads)
+                    comparison.entries.push_back({ourselves(run, threads), row.steps, row.steps});
+                for (const Contestant& peer :
+                     precision == Precision::float_ ? peers_in_float(problem) : peers_in_double(problem))
+                    comparison.entries.push_back({peer, row.steps, row.steps});
                 all.push_back(std::move(comparison));
             }
         }

@@ -273,7 +273,8 @@ void run_all() {
         return with_threads(row, method, precision);
     });
     const auto by_threads = [](const RunDescription& run, std::size_t threads) { return ourselves(run, threads); };
-    std::vector<Comparison> others = composed_comparisons(by_threads);
+    std::vector<Comparison> others =
+        composed_comparisons(by_threads, [&](const std::string& name) { return std::regex_search(name, wanted); });
     std::ranges::move(machine_comparisons(), std::back_inserter(others));
     for (const Comparison& comparison : others) {
         if (std::regex_search(comparison.name, wanted)) run(comparison, lines);

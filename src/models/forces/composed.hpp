@@ -186,7 +186,6 @@ private:
     ComposedForces forces_;
     ComposedParticles<T> particles_;
     ComposedDamping<T> damping_;
-    ComposedSprings<T> springs_;
     std::vector<PairForce<T>> pairs_;
     std::shared_ptr<const std::vector<FieldPotential<T>>> fields_;
     std::vector<ComposedFormula<T>> formulas_;
@@ -194,7 +193,8 @@ private:
     std::shared_ptr<Team> team_;  ///< shared with copies, which are never used at the same time
     typename RegistersOf<T, in_registers>::Particles registers_;
     std::optional<typename RegistersOf<T, in_registers>::Rows> rows_;
-    Field<T> no_history_, sums_;  ///< sums_: scratch of each_acceleration()
+    std::optional<ComposedSprings<T>> springs_;  ///< where there are no rows
+    Field<T> no_history_, sums_;                 ///< sums_: scratch of each_acceleration()
 };
 
 template <class T>
@@ -202,10 +202,10 @@ Composed<T>::Composed(const ComposedForces& forces)
     : forces_(forces),
       particles_(forces.terms),
       damping_(terms(), particles_),
-      springs_(terms()),
       team_(in_registers ? std::make_shared<Team>(forces.threads) : nullptr),
       registers_(particles_) {
     if constexpr (in_registers) rows_ = SpringRows<T>::of(terms());
+    if (!rows_) springs_.emplace(terms());
     const auto from = ComposedParticles<T>::vector;
     for (const ComposedSpring& spring : terms().springs)
         formulas_.push_back({from(spring.rest), SpringLaw<T>::of(spring, terms().mass)});
@@ -261,7 +261,7 @@ void Composed<T>::add_outside_and_springs(const Field<T>& u, Field<T>& a) {
         if (rows_) return rows_->each(u, registers_, *team_, set);
     }
     for (std::size_t i = 0; i < particles_.count(); ++i) set(a, i, external(i));
-    springs_.add(particles_, u, a);
+    springs_->add(particles_, u, a);
 }
 
 template <class T>

@@ -55,11 +55,14 @@ class SpringRows {
     using Vec = Vector<N>;
 
 public:
-    /// Nothing where most lanes would stay empty, as beside a particle with many springs.
+    /// Nothing without springs, and where most lanes would stay empty, as beside a particle with many springs.
     static std::optional<SpringRows> of(const Composition& composition) {
-        SpringRows rows(composition);
-        if (rows.others_.size() > 4 * (composition.springs.size() + N::count)) return std::nullopt;
-        return rows;
+        if (composition.springs.empty()) return std::nullopt;
+        const Ends ends = ends_of(composition);
+        std::size_t slots = 0;
+        for (std::size_t first = 0; first < ends.size(); first += N::count) slots += longest(ends, first) * N::count;
+        if (slots > 4 * (composition.springs.size() + N::count)) return std::nullopt;
+        return SpringRows(composition, ends);
     }
 
     /// Calls sink(r, a) for every register r of particles, by all members of the team in parallel, when others' u are
@@ -84,16 +87,17 @@ private:
     struct End {
         std::uint32_t other, spring;
     };
+    using Ends = std::vector<std::vector<End>>;  ///< of each particle
 
     static constexpr std::size_t four = 4;
 
-    explicit SpringRows(const Composition& of)
+    SpringRows(const Composition& of, const Ends& ends)
         : periods_{Periods<N>(of.box.x), Periods<N>(of.box.y), Periods<N>(of.box.z)},
           boxed_(of.box != Vec3{}),
           from_reference_(is_difference_of_references(of)) {
         if (from_reference_) keep_references(of);
-        if (!of.springs.empty()) last_ = SpringLaw<T>::of(of.springs.front(), of.mass);
-        append_rows(of, ends_of(of));
+        last_ = SpringLaw<T>::of(of.springs.front(), of.mass);
+        append_rows(of, ends);
         for (SpringQuantity<T>* const quantity :
              {&rest_[0], &rest_[1], &rest_[2], &length_, &stretch_, &k_, &quadratic_, &cubic_})
             quantity->finish();
@@ -123,8 +127,8 @@ private:
             keep(FieldLanes<const T>(references_).get(r), r * N::count, four);
     }
 
-    static std::vector<std::vector<End>> ends_of(const Composition& of) {
-        std::vector<std::vector<End>> ends(padded(of.count));
+    static Ends ends_of(const Composition& of) {
+        Ends ends(padded(of.count));
         for (std::uint32_t s = 0; s < of.springs.size(); ++s) {
             ends[of.springs[s].first].push_back({of.springs[s].second, s});
             ends[of.springs[s].second].push_back({of.springs[s].first, s});
@@ -132,12 +136,18 @@ private:
         return ends;
     }
 
-    void append_rows(const Composition& of, const std::vector<std::vector<End>>& ends) {
+    /// Springs of that particle of a register that has most.
+    static std::size_t longest(const Ends& ends, std::size_t first) {
+        std::size_t most = 0;
+        for (std::size_t lane = 0; lane < N::count; ++lane) most = std::max(most, ends[first + lane].size());
+        return most;
+    }
+
+    void append_rows(const Composition& of, const Ends& ends) {
         for (std::size_t first = 0; first < ends.size(); first += N::count) {
             begin_.push_back(others_.size());
-            std::size_t longest = 0;
-            for (std::size_t lane = 0; lane < N::count; ++lane) longest = std::max(longest, ends[first + lane].size());
-            for (std::size_t k = 0; k < longest; ++k) {
+            const std::size_t springs = longest(ends, first);
+            for (std::size_t k = 0; k < springs; ++k) {
                 for (std::size_t i = first; i < first + N::count; ++i) {
                     if (k < ends[i].size())
                         append(of, i, ends[i][k]);
