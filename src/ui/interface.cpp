@@ -137,6 +137,12 @@ void Interface::record(const RunView& view) {
     body_->new_view = true;
 }
 
+bool Interface::show_doubt(const std::optional<Doubt>& doubt) {
+    if (doubt == body_->session.doubt) return false;
+    body_->session.doubt = doubt;
+    return true;
+}
+
 void Interface::show_scene(std::uint32_t texture) { body_->scene_texture = texture; }
 
 void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes) {

@@ -44,6 +44,9 @@ public:
     bool resize(const Display& display);
     /// Records a new view of the run for the plots. Call it once for each view, before drawing it.
     void record(const RunView& view);
+    /// Says that the run's energy is impossible and where that is decided, in place of a card about the divergence.
+    /// True if that is news.
+    bool show_doubt(const std::optional<Doubt>& doubt);
     /// The OpenGL name of the texture with the newest picture of the scene, top row first, which becomes part of the
     /// draw data. 0: the scene is not part of the draw data.
     void show_scene(std::uint32_t texture);

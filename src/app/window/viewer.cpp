@@ -110,6 +110,7 @@ void Viewer::take_news() {
         begin_as_asked();
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
+    if (interface_.show_doubt(worker_->doubt())) frames_wanted_ = std::max(frames_wanted_, 1);
     take_files();
     take_gallery();
     if (painter_.take(painted_)) {

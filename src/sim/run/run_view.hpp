@@ -26,6 +26,15 @@ struct Tracked {
     std::optional<Vec3> exact_displacement;
 };
 
+/// An energy that is impossible, before the check that decides whether the run diverged.
+struct Doubt {
+    std::uint64_t step = 0;   ///< where it was found
+    double time = 0;          ///< there
+    std::uint64_t now = 0;    ///< the step that the run has got to
+    std::uint64_t check = 0;  ///< the step that decides
+    friend bool operator==(const Doubt&, const Doubt&) = default;
+};
+
 /// What the interface sees of a run: one consistent moment of it and how it is doing. Plain data, made by the worker
 /// or, for a still picture, by view_of().
 struct RunView {

@@ -90,6 +90,11 @@ bool Worker::take(RunView& view) {
     return true;
 }
 
+std::optional<Doubt> Worker::doubt() const {
+    const std::lock_guard lock(body_->mutex);
+    return body_->doubt;
+}
+
 void Worker::on_view(void (*wake)()) {
     const std::lock_guard lock(body_->mutex);
     body_->wake = wake;

@@ -50,7 +50,10 @@ public:
 
     /// Swaps the newest view into `view` if there is one that was not taken yet; false if nothing is new. Never waits.
     bool take(RunView& view);
-    /// Called from the worker's thread when a new view is ready (to wake the window); set before the first command.
+    /// Why no new view comes, where steps take so long that the check of an impossible energy is some moments away.
+    std::optional<Doubt> doubt() const;
+    /// Called from the worker's thread when a new view or doubt is ready (to wake the window); set before the first
+    /// command.
     void on_view(void (*wake)());
 
 private:

@@ -30,6 +30,7 @@ void Worker::Body::loop() {
         if (behind) bring_ensemble(slice);
         const bool well = went_well([this] { doubtful ? step_to_check() : take_steps(); });
         if (!well) give_up();
+        if (doubtful || doubt) tell_doubt();
         if (doubtful) continue;
         to_show = to_show || doubted || !well;
         const auto [step, evaluations, diverged] = simulation.advanced();
@@ -103,6 +104,19 @@ void Worker::Body::step_to_check() {
     pace.begin(Clock::now());
 }
 
+/// That the picture stands still, and why; or that it no longer does.
+void Worker::Body::tell_doubt() {
+    std::optional<Doubt> told = doubtful ? found : std::nullopt;
+    if (told) told->now = simulation.advanced().step;
+    void (*call)() = nullptr;
+    {
+        const std::lock_guard lock(mutex);
+        doubt = told;
+        call = wake;
+    }
+    if (call && told) call();
+}
+
 /// Something to come back to; in a large scene that is a copy as costly as some steps.
 void Worker::Body::keep_moment() {
     const auto begin = Clock::now();
@@ -147,7 +161,11 @@ void Worker::Body::publish(bool at_once, bool judged) {
     const bool seen = went_well([this] { see(); });
     if (!seen) give_up();
     doubtful = judged && seen && !view.divergence && !simulation.is_plausible();
-    if (doubtful) return;
+    if (doubtful) {
+        const std::uint64_t step = simulation.step();
+        found = {step, simulation.time(), step, step + simulation.steps_to_check()};
+        return;
+    }
     void (*call)() = nullptr;
     {
         const std::lock_guard lock(mutex);

@@ -38,6 +38,7 @@ struct Worker::Body {
     std::atomic<bool> stopping = false;    // also in the middle of a long step
     bool fresh = false;                    // `ready` has not been taken yet
     RunView ready;
+    std::optional<Doubt> doubt;  // told while `doubtful` lasts
     void (*wake)() = nullptr;
 
     // the worker's own
@@ -46,7 +47,8 @@ struct Worker::Body {
     Pace pace;
     Rate rate;
     bool playing = false;
-    bool doubtful = false;  // the energy is impossible, and the check that decides about it has not come yet
+    bool doubtful = false;       // the energy is impossible, and the check that decides about it has not come yet
+    std::optional<Doubt> found;  // where `doubtful` began
     std::optional<std::uint64_t> goal;  // the step that the run is on its way to
     std::optional<std::size_t> tracked;
     bool with_forces = false;            ///< in views
@@ -95,6 +97,7 @@ struct Worker::Body {
     bool carry_out_commands();
     void take_steps();
     void step_to_check();
+    void tell_doubt();
     bool ensemble_is_behind() const { return live_ensemble && !live_ensemble->are_at(simulation.step(), segments); }
     void bring_ensemble(Pace::Duration most);
     void keep_moment();

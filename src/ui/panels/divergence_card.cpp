@@ -43,6 +43,27 @@ void draw_buttons(const Context& context, const Remedies& remedies) {
     if (text_button(context, "remedy.restart", "Restart")) context.commands.restart();
 }
 
+ImVec2 anchor(const Context& context) {
+    const Area& scene = context.layout.scene;
+    return {scene.x + 0.5f * scene.width, scene.y + 0.42f * scene.height};
+}
+
+void draw_title(const Context& context, const char* text) {
+    const WithFont font(context.theme.fonts().strong);
+    ImGui::TextUnformatted(text);
+}
+
+void draw_doubt(const Context& context, const Doubt& doubt) {
+    const Card card(context, "doubt", anchor(context), {0.5f, 0.5f}, card_width(context, 430), colour::bad);
+    draw_title(context, "The energy is impossible");
+    explanation(
+        context,
+        fmt::format("It was found at step {} (t = {} s). The check at step {} decides whether the run diverged; "
+                    "the run is at step {}.",
+                    doubt.step, typed(doubt.time, 4), doubt.check, doubt.now),
+        colour::text);
+}
+
 }  // namespace
 
 void draw_divergence_card(const Context& context) {
@@ -50,17 +71,13 @@ void draw_divergence_card(const Context& context) {
     auto& dismissed = context.session.dismissed_divergence;
     if (!divergence) {
         dismissed.reset();
+        if (context.session.doubt) draw_doubt(context, *context.session.doubt);
         return;
     }
     if (dismissed == divergence->step) return;
-    const Area& scene = context.layout.scene;
-    const ImVec2 anchor{scene.x + 0.5f * scene.width, scene.y + 0.42f * scene.height};
-    const Card card(context, "divergence", anchor, {0.5f, 0.5f}, card_width(context, 430), colour::bad);
+    const Card card(context, "divergence", anchor(context), {0.5f, 0.5f}, card_width(context, 430), colour::bad);
     if (close_cross(context, "divergence.close")) dismissed = divergence->step;
-    {
-        const WithFont font(context.theme.fonts().strong);
-        ImGui::TextUnformatted(divergence->stop ? "The run stopped" : "The run diverged");
-    }
+    draw_title(context, divergence->stop ? "The run stopped" : "The run diverged");
     explanation(context, divergence->message, colour::text);
     ImGui::Dummy({0, context.px(4)});
     draw_buttons(context, context.view.remedies);
