@@ -7,7 +7,7 @@
 #include "io/scene_appearance.hpp"
 #include "io/scene_blocks.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/run/run_description.hpp"
+#include "sim/run/run_variant.hpp"
 #include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,6 @@ namespace steplab {
 namespace {
 
 using Use = SceneNumbers::Use;
-using Settings = std::vector<std::pair<std::string, std::string>>;
 
 std::vector<std::string_view> method_ids() {
     std::vector<std::string_view> ids;
@@ -29,54 +28,14 @@ std::vector<std::string_view> method_ids() {
     return ids;
 }
 
-/// "method=rk4,dt=0.02" as names and values. Throws UsageError.
-Settings settings_of(std::string_view text) {
-    Settings settings;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string_view one = text.substr(begin, end - begin);
-        const std::size_t equals = one.find('=');
-        if (equals == std::string_view::npos || equals == 0)
-            throw UsageError(
-                fmt::format("'{}' is not of the form name=value, such as dt=0.02", shown(std::string(one))));
-        settings.emplace_back(one.substr(0, equals), one.substr(equals + 1));
-        begin = end + 1;
-    }
-    return settings;
-}
-
-void check_setting(const std::string& name, const std::string& text, std::string_view method_id) {
-    if (name == "method") return;
-    if (name == "precision" && parse_precision(text)) return;
-    if (name == "precision")
-        throw UsageError(unknown_word("precision", text, std::vector<std::string_view>{"float", "double"}));
-    const std::span<const ParameterInfo> infos = method(method_id).info.parameters;
-    const auto info = std::find_if(infos.begin(), infos.end(), [&](const auto& known) { return known.name == name; });
-    if (name != "dt" && info == infos.end()) {
-        std::vector<std::string_view> known{"method", "dt", "precision"};
-        for (const ParameterInfo& parameter : infos) known.push_back(parameter.name);
-        throw UsageError(unknown_word("setting", name, known));
-    }
-    parse_value(name == "dt" ? dt_parameter : *info, text);
-}
-
-/// A run to be compared with the first: a method, dt, precision or parameters of the method.
-void check_compared(const std::string& text, const std::string& first_method) {
-    const Settings settings = settings_of(text);
-    const auto named =
-        std::find_if(settings.begin(), settings.end(), [](const auto& setting) { return setting.first == "method"; });
-    const std::string& id = named == settings.end() ? first_method : named->second;
-    const std::vector<std::string_view> known = method_ids();
-    if (std::find(known.begin(), known.end(), id) == known.end()) throw UsageError(unknown_word("method", id, known));
-    for (const auto& [name, value] : settings) check_setting(name, value, id);
-}
-
-/// The list, or one text, each with its place.
+/// The list, or one text, each with its place: runs to be compared with the first, of another method, dt, precision or
+/// parameters of the method.
 void check_compared(const toml::node& node, const std::string& first_method) {
     const toml::array* const list = node.as_array();
+    const RunDescription first = with_method({}, first_method);
     const auto check = [&](const toml::node& one) {
         try {
-            check_compared(text_of(one), first_method);
+            variant_of(first, text_of(one));
         } catch (const UsageError& error) {
             fail_at(one, error.what());
         }

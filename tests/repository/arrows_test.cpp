@@ -35,7 +35,7 @@ TEST(Arrows, include_against_an_arrow_is_found_with_file_and_line) {
 
 TEST(Arrows, drawing_libraries_in_the_core_are_found) {
     for (const char* header : {"<GL/glew.h>", "<GLFW/glfw3.h>", "<imgui.h>", "<EGL/egl.h>", "<glm/glm.hpp>"}) {
-        for (const char* folder : {"core", "methods", "models", "sim", "io", "lab"}) {
+        for (const char* folder : {"core", "methods", "models", "sim", "io", "lab", "session"}) {
             const TextFile file{std::filesystem::path("src") / folder / "a.cpp", std::string("#include ") + header};
             EXPECT_THAT(forbidden_arrows({file}), SizeIs(1)) << folder << ' ' << header;
         }

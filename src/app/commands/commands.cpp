@@ -4,6 +4,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/commands/advise.hpp"
 #include "app/commands/bench.hpp"
+#include "app/commands/compare.hpp"
 #include "app/commands/convert.hpp"
 #include "app/commands/export.hpp"
 #include "app/commands/hard_cases.hpp"
@@ -88,6 +89,7 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     all.push_back(observe_command());
     all.push_back(export_command());
     all.push_back(snapshot_command());
+    all.push_back(compare_command());
     all.push_back(limits_command());
     all.push_back(hard_cases_command());
     all.push_back(report_command());

@@ -1,6 +1,7 @@
 #include "lab/study/reference.hpp"
 
 #include "core/interruption.hpp"
+#include "lab/study/distances.hpp"
 #include "methods/engines/extrapolation.hpp"
 #include "methods/engines/system.hpp"
 #include "models/forces/layouts.hpp"
@@ -20,34 +21,6 @@ namespace steplab {
 namespace {
 
 using Real = long double;
-
-/// Half an ulp of a double near 1, relative: the error of rounding to double.
-constexpr double half_ulp = 1.2e-16;
-
-double largest_number(const Field<double>& field) {
-    double largest = 0;
-    for (const double number : field.flat()) largest = std::max(largest, std::abs(number));
-    return largest;
-}
-
-/// Squared distances of the particles.
-std::vector<double> squared_distances(const Field<double>& a, const Field<double>& b) {
-    std::vector<double> squares;
-    for (std::size_t i = 0; i < a.count(); ++i) {
-        const Vec3 between = a.at(i) - b.at(i);
-        squares.push_back(dot(between, between));
-    }
-    return squares;
-}
-
-double largest_distance(const Field<double>& a, const Field<double>& b) {
-    double largest = 0;
-    for (const double square : squared_distances(a, b)) {
-        if (std::isnan(square)) return infinity;
-        largest = std::max(largest, square);
-    }
-    return std::sqrt(largest);
-}
 
 /// A run in long double at the requested times.
 struct ReferenceRun {
@@ -151,17 +124,10 @@ private:
     int count_ = 0;
 };
 
-/// Largest distance between two runs at one time, computed before rounding to double.
-double difference(const State<Real>& a, const State<Real>& b) {
-    Field<double> between(a.displacement.count());
-    for (std::size_t k = 0; k < between.flat().size(); ++k)
-        between.flat()[k] = static_cast<double>(a.displacement.flat()[k] - b.displacement.flat()[k]);
-    return largest_distance(between, Field<double>(between.count()));
-}
-
 std::vector<double> differences(const ReferenceRun& coarse, const ReferenceRun& fine) {
     std::vector<double> all;
-    for (std::size_t i = 0; i < fine.states.size(); ++i) all.push_back(difference(coarse.states[i], fine.states[i]));
+    for (std::size_t i = 0; i < fine.states.size(); ++i)
+        all.push_back(largest_distance(coarse.states[i], fine.states[i]));
     return all;
 }
 
@@ -189,7 +155,7 @@ Reference as_reference(const ReferenceRun& run, const std::vector<double>& error
             times[i],
             {converted<double>(run.states[i].displacement), converted<double>(run.states[i].velocity)},
             errors[i]};
-        moment.error += half_ulp * largest_number(moment.state.displacement);
+        moment.error += rounding_of(moment.state.displacement);
         reference.moments.push_back(std::move(moment));
     }
     reference.how = std::move(how);
@@ -260,17 +226,17 @@ std::shared_ptr<const ExactSolution> exact_until(const RunDescription& held, std
     return exact && (times.empty() || times.back() <= exact->valid_until()) ? exact : nullptr;
 }
 
+}  // namespace
+
 ReferenceMoment exact_moment(const ExactSolution& exact, std::size_t particles, double time) {
     ReferenceMoment moment{time, {Field<double>(particles), Field<double>(particles)}, exact.rounding(time)};
     for (std::size_t i = 0; i < particles; ++i) {
         moment.state.displacement.set(i, exact.displacement(i, time));
         moment.state.velocity.set(i, exact.velocity(i, time));
     }
-    moment.error += half_ulp * largest_number(moment.state.displacement);
+    moment.error += rounding_of(moment.state.displacement);
     return moment;
 }
-
-}  // namespace
 
 Reference reference(const RunDescription& description, std::span<const double> times, const ReferenceEffort& effort) {
     const RunDescription held = as_held(description);
@@ -292,7 +258,7 @@ std::optional<ReferenceMoment> resting_reference(const RunDescription& descripti
     const Model& entry = model_of(held);
     if (!entry.resting || !(entry.plan(held.scene).drag > 0)) return std::nullopt;
     Field<double> displacement = entry.resting(held.scene);
-    const double rounding = 4 * half_ulp * largest_number(displacement);  // of a few operations
+    const double rounding = 4 * rounding_of(displacement);  // of a few operations
     const std::size_t particles = displacement.count();
     return ReferenceMoment{infinity, {std::move(displacement), Field<double>(particles)}, rounding};
 }

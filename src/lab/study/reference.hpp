@@ -54,6 +54,9 @@ Reference reference_run(const RunDescription& description, std::span<const doubl
 /// the scene does not come to rest, or the equilibrium is not known.
 std::optional<ReferenceMoment> resting_reference(const RunDescription& description);
 
+/// The closed form at a time, of so many particles.
+ReferenceMoment exact_moment(const ExactSolution& exact, std::size_t particles, double time);
+
 /// Largest distance of a particle from the reference, and never less than the reference's own error.
 double error_against(const ReferenceMoment& reference, const Field<double>& displacement);
 /// Root of the mean square of the distances, and never less than the reference's own error.

@@ -98,13 +98,27 @@ public:
     template <class System>
     void step(System& system) {
         ++progress_.frames;
-        const Time target = frame_time(system);
-        while (progress_.time - target + progress_.lost < 0) inner_step(system, target);
+        take_steps_to(system, frame_time(system));
     }
 
     template <class System>
     void synchronised(const System& system, State<T>& out) const {
-        const T before_end = static_cast<T>(progress_.time - frame_time(system) + progress_.lost);
+        state_at(system, frame_time(system), out);
+    }
+
+    /// Times have the digits of double at least.
+    using Time = std::conditional_t<std::is_same_v<T, float>, double, T>;
+
+    /// Steps until one ends at this time since the start or after it: what step() does where no frames are counted.
+    template <class System>
+    void take_steps_to(System& system, Time target) {
+        while (progress_.time - target + progress_.lost < 0) inner_step(system, target);
+    }
+
+    /// At a time in the last step.
+    template <class System>
+    void state_at(const System& system, Time time, State<T>& out) const {
+        const T before_end = static_cast<T>(progress_.time - time + progress_.lost);
         if (!(before_end > T(0))) {
             out.displacement = next_.x;
             out.velocity = next_.v;
@@ -128,11 +142,6 @@ public:
     const CollisionRecord& collisions() const { return guard_.record(); }
     std::optional<OwnStop> stopped() const { return progress_.stop; }
 
-private:
-    /// Times have the digits of double at least.
-    using Time = std::conditional_t<std::is_same_v<T, float>, double, T>;
-
-public:
     /// What of the internal state is no field: plain data.
     struct Progress {
         std::uint64_t frames = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace steplab {
 
@@ -107,6 +108,38 @@ TEST_F(PassingThrough, is_shown_once_a_check_has_cleared_it_of_suspicion) {
     EXPECT_EQ(view.frame.step, 256u);
     EXPECT_FALSE(view.divergence);
     EXPECT_EQ(view.frame.positions, alone.frame().positions);
+}
+
+/// Dozens of milliseconds of steps lie between the first impossible energy and the check that judges it.
+TEST(Worker, tells_of_an_impossible_energy_until_it_is_judged) {
+    RunDescription mesh = run_of("mesh", "rk4", Precision::double_, 3);
+    mesh.scene.set("dim", 200);
+    Simulation alone(mesh);
+    while (alone.is_plausible()) alone.advance(1);
+    static Worker* asked = nullptr;
+    static std::vector<Doubt> told;
+    told.clear();
+    Worker worker(mesh);
+    asked = &worker;
+    worker.on_view([] {
+        if (const auto doubt = asked->doubt()) told.push_back(*doubt);
+        News::wake();
+    });
+    RunView view;
+    for (std::uint64_t step = 0; step < alone.step(); ++step) worker.step_forward();
+    while (!view.divergence) {
+        while (worker.take(view)) {
+        }
+        ASSERT_TRUE(view.divergence || News::wait());
+    }
+    EXPECT_FALSE(worker.doubt()) << "it was judged";
+    ASSERT_FALSE(told.empty());
+    for (const Doubt& doubt : told) {
+        EXPECT_GT(doubt.step, view.divergence->step) << "which is the last good one";
+        EXPECT_GE(doubt.now, doubt.step);
+        EXPECT_LT(doubt.now, doubt.check);
+        EXPECT_EQ(doubt.check, 256u);
+    }
 }
 
 }  // namespace

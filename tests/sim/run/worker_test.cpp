@@ -118,36 +118,6 @@ TEST_F(WorkerTest, stops_where_the_run_diverges) {
     EXPECT_FALSE(view.divergence);
 }
 
-/// Two thirds of a second of steps lie between the first impossible energy and the check that judges it.
-TEST(Worker, tells_of_an_impossible_energy_until_it_is_judged) {
-    RunDescription mesh = run_of("mesh", "rk4", Precision::double_, 3);
-    mesh.scene.set("dim", 300);
-    static Worker* asked = nullptr;
-    static std::vector<Doubt> told;
-    told.clear();
-    Worker worker(mesh);
-    asked = &worker;
-    worker.on_view([] {
-        if (const auto doubt = asked->doubt()) told.push_back(*doubt);
-        News::wake();
-    });
-    RunView view;
-    worker.play(true);
-    while (!view.divergence) {
-        while (worker.take(view)) {
-        }
-        ASSERT_TRUE(view.divergence || News::wait());
-    }
-    EXPECT_FALSE(worker.doubt()) << "it was judged";
-    ASSERT_FALSE(told.empty());
-    for (const Doubt& doubt : told) {
-        EXPECT_GT(doubt.step, view.divergence->step) << "which is the last good one";
-        EXPECT_GE(doubt.now, doubt.step);
-        EXPECT_LT(doubt.now, doubt.check);
-        EXPECT_EQ(doubt.check, 256u);
-    }
-}
-
 TEST_F(WorkerTest, counts_what_it_refuses) {
     RunDescription wrong = view.description;
     wrong.dt = 0;

@@ -1,0 +1,64 @@
+#include "session/comparison.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace steplab {
+
+Comparison::Comparison(const std::vector<RunDescription>& runs, double duration, std::uint64_t samples)
+    : duration_(duration), samples_(samples) {
+    for (const RunDescription& description : runs) {
+        Simulation simulation(sampled(description));
+        simulation.count_drag_work();
+        RunErrors errors(simulation);
+        const ConfirmedSteps steps(step_at(duration, simulation.dt()));
+        runs_.push_back({std::move(simulation), steps, errors, reference_of(description), std::nullopt});
+    }
+}
+
+/// The steps of some methods hang on their tolerance alone: dt is the distance of the times at which they are
+/// evaluated.
+RunDescription Comparison::sampled(RunDescription description) const {
+    if (chooses_its_steps(description)) description.dt = duration_ / static_cast<double>(samples_);
+    return description;
+}
+
+/// In double, whatever the precision of the run: that of float is one of the errors to be seen.
+std::size_t Comparison::reference_of(RunDescription description) {
+    description.precision = Precision::double_;
+    const auto same = [&](const Reference& known) { return known.of.scene == description.scene; };
+    const auto found = std::find_if(references_.begin(), references_.end(), same);
+    if (found != references_.end()) return static_cast<std::size_t>(found - references_.begin());
+    references_.push_back({description, ReferenceMotion(description)});
+    return references_.size() - 1;
+}
+
+double Comparison::time(std::uint64_t sample) const {
+    return duration_ * static_cast<double>(sample) / static_cast<double>(samples_);
+}
+
+std::vector<std::optional<Compared>> Comparison::at(std::uint64_t sample) {
+    std::vector<Run*> moved;
+    for (Run& run : runs_) {
+        const std::uint64_t step = step_at(time(sample), run.simulation.dt());
+        run.steps.advance(run.simulation, step);
+        if (run.simulation.step() < step) {
+            run.last.reset();
+        } else if (!run.last || run.last->step != step) {
+            moved.push_back(&run);
+        }
+    }
+    // the references go forward only
+    std::sort(moved.begin(), moved.end(),
+              [](const Run* a, const Run* b) { return a->simulation.time() < b->simulation.time(); });
+    for (Run* run : moved) {
+        ReferenceMotion& reference = references_[run->reference].motion;
+        const ReferenceMoment moment = reference.at(run->simulation.time());
+        run->last = run->errors.of(run->simulation, moment, reference.is_exact());
+    }
+    std::vector<std::optional<Compared>> all;
+    for (const Run& run : runs_) all.push_back(run.last);
+    return all;
+}
+
+}  // namespace steplab

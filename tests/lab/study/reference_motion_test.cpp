@@ -1,0 +1,77 @@
+#include "lab/study/reference_motion.hpp"
+
+#include "lab/study/distances.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+RunDescription scene_of(std::string_view id, Settings settings = {}) {
+    return run_of(id, "rk4", Precision::double_, 0.1, settings);
+}
+
+std::vector<double> numbers(const ReferenceMoment& moment) {
+    const auto flat = moment.state.displacement.flat();
+    return {flat.begin(), flat.end()};
+}
+
+std::vector<RunDescription> scenes_without_a_closed_form() {
+    return {scene_of("mesh", {{"dim", 5}}), scene_of("rope", {{"n", 5}}), scene_of("morse", {{"spacing", 0.3}}),
+            scene_of("morse", {{"edge", 2}, {"cutoff", 2}}), scene_of("chain", {{"n", 4}, {"v0", 0.3}, {"fixed", 1}})};
+}
+
+// Two families of steps, equal ones and those of its own: each one's estimate is of its own error.
+TEST(ReferenceMotion, agrees_with_the_reference_within_both_estimates) {
+    for (const RunDescription& scene : scenes_without_a_closed_form()) {
+        SCOPED_TRACE(command_line(scene));
+        const std::vector<double> times{0.3, 1, 2};
+        const Reference right = reference_run(scene, times);
+        ReferenceMotion motion(scene);
+        for (const ReferenceMoment& moment : right.moments) {
+            const ReferenceMoment there = motion.at(moment.time);
+            EXPECT_EQ(there.time, moment.time);
+            EXPECT_LE(largest_distance(there.state.displacement, moment.state.displacement),
+                      10 * (there.error + moment.error));
+            EXPECT_LT(there.error, 1e-12) << "of tolerances of 1e-15 and 1e-17, over times of 2 s";
+        }
+    }
+}
+
+TEST(ReferenceMotion, says_the_same_of_a_time_whatever_it_was_asked_before) {
+    for (const RunDescription& scene : scenes_without_a_closed_form()) {
+        SCOPED_TRACE(command_line(scene));
+        ReferenceMotion once(scene), often(scene);
+        for (const double time : {0.1, 0.11, 0.7, 1.4, 1.5}) often.at(time);
+        const ReferenceMoment right = once.at(1.5);
+        EXPECT_EQ(numbers(often.at(1.5)), numbers(right));
+        const ReferenceMoment early = often.at(0.2);  // back
+        EXPECT_EQ(numbers(ReferenceMotion(scene).at(0.2)), numbers(early));
+        EXPECT_EQ(often.at(1.5).error, right.error);
+    }
+}
+
+TEST(ReferenceMotion, is_the_closed_form_where_there_is_one) {
+    ReferenceMotion chain(scene_of("chain")), mesh(scene_of("mesh", {{"dim", 5}}));
+    const Reference exact = reference(scene_of("chain"), std::vector<double>{68.1});
+    EXPECT_EQ(numbers(chain.at(68.1)), numbers(exact.moments[0]));
+    EXPECT_TRUE(chain.is_exact());
+    EXPECT_EQ(chain.how(), "exact solution");
+    mesh.at(1);
+    EXPECT_FALSE(mesh.is_exact());
+    EXPECT_NE(mesh.how().find("extrapolation"), std::string::npos);
+}
+
+// The partner: another scene is another motion.
+TEST(ReferenceMotion, tells_scenes_apart) {
+    ReferenceMotion one(scene_of("mesh", {{"dim", 5}})), other(scene_of("mesh", {{"dim", 5}, {"k", 1.01}}));
+    const ReferenceMoment a = one.at(1), b = other.at(1);
+    EXPECT_GT(largest_distance(a.state.displacement, b.state.displacement), 1e6 * (a.error + b.error));
+}
+
+}  // namespace
+}  // namespace steplab::test

@@ -1,0 +1,143 @@
+#include "session/comparison.hpp"
+
+#include "lab/study/measurement.hpp"
+#include "sim/run/run_variant.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+std::vector<RunDescription> variants(const RunDescription& scene, std::initializer_list<std::string_view> texts) {
+    std::vector<RunDescription> runs;
+    for (const std::string_view text : texts) runs.push_back(variant_of(scene, text));
+    return runs;
+}
+
+RunDescription scene_of(std::string_view id, Settings settings = {}) {
+    return run_of(id, "rk4", Precision::double_, 0.1, settings);
+}
+
+TEST(StepAt, is_the_last_step_that_does_not_lie_after_the_time) {
+    EXPECT_EQ(step_at(0, 0.3), 0u);
+    EXPECT_EQ(step_at(0.29, 0.3), 0u);
+    EXPECT_EQ(step_at(0.3, 0.3), 1u);
+    EXPECT_EQ(step_at(0.3 * (1 - 0.9e-6), 0.3), 1u) << "within 1e-6 dt counts as being there";
+    EXPECT_EQ(step_at(0.3 * (1 - 1.1e-6), 0.3), 0u);
+    EXPECT_EQ(step_at(1000, 0.1), 10000u) << "although 10000 * 0.1 is rounded";
+}
+
+TEST(Comparison, shows_every_run_at_its_last_step_before_the_time) {
+    Comparison comparison(variants(scene_of("chain"), {"dt=0.1", "dt=0.3,method=verlet", "dt=0.25,precision=float"}), 6,
+                          60);
+    for (std::uint64_t sample = 0; sample <= 60; ++sample) {
+        const auto all = comparison.at(sample);
+        ASSERT_EQ(all.size(), 3u);
+        const double time = comparison.time(sample);
+        const double dts[] = {0.1, 0.3, 0.25};
+        for (std::size_t i = 0; i < 3; ++i) {
+            ASSERT_TRUE(all[i]);
+            EXPECT_NEAR(all[i]->time, static_cast<double>(all[i]->step) * dts[i], 1e-12);
+            EXPECT_LE(all[i]->time, time + 1e-6 * dts[i]);
+            EXPECT_GT(all[i]->time + dts[i], time);
+        }
+    }
+}
+
+// The steps of such a method do not hang on dt: it is evaluated where the others are sampled.
+TEST(Comparison, evaluates_methods_of_own_steps_at_the_time_itself) {
+    Comparison comparison(variants(scene_of("mesh", {{"dim", 5}}), {"method=dopri5,dt=0.7", "method=ias15,dt=3"}), 6,
+                          60);
+    for (const std::uint64_t sample : {0, 1, 17, 60}) {
+        for (const auto& compared : comparison.at(sample)) {
+            ASSERT_TRUE(compared);
+            EXPECT_NEAR(compared->time, comparison.time(sample), 1e-14);
+        }
+    }
+}
+
+TEST(Comparison, of_a_scene_with_a_closed_form_has_its_error) {
+    for (const Precision precision : precisions) {
+        RunDescription run = run_of("chain", "rk4", precision, 0.25);
+        Comparison comparison({run, run}, 50, 10);
+        Simulation alone(run);
+        for (std::uint64_t sample = 0; sample <= 10; ++sample) {
+            const auto all = comparison.at(sample);
+            alone.advance(step_at(comparison.time(sample), alone.dt()) - alone.step());
+            const Diagnostics right = alone.diagnostics();
+            // the closed form of the same numbers, summed in another order
+            EXPECT_NEAR(all[0]->error, *right.error, 1e-14);
+            EXPECT_EQ(all[0]->error, all[1]->error);
+            EXPECT_EQ(all[0]->energy_error, right.energy_error);
+            EXPECT_EQ(all[0]->evaluations, alone.evaluations());
+            EXPECT_EQ(all[0]->reference_error, 0);
+            EXPECT_LE(all[0]->rms_error, all[0]->error);
+            EXPECT_GE(all[0]->rms_error, all[0]->error / 3) << "nine moving particles";
+        }
+        EXPECT_GT(comparison.at(10)[0]->error, 1e-6);
+    }
+}
+
+// The lab's reference is of the same family with other steps.
+TEST(Comparison, agrees_with_measurements_of_the_lab) {
+    for (const auto& [scene, time] : {std::pair(scene_of("mesh", {{"dim", 5}}), 10.0), std::pair(scene_of("rope"), 3.0),
+                                      std::pair(scene_of("morse", {{"spacing", 0.3}}), 1.0)}) {
+        const auto runs = variants(scene, {"method=velocity-verlet,dt=0.01", "method=rk4,dt=0.01",
+                                           "method=midpoint,dt=0.01", "method=rk4,dt=0.01,precision=float"});
+        Comparison comparison(runs, time, 4);
+        const auto end = comparison.at(4);
+        const Reference right = reference(scene, std::vector<double>{time});
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            SCOPED_TRACE(command_line(runs[i]));
+            const Measurement lab = measure(runs[i], step_at(time, 0.01), right);
+            ASSERT_TRUE(end[i]);
+            // the step of a run in float ends beside the time by the rounding of dt; no speed is above 2 m/s
+            const double beside = 2 * std::abs(end[i]->time - time);
+            EXPECT_NEAR(end[i]->error, lab.error, 0.01 * lab.error + beside);
+            EXPECT_EQ(end[i]->evaluations, lab.result.evaluations);
+        }
+    }
+}
+
+TEST(Comparison, knows_what_a_scene_lets_a_method_keep) {
+    const auto one = [](const RunDescription& scene) {
+        Comparison comparison({scene, scene}, 1, 4);
+        return *comparison.at(4)[0];
+    };
+    EXPECT_FALSE(one(scene_of("chain")).momentum_error) << "its first particle is fixed";
+    const Compared free = one(scene_of("chain", {{"fixed", 0}}));
+    ASSERT_TRUE(free.momentum_error);
+    EXPECT_LT(*free.momentum_error, 1e-14);
+    EXPECT_TRUE(one(variant_of(scene_of("rope"), "method=rk4,dt=0.01")).energy_error) << "the work of drag is counted";
+    EXPECT_FALSE(one(variant_of(scene_of("rope"), "method=ias15")).energy_error);
+}
+
+TEST(Comparison, goes_on_without_a_run_that_diverged) {
+    Comparison comparison(variants(scene_of("chain"), {"method=rk4,dt=2", "method=rk4,dt=0.1"}), 600, 300);
+    const std::uint64_t last_good = [&] {
+        std::uint64_t last = 0;
+        for (std::uint64_t sample = 0; sample <= 300; ++sample) {
+            const auto all = comparison.at(sample);
+            EXPECT_TRUE(all[1]);
+            if (all[0]) last = all[0]->step;
+        }
+        return last;
+    }();
+    ASSERT_TRUE(comparison.run(0).divergence());
+    EXPECT_EQ(last_good, comparison.run(0).divergence()->step) << "no row has to be taken back";
+    EXPECT_EQ(comparison.run(1).time(), 600);
+}
+
+// Runs of other parameters are compared with other motions, or the difference would be that of the parameters.
+TEST(Comparison, takes_the_motion_of_each_runs_own_parameters) {
+    Comparison comparison(variants(scene_of("chain"), {"dt=0.01", "dt=0.01,k=1.5"}), 10, 4);
+    for (const auto& compared : comparison.at(4)) EXPECT_LT(compared->error, 1e-8);
+}
+
+}  // namespace
+}  // namespace steplab::test
