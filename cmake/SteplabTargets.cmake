@@ -128,6 +128,15 @@ function(steplab_tests folder)
                        PROPERTIES TIMEOUT 1500 LABELS ${folder})
 endfunction()
 
+# steplab_count_allocations(folder): its tests have an operator new that counts, and fails when asked to.
+function(steplab_count_allocations folder)
+  target_sources(test_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/allocations.cpp)
+  if(STEPLAB_SANITIZE STREQUAL thread)
+    # the sanitizer comes with an operator new of its own: that of allocations.cpp, which is linked first, counts
+    target_link_options(test_${folder} PRIVATE -Wl,--allow-multiple-definition)
+  endif()
+endfunction()
+
 # The class of a method: rk4 -> Rk4, verlet-2008 -> Verlet2008.
 function(steplab_method_class id class)
   string(REPLACE "-" ";" words ${id})

@@ -7,7 +7,7 @@
 //         with --lines in lines for benchmarks/results: ns a step of the watched run, and of its steps alone
 
 #include "lines.hpp"
-#include "sim/run/worker.hpp"
+#include "session/worker.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/run/run_view.hpp"
+#include "session/run_view.hpp"
 
 #include <chrono>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/run/worker.hpp"
+#include "session/worker.hpp"
 #include "ui/context.hpp"
 #include "ui/display.hpp"
 #include "ui/gallery.hpp"

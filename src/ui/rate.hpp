@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/run/worker.hpp"
+#include "session/worker.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 
 #include "core/vec3.hpp"
 #include "render/style.hpp"
-#include "sim/run/run_view.hpp"
+#include "session/run_view.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -18,14 +18,14 @@ TEST(Arrows, folders_include_only_what_the_plan_allows) {
 TEST(Arrows, allowed_includes_and_links_pass) {
     EXPECT_THAT(forbidden_arrows({{"src/core/a.cpp", "#include \"core/a.hpp\"\n#include <fmt/format.h>\n"},
                                   {"src/sim/a.cpp", "#include \"methods/rk4.hpp\"\n"},
-                                  {"src/ui/a.cpp", "#include \"sim/run/worker.hpp\"\n#include <imgui.h>\n"},
+                                  {"src/ui/a.cpp", "#include \"session/worker.hpp\"\n#include <imgui.h>\n"},
                                   {"src/render/a.cpp", "#include <GL/glew.h>\n"},
                                   {"src/sim/CMakeLists.txt", "steplab_library(sim LINK steplab_methods)\n"}}),
                 IsEmpty());
 }
 
 TEST(Arrows, include_against_an_arrow_is_found_with_file_and_line) {
-    EXPECT_THAT(forbidden_arrows({{"src/core/frame.hpp", "#pragma once\n#include \"sim/run/worker.hpp\"\n"}}),
+    EXPECT_THAT(forbidden_arrows({{"src/core/frame.hpp", "#pragma once\n#include \"session/worker.hpp\"\n"}}),
                 ElementsAre("src/core/frame.hpp:2: core may not know sim"));
     EXPECT_THAT(forbidden_arrows({{"src/methods/rk4.hpp", "# include \"models/chain.hpp\"\n"}}), SizeIs(1));
     EXPECT_THAT(forbidden_arrows({{"src/render/spheres.cpp", "#include \"sim/run/simulation.hpp\"\n"}}), SizeIs(1));

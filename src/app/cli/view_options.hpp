@@ -4,7 +4,7 @@
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/scene_options.hpp"
 #include "render/style.hpp"
-#include "sim/run/run_view.hpp"
+#include "session/run_view.hpp"
 
 #include <cstdint>
 #include <optional>

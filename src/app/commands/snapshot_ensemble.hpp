@@ -1,8 +1,8 @@
 #pragma once
 
+#include "session/run_view.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
 #include "sim/ensemble/parameter_range.hpp"
-#include "sim/run/run_view.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "core/error.hpp"
 #include "render/camera.hpp"
 #include "render/style.hpp"
-#include "sim/run/run_view.hpp"
+#include "session/run_view.hpp"
 
 #include <cstdint>
 #include <string>

@@ -4,7 +4,7 @@
 #include "render/camera.hpp"
 #include "render/following.hpp"
 #include "render/style.hpp"
-#include "sim/run/run_view.hpp"
+#include "session/run_view.hpp"
 
 #include <condition_variable>
 #include <cstdint>

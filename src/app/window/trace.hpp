@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/camera.hpp"
-#include "sim/run/run_view.hpp"
+#include "session/run_view.hpp"
 #include "ui/display.hpp"
 
 #include <cstdio>

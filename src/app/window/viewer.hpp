@@ -8,7 +8,7 @@
 #include "app/window/trace.hpp"
 #include "app/window/window.hpp"
 #include "render/imgui_renderer.hpp"
-#include "sim/run/worker.hpp"
+#include "session/worker.hpp"
 #include "ui/glide.hpp"
 #include "ui/interface.hpp"
 

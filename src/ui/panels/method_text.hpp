@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/entry.hpp"
+#include "session/run_view.hpp"
 #include "sim/run/run_description.hpp"
-#include "sim/run/run_view.hpp"
 
 #include <string>
 

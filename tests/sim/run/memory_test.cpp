@@ -1,5 +1,5 @@
-#include "sim/allocations.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/allocations.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>

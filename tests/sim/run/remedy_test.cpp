@@ -1,6 +1,5 @@
 #include "sim/run/remedy.hpp"
 
-#include "sim/run/run_view.hpp"
 #include "sim/run/start_frequency.hpp"
 #include "support/runs.hpp"
 
@@ -122,28 +121,6 @@ TEST(Remedy, is_not_needed_by_methods_that_choose_their_steps) {
     const Remedies found = remedies_of(describe("morse", "dopri5"));
     EXPECT_FALSE(found.dt);
     EXPECT_FALSE(found.method);
-}
-
-RunDescription too_large(double dt) { return run_of("chain", "euler", Precision::double_, dt); }
-
-/// A view that is used again for one run after another, as the window does.
-TEST(Remedy, in_a_view_is_that_of_the_run_it_shows) {
-    RunView view;
-    observe(Simulation(too_large(0.1)), std::nullopt, view);
-    EXPECT_FALSE(view.remedies.method);
-    for (const double dt : {2.5, 1000.0, 2.5}) {
-        Simulation simulation(too_large(dt));
-        simulation.advance(100000);
-        ASSERT_TRUE(simulation.divergence());
-        for (int i = 0; i < 2; ++i) {
-            observe(simulation, std::nullopt, view);
-            EXPECT_EQ(view.remedies.method, remedies_of(too_large(dt)).method) << dt;
-        }
-    }
-    EXPECT_TRUE(view.remedies.method);
-    observe(Simulation(too_large(0.1)), std::nullopt, view);
-    EXPECT_FALSE(view.remedies.method);
-    EXPECT_FALSE(view.remedies.dt);
 }
 
 // A scene that is not linear stiffens as it moves.

@@ -1,6 +1,6 @@
-#include "sim/run/worker.hpp"
+#include "session/worker.hpp"
 
-#include "sim/run/worker_body.hpp"
+#include "session/worker_body.hpp"
 
 #include <algorithm>
 #include <utility>

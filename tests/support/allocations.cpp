@@ -1,4 +1,4 @@
-#include "sim/allocations.hpp"
+#include "support/allocations.hpp"
 
 #include <algorithm>
 #include <atomic>

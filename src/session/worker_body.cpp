@@ -1,4 +1,4 @@
-#include "sim/run/worker_body.hpp"
+#include "session/worker_body.hpp"
 
 #include "core/interruption.hpp"
 

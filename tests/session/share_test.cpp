@@ -1,4 +1,4 @@
-#include "sim/run/share.hpp"
+#include "session/share.hpp"
 
 #include <gtest/gtest.h>
 

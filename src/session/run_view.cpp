@@ -1,4 +1,4 @@
-#include "sim/run/run_view.hpp"
+#include "session/run_view.hpp"
 
 #include "sim/run/notes.hpp"
 #include "sim/run/opening.hpp"

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "session/history.hpp"
+#include "session/pace.hpp"
+#include "session/share.hpp"
+#include "session/worker.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
-#include "sim/run/history.hpp"
-#include "sim/run/pace.hpp"
-#include "sim/run/share.hpp"
-#include "sim/run/worker.hpp"
 
 #include <atomic>
 #include <chrono>

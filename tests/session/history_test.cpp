@@ -1,4 +1,4 @@
-#include "sim/run/history.hpp"
+#include "session/history.hpp"
 
 #include "support/runs.hpp"
 

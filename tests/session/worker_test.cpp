@@ -1,7 +1,7 @@
-#include "sim/run/worker_test.hpp"
+#include "session/worker_test.hpp"
 
-#include "sim/allocations.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
+#include "support/allocations.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
+#include "session/worker_test.hpp"
 #include "sim/catalogue.hpp"
-#include "sim/run/worker_test.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/run/pace.hpp"
+#include "session/pace.hpp"
 
 #include <gtest/gtest.h>
 
