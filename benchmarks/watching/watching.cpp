@@ -38,10 +38,10 @@ struct Watched {
 /// A run with a window that looks at it.
 class Watching {
 public:
-    explicit Watching(const RunDescription& description) : worker_(description) { worker_.set_rate({true, 1}); }
+    explicit Watching(const RunDescription& description) : worker_(description) { worker_.send(event::SetRate{{true, 1}}); }
 
     Watched measure() {
-        worker_.play(true);
+        worker_.send(event::Play{true});
         while (!take() || !view_.playing) std::this_thread::sleep_for(frame_time);
         const auto begin = Clock::now();
         const std::uint64_t first = view_.frame.step;
@@ -60,16 +60,17 @@ public:
             last = view_.frame.step;
         }
         const double steps = static_cast<double>(view_.frame.step - first);
-        worker_.play(false);
+        worker_.send(event::Play{false});
         while (!take() || view_.playing) std::this_thread::sleep_for(frame_time);
         return {steps / seconds, views / seconds, 1 - stepping / seconds};
     }
 
 private:
-    bool take() { return worker_.take(view_); }
+    bool take() { return worker_.take(session_); }
 
     Worker worker_;
-    RunView view_;
+    SessionView session_;
+    RunView& view_ = session_.leading;
 };
 
 /// Steps a second in portions as a worker takes them.

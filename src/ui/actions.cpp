@@ -25,7 +25,7 @@ void zoom_to_fit(const Context& context) {
 
 /// The scene `offset` places further on the page of scenes; behind the last one comes the first.
 void change_scene(const Context& context, std::ptrdiff_t offset) {
-    const ScenesPage& page = context.session.scenes;
+    const ScenesPage& page = context.state.scenes;
     const std::string_view here = page.opening ? std::string_view(*page.opening) : id_of(context.description());
     const auto count = static_cast<std::ptrdiff_t>(page.gallery.size());
     auto place = static_cast<std::ptrdiff_t>(place_in(page.gallery, here));
@@ -35,29 +35,29 @@ void change_scene(const Context& context, std::ptrdiff_t offset) {
 
 /// The message that is drawn last. An open menu closes itself.
 void close_topmost(const Context& context) {
-    Session& session = context.session;
+    InterfaceState& state = context.state;
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-    if (session.help_open) {
-        session.help_open = false;
-    } else if (!session.wanted.message().empty()) {
-        session.wanted.dismiss();
-    } else if (session.notice) {
-        session.notice.reset();
-    } else if (session.scenes.open) {
-        session.scenes.open = false;
-    } else if (session.lost && !session.dismissed_lost) {
-        session.dismissed_lost = true;
+    if (state.help_open) {
+        state.help_open = false;
+    } else if (!state.wanted.message().empty()) {
+        state.wanted.dismiss();
+    } else if (state.notice) {
+        state.notice.reset();
+    } else if (state.scenes.open) {
+        state.scenes.open = false;
+    } else if (state.lost && !state.dismissed_lost) {
+        state.dismissed_lost = true;
     } else if (context.view.divergence) {
-        session.dismissed_divergence = context.view.divergence->step;
+        state.dismissed_divergence = context.view.divergence->step;
     }
 }
 
-void toggle_panel(const Context& context) { context.session.panel = context.layout.panel.empty(); }
+void toggle_panel(const Context& context) { context.state.panel = context.layout.panel.empty(); }
 
 }  // namespace
 
 void open_exhibit(const Context& context, const Exhibit& exhibit) {
-    ScenesPage& page = context.session.scenes;
+    ScenesPage& page = context.state.scenes;
     if (!exhibit.is_model && (page.opening || exhibit.id != id_of(context.description()))) {
         return open_file(context, exhibit.id);
     }
@@ -67,7 +67,7 @@ void open_exhibit(const Context& context, const Exhibit& exhibit) {
 }
 
 void open_file(const Context& context, const std::string& name) {
-    context.session.scenes.opening = name;
+    context.state.scenes.opening = name;
     context.request({.kind = Request::Kind::open_scene, .text = name});
 }
 
@@ -81,38 +81,38 @@ render::Camera home_camera(const Context& context) {
 void reset_view(const Context& context) { context.stage.camera = home_camera(context); }
 
 void perform(const Context& context, Action action) {
-    Commands& run = context.commands;
-    Wanted& wanted = context.session.wanted;
+    EventSink& events = context.events;
+    Wanted& wanted = context.state.wanted;
     switch (action) {
         case Action::pause:
-            return wanted.play(!wanted.playing(), run);
+            return wanted.play(!wanted.playing(), events);
         case Action::step_forward:
-            return run.step_forward();
+            return events.send(event::Step{1});
         case Action::step_back:
-            return run.step_back();
+            return events.send(event::Step{-1});
         case Action::restart:
-            return run.restart();
+            return events.send(event::Restart{});
         case Action::reset_view:
             return reset_view(context);
         case Action::zoom_to_fit:
             return zoom_to_fit(context);
         case Action::faster:
-            return wanted.set_rate(faster(wanted.rate()), run);
+            return wanted.set_rate(faster(wanted.rate()), events);
         case Action::slower:
-            return wanted.set_rate(slower(wanted.rate()), run);
+            return wanted.set_rate(slower(wanted.rate()), events);
         case Action::previous_scene:
             return change_scene(context, -1);
         case Action::next_scene:
             return change_scene(context, 1);
         case Action::open_scene:
-            context.session.scenes.open = context.session.scenes.to_type = !context.session.scenes.open;
+            context.state.scenes.open = context.state.scenes.to_type = !context.state.scenes.open;
             return;
         case Action::save_scene:
             return context.request({.kind = Request::Kind::save_scene});
         case Action::panel:
             return toggle_panel(context);
         case Action::help:
-            context.session.help_open = !context.session.help_open;
+            context.state.help_open = !context.state.help_open;
             return;
         case Action::snapshot:
             return context.request({.kind = Request::Kind::save_snapshot});
@@ -138,7 +138,7 @@ bool acts_on_page(Action action) {
 void perform_pressed_keys(const Context& context) {
     if (ImGui::GetIO().WantTextInput) return;
     for (const KeyBinding& binding : key_bindings()) {
-        if (context.session.scenes.open && !acts_on_page(binding.action)) continue;
+        if (context.state.scenes.open && !acts_on_page(binding.action)) continue;
         const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;
         if (ImGui::GetIO().KeyCtrl == binding.control && Input::pressed(binding.key, repeats)) {
             perform(context, binding.action);

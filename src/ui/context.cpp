@@ -14,8 +14,8 @@ Notice notice_of_saved(const std::string& file) {
 }
 
 const render::DrawnSizes& Context::sizes() const {
-    if (!session.shape || session.shape->shape != view.frame.shape) session.shape.emplace(view.frame.shape);
-    return session.shape->sizes;
+    if (!state.shape || state.shape->shape != view.frame.shape) state.shape.emplace(view.frame.shape);
+    return state.shape->sizes;
 }
 
 render::Projection Context::projection() const {

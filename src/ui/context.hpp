@@ -54,7 +54,7 @@ struct ScenesPage {
 };
 
 /// State that the interface keeps from frame to frame.
-struct Session {
+struct InterfaceState {
     Wanted wanted;
     History history;
     std::optional<Entry> entry;
@@ -84,11 +84,12 @@ struct Context {
     const Theme& theme;
     const Layout& layout;
     const Display& display;
-    const RunView& view;
+    const SessionView& session;
+    const RunView& view;  ///< of the leading run
     const Measured& measured;
-    Commands& commands;
+    EventSink& events;
     Stage stage;
-    Session& session;
+    InterfaceState& state;
     WidgetMap& widgets;
     Purpose purpose = Purpose::use;
 
@@ -100,9 +101,9 @@ struct Context {
     /// True in a picture of the window, which has nothing of the pointer and nothing that passes.
     bool is_saved() const { return purpose == Purpose::window_picture || purpose == Purpose::plot_picture; }
     /// The run description that the panels show and change.
-    const RunDescription& description() const { return session.wanted.description(); }
-    void ask(const RunDescription& description) const { session.wanted.ask(description, commands); }
-    void request(Request request) const { session.requests.push_back(std::move(request)); }
+    const RunDescription& description() const { return state.wanted.description(); }
+    void ask(const RunDescription& description) const { state.wanted.ask(description, events); }
+    void request(Request request) const { state.requests.push_back(std::move(request)); }
     /// Records the place of the widget that was drawn last.
     void mark(std::string_view widget) const;
     void mark(std::string_view widget, const WidgetRect& place) const;

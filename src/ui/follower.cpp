@@ -6,7 +6,7 @@ void Follower::follow(const Context& context) {
     const RunView& view = context.view;
     if (!view.frame.shape) return;
     const auto selected = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
-    const Kind kind{context.session.following, selected, view.run, view.frame.shape};
+    const Kind kind{context.state.following, selected, view.run, view.frame.shape};
     if (kind == kind_ && step_ == view.frame.step) return;
     const auto point = render::followed_point(view.frame, kind.following, selected);
     const bool goes_on = kind == kind_ && last_ && point;

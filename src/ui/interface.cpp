@@ -20,19 +20,10 @@ struct ContextDeleter {
     void operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
 };
 
-/// Ignores all commands: a snapshot has no user.
-class NoCommands final : public Commands {
+/// Ignores all events: a snapshot has no user.
+class NoEvents final : public EventSink {
 public:
-    void play(bool) override {}
-    void step_forward() override {}
-    void step_back() override {}
-    void restart() override {}
-    void change(const RunDescription&) override {}
-    void set_rate(Rate) override {}
-    void track(std::optional<std::size_t>) override {}
-    void pull(std::size_t, Vec3) override {}
-    void show_ensemble(const LiveEnsembleOptions&) override {}
-    void show_forces(bool) override {}
+    void send(const Event&) override {}
 };
 
 /// A context that reads and writes no files.
@@ -68,7 +59,7 @@ void draw_messages(const Context& context) {
 }
 
 void draw_panels(const Context& context) {
-    if (context.session.scenes.open) {
+    if (context.state.scenes.open) {
         draw_scenes_page(context);
         draw_top_bar(context);
         return draw_messages(context);
@@ -106,7 +97,7 @@ struct Interface::Body {
     Theme theme;
     Input input;
     ImGuiClipboard clipboard;
-    Session session;
+    InterfaceState state;
     ViewKeeper view_keeper;
     Follower follower;
     Trails trails;
@@ -132,42 +123,42 @@ bool Interface::resize(const Display& display) {
 }
 
 void Interface::record(const RunView& view) {
-    body_->session.history.record(view);
-    body_->trails.record(view, body_->session.trail);
+    body_->state.history.record(view);
+    body_->trails.record(view, body_->state.trail);
     body_->new_view = true;
 }
 
 bool Interface::show_doubt(const std::optional<Doubt>& doubt) {
-    if (doubt == body_->session.doubt) return false;
-    body_->session.doubt = doubt;
+    if (doubt == body_->state.doubt) return false;
+    body_->state.doubt = doubt;
     return true;
 }
 
 void Interface::show_scene(std::uint32_t texture) { body_->scene_texture = texture; }
 
 void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes) {
-    body_->session.panel = panel;
-    body_->session.first_selected = particle;
-    body_->session.scenes.open = scenes;
+    body_->state.panel = panel;
+    body_->state.first_selected = particle;
+    body_->state.scenes.open = scenes;
 }
 
-bool Interface::shows_scenes() const { return body_->session.scenes.open; }
+bool Interface::shows_scenes() const { return body_->state.scenes.open; }
 
-void Interface::show_gallery(Gallery gallery) { body_->session.scenes.gallery = std::move(gallery); }
+void Interface::show_gallery(Gallery gallery) { body_->state.scenes.gallery = std::move(gallery); }
 
-void Interface::open(const RunDescription& scene, Commands& commands) {
-    Session& session = body_->session;
-    session.scenes.opening.reset();
-    session.wanted.dismiss();
-    session.wanted.ask(scene, commands);
-    session.scenes.open = session.scenes.open && !session.wanted.message().empty();
+void Interface::open(const RunDescription& scene, EventSink& events) {
+    InterfaceState& state = body_->state;
+    state.scenes.opening.reset();
+    state.wanted.dismiss();
+    state.wanted.ask(scene, events);
+    state.scenes.open = state.scenes.open && !state.wanted.message().empty();
 }
 
-void Interface::reload(const RunDescription& scene, Commands& commands) {
-    Wanted& wanted = body_->session.wanted;
+void Interface::reload(const RunDescription& scene, EventSink& events) {
+    Wanted& wanted = body_->state.wanted;
     if (!wanted.description().origin || id_of(wanted.description()) != id_of(scene)) return;
     wanted.dismiss();
-    wanted.ask(reloaded(wanted.description(), scene), commands);
+    wanted.ask(reloaded(wanted.description(), scene), events);
 }
 
 Input& Interface::input() { return body_->input; }
@@ -181,27 +172,27 @@ void Interface::use_clipboard(Clipboard clipboard) {
     io.SetClipboardTextFn = ImGuiClipboard::write;
 }
 
-void Interface::draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured) {
-    draw_frame(view, commands, stage, measured, Purpose::use);
+void Interface::draw(const SessionView& view, EventSink& events, Stage stage, const Measured& measured) {
+    draw_frame(view, events, stage, measured, Purpose::use);
 }
 
-void Interface::draw_still(const RunView& view, Stage stage) {
-    NoCommands no_commands;
+void Interface::draw_still(const SessionView& view, Stage stage) {
+    NoEvents no_events;
     // ImGui knows the size of a window that fits its content only after drawing it once.
-    for (int pass = 0; pass < 3; ++pass) draw_frame(view, no_commands, stage, {}, Purpose::still);
+    for (int pass = 0; pass < 3; ++pass) draw_frame(view, no_events, stage, {}, Purpose::still);
 }
 
-void Interface::draw_picture(const RunView& view, Stage stage, bool plot_alone) {
-    NoCommands no_commands;
+void Interface::draw_picture(const SessionView& view, Stage stage, bool plot_alone) {
+    NoEvents no_events;
     const Measured measured{.frame_seconds = body_->frame_seconds, .since_last_frame = 1e-6};
     ImGui::SetCurrentContext(body_->context.get());
     const PointerAway away(ImGui::GetIO());
     const Purpose purpose = plot_alone ? Purpose::plot_picture : Purpose::window_picture;
     // A menu closes in the first frame and is gone in the second; a tooltip is gone at once.
-    for (int pass = 0; pass < 2; ++pass) draw_frame(view, no_commands, stage, measured, purpose);
+    for (int pass = 0; pass < 2; ++pass) draw_frame(view, no_events, stage, measured, purpose);
 }
 
-void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured,
+void Interface::draw_frame(const SessionView& view, EventSink& events, Stage stage, const Measured& measured,
                            Purpose purpose) {
     Body& body = *body_;
     ImGui::SetCurrentContext(body.context.get());
@@ -213,26 +204,26 @@ void Interface::draw_frame(const RunView& view, Commands& commands, Stage stage,
     if (purpose == Purpose::use || purpose == Purpose::still) body.input_left = body.input.feed(io);
     ImGui::NewFrame();
     const WidgetMap before = std::exchange(body.widgets, {});
-    body.session.wanted.follow(view, body.new_view);
+    body.state.wanted.follow(view.leading, body.new_view);
     body.new_view = false;
-    body.layout = arrange(body.display, body.session.panel);
-    const Context context{body.theme, body.layout, body.display, view,         measured,
-                          commands,   stage,       body.session, body.widgets, purpose};
+    body.layout = arrange(body.display, body.state.panel);
+    const Context context{body.theme, body.layout, body.display, view,         view.leading, measured,
+                          events,     stage,       body.state,   body.widgets, purpose};
     if (purpose == Purpose::use) {
         body.view_keeper.keep(context);
         body.follower.follow(context);
         perform_pressed_keys(context);
         use_pointer(context);
     }
-    set_style(stage.style, view, body.display);
-    stage.style.trails = body.session.trail ? body.trails.places() : nullptr;
+    set_style(stage.style, view.leading, body.display);
+    stage.style.trails = body.state.trail ? body.trails.places() : nullptr;
     draw_scene_picture(body.layout.scene, body.scene_texture);
     draw_panels(context);
     ImGui::Render();
     body.unsettled = body.widgets != before;
 }
 
-render::Following Interface::following() const { return body_->session.following; }
+render::Following Interface::following() const { return body_->state.following; }
 
 PixelRect Interface::scene() const { return pixels(body_->layout.scene); }
 
@@ -248,28 +239,28 @@ ImFontAtlas& Interface::fonts() const {
 
 ImGuiContext& Interface::context() const { return *body_->context; }
 
-std::vector<Request> Interface::take_requests() { return std::exchange(body_->session.requests, {}); }
+std::vector<Request> Interface::take_requests() { return std::exchange(body_->state.requests, {}); }
 
 double Interface::seconds_until_change() const {
     ImGui::SetCurrentContext(body_->context.get());
     if (body_->input_left || body_->unsettled) return 0;
-    const auto& notice = body_->session.notice;
+    const auto& notice = body_->state.notice;
     return notice ? std::max(0.0, notice->until - ImGui::GetTime()) : std::numeric_limits<double>::infinity();
 }
 
 void Interface::notify(std::string text) {
     ImGui::SetCurrentContext(body_->context.get());
-    body_->session.notice = Notice{std::move(text), ImGui::GetTime() + 4};
+    body_->state.notice = Notice{std::move(text), ImGui::GetTime() + 4};
 }
 
 void Interface::notify_saved(const std::string& file) {
     ImGui::SetCurrentContext(body_->context.get());
-    body_->session.notice = notice_of_saved(file);
+    body_->state.notice = notice_of_saved(file);
 }
 
 void Interface::report_error(std::string text) {
-    body_->session.scenes.opening.reset();
-    body_->session.wanted.refuse(std::move(text));
+    body_->state.scenes.opening.reset();
+    body_->state.wanted.refuse(std::move(text));
 }
 
 const WidgetMap& Interface::widgets() const { return body_->widgets; }

@@ -31,7 +31,7 @@ struct Clipboard {
 /// A snapshot with panels (`snapshot --ui on`):
 ///     ui::Interface interface({.width = 1280, .height = 720});
 ///     for (const RunView& earlier : recorded) interface.record(earlier);   // for the plots; optional
-///     interface.draw_still(view_of(simulation), {camera, style});
+///     interface.draw_still({.leading = view_of(simulation)}, {camera, style});
 ///     // draw the scene into interface.scene(), then interface.draw_data() over the whole picture
 class Interface {
 public:
@@ -59,20 +59,20 @@ public:
     /// What the page of scenes offers; until the first call: the models, without pictures.
     void show_gallery(Gallery gallery);
     /// Shows a scene that was read as the user asked. Closes the page of scenes.
-    void open(const RunDescription& scene, Commands& commands);
+    void open(const RunDescription& scene, EventSink& events);
     /// Shows a scene that was read again because its file changed, unless another one is shown by now.
-    void reload(const RunDescription& scene, Commands& commands);
+    void reload(const RunDescription& scene, EventSink& events);
     /// Takes events of keyboard and mouse for the next frames.
     Input& input();
     /// The clipboard for text entries; without one, copied text stays within the interface.
     void use_clipboard(Clipboard clipboard);
-    /// Draws one frame: sends the user's commands to `commands`, moves the camera and sets the style.
-    void draw(const RunView& view, Commands& commands, Stage stage, const Measured& measured = {});
+    /// Draws one frame: sends the user's events to `events`, moves the camera and sets the style.
+    void draw(const SessionView& view, EventSink& events, Stage stage, const Measured& measured = {});
     /// Draws a frame without input: the same view always gives the same draw data.
-    void draw_still(const RunView& view, Stage stage);
+    void draw_still(const SessionView& view, Stage stage);
     /// Draws what the window shows as a picture is to show it: without pointer, tooltip, notice and menu, which is
     /// closed; `plot_alone`: without cards over the plots, either. The next draw() goes on as if nothing had been.
-    void draw_picture(const RunView& view, Stage stage, bool plot_alone);
+    void draw_picture(const SessionView& view, Stage stage, bool plot_alone);
 
     /// What the camera goes with.
     render::Following following() const;
@@ -99,7 +99,7 @@ public:
 
 private:
     struct Body;
-    void draw_frame(const RunView& view, Commands& commands, Stage stage, const Measured& measured, Purpose purpose);
+    void draw_frame(const SessionView& view, EventSink& events, Stage stage, const Measured& measured, Purpose purpose);
 
     std::unique_ptr<Body> body_;
 };

@@ -28,7 +28,7 @@ void drag(const Context& context, const render::Projection& projection) {
     // A click may move the pointer by a few pixels: they do not count as a drag.
     const float tolerance = context.px(4);
     if (io.MouseDragMaxDistanceSqr[pan && io.MouseDown[1] ? 1 : 0] < tolerance * tolerance) return;
-    context.session.dragged = true;
+    context.state.dragged = true;
     context.stage.camera = pan ? render::panned(projection, dx, dy) : render::orbited(projection, dx, dy);
 }
 
@@ -40,7 +40,7 @@ std::optional<std::size_t> particle_under_pointer(const Context& context, const 
 /// Selects the particle under the pointer, if there is one.
 std::optional<std::size_t> select(const Context& context, const render::Projection& projection) {
     const auto particle = particle_under_pointer(context, projection);
-    if (particle) context.commands.track(particle);
+    if (particle) context.events.send(event::Track{particle});
     return particle;
 }
 
@@ -59,51 +59,51 @@ Vec3 under_pointer_beside(Vec3 place, const Context& context, const render::Proj
 
 void pull(const Context& context, const render::Projection& projection) {
     const ImGuiIO& io = ImGui::GetIO();
-    auto& pulled = context.session.pulled;
+    auto& pulled = context.state.pulled;
     if (!io.MouseDown[0] || *pulled >= context.view.frame.positions.size()) {
         pulled.reset();
     } else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
         const Vec3 seen = context.view.frame.seen(*pulled);
         if (!render::drawable(seen)) return;
-        context.commands.pull(*pulled, under_pointer_beside(seen, context, projection));
-        context.session.pulled_in = context.view.run;
+        context.events.send(event::Do{Pull{*pulled, under_pointer_beside(seen, context, projection)}});
+        context.state.pulled_in = context.view.run;
     }
 }
 
 /// A button was pressed over the scene: a pull, a drag or a click begins.
 void begin(const Context& context, const render::Projection& projection) {
-    Session& session = context.session;
+    InterfaceState& state = context.state;
     const ImGuiIO& io = ImGui::GetIO();
-    if (went_down(0) && io.KeyCtrl) session.pulled = select(context, projection);
-    session.drag_from_scene = !(went_down(0) && io.KeyCtrl);
-    session.dragged = false;
+    if (went_down(0) && io.KeyCtrl) state.pulled = select(context, projection);
+    state.drag_from_scene = !(went_down(0) && io.KeyCtrl);
+    state.dragged = false;
 }
 
 /// Shows what a click would select; searched for less often than drawn where that would slow the pictures down.
 void point_at(const Context& context, bool over) {
-    Session& session = context.session;
-    if (!over) return session.pointed.reset();
+    InterfaceState& state = context.state;
+    if (!over) return state.pointed.reset();
     const auto begin = std::chrono::steady_clock::now();
-    if (!session.pointing.due(begin)) return;
-    session.pointed = particle_under_pointer(context, context.projection());
-    session.pointing.took(begin, std::chrono::steady_clock::now());
+    if (!state.pointing.due(begin)) return;
+    state.pointed = particle_under_pointer(context, context.projection());
+    state.pointing.took(begin, std::chrono::steady_clock::now());
 }
 
 }  // namespace
 
 void use_pointer(const Context& context) {
     const ImGuiIO& io = ImGui::GetIO();
-    Session& session = context.session;
+    InterfaceState& state = context.state;
     const Area& scene = context.layout.scene;
     const render::Projection projection = context.projection();
     const bool over = !io.WantCaptureMouse && scene.contains(io.MousePos.x, io.MousePos.y);
     if (over && (went_down(0) || went_down(1))) begin(context, projection);
-    if (session.pulled) pull(context, projection);
-    if (session.drag_from_scene && (io.MouseDown[0] || io.MouseDown[1])) drag(context, projection);
-    if (session.drag_from_scene && io.MouseReleased[0] && !session.dragged) select(context, projection);
-    if (!io.MouseDown[0] && !io.MouseDown[1]) session.drag_from_scene = false;
+    if (state.pulled) pull(context, projection);
+    if (state.drag_from_scene && (io.MouseDown[0] || io.MouseDown[1])) drag(context, projection);
+    if (state.drag_from_scene && io.MouseReleased[0] && !state.dragged) select(context, projection);
+    if (!io.MouseDown[0] && !io.MouseDown[1]) state.drag_from_scene = false;
     if (over && io.MouseWheel != 0) zoom(context, projection);
-    const bool dragging = session.drag_from_scene && session.dragged;
+    const bool dragging = state.drag_from_scene && state.dragged;
     point_at(context, over && !dragging);
 }
 

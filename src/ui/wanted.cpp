@@ -17,7 +17,7 @@ void Wanted::follow(const RunView& view, bool is_new) {
     asked_.reset();
 }
 
-void Wanted::ask(const RunDescription& description, Commands& commands) {
+void Wanted::ask(const RunDescription& description, EventSink& events) {
     if (description == this->description()) return;
     try {
         check_values(description);
@@ -27,23 +27,23 @@ void Wanted::ask(const RunDescription& description, Commands& commands) {
     }
     message_.clear();
     asked_ = description;
-    commands.change(description);
+    events.send(event::Change{description});
 }
 
-void Wanted::play(bool on, Commands& commands) {
+void Wanted::play(bool on, EventSink& events) {
     playing_.ask(on);
-    commands.play(on);
+    events.send(event::Play{on});
 }
 
-void Wanted::set_rate(Rate rate, Commands& commands) {
+void Wanted::set_rate(Rate rate, EventSink& events) {
     rate_.ask(rate);
-    commands.set_rate(rate);
+    events.send(event::SetRate{rate});
 }
 
-void Wanted::show_ensemble(const LiveEnsembleOptions& ensemble, Commands& commands) {
+void Wanted::show_ensemble(const LiveEnsembleOptions& ensemble, EventSink& events) {
     if (ensemble == ensemble_.shown()) return;
     ensemble_.ask(ensemble);
-    commands.show_ensemble(ensemble);
+    events.send(event::ShowEnsemble{ensemble});
 }
 
 }  // namespace steplab::ui

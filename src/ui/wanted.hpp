@@ -18,14 +18,14 @@ public:
     const RunDescription& description() const { return asked_ ? *asked_ : running_; }
     /// Sends a change at once if it differs from the last request; if its values are refused, message() gives the
     /// reason. What can be said only of the scene itself, which is not made here, the run refuses.
-    void ask(const RunDescription& description, Commands& commands);
+    void ask(const RunDescription& description, EventSink& events);
     /// The same for playing or pausing, the speed and the ensemble.
     bool playing() const { return playing_.shown(); }
     Rate rate() const { return rate_.shown(); }
     const LiveEnsembleOptions& ensemble() const { return ensemble_.shown(); }
-    void play(bool on, Commands& commands);
-    void set_rate(Rate rate, Commands& commands);
-    void show_ensemble(const LiveEnsembleOptions& ensemble, Commands& commands);
+    void play(bool on, EventSink& events);
+    void set_rate(Rate rate, EventSink& events);
+    void show_ensemble(const LiveEnsembleOptions& ensemble, EventSink& events);
     /// Shows why an entry was refused.
     void refuse(std::string message) { message_ = std::move(message); }
 

@@ -26,7 +26,7 @@ void add_moment(CommandLine& line, const Context& context) {
     if (!command_repeats_run(context)) return;
     const std::uint64_t step = context.view.frame.step;
     line.add_unless(step == 0, "--steps", std::to_string(step));
-    line.add_unless(!context.session.wanted.playing(), "--play", "");
+    line.add_unless(!context.state.wanted.playing(), "--play", "");
 }
 
 void add_window(CommandLine& line, const Context& context) {
@@ -34,7 +34,7 @@ void add_window(CommandLine& line, const Context& context) {
     line.add_unless(display.width == 1280 && display.height == 800, "--size",
                     fmt::format("{}x{}", display.width, display.height));
     line.add_unless(display.scale == 1, "--scale", number_text(display.scale));
-    if (context.session.panel) line.add("--ui", *context.session.panel ? "on" : "off");
+    if (context.state.panel) line.add("--ui", *context.state.panel ? "on" : "off");
 }
 
 void add_picture(CommandLine& line, const Context& context) {
@@ -76,15 +76,15 @@ void add_ensemble(CommandLine& line, const LiveEnsembleOptions& ensemble, const 
 }  // namespace
 
 bool command_repeats_run(const Context& context) {
-    return context.view.segment_start == 0 && context.session.pulled_in != context.view.run;
+    return context.view.segment_start == 0 && context.state.pulled_in != context.view.run;
 }
 
 std::string window_command(const Context& context) {
     CommandLine line{"steplab view " + command_line(context.description())};
     add_moment(line, context);
     add_picture(line, context);
-    add_speed(line, context.session.wanted.rate());
-    add_ensemble(line, context.session.wanted.ensemble(), context.description());
+    add_speed(line, context.state.wanted.rate());
+    add_ensemble(line, context.state.wanted.ensemble(), context.description());
     add_window(line, context);
     return line.text;
 }

@@ -26,7 +26,7 @@ TEST(Arrows, allowed_includes_and_links_pass) {
 
 TEST(Arrows, include_against_an_arrow_is_found_with_file_and_line) {
     EXPECT_THAT(forbidden_arrows({{"src/core/frame.hpp", "#pragma once\n#include \"session/worker.hpp\"\n"}}),
-                ElementsAre("src/core/frame.hpp:2: core may not know sim"));
+                ElementsAre("src/core/frame.hpp:2: core may not know session"));
     EXPECT_THAT(forbidden_arrows({{"src/methods/rk4.hpp", "# include \"models/chain.hpp\"\n"}}), SizeIs(1));
     EXPECT_THAT(forbidden_arrows({{"src/render/spheres.cpp", "#include \"sim/run/simulation.hpp\"\n"}}), SizeIs(1));
     EXPECT_THAT(forbidden_arrows({{"src/ui/panels/a.cpp", "#include \"lab/study/answers.hpp\"\n"}}), SizeIs(1));

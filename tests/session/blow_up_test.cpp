@@ -44,12 +44,12 @@ TEST_P(BlowUp, is_announced_with_the_first_step_beyond_the_bound) {
     const std::uint64_t last_good = alone.step();
     const double start = view.diagnostics.energy;
     for (std::uint64_t step = 1; step <= last_good; ++step) {
-        worker.step_forward();
+        worker.send(event::Step{1});
         ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step == step; }));
         ASSERT_FALSE(view.divergence) << step;
         ASSERT_FALSE(is_beyond_bound(view, start)) << step;
     }
-    worker.step_forward();
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.divergence.has_value(); }));
     EXPECT_EQ(view.divergence->message, alone.divergence()->message) << "the verdict is that of the grid";
     EXPECT_EQ(view.frame.step, last_good);
@@ -60,8 +60,8 @@ TEST_P(BlowUp, is_announced_with_the_first_step_beyond_the_bound) {
 
 TEST_P(BlowUp, is_never_shown_while_playing) {
     const double start = view.diagnostics.energy;
-    worker.set_rate({true, 1});
-    worker.play(true);
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
     ASSERT_TRUE(see([=](const RunView& v) {
         EXPECT_FALSE(is_beyond_bound(v, start)) << v.frame.step;
         return v.divergence.has_value();
@@ -103,7 +103,7 @@ TEST_F(PassingThrough, is_shown_once_a_check_has_cleared_it_of_suspicion) {
     ASSERT_EQ(alone.steps_to_check(), 255u);
     alone.advance(255);
     ASSERT_FALSE(alone.divergence());
-    worker.step_forward();
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step > 0; }));
     EXPECT_EQ(view.frame.step, 256u);
     EXPECT_FALSE(view.divergence);
@@ -125,10 +125,11 @@ TEST(Worker, tells_of_an_impossible_energy_until_it_is_judged) {
         if (const auto doubt = asked->doubt()) told.push_back(*doubt);
         News::wake();
     });
-    RunView view;
-    for (std::uint64_t step = 0; step < alone.step(); ++step) worker.step_forward();
+    SessionView session;
+    const RunView& view = session.leading;
+    for (std::uint64_t step = 0; step < alone.step(); ++step) worker.send(event::Step{1});
     while (!view.divergence) {
-        while (worker.take(view)) {
+        while (worker.take(session)) {
         }
         ASSERT_TRUE(view.divergence || News::wait());
     }

@@ -23,26 +23,26 @@ TEST_F(WorkerTest, shows_the_start_at_once) {
     EXPECT_TRUE(view.has_exact);
     ASSERT_TRUE(view.limit);
     EXPECT_NEAR(view.limit->limit, 1.43377, 5e-6);
-    EXPECT_FALSE(worker.take(view)) << "each view is taken once";
+    EXPECT_FALSE(worker.take(session)) << "each view is taken once";
 }
 
 TEST_F(WorkerTest, steps_on_and_back) {
-    worker.step_forward();
-    worker.step_forward();
+    worker.send(event::Step{1});
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2; }));
     EXPECT_TRUE(view.can_step_back);
     EXPECT_EQ(view.frame.positions, frame_after(view.description, 2).positions);
-    worker.step_back();
+    worker.send(event::Step{-1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
     EXPECT_EQ(view.frame.positions, frame_after(view.description, 1).positions);
-    worker.step_back();
-    worker.step_back();
+    worker.send(event::Step{-1});
+    worker.send(event::Step{-1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0; }));
     EXPECT_FALSE(view.can_step_back);
 }
 
 TEST_F(WorkerTest, goes_to_a_step_and_stays_there) {
-    worker.go_to(100'003);
+    worker.send(event::Seek{100'003});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 100'003 && !v.goal; }));
     EXPECT_FALSE(view.playing);
     EXPECT_TRUE(view.can_step_back);
@@ -53,25 +53,25 @@ TEST_F(WorkerTest, shows_its_way_to_a_step_and_takes_other_commands_on_it) {
     static constexpr std::uint64_t far = 1'000'000'000'000;
     const auto under_way = [](const RunView& v) { return v.goal == far && v.frame.step > 0; };
     const std::vector<std::function<void()>> commands{
-        [this] { worker.play(false); },        [this] { worker.step_back(); },
-        [this] { worker.step_forward(); },     [this] { worker.change(with_method(view.description, "verlet")); },
-        [this] { worker.pull(9, {9, 1, 0}); }, [this] { worker.restart(); }};
+        [this] { worker.send(event::Play{false}); },        [this] { worker.send(event::Step{-1}); },
+        [this] { worker.send(event::Step{1}); },     [this] { worker.send(event::Change{with_method(view.description, "verlet")}); },
+        [this] { worker.send(event::Do{Pull{9, {9, 1, 0}}}); }, [this] { worker.send(event::Restart{}); }};
     for (const auto& command : commands) {
-        worker.go_to(far);
+        worker.send(event::Seek{far});
         ASSERT_TRUE(see(under_way));
         command();
         EXPECT_TRUE(see([](const RunView& v) { return !v.goal; }));
     }
-    worker.go_to(far);
-    worker.set_rate({false, 2});
+    worker.send(event::Seek{far});
+    worker.send(event::SetRate{{false, 2}});
     EXPECT_TRUE(see([](const RunView& v) { return v.goal == far && v.rate.seconds_per_second == 2; }));
 }
 
 TEST_F(WorkerTest, plays_until_it_is_paused) {
-    worker.set_rate({true, 1});
-    worker.play(true);
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
     ASSERT_TRUE(see([](const RunView& v) { return v.playing && v.frame.step > 1000; }));
-    worker.play(false);
+    worker.send(event::Play{false});
     ASSERT_TRUE(see([](const RunView& v) { return !v.playing; }));
     EXPECT_GT(*view.steps_per_second, 0);
     EXPECT_GT(*view.evaluations_per_second, *view.steps_per_second);
@@ -81,11 +81,11 @@ TEST_F(WorkerTest, plays_until_it_is_paused) {
 }
 
 TEST_F(WorkerTest, goes_on_with_another_method_and_restarts_with_another_model) {
-    worker.step_forward();
-    worker.change(with_method(view.description, "verlet"));
+    worker.send(event::Step{1});
+    worker.send(event::Change{with_method(view.description, "verlet")});
     ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "verlet" && v.frame.step == 1; }));
     const std::uint64_t run = view.run;
-    worker.change(with_model(view.description, "rope"));
+    worker.send(event::Change{with_model(view.description, "rope")});
     ASSERT_TRUE(see([](const RunView& v) { return v.description.model == "rope"; }));
     EXPECT_EQ(view.frame.step, 0u);
     EXPECT_GT(view.run, run);
@@ -94,11 +94,11 @@ TEST_F(WorkerTest, goes_on_with_another_method_and_restarts_with_another_model) 
 TEST_F(WorkerTest, refuses_with_a_message_and_goes_on) {
     RunDescription wrong = view.description;
     wrong.dt = 0;
-    worker.change(wrong);
+    worker.send(event::Change{wrong});
     ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
     EXPECT_THAT(view.error, testing::HasSubstr("dt must be"));
     EXPECT_EQ(view.description.dt, 0.1);
-    worker.step_forward();
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
     EXPECT_EQ(view.error, "");
 }
@@ -106,14 +106,14 @@ TEST_F(WorkerTest, refuses_with_a_message_and_goes_on) {
 TEST_F(WorkerTest, stops_where_the_run_diverges) {
     RunDescription large = view.description;
     large.dt = 2;
-    worker.change(large);
-    worker.set_rate({true, 1});
-    worker.play(true);
+    worker.send(event::Change{large});
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
     ASSERT_TRUE(see([](const RunView& v) { return v.divergence.has_value(); }));
     EXPECT_FALSE(view.playing);
     EXPECT_EQ(view.divergence->step, view.frame.step);
     for (const Vec3& p : view.frame.positions) EXPECT_TRUE(std::isfinite(p.x));
-    worker.restart();
+    worker.send(event::Restart{});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0; }));
     EXPECT_FALSE(view.divergence);
 }
@@ -122,40 +122,40 @@ TEST_F(WorkerTest, counts_what_it_refuses) {
     RunDescription wrong = view.description;
     wrong.dt = 0;
     for (std::uint64_t times = 1; times <= 2; ++times) {
-        worker.change(wrong);
+        worker.send(event::Change{wrong});
         ASSERT_TRUE(see([=](const RunView& v) { return v.failures == times; }));
         EXPECT_THAT(view.error, testing::HasSubstr("dt must be"));
     }
 }
 
 TEST_F(WorkerTest, tracks_a_particle_with_its_exact_solution) {
-    worker.track(9);
-    worker.step_forward();
+    worker.send(event::Track{9});
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1 && v.tracked; }));
     EXPECT_EQ(view.tracked->particle, 9u);
     ASSERT_TRUE(view.tracked->exact_displacement);
     EXPECT_NEAR(view.tracked->displacement.x, view.tracked->exact_displacement->x, 1e-6);  // rk4's error of one step
-    worker.track(1000);
+    worker.send(event::Track{1000});
     ASSERT_TRUE(see([](const RunView& v) { return !v.tracked; })) << "no such particle";
 }
 
 TEST_F(WorkerTest, shows_forces_when_they_are_asked_for) {
     EXPECT_TRUE(view.frame.forces.empty());
-    worker.show_forces(true);
+    worker.send(event::ShowForces{true});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.forces.size() == v.frame.positions.size(); }));
-    worker.show_forces(false);
+    worker.send(event::ShowForces{false});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.forces.empty(); }));
 }
 
 TEST_F(WorkerTest, pulls_a_particle) {
-    worker.pull(5, {10, 1, 0});
+    worker.send(event::Do{Pull{5, {10, 1, 0}}});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.positions[5] == Vec3{10, 1, 0}; }));
     EXPECT_FALSE(view.has_exact);
 }
 
 TEST_F(WorkerTest, hands_over_whole_moments_that_grow_newer) {
-    worker.set_rate({true, 1});
-    worker.play(true);
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
     Simulation simulation(view.description);
     for (std::uint64_t last = 0; last < 5000; last = view.frame.step) {
         ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step > last; }));
@@ -169,11 +169,11 @@ TEST_F(WorkerTest, hands_over_whole_moments_that_grow_newer) {
 }
 
 TEST_F(WorkerTest, of_several_views_the_newest_is_taken) {
-    for (int i = 0; i < 3; ++i) worker.step_forward();
+    for (int i = 0; i < 3; ++i) worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 3; }));
     EXPECT_EQ(view.frame.positions, frame_after(view.description, 3).positions);
     EXPECT_NE(view.frame.positions, frame_after(view.description, 2).positions);
-    EXPECT_FALSE(worker.take(view)) << "an older one was kept";
+    EXPECT_FALSE(worker.take(session)) << "an older one was kept";
 }
 
 /// Sees the ensemble of the moment that the view shows.
@@ -194,108 +194,108 @@ EnsembleSpread reading_after(const RunDescription& description, const LiveEnsemb
 }
 
 TEST_F(WorkerTest, has_a_ensemble_only_when_asked_for_one) {
-    worker.step_forward();
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
     EXPECT_FALSE(has_ensemble(view));
     const LiveEnsembleOptions ensemble{.runs = 5, .spread = "k", .width = 0.01};
-    worker.show_ensemble(ensemble);
+    worker.send(event::ShowEnsemble{ensemble});
     ASSERT_TRUE(see(has_ensemble));
     EXPECT_EQ(view.ensemble, ensemble);
     EXPECT_EQ(view.frame.ensemble.size(), 5 * view.frame.positions.size());
     EXPECT_EQ(view.ensemble_spread, reading_after(view.description, ensemble, 1)) << "from the start of the run on";
     EXPECT_GT(view.ensemble_spread.largest, 0);
-    worker.show_ensemble({});
+    worker.send(event::ShowEnsemble{{}});
     ASSERT_TRUE(see([](const RunView& v) { return v.ensemble.runs == 0; }));
     EXPECT_FALSE(has_ensemble(view));
 }
 
 TEST_F(WorkerTest, takes_the_ensemble_along_on_the_way_forth_and_back) {
     const LiveEnsembleOptions ensemble{.runs = 5, .spread = "k", .width = 0.01};
-    worker.show_ensemble(ensemble);
-    worker.set_rate({true, 1});
-    worker.play(true);
+    worker.send(event::ShowEnsemble{ensemble});
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
     ASSERT_TRUE(see([](const RunView& v) { return has_ensemble(v) && v.frame.step > 1000; }));
-    worker.play(false);
+    worker.send(event::Play{false});
     ASSERT_TRUE(see([](const RunView& v) { return !v.playing && has_ensemble(v); }));
     const std::uint64_t end = view.frame.step;
     EXPECT_EQ(view.ensemble_spread, reading_after(view.description, ensemble, end));
-    worker.step_back();
+    worker.send(event::Step{-1});
     ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step == end - 1 && has_ensemble(v); }));
     EXPECT_EQ(view.ensemble_spread, reading_after(view.description, ensemble, end - 1));
     EXPECT_NE(view.ensemble_spread, reading_after(view.description, ensemble, end));
-    worker.restart();
+    worker.send(event::Restart{});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 0 && has_ensemble(v); }));
     EXPECT_EQ(view.ensemble_spread.largest, 0) << "k differs, the start does not";
 }
 
 TEST_F(WorkerTest, does_to_the_ensemble_what_is_done_to_the_run) {
-    worker.show_ensemble({.runs = 3, .spread = "v0", .width = 0});
-    for (int i = 0; i < 3; ++i) worker.step_forward();
+    worker.send(event::ShowEnsemble{{.runs = 3, .spread = "v0", .width = 0}});
+    for (int i = 0; i < 3; ++i) worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 3 && has_ensemble(v); }));
-    worker.change(with_method(view.description, "euler"));
+    worker.send(event::Change{with_method(view.description, "euler")});
     ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "euler" && has_ensemble(v); }));
-    worker.step_forward();
-    worker.pull(5, {10, 1, 0});
-    worker.step_forward();
+    worker.send(event::Step{1});
+    worker.send(event::Do{Pull{5, {10, 1, 0}}});
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 5 && has_ensemble(v); }));
     EXPECT_EQ(view.ensemble_spread.largest, 0) << "runs that do not differ stay together";
-    for (int i = 0; i < 3; ++i) worker.step_back();
+    for (int i = 0; i < 3; ++i) worker.send(event::Step{-1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2 && has_ensemble(v); }));
     EXPECT_EQ(view.ensemble_spread.largest, 0);
-    worker.change(with_model(view.description, "morse"));
+    worker.send(event::Change{with_model(view.description, "morse")});
     ASSERT_TRUE(see([](const RunView& v) { return v.description.model == "morse" && has_ensemble(v); }));
     EXPECT_EQ(view.frame.ensemble.size(), 3 * view.frame.positions.size());
 }
 
 TEST_F(WorkerTest, goes_on_without_a_ensemble_that_is_too_large) {
-    worker.show_ensemble({.runs = LiveEnsemble::most_particles});
+    worker.send(event::ShowEnsemble{{.runs = LiveEnsemble::most_particles}});
     ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
     EXPECT_THAT(view.error, testing::HasSubstr("too large"));
     EXPECT_EQ(view.ensemble.runs, 0u);
-    worker.step_forward();
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
 }
 
 TEST_F(WorkerTest, waits_for_companions_that_begin_later) {
-    worker.set_rate({true, 1});
-    worker.play(true);
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step > 100000; }));
     // So many steps of 256 members take far longer than it computes between two looks at the commands.
-    worker.show_ensemble({.runs = 256});
+    worker.send(event::ShowEnsemble{{.runs = 256}});
     ASSERT_TRUE(see([](const RunView& v) { return v.ensemble.runs == 256; }));
     EXPECT_FALSE(has_ensemble(view)) << "answers while they are on their way";
     EXPECT_LT(view.ensemble_spread.step, view.frame.step);
     EXPECT_TRUE(view.playing);
     const std::uint64_t step = view.frame.step;
-    worker.track(3);
+    worker.send(event::Track{3});
     ASSERT_TRUE(see([](const RunView& v) { return v.tracked && v.tracked->particle == 3; }));
     EXPECT_EQ(view.frame.step, step);
-    worker.show_ensemble({});
+    worker.send(event::ShowEnsemble{{}});
     ASSERT_TRUE(see([=](const RunView& v) { return v.frame.step > step; })) << "and goes on playing";
 }
 
 TEST_F(WorkerTest, lives_on_where_memory_for_a_view_is_missing) {
-    worker.show_ensemble({.runs = 256});
+    worker.send(event::ShowEnsemble{{.runs = 256}});
     ASSERT_TRUE(see(has_ensemble));
     {
         const NoLargerThan limit(16384);  // the places of 256 times 10 particles take more, whatever else there is less
-        worker.step_forward();
+        worker.send(event::Step{1});
         ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
     }
     EXPECT_EQ(view.error, std::bad_alloc().what());
     EXPECT_EQ(view.ensemble.runs, 0u);
     EXPECT_FALSE(has_ensemble(view));
     EXPECT_EQ(view.frame.positions.size(), 10u);
-    worker.step_forward();
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 2; }));
     EXPECT_EQ(view.error, "");
     EXPECT_EQ(view.frame.positions, frame_after(view.description, 2).positions);
 }
 
 TEST_F(WorkerTest, lives_on_where_memory_for_moments_to_come_back_to_is_missing) {
-    worker.change(run_of("chain", "rk4", Precision::double_, 0.1, {{"n", 1000}}));
-    worker.set_rate({true, 1});
-    worker.play(true);
+    worker.send(event::Change{run_of("chain", "rk4", Precision::double_, 0.1, {{"n", 1000}})});
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
     // By now each of the views that are passed around has its memory.
     for (int i = 0; i < 10; ++i) ASSERT_TRUE(see([](const RunView& v) { return v.frame.positions.size() == 1000; }));
     {
@@ -303,8 +303,8 @@ TEST_F(WorkerTest, lives_on_where_memory_for_moments_to_come_back_to_is_missing)
         ASSERT_TRUE(see([](const RunView& v) { return !v.error.empty(); }));
     }
     EXPECT_FALSE(view.playing);
-    worker.restart();
-    worker.step_forward();
+    worker.send(event::Restart{});
+    worker.send(event::Step{1});
     ASSERT_TRUE(see([](const RunView& v) { return v.frame.step == 1; }));
     EXPECT_EQ(view.error, "");
 }
@@ -312,12 +312,12 @@ TEST_F(WorkerTest, lives_on_where_memory_for_moments_to_come_back_to_is_missing)
 // A mesh has moved 10^7 s only after some hours.
 TEST(Worker, ends_in_the_middle_of_a_step) {
     Worker worker(run_of("mesh", "taylor", Precision::double_, 1e7));
-    worker.step_forward();
+    worker.send(event::Step{1});
 }
 
 TEST_F(WorkerTest, stops_while_playing) {
-    worker.set_rate({true, 1});
-    worker.play(true);
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
     ASSERT_TRUE(see([](const RunView& v) { return v.playing; }));
 }
 

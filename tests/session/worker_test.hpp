@@ -38,14 +38,14 @@ protected:
     explicit WorkerTest(const RunDescription& description = run_of("chain", "rk4", Precision::double_, 0.1))
         : worker(description) {
         worker.on_view(News::wake);
-        worker.take(view);
+        worker.take(session);
     }
 
     /// Takes views until one fulfils the condition.
     template <class Condition>
     bool see(Condition condition) {
         while (true) {
-            while (worker.take(view)) {
+            while (worker.take(session)) {
                 if (condition(view)) return true;
             }
             if (!News::wait()) return false;
@@ -53,7 +53,8 @@ protected:
     }
 
     Worker worker;
-    RunView view;
+    SessionView session;
+    RunView& view = session.leading;
 };
 
 }  // namespace steplab::test

@@ -5,7 +5,8 @@
 namespace steplab::ui {
 
 Desk::Desk(const RunDescription& description, const Display& display)
-    : view(view_of(Simulation(description))), interface(display) {
+    : interface(display) {
+    view = view_of(Simulation(description));
     interface.record(view);
     move_to(-100, -100);
     frame();
@@ -13,9 +14,9 @@ Desk::Desk(const RunDescription& description, const Display& display)
     recorder = {};
 }
 
-void Desk::frame() { interface.draw(view, recorder, {camera, style}); }
+void Desk::frame() { interface.draw(session, recorder, {camera, style}); }
 
-void Desk::picture(bool plot_alone) { interface.draw_picture(view, {camera, style}, plot_alone); }
+void Desk::picture(bool plot_alone) { interface.draw_picture(session, {camera, style}, plot_alone); }
 
 void Desk::show(const RunView& newer) {
     view = newer;

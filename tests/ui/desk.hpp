@@ -12,6 +12,8 @@ namespace steplab::ui {
 class Desk {
 public:
     explicit Desk(const RunDescription& description = describe(), const Display& display = {1280, 1200, 1});
+    Desk(const Desk&) = delete;
+    Desk& operator=(const Desk&) = delete;
 
     /// One frame with the input that is set.
     void frame();
@@ -38,12 +40,13 @@ public:
     void type(std::string_view text);
     void wheel(float lines);
 
-    /// The commands that came since the last call of this.
+    /// The events that came since the last call of this.
     std::vector<std::string> calls();
     /// The description asked for last.
     const RunDescription& wanted() const { return recorder.changes.back(); }
 
-    RunView view;
+    SessionView session;
+    RunView& view = session.leading;
     Recorder recorder;
     render::Camera camera;
     render::Style style;

@@ -66,12 +66,12 @@ TEST(interface, a_paused_window_without_input_does_not_change) {
 }
 
 TEST(interface, still_pictures_of_one_view_are_the_same) {
-    const RunView view = view_of(Simulation(describe("rope")), 4);
+    const SessionView view{.leading = view_of(Simulation(describe("rope")), 4), .followers = {}, .line = {}};
     const auto still = [&] {
         render::Camera camera;
         render::Style style;
         Interface interface({1280, 720, 1});
-        interface.record(view);
+        interface.record(view.leading);
         interface.draw_still(view, {camera, style});
         EXPECT_EQ(camera, render::Camera{}) << "the camera of a snapshot belongs to the caller";
         return bytes_of(interface.draw_data());
@@ -80,7 +80,7 @@ TEST(interface, still_pictures_of_one_view_are_the_same) {
 }
 
 TEST(interface, still_picture_shows_no_measured_value) {
-    RunView view = view_of(Simulation(describe("rope")));
+    SessionView view{.leading = view_of(Simulation(describe("rope"))), .followers = {}, .line = {}};
     render::Camera camera;
     render::Style style;
     const auto drawn = [&] {
@@ -89,8 +89,8 @@ TEST(interface, still_picture_shows_no_measured_value) {
         return bytes_of(interface.draw_data());
     };
     const std::string without = drawn();
-    EXPECT_FALSE(view.steps_per_second);
-    view.steps_per_second = 1e6;
+    EXPECT_FALSE(view.leading.steps_per_second);
+    view.leading.steps_per_second = 1e6;
     EXPECT_NE(drawn(), without);
 }
 

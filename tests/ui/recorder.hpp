@@ -8,42 +8,15 @@
 
 namespace steplab::ui {
 
-/// Takes the commands of the interface down, in the order in which they came.
-class Recorder final : public Commands {
+/// Takes the events of the interface down, in the order in which they came.
+class Recorder final : public EventSink {
 public:
-    void play(bool on) override { calls.push_back(on ? "play" : "pause"); }
-    void step_forward() override { calls.push_back("step forward"); }
-    void step_back() override { calls.push_back("step back"); }
-    void restart() override { calls.push_back("restart"); }
-    void change(const RunDescription& description) override {
-        calls.push_back("change");
-        changes.push_back(description);
-    }
-    void set_rate(Rate rate) override {
-        calls.push_back("rate");
-        rates.push_back(rate);
-    }
-    void track(std::optional<std::size_t> particle) override {
-        calls.push_back("track");
-        tracked = particle;
-    }
-    void pull(std::size_t particle, Vec3 position) override {
-        calls.push_back("pull");
-        pulled = {particle, position};
-    }
-    void show_ensemble(const LiveEnsembleOptions& ensemble) override {
-        calls.push_back("ensemble");
-        ensembles.push_back(ensemble);
-    }
-    void show_forces(bool on) override {
-        calls.push_back("forces");
-        with_forces = on;
+    void send(const Event& event) override {
+        events.push_back(event);
+        std::visit(Take{*this}, event);
     }
 
-    struct Pull {
-        std::size_t particle = 0;
-        Vec3 position;
-    };
+    std::vector<Event> events;
     std::vector<std::string> calls;
     std::vector<RunDescription> changes;
     std::vector<Rate> rates;
@@ -51,6 +24,45 @@ public:
     bool with_forces = false;
     std::optional<Pull> pulled;
     std::vector<LiveEnsembleOptions> ensembles;
+
+private:
+    struct Take {
+        Recorder& to;
+
+        void operator()(const event::Play& play) const { to.calls.emplace_back(play.on ? "play" : "pause"); }
+        void operator()(const event::Step& step) const {
+            to.calls.emplace_back(step.steps > 0 ? "step forward" : "step back");
+        }
+        void operator()(const event::Restart&) const { to.calls.emplace_back("restart"); }
+        void operator()(const event::Change& change) const {
+            to.calls.emplace_back("change");
+            to.changes.push_back(change.description);
+        }
+        void operator()(const event::SetRate& set) const {
+            to.calls.emplace_back("rate");
+            to.rates.push_back(set.rate);
+        }
+        void operator()(const event::Track& track) const {
+            to.calls.emplace_back("track");
+            to.tracked = track.particle;
+        }
+        void operator()(const event::Do& act) const {
+            to.calls.emplace_back(std::holds_alternative<Pull>(act.act) ? "pull" : "act");
+            if (const auto* const pull = std::get_if<Pull>(&act.act)) to.pulled = *pull;
+        }
+        void operator()(const event::ShowEnsemble& show) const {
+            to.calls.emplace_back("ensemble");
+            to.ensembles.push_back(show.ensemble);
+        }
+        void operator()(const event::ShowForces& show) const {
+            to.calls.emplace_back("forces");
+            to.with_forces = show.on;
+        }
+        template <class Other>
+        void operator()(const Other&) const {
+            to.calls.emplace_back("other");
+        }
+    };
 };
 
 }  // namespace steplab::ui

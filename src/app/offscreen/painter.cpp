@@ -62,15 +62,15 @@ class Panels {
 public:
     Panels(const PictureRequest& request, render::ImguiRenderer& renderer)
         : interface_({request.size.width, request.size.height, static_cast<float>(request.style.pixel_scale)}),
-          view_(request.view),
+          view_{.leading = request.view, .followers = {}, .line = {}},
           style_(request.style),
           renderer_(renderer) {
         renderer_.upload_fonts(interface_.fonts());
         for (const RunView& moment : request.past) interface_.record(moment);
-        interface_.record(view_);
+        interface_.record(view_.leading);
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
-        camera_ = render::camera_of(request.camera, view_.frame, scene_size());
+        camera_ = render::camera_of(request.camera, view_.leading.frame, scene_size());
         draw();
     }
 
@@ -78,7 +78,7 @@ public:
 
     void paint(render::SceneRenderer& scene, const Place& place, const render::RenderTarget& target) const {
         const ui::PixelRect rect = interface_.scene();
-        scene.draw(view_.frame, style_, camera_, target,
+        scene.draw(view_.leading.frame, style_, camera_, target,
                    render::Tile{scene_size(), place.left - rect.x, place.top - rect.y});
         ImDrawData data = interface_.draw_data();
         const ImVec2 scale = data.FramebufferScale;
@@ -92,7 +92,7 @@ private:
     void draw() { interface_.draw_still(view_, {camera_, style_}); }
 
     ui::Interface interface_;
-    RunView view_;
+    SessionView view_;
     render::Style style_;
     render::Camera camera_;
     render::ImguiRenderer& renderer_;

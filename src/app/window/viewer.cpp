@@ -35,10 +35,10 @@ std::unique_ptr<Worker> start_worker(const RunDescription& description) {
 
 }  // namespace
 
-std::shared_ptr<RunView> ViewPool::free_view() {
-    const auto unused = [](const std::shared_ptr<RunView>& view) { return view.use_count() == 1; };
+std::shared_ptr<SessionView> ViewPool::free_view() {
+    const auto unused = [](const std::shared_ptr<SessionView>& view) { return view.use_count() == 1; };
     const auto found = std::find_if(views_.begin(), views_.end(), unused);
-    return found != views_.end() ? *found : views_.emplace_back(std::make_shared<RunView>());
+    return found != views_.end() ? *found : views_.emplace_back(std::make_shared<SessionView>());
 }
 
 Viewer::OpenGl::OpenGl() { render::load_opengl(); }
@@ -64,28 +64,28 @@ void Viewer::open(const WindowRequest& request) {
     interface_.open_with(request.panel, request.style.selected, request.scenes);
     take_news();
     place_camera(request);  // a wrong text is reported now
-    if (request.rate) worker_->set_rate(*request.rate);
-    if (request.ensemble.runs > 0) worker_->show_ensemble(request.ensemble);
-    if (request.steps > 0) worker_->go_to(request.steps);
+    if (request.rate) worker_->send(event::SetRate{*request.rate});
+    if (request.ensemble.runs > 0) worker_->send(event::ShowEnsemble{request.ensemble});
+    if (request.steps > 0) worker_->send(event::Seek{request.steps});
     opening_ = request;
     begin_as_asked();
 }
 
 void Viewer::place_camera(const WindowRequest& request) {
     const ui::PixelRect scene = pixels(ui::arrange(window_.display(), request.panel).scene);
-    if (!request.view.empty()) camera_ = render::camera_of(request.view, view_->frame, {scene.width, scene.height});
+    if (!request.view.empty()) camera_ = render::camera_of(request.view, view_->leading.frame, {scene.width, scene.height});
 }
 
 /// Once the run is at the moment to open at, on which the camera may depend.
 void Viewer::begin_as_asked() {
     if (!opening_) return;
-    const bool was_under_way = std::exchange(under_way_, view_->goal.has_value());
-    const bool at_goal = view_->frame.step >= opening_->steps || view_->divergence || !view_->error.empty();
+    const bool was_under_way = std::exchange(under_way_, view_->leading.goal.has_value());
+    const bool at_goal = view_->leading.frame.step >= opening_->steps || view_->leading.divergence || !view_->leading.error.empty();
     if (!at_goal && !was_under_way) return;                // it has not set out yet
     if (!at_goal && !under_way_) return opening_.reset();  // a person wanted something else
     if (!at_goal) return;
     place_camera(*opening_);
-    if (opening_->playing) worker_->play(true);
+    if (opening_->playing) worker_->send(event::Play{true});
     opening_.reset();
 }
 
@@ -105,8 +105,8 @@ void Viewer::take_news() {
     auto newer = pool_.free_view();
     if (worker_->take(*newer)) {
         view_ = std::move(newer);
-        interface_.record(*view_);
-        glide_.arrived(view_, Clock::now());
+        interface_.record(view_->leading);
+        glide_.arrived(leading(), Clock::now());
         begin_as_asked();
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
@@ -124,9 +124,9 @@ void Viewer::take_news() {
 /// What was dropped onto the window, and what became of files.
 void Viewer::take_files() {
     for (const std::string& file : window_.take_dropped()) files_.open(file);
-    if (view_ && watched_ != view_->description.origin) {
-        watched_ = view_->description.origin;
-        files_.watch(view_->description);
+    if (view_ && watched_ != view_->leading.description.origin) {
+        watched_ = view_->leading.description.origin;
+        files_.watch(view_->leading.description);
     }
     while (const auto news = files_.take()) {
         take(*news);
@@ -194,7 +194,7 @@ void Viewer::ask_for_scene(Clock::time_point now) {
     const ui::PixelRect scene = interface_.scene();
     const bool gliding = measured_.frame_seconds < slow_picture && glide_.gliding(now);
     const auto from = gliding ? glide_.from(now) : nullptr;
-    painter_.ask({view_,
+    painter_.ask({leading(),
                   from,
                   gliding ? glide_.fraction(now) : 1,
                   style_,
@@ -232,7 +232,7 @@ void Viewer::carry_out(const ui::Request& request) {
 
 /// Draws the frame again off-screen: the buffer of the window lacks the parts that other windows cover.
 void Viewer::save_snapshot(const ui::Request& request) {
-    const std::string name = request.file.empty() ? ui::free_name({}, view_->description.model, "png") : request.file;
+    const std::string name = request.file.empty() ? ui::free_name({}, view_->leading.description.model, "png") : request.file;
     const ui::Display display = window_.display();
     interface_.draw_picture(*view_, {camera_, style_}, request.part.width > 0);
     try {
@@ -246,13 +246,13 @@ void Viewer::save_snapshot(const ui::Request& request) {
 }
 
 void Viewer::save_scene() {
-    files_.save(view_->description,
+    files_.save(view_->leading.description,
                 {render::view_text(camera_), std::string(id(style_.colouring)), std::string(id(style_.background))});
 }
 
 void Viewer::report() {
     if (!trace_.wanted()) return;
-    trace_.report(*view_);
+    trace_.report(view_->leading);
     trace_.report(camera_);
     trace_.report(interface_.widgets(), frames_wanted_ == 0);
 }

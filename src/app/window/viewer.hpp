@@ -19,14 +19,14 @@
 
 namespace steplab {
 
-/// A pool of views of a run for reuse; a view that is still in use is not overwritten.
+/// A pool of views of a session for reuse; a view that is still in use is not overwritten.
 class ViewPool {
 public:
     /// A view that is not in use.
-    std::shared_ptr<RunView> free_view();
+    std::shared_ptr<SessionView> free_view();
 
 private:
-    std::vector<std::shared_ptr<RunView>> views_;
+    std::vector<std::shared_ptr<SessionView>> views_;
 };
 
 /// The program of the window: the worker computes, the painter draws the scene, and this thread draws the panels over
@@ -62,6 +62,7 @@ private:
     void save_snapshot(const ui::Request& request);
     void save_scene();
     void report();
+    std::shared_ptr<const RunView> leading() const { return {view_, &view_->leading}; }
 
     WindowSystem system_;
     Window window_;
@@ -77,7 +78,7 @@ private:
     SceneOrigin watched_;  ///< the scene whose file is watched
     ViewPool pool_;
     std::unique_ptr<Worker> worker_;
-    std::shared_ptr<RunView> view_;
+    std::shared_ptr<SessionView> view_;
     ui::Glide glide_;
     render::Camera camera_;
     render::Style style_;

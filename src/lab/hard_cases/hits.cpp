@@ -93,7 +93,7 @@ Table folding_table() {
 Trial grazing(double aside) {
     Trial hit = trial("morse", {{"edge", 1}, {"v0", 1}}, 0.01, 20);
     hit.prepare = [aside](Simulation& simulation) {
-        if (aside > 0) simulation.pull(0, {0, aside, 0});
+        if (aside > 0) simulation.act(Pull{0, {0, aside, 0}});
     };
     return hit;
 }
@@ -216,7 +216,7 @@ Table cube_table() {
 /// digits.
 Trial same_position() {
     Trial trial = steplab::trial("morse", {{"edge", 1}}, 0.01, 2);
-    trial.prepare = [](Simulation& simulation) { simulation.pull(0, simulation.frame().positions[1]); };
+    trial.prepare = [](Simulation& simulation) { simulation.act(Pull{0, simulation.frame().positions[1]}); };
     return trial;
 }
 Trial nearly_coincident(double spacing) {

@@ -37,6 +37,13 @@ Vec3 in_precision(Vec3 position, Precision precision) {
     return {rounded_to(precision, position.x), rounded_to(precision, position.y), rounded_to(precision, position.z)};
 }
 
+/// True if after the second nothing is left of the first.
+bool overwrites(const std::optional<Act>& later, const std::optional<Act>& earlier) {
+    if (!later || !earlier) return !later && !earlier;
+    const Pull *const pull = std::get_if<Pull>(&*later), *const before = std::get_if<Pull>(&*earlier);
+    return pull && before && pull->particle == before->particle;
+}
+
 /// Distances of particles from where they are in the run.
 class Distances {
 public:
@@ -55,57 +62,67 @@ private:
 
 }  // namespace
 
-void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled) {
-    const SegmentBegin& last = segments.back();
-    if (last.pull && last.pull->particle == pulled.pull->particle && last.step == pulled.step) segments.pop_back();
-    segments.push_back(std::move(pulled));
-}
-
 LiveEnsemble::LiveEnsemble(std::size_t runs, Variation variation, const Execution& execution)
     : runs_(runs), variation_(std::move(variation)), execution_(execution) {}
 
 bool LiveEnsemble::go_to(std::uint64_t step, std::span<const SegmentBegin> segments,
                          const std::function<bool()>& enough) {
     const FlushSubnormals flush;
-    if (segment_ >= segments.size() || step < segment_step_) members_.clear();
-    if (members_.size() < runs_ && !begin(segments, enough)) return false;
-    const bool pulled_on = segments[segment_].pull != pull_;
-    const bool next_is_behind = segment_ + 1 < segments.size() && segments[segment_ + 1].step < step_;
-    if (step_ > segment_step_ && (step < step_ || next_is_behind || pulled_on)) {
-        make_batches();
-        step_ = segment_step_;
+    begin_last_again(segments);
+    if (!are_in(segments) || step < segments_.back().step) {
+        members_.clear();
+        segments_.assign(1, segments.front());
     }
-    if (pulled_on) go_on(segments[segment_]);
+    if (members_.size() < runs_ && !begin(segments.front().description, enough)) return false;
+    const bool next_is_behind = segments_.size() < segments.size() && segments[segments_.size()].step < step_;
+    if (step_ > segments_.back().step && (step < step_ || next_is_behind)) {
+        make_batches();
+        step_ = segments_.back().step;
+    }
     while (true) {
-        const bool last = segment_ + 1 == segments.size() || segments[segment_ + 1].step > step;
-        const std::uint64_t end = last ? step : segments[segment_ + 1].step;
+        const bool last = segments_.size() == segments.size() || segments[segments_.size()].step > step;
+        const std::uint64_t end = last ? step : segments[segments_.size()].step;
         while (step_ < end) {
             if (enough()) return false;
             take(std::min(end - step_, steps_of_a_piece()));
         }
         if (last) return true;
         if (enough()) return false;
-        go_on(segments[++segment_]);
+        go_on(segments[segments_.size()]);
     }
 }
 
 bool LiveEnsemble::are_at(std::uint64_t step, std::span<const SegmentBegin> segments) const {
-    return members_.size() == runs_ && segment_ + 1 == segments.size() && step_ == step &&
-           segments.back().pull == pull_;
+    return members_.size() == runs_ && segments_.size() == segments.size() && step_ == step && are_in(segments);
+}
+
+/// True if these segments are the beginning of them.
+bool LiveEnsemble::are_in(std::span<const SegmentBegin> segments) const {
+    return !segments_.empty() && segments_.size() <= segments.size() &&
+           std::equal(segments_.begin(), segments_.end(), segments.begin());
+}
+
+/// Where the last segment has become another that leaves nothing of it: a particle or a slider is dragged.
+void LiveEnsemble::begin_last_again(std::span<const SegmentBegin> segments) {
+    const std::size_t count = segments_.size();
+    if (members_.size() < runs_ || count < 2 || count > segments.size()) return;
+    const SegmentBegin &last = segments_.back(), &now = segments[count - 1];
+    const bool rest_is_same = std::equal(segments_.begin(), std::prev(segments_.end()), segments.begin());
+    if (!rest_is_same || last == now || last.step != now.step || !overwrites(now.act, last.act)) return;
+    make_batches();
+    segments_.pop_back();
+    go_on(now);
 }
 
 /// From the start of the run, or where `enough` had stopped this.
-bool LiveEnsemble::begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough) {
-    const RunDescription& description = segments.front().description;
+bool LiveEnsemble::begin(const RunDescription& description, const std::function<bool()>& enough) {
     const double particles = model_of(description).particles(description.scene);
     if (particles * static_cast<double>(runs_) > static_cast<double>(most_particles))
         throw UsageError(fmt::format("an ensemble of {} runs of {:.0f} particles is too large: at most {} in all",
                                      runs_, particles, most_particles));
     check_memory(description);
     batches_.clear();
-    segment_ = 0;
-    segment_step_ = step_ = 0;
-    pull_.reset();
+    step_ = 0;
     for (std::size_t i = members_.size(); i < runs_; ++i) {
         if (enough()) return false;
         RunDescription held = as_held(variation_(description, i));
@@ -136,8 +153,8 @@ void LiveEnsemble::go_on(const SegmentBegin& segment) {
         for (std::size_t i = batch.first; i < batch.first + batch.count; ++i) continue_in(segment, i, batch);
     }
     make_batches();
-    segment_step_ = step_ = segment.step;
-    pull_ = segment.pull;
+    step_ = segment.step;
+    segments_.push_back(segment);
 }
 
 void LiveEnsemble::continue_in(const SegmentBegin& segment, std::size_t i, const Batch& batch) {
@@ -146,11 +163,7 @@ void LiveEnsemble::continue_in(const SegmentBegin& segment, std::size_t i, const
     if (member.lost) return;
     State<double> state;
     batch.synchronised(i, state);
-    if (segment.pull) {
-        const auto& [particle, position] = *segment.pull;
-        state.displacement.set(particle, position - member.scene.reference.at(particle));
-        state.velocity.set(particle, {});
-    }
+    if (segment.act) apply(*segment.act, member.scene.reference, state);
     member.held = as_held(variation_(segment.description, i));
     member.scene = plan_of(member.held);
     member.scene.start = Start(std::move(state));

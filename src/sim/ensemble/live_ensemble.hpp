@@ -4,6 +4,7 @@
 #include "models/plan.hpp"
 #include "sim/ensemble/ensemble_stepper.hpp"
 #include "sim/ensemble/live_ensemble_options.hpp"
+#include "sim/run/act.hpp"
 #include "sim/run/execution.hpp"
 #include "sim/run/run_description.hpp"
 #include "sim/steppers/stepper.hpp"
@@ -20,19 +21,12 @@ namespace steplab {
 
 /// Where a segment of a run began, and how. The segments of a run so far hold all that was done to it.
 struct SegmentBegin {
-    struct Pull {
-        std::size_t particle;
-        Vec3 position;
-        friend bool operator==(const Pull&, const Pull&) = default;
-    };
     std::uint64_t step = 0;
     RunDescription description;
-    std::optional<Pull> pull = {};  ///< of a particle, just before
+    std::optional<Act> act = {};  ///< just before
+    double time = 0;              ///< of the step
+    friend bool operator==(const SegmentBegin&, const SegmentBegin&) = default;
 };
-
-/// Adds one that begins with a pull. It takes the place of a pull of the same particle at the same step, of which
-/// nothing is left: a particle that is dragged while the run stands leaves one segment.
-void append_pull(std::vector<SegmentBegin>& segments, SegmentBegin pulled);
 
 /// Runs that go beside a run, step for step, and to which all that is done to it happens too. Each has the bits that it
 /// has alone. Those that differ only in numbers are computed in SIMD lanes where their
@@ -48,8 +42,8 @@ public:
     LiveEnsemble(std::size_t runs, Variation variation, const Execution& execution = {});
 
     /// Goes to this step of the run that consists of these segments, the first of which begins at step 0; back as well,
-    /// by stepping again. The pull that the last segment begins with may have become another. Stops on the way if
-    /// `enough` says so; false if it is not there yet. Throws UsageError if the runs cannot be computed.
+    /// by stepping again; from the start, where segments have become others. Stops on the way if `enough` says so; false
+    /// if it is not there yet. Throws UsageError if the runs cannot be computed.
     bool go_to(
         std::uint64_t step, std::span<const SegmentBegin> segments,
         const std::function<bool()>& enough = [] { return false; });
@@ -78,7 +72,9 @@ private:
         void synchronised(std::size_t member, State<double>& out) const;
     };
 
-    bool begin(std::span<const SegmentBegin> segments, const std::function<bool()>& enough);
+    bool begin(const RunDescription& description, const std::function<bool()>& enough);
+    void begin_last_again(std::span<const SegmentBegin> segments);
+    bool are_in(std::span<const SegmentBegin> segments) const;
     void check_memory(const RunDescription& description) const;
     void go_on(const SegmentBegin& segment);
     void make_batches();
@@ -92,10 +88,9 @@ private:
     Execution execution_;
     std::vector<Member> members_;
     std::vector<Batch> batches_;
-    std::size_t segment_ = 0;  ///< the one they are in
-    std::uint64_t segment_step_ = 0, step_ = 0;
-    std::optional<SegmentBegin::Pull> pull_;  ///< that the segment began with
-    State<double> seen_;                      ///< of one of them; kept for its memory
+    std::vector<SegmentBegin> segments_;  ///< up to the one they are in
+    std::uint64_t step_ = 0;
+    State<double> seen_;  ///< of one of them; kept for its memory
 };
 
 }  // namespace steplab

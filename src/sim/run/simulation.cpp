@@ -12,17 +12,12 @@
 
 namespace steplab {
 
-namespace {
-
-/// True if only what may change under way differs between the two.
-bool continues(const RunDescription& from, const RunDescription& to) {
-    if (from.model != to.model || from.origin != to.origin || from.start != to.start) return false;
-    return std::all_of(from.scene.infos().begin(), from.scene.infos().end(), [&](const ParameterInfo& info) {
-        return info.on_change == OnChange::applies_live || from.scene[info.name] == to.scene[info.name];
+bool restarts(const RunDescription& from, const RunDescription& to) {
+    if (from.model != to.model || from.origin != to.origin || from.start != to.start) return true;
+    return std::any_of(from.scene.infos().begin(), from.scene.infos().end(), [&](const ParameterInfo& info) {
+        return info.on_change != OnChange::applies_live && from.scene[info.name] != to.scene[info.name];
     });
 }
-
-}  // namespace
 
 Simulation::Simulation(const RunDescription& description, const Execution& execution)
     : body_(std::make_unique<Body>(description, execution)) {}
@@ -189,26 +184,25 @@ std::string Simulation::why_not_exact() const {
 Change Simulation::change(const RunDescription& description) {
     const RunDescription& now = body_->segment.description;
     if (description == now) return Change::none;
-    if (!continues(now, description) || step() == 0) {
-        const Change change = continues(now, description) ? Change::continued : Change::restarted;
-        const std::uint64_t number = body_->segment_number;
-        body_ = std::make_unique<Body>(description, body_->segment.execution);
-        body_->segment_number = number + 1;
-        return change;
+    const bool again = restarts(now, description);
+    if (again || step() == 0) {
+        begin(description);
+    } else {
+        body_->go_on(description, {.new_baseline = !(description.scene == now.scene)});
     }
-    body_->go_on(description, !(description.scene == now.scene));
-    return Change::continued;
+    return again ? Change::restarted : Change::continued;
 }
 
-void Simulation::pull(std::size_t particle, Vec3 position) {
-    if (particle >= particles() || shape()->roles[particle] == Role::fixed) return;
-    settled().pull(particle, position - body_->segment.scene.reference.at(particle));
+void Simulation::act(const Act& act) {
+    if (acts(act, *shape())) settled().act(act);
 }
 
-void Simulation::restart() {
-    const std::uint64_t number = body_->segment_number;
-    body_ = std::make_unique<Body>(RunDescription(description()), Execution(body_->segment.execution));
-    body_->segment_number = number + 1;
+void Simulation::restart() { begin(RunDescription(description())); }
+
+void Simulation::begin(const RunDescription& description) {
+    const std::uint64_t newest = body_->newest_segment;
+    body_ = std::make_unique<Body>(description, Execution(body_->segment.execution));
+    body_->segment_number = body_->newest_segment = newest + 1;
 }
 
 std::uint64_t Simulation::Snapshot::step() const { return content_->course.step; }

@@ -3,6 +3,7 @@
 #include "core/diagnostics.hpp"
 #include "core/frame.hpp"
 #include "models/conservation.hpp"
+#include "sim/run/act.hpp"
 #include "sim/run/execution.hpp"
 #include "sim/run/remedy.hpp"
 #include "sim/run/resolution.hpp"
@@ -30,6 +31,9 @@ struct Divergence {
 
 /// What a change of description did to the run.
 enum class Change { none, continued, restarted };
+
+/// True if a run of the first description begins again with the second: another scene, or a parameter that shapes it.
+bool restarts(const RunDescription& from, const RunDescription& to);
 
 /// One run under way: owns the scene, the method's internal state and the clock in steps.
 class Simulation {
@@ -118,16 +122,20 @@ public:
     /// Continues from the synchronised state with another method, dt, precision or live parameter, beginning a new
     /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
     Change change(const RunDescription& description);
-    /// Moves a particle to a place, without velocity, and continues in a new segment with a new baseline of energy.
-    /// Fixed particles stay where they are.
-    void pull(std::size_t particle, Vec3 position);
+    /// Does this to its particles and continues in a new segment, with a new baseline of energy if it does work. Nothing
+    /// where it moves no particle (acts()).
+    void act(const Act& act);
+    /// From the start again.
     void restart();
+    /// From the start of another description. Throws UsageError, run unchanged.
+    void begin(const RunDescription& description);
     /// True since the start if nothing has changed the energy from outside; false once a live change began a new
     /// baseline.
     bool baseline_is_start() const;
     std::uint64_t baseline_step() const;
 
-    /// Counts the stretches of the run in which nothing was changed.
+    /// Counts the stretches in which nothing was changed; after a return to an earlier one, those that begin get numbers
+    /// that none had before.
     std::uint64_t segment() const;
     double segment_start() const;  ///< time at which the present one began
 

@@ -193,20 +193,20 @@ void Simulation::Body::diverged() {
 }
 
 /// Begins a new segment at the synchronised state.
-void Simulation::Body::go_on(const RunDescription& description, bool energy_changed, std::optional<double> dt) {
+void Simulation::Body::go_on(const RunDescription& description, const GoingOn& how) {
     const FlushSubnormals flush;
-    Segment next(description, segment.execution, Start(State<double>(state())), dt);
+    Segment next(description, segment.execution, Start(State<double>(state())), how.dt);
     evaluations_before += segment.stepper->evaluations();
     segment_time = time_at(step);
     segment_step = step;
     segment = std::move(next);
-    ++segment_number;
+    segment_number = ++newest_segment;
     divergence.reset();
     moved();
-    if (energy_changed) {
+    if (how.new_baseline || how.another_motion) exact_scene.reset();
+    if (how.new_baseline) {
         baseline = energy();
         baseline_step = step;
-        exact_scene.reset();
         if (drag_work) drag_work.emplace();
     }
     segment_begun();
@@ -217,16 +217,15 @@ void Simulation::Body::go_on(const RunDescription& description, bool energy_chan
 void Simulation::Body::shorten_last_step() {
     settle();
     if (divergence) return;
-    go_on(RunDescription(segment.description), false, *end->time - time_at(step));
+    go_on(RunDescription(segment.description), {.dt = *end->time - time_at(step)});
     shortened = true;
 }
 
-/// The particle stops at this displacement; a new segment begins.
-void Simulation::Body::pull(std::size_t particle, Vec3 displacement) {
+/// A new segment begins.
+void Simulation::Body::act(const Act& act) {
     state();
-    observed_state.displacement.set(particle, displacement);
-    observed_state.velocity.set(particle, {});
-    go_on(RunDescription(segment.description), true);
+    apply(act, segment.scene.reference, observed_state);
+    go_on(RunDescription(segment.description), {.new_baseline = does_work(act), .another_motion = true});
 }
 
 }  // namespace steplab

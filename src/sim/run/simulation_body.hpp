@@ -47,7 +47,8 @@ struct Simulation::Body : Course {
     Segment segment;
     mutable std::shared_ptr<const Shape> shape;
 
-    std::any kept;  // internal state at a step known to be good; none of large scenes
+    std::uint64_t newest_segment = 0;  // the largest number that one had, also of moments that the run has left
+    std::any kept;                     // internal state at a step known to be good; none of large scenes
     std::uint64_t kept_step = 0;
     std::optional<CompensatedSum> kept_drag_work;  // there
     std::optional<Divergence> divergence;
@@ -94,10 +95,16 @@ struct Simulation::Body : Course {
     bool count_drag_work();
     void segment_begun();
     void prepare_drag();
-    void pull(std::size_t particle, Vec3 displacement);
+    void act(const Act& act);
     void go_back_to_last_good();
     void diverged();
-    void go_on(const RunDescription& description, bool energy_changed, std::optional<double> dt = {});
+    /// What a new segment changes besides the description.
+    struct GoingOn {
+        bool new_baseline = false;        // energy came from outside
+        bool another_motion = false;      // than that of the exact solution
+        std::optional<double> dt = {};    // of its steps, instead of the description's
+    };
+    void go_on(const RunDescription& description, const GoingOn& how);
 
 private:
     State<double> observed_state;

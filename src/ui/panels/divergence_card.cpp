@@ -18,8 +18,8 @@ RunDescription with_dt(RunDescription description, double dt) {
 /// Restarts the run with the remedy: the last valid state already has the energy of the blow-up.
 void apply(const Context& context, const RunDescription& remedy) {
     context.ask(remedy);
-    context.commands.restart();
-    context.session.wanted.play(true, context.commands);
+    context.events.send(event::Restart{});
+    context.state.wanted.play(true, context.events);
 }
 
 void draw_buttons(const Context& context, const Remedies& remedies) {
@@ -40,7 +40,7 @@ void draw_buttons(const Context& context, const Remedies& remedies) {
             apply(context, with_method(now, *remedies.method));
     }
     next();
-    if (text_button(context, "remedy.restart", "Restart")) context.commands.restart();
+    if (text_button(context, "remedy.restart", "Restart")) context.events.send(event::Restart{});
 }
 
 ImVec2 anchor(const Context& context) {
@@ -68,10 +68,10 @@ void draw_doubt(const Context& context, const Doubt& doubt) {
 
 void draw_divergence_card(const Context& context) {
     const auto& divergence = context.view.divergence;
-    auto& dismissed = context.session.dismissed_divergence;
+    auto& dismissed = context.state.dismissed_divergence;
     if (!divergence) {
         dismissed.reset();
-        if (context.session.doubt) draw_doubt(context, *context.session.doubt);
+        if (context.state.doubt) draw_doubt(context, *context.state.doubt);
         return;
     }
     if (dismissed == divergence->step) return;

@@ -28,7 +28,7 @@ void draw_number(const Context& context, const LiveEnsembleOptions& ensemble) {
         return;
     LiveEnsembleOptions changed = ensemble;
     changed.runs = numbers_of_runs[chosen];
-    context.session.wanted.show_ensemble(changed, context.commands);
+    context.state.wanted.show_ensemble(changed, context.events);
 }
 
 void draw_perturbed_parameter(const Context& context, const LiveEnsembleOptions& ensemble) {
@@ -48,7 +48,7 @@ void draw_perturbed_parameter(const Context& context, const LiveEnsembleOptions&
     if (!combo(context, "ensemble spread", items, chosen, places.right - places.control)) return;
     LiveEnsembleOptions changed = ensemble;
     changed.spread = names[chosen];
-    context.session.wanted.show_ensemble(changed, context.commands);
+    context.state.wanted.show_ensemble(changed, context.events);
 }
 
 constexpr ParameterInfo width_info{.name = "perturbation",
@@ -61,7 +61,7 @@ void draw_width(const Context& context, const LiveEnsembleOptions& ensemble) {
     const auto set = [&](double width) {
         LiveEnsembleOptions changed = ensemble;
         changed.width = width;
-        context.session.wanted.show_ensemble(changed, context.commands);
+        context.state.wanted.show_ensemble(changed, context.events);
     };
     const std::string help = fmt::format(
         "largest perturbation relative to the value of this run\n{} · default {}\na change restarts the ensemble",
@@ -93,7 +93,7 @@ std::string spread_text(const RunView& view) {
 }  // namespace
 
 void draw_ensemble_rows(const Context& context) {
-    const LiveEnsembleOptions ensemble = context.session.wanted.ensemble();
+    const LiveEnsembleOptions ensemble = context.state.wanted.ensemble();
     draw_number(context, ensemble);
     if (ensemble.runs == 0) return;
     if (!ensemble.otherwise) {

@@ -20,12 +20,12 @@ void draw_rows(const Context& context, const Rows& rows, float column) {
 }  // namespace
 
 void draw_help(const Context& context) {
-    if (!context.session.help_open) return;
+    if (!context.state.help_open) return;
     const Display& display = context.display;
     const ImVec2 centre{0.5f * static_cast<float>(display.width), 0.5f * static_cast<float>(display.height)};
     const float width = std::min(context.px(430), static_cast<float>(display.width) - context.px(16));
     const Card card(context, "help", centre, {0.5f, 0.5f}, width, colour::line);
-    if (close_cross(context, "help.close")) context.session.help_open = false;
+    if (close_cross(context, "help.close")) context.state.help_open = false;
     const WithFont font(context.theme.fonts().small);
     {
         const WithFont strong(context.theme.fonts().strong);

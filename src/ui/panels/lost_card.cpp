@@ -8,10 +8,10 @@ namespace steplab::ui {
 
 void draw_lost_card(const Context& context) {
     const Area& scene = context.layout.scene;
-    Session& session = context.session;
-    session.lost = !render::any_in_view(context.view.frame, context.sizes(), context.projection());
-    if (!session.lost) session.dismissed_lost = false;
-    if (!session.lost || session.dismissed_lost) return;
+    InterfaceState& state = context.state;
+    state.lost = !render::any_in_view(context.view.frame, context.sizes(), context.projection());
+    if (!state.lost) state.dismissed_lost = false;
+    if (!state.lost || state.dismissed_lost) return;
     const ImVec2 anchor{scene.x + 0.5f * scene.width, scene.y + 0.72f * scene.height};
     const Card card(context, "lost", anchor, {0.5f, 0.5f}, card_width(context, 300), colour::line);
     ImGui::TextWrapped("No particle is in view.");

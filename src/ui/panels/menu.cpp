@@ -12,7 +12,7 @@ namespace {
 
 void copy(const Context& context, std::string text, std::string_view what) {
     context.request({.kind = Request::Kind::copy_text, .text = std::move(text)});
-    context.session.notice = Notice{"copied " + std::string(what), ImGui::GetTime() + 2.5};
+    context.state.notice = Notice{"copied " + std::string(what), ImGui::GetTime() + 2.5};
 }
 
 bool menu_item(const Context& context, std::string_view widget, const char* label, std::string_view key = {}) {

@@ -13,9 +13,9 @@ ImVec2 foot_of_scene(const Context& context) {
 }
 
 void draw_refusal(const Context& context) {
-    const std::string& message = context.session.wanted.message();
+    const std::string& message = context.state.wanted.message();
     const Card card(context, "refusal", foot_of_scene(context), {0.5f, 1}, card_width(context, 460), colour::bad);
-    if (close_cross(context, "refusal.close")) context.session.wanted.dismiss();
+    if (close_cross(context, "refusal.close")) context.state.wanted.dismiss();
     ImGui::PushTextWrapPos(ImGui::GetContentRegionAvail().x - context.px(6));
     explanation(context, message, colour::text);
     ImGui::PopTextWrapPos();
@@ -54,9 +54,9 @@ void draw_note(const Context& context, Notice& notice) {
 }  // namespace
 
 void draw_notices(const Context& context) {
-    auto& notice = context.session.notice;
+    auto& notice = context.state.notice;
     if (notice && ImGui::GetTime() >= notice->until) notice.reset();
-    if (!context.session.wanted.message().empty()) return draw_refusal(context);
+    if (!context.state.wanted.message().empty()) return draw_refusal(context);
     if (notice && !context.is_saved()) draw_note(context, *notice);
 }
 

@@ -4,8 +4,8 @@
 
 namespace steplab::ui {
 
-/// The panels, each in a file of its name. They draw one frame from the context and send the user's commands to
-/// context.commands.
+/// The panels, each in a file of its name. They draw one frame from the context and send the user's events to
+/// context.events.
 
 void draw_top_bar(const Context& context);
 /// The menu button at the cursor of the bar and, if open, the menu.

@@ -38,7 +38,7 @@ std::vector<Line> lines_of(const Context& context) {
     const std::string energy = has_drag(view.description) ? "energy change: " : "energy error: ";
     lines.push_back({energy + with_unit(rounded_text(view.diagnostics.energy_error), "J")});
     if (view.baseline_step > 0) lines.push_back({fmt::format("relative to the energy at step {}", view.baseline_step)});
-    append_error(lines, view, context.session.history);
+    append_error(lines, view, context.state.history);
     if (!view.frame.ensemble.empty())
         lines.push_back({"ensemble spread: max " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });

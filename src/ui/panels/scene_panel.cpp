@@ -10,7 +10,7 @@ void draw_scene_panel(const Context& context) {
     const ModelInfo& info = model_of(description).info;
     heading(context, "SCENE");
     const std::string_view name = info.name.empty() ? std::string_view(description.model) : info.name;
-    if (choice_box(context, "model", name, ImGui::GetContentRegionAvail().x)) context.session.scenes.open = true;
+    if (choice_box(context, "model", name, ImGui::GetContentRegionAvail().x)) context.state.scenes.open = true;
     tooltip(context, "choose another scene, or open a file");
     explanation(context, info.what);
     parameter_rows(context, "scene", description.scene, [&](const ParameterValues& values) {

@@ -103,13 +103,13 @@ void draw_head(const Context& context) {
     }
     explanation(context, "Click a picture, type the path of a scene file, or drop one onto this window.");
     ImGui::Dummy({0, context.px(2)});
-    draw_path(context, context.session.scenes);
+    draw_path(context, context.state.scenes);
 }
 
 }  // namespace
 
 void draw_scenes_page(const Context& context) {
-    ScenesPage& page = context.session.scenes;
+    ScenesPage& page = context.state.scenes;
     const float top = context.layout.bar.bottom();
     ImGui::SetNextWindowPos({0, top});
     ImGui::SetNextWindowSize(

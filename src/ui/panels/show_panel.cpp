@@ -52,9 +52,9 @@ void draw_following(const Context& context) {
     row_label(context, "follow",
               "the camera goes with the selected particle, or with the centre of mass of all that are not fixed");
     ImGui::SameLine(places.control);
-    auto chosen = static_cast<std::size_t>(context.session.following);
+    auto chosen = static_cast<std::size_t>(context.state.following);
     if (segmented(context, "follow", choices, chosen, places.right - places.control, row_height(context)))
-        context.session.following = static_cast<render::Following>(chosen);
+        context.state.following = static_cast<render::Following>(chosen);
 }
 
 /// What is drawn: a row of the scene, a row of its motion.
@@ -65,13 +65,13 @@ void draw_parts(const Context& context, render::Style& style) {
     ImGui::SameLine(second);
     check_row(context, "grid", "grid and axes", style.grid);
     tooltip(context, "draw the ground grid and the axes in metres");
-    check_row(context, "trail", "trail", context.session.trail);
+    check_row(context, "trail", "trail", context.state.trail);
     tooltip(context, "draw where the selected particle has been; select others to see theirs too");
     ImGui::SameLine(second);
     check_row(context, "velocities", "velocities", style.velocities);
     tooltip(context, "draw the velocity of each particle as an arrow");
     ImGui::SameLine(second + context.px(104));
-    if (check_row(context, "forces", "forces", style.forces)) context.commands.show_forces(style.forces);
+    if (check_row(context, "forces", "forces", style.forces)) context.events.send(event::ShowForces{style.forces});
     tooltip(context, "draw the force on each particle as an arrow, drag and damping included");
 }
 

@@ -25,13 +25,13 @@ void draw_transport(const Context& context) {
     draw_action(context, "restart", Icon::restart, Action::restart);
     draw_action(context, "step back", Icon::step_back, Action::step_back, ButtonStyle::plain,
                 context.view.can_step_back);
-    draw_action(context, "play", context.session.wanted.playing() ? Icon::pause : Icon::play, Action::pause,
+    draw_action(context, "play", context.state.wanted.playing() ? Icon::pause : Icon::play, Action::pause,
                 ButtonStyle::accent, !over);
     draw_action(context, "step", Icon::step_forward, Action::step_forward, ButtonStyle::plain, !over);
 }
 
 void draw_speed(const Context& context) {
-    Wanted& wanted = context.session.wanted;
+    Wanted& wanted = context.state.wanted;
     const Rate rate = wanted.rate();
     ImGui::SameLine(0, context.px(14));
     ImGui::AlignTextToFramePadding();
@@ -47,14 +47,14 @@ void draw_speed(const Context& context) {
             "playback speed in simulated seconds per second of real time; keys = and - change it, a double click "
             "resets it");
     if (ImGui::IsItemHovered() && ImGui::GetIO().MouseDoubleClicked[0]) {
-        wanted.set_rate({}, context.commands);
+        wanted.set_rate({}, context.events);
     } else if (moved) {
-        wanted.set_rate({false, *moved}, context.commands);
+        wanted.set_rate({false, *moved}, context.events);
     }
 }
 
 void draw_rate(const Context& context) {
-    Wanted& wanted = context.session.wanted;
+    Wanted& wanted = context.state.wanted;
     const Rate rate = wanted.rate();
     ImGui::SameLine(0, context.px(8));
     const ImVec2 place = ImGui::GetCursorScreenPos();
@@ -63,7 +63,7 @@ void draw_rate(const Context& context) {
         text_left(place.x, place.y + 0.5f * ImGui::GetFrameHeight(), rate_text(rate.seconds_per_second), colour::text);
     ImGui::SameLine(0, context.px(6));
     if (text_button(context, "fastest", "unlimited", rate.as_fast_as_possible)) {
-        wanted.set_rate({!rate.as_fast_as_possible, rate.seconds_per_second}, context.commands);
+        wanted.set_rate({!rate.as_fast_as_possible, rate.seconds_per_second}, context.events);
     }
     tooltip(context, "run as fast as the processor allows; click again to return to the speed of the slider");
 }

@@ -25,9 +25,9 @@ void save_table(const Context& context, const Plot& plot) {
         OutputFile file(name);
         file.write(plot_csv(plot));
         file.commit();
-        context.session.notice = notice_of_saved(name);
+        context.state.notice = notice_of_saved(name);
     } catch (const Error& error) {
-        context.session.wanted.refuse(error.what());
+        context.state.wanted.refuse(error.what());
     }
 }
 

@@ -41,12 +41,12 @@ void open_entry(const Context& context, const SliderRow& row) {
     Entry entry{.widget = std::string(row.widget), .just_opened = true};
     const std::size_t length = std::min(row.entry_text.size(), entry.text.size() - 1);
     std::copy_n(row.entry_text.begin(), length, entry.text.begin());
-    context.session.entry = entry;
+    context.state.entry = entry;
 }
 
 /// The text entry that replaces slider and value while a number is typed.
 void draw_entry(const Context& context, const SliderRow& row, float width) {
-    Entry& entry = *context.session.entry;
+    Entry& entry = *context.state.entry;
     if (entry.just_opened) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
@@ -59,12 +59,12 @@ void draw_entry(const Context& context, const SliderRow& row, float width) {
     entry.just_opened = false;
     if (!entered && !left) return;
     const std::string text = entry.text.data();
-    context.session.entry.reset();
+    context.state.entry.reset();
     if (!entered) return;
     try {
         row.set_text(text);
     } catch (const UsageError& error) {
-        context.session.wanted.refuse(error.what());
+        context.state.wanted.refuse(error.what());
     }
 }
 
@@ -116,7 +116,7 @@ void slider_row(const Context& context, const SliderRow& row) {
     const RowPlaces places = row_places(context);
     row_label(context, row.label, row.tooltip);
     ImGui::SameLine(places.control);
-    if (context.session.entry && context.session.entry->widget == row.widget) {
+    if (context.state.entry && context.state.entry->widget == row.widget) {
         draw_entry(context, row, places.right - places.control);
         return;
     }

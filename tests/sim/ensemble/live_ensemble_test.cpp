@@ -45,9 +45,12 @@ struct Flock {
         for (std::size_t i = 0; i < ensemble.runs; ++i) alone[i].change(spread(ensemble)(description, i));
     }
     void pull(std::size_t particle, Vec3 position) {
-        append_pull(segments, {run.step(), run.description(), SegmentBegin::Pull{particle, position}});
-        run.pull(particle, position);
-        for (Simulation& simulation : alone) simulation.pull(particle, position);
+        const Pull pull{particle, position};
+        const auto* const last = segments.back().act ? std::get_if<Pull>(&*segments.back().act) : nullptr;
+        if (last && last->particle == particle && segments.back().step == run.step()) segments.pop_back();
+        segments.push_back({run.step(), run.description(), pull});
+        run.act(pull);
+        for (Simulation& simulation : alone) simulation.act(pull);
     }
     EnsembleSpread observe(Frame& frame) {
         EXPECT_TRUE(live_ensemble.go_to(run.step(), segments));

@@ -146,7 +146,7 @@ TEST(DragWork, begins_anew_with_the_baseline) {
     ASSERT_TRUE(simulation.count_drag_work());
     simulation.advance(50);
     EXPECT_GT(*simulation.drag_work(), 0);
-    simulation.pull(9, {4, 1, 0});
+    simulation.act(Pull{9, {4, 1, 0}});
     EXPECT_EQ(simulation.drag_work(), 0);
     RunDescription other = simulation.description();
     other.dt = 0.005;

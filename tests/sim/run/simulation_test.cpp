@@ -195,12 +195,12 @@ TEST(Snapshot, leads_back_into_the_segment_before) {
 TEST(Pull, takes_a_particle_along_and_begins_a_new_baseline) {
     Simulation simulation(run_of("mesh", "rk4", Precision::double_, 0.1));
     simulation.advance(3);
-    simulation.pull(44, {8, 1, -8});
+    simulation.act(Pull{44, {8, 1, -8}});
     EXPECT_EQ(simulation.frame().positions[44], (Vec3{8, 1, -8}));
     EXPECT_EQ(simulation.frame().velocities[44], Vec3{});
     EXPECT_EQ(simulation.diagnostics().energy_error, 0);
     EXPECT_EQ(simulation.baseline_step(), 3u);
-    simulation.pull(0, {5, 5, 5});  // fixed
+    simulation.act(Pull{0, {5, 5, 5}});  // fixed
     EXPECT_EQ(simulation.frame().positions[0], Vec3{});
 }
 
@@ -244,7 +244,7 @@ TEST(Pull, of_a_run_that_has_diverged_unseen_begins_at_the_last_good_step) {
     Simulation seen(description), unseen(description);
     for (Simulation* const simulation : {&seen, &unseen}) simulation->advance(20);
     ASSERT_TRUE(seen.divergence());
-    for (Simulation* const simulation : {&seen, &unseen}) simulation->pull(5, {10, 1, 0});
+    for (Simulation* const simulation : {&seen, &unseen}) simulation->act(Pull{5, {10, 1, 0}});
     EXPECT_EQ(unseen.step(), seen.step());
     EXPECT_EQ(distance(unseen.frame(), seen.frame()), 0);
     EXPECT_TRUE(std::isfinite(unseen.energy()));

@@ -146,7 +146,7 @@ TEST(LargeBands, move_along_the_axes_of_their_neighbours) {
     const auto pulled = [&](std::size_t threads) {
         Simulation simulation(run, by_threads(threads));
         simulation.advance(10);
-        simulation.pull(59, {150, 30, 20});
+        simulation.act(Pull{59, {150, 30, 20}});
         return simulation;
     };
     const auto expect_hash = [&](Simulation& several, std::uint64_t steps) {

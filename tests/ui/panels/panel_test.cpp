@@ -283,7 +283,7 @@ TEST(panel, footer_takes_as_many_lines_as_it_needs) {
     Desk desk;
     const auto height = [&](std::optional<double> steps, std::optional<double> frame) {
         desk.view.steps_per_second = desk.view.evaluations_per_second = steps;
-        desk.interface.draw(desk.view, desk.recorder, {desk.camera, desk.style}, {.frame_seconds = frame});
+        desk.interface.draw(desk.session, desk.recorder, {desk.camera, desk.style}, {.frame_seconds = frame});
         return desk.widget("footer").bottom - desk.widget("footer").top;
     };
     const float one_line = height({}, {}), all = height(1.9e6, 0.0041);

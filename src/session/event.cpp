@@ -1,0 +1,20 @@
+#include "session/event.hpp"
+
+namespace steplab {
+
+bool overtakes(const Event& earlier, const Event& later) {
+    if (earlier.index() != later.index()) return false;
+    if (const auto* const act = std::get_if<event::Do>(&later)) {
+        const Pull *const pull = std::get_if<Pull>(&act->act),
+                   *const before = std::get_if<Pull>(&std::get<event::Do>(earlier).act);
+        return pull && before && pull->particle == before->particle;
+    }
+    if (const auto* const change = std::get_if<event::ChangeRun>(&later))
+        return change->run == std::get<event::ChangeRun>(earlier).run;
+    return std::holds_alternative<event::Change>(later) || std::holds_alternative<event::Seek>(later) ||
+           std::holds_alternative<event::SeekTime>(later) || std::holds_alternative<event::SetRate>(later) ||
+           std::holds_alternative<event::Track>(later) || std::holds_alternative<event::ShowEnsemble>(later) ||
+           std::holds_alternative<event::ShowForces>(later) || std::holds_alternative<event::Play>(later);
+}
+
+}  // namespace steplab

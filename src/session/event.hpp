@@ -1,0 +1,99 @@
+#pragma once
+
+#include "session/run_view.hpp"
+#include "sim/ensemble/live_ensemble_options.hpp"
+#include "sim/run/act.hpp"
+#include "sim/run/run_description.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace steplab {
+
+/// What a person can do in a session, as data.
+namespace event {
+
+struct Play {
+    bool on = true;
+};
+/// Steps of the leading run on, or back where negative; the session then stands.
+struct Step {
+    std::int64_t steps = 1;
+};
+/// To a step of the leading run as fast as it can; playing goes on there.
+struct Seek {
+    std::uint64_t step = 0;
+};
+/// To a time in the same way: to the step at which the leading run is shown then.
+struct SeekTime {
+    double time = 0;
+};
+/// From the start again, with the present settings.
+struct Restart {};
+/// The leading run goes on with another method, dt, precision or live parameter; or the session begins again where the
+/// description restarts it.
+struct Change {
+    RunDescription description;
+};
+struct SetRate {
+    Rate rate;
+};
+/// The particle that views tell about.
+struct Track {
+    std::optional<std::size_t> particle;
+};
+/// Something is done to particles of every run.
+struct Do {
+    Act act;
+};
+/// Takes back the last change, act or restart; and does it again.
+struct Undo {};
+struct Redo {};
+/// Which runs of an ensemble go beside the leading run, from its start on.
+struct ShowEnsemble {
+    LiveEnsembleOptions ensemble;
+};
+/// Whether views hold the forces on the particles.
+struct ShowForces {
+    bool on = true;
+};
+/// Another run of the same scene beside the leading one, from its start on.
+struct AddRun {
+    RunDescription description;
+};
+/// Another description for a run beside the leading one (1 or more), which begins again with it.
+struct ChangeRun {
+    std::size_t run = 1;
+    RunDescription description;
+};
+/// Of the leading run (0), the next one takes the lead.
+struct RemoveRun {
+    std::size_t run = 1;
+};
+/// A run takes the lead.
+struct Lead {
+    std::size_t run = 1;
+};
+/// Marks the present moment; at a marked one, takes the mark away.
+struct Bookmark {
+    std::string text;
+};
+/// Goes over to a way that was left.
+struct TakeBranch {
+    std::size_t branch = 0;
+};
+
+}  // namespace event
+
+using Event = std::variant<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change,
+                           event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
+                           event::ShowForces, event::AddRun, event::ChangeRun, event::RemoveRun, event::Lead,
+                           event::Bookmark, event::TakeBranch>;
+
+/// True if the second event leaves nothing of the first, which it follows: a slider or the time line is dragged.
+bool overtakes(const Event& earlier, const Event& later);
+
+}  // namespace steplab

@@ -1,0 +1,71 @@
+#include "session/follower_run.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// Steps between two questions whether to stop.
+constexpr std::uint64_t piece = 64;
+
+}  // namespace
+
+FollowerRun::FollowerRun(const RunDescription& description, std::size_t bytes)
+    : description_(description), bytes_(bytes), line_(description, bytes) {}
+
+/// Where the leading run has gone another way than this one, this one begins again.
+bool FollowerRun::follow(const TimeLine& leading, const std::function<bool()>& enough) {
+    if (!follows(leading.changes())) {
+        line_ = TimeLine(description_, bytes_);
+        followed_.clear();
+    }
+    if (followed_.empty()) followed_.push_back(leading.changes().front());
+    while (followed_.size() < leading.past().size()) {
+        const SegmentBegin& next = leading.changes()[followed_.size()];
+        if (!go_to(next.time, enough)) return false;
+        take(followed_.back(), next);
+        followed_.push_back(next);
+    }
+    return go_to(leading.time(), enough);
+}
+
+bool FollowerRun::is_beside(const TimeLine& leading) const {
+    const auto [step, evaluations, over] = line_.run().advanced();
+    return followed_.size() >= leading.past().size() && follows(leading.changes()) &&
+           (step == line_.step_at(leading.time()) || over);
+}
+
+/// True if what happened to it is the beginning of these changes.
+bool FollowerRun::follows(std::span<const SegmentBegin> changes) const {
+    return followed_.size() <= changes.size() && std::equal(followed_.begin(), followed_.end(), changes.begin());
+}
+
+bool FollowerRun::go_to(double time, const std::function<bool()>& enough) {
+    const std::uint64_t step = line_.step_at(time);
+    if (line_.run().advanced().step > step) line_.turn_to(step);
+    while (line_.run().advanced().step < step && !line_.run().advanced().diverged) {
+        if (enough()) return false;
+        line_.advance(std::min(piece, step - line_.run().advanced().step));
+    }
+    line_.keep_moment();
+    return true;
+}
+
+/// Of a change of description, that of the scene.
+void FollowerRun::take(const SegmentBegin& before, const SegmentBegin& change) {
+    if (line_.is_over()) return;
+    if (change.act) {
+        line_.act(*change.act);
+        return;
+    }
+    RunDescription description = line_.run().description();
+    for (const ParameterInfo& info : description.scene.infos()) {
+        const double value = change.description.scene[info.name];
+        if (value != before.description.scene[info.name]) description.scene.set(info.name, value);
+    }
+    line_.change(description);
+}
+
+}  // namespace steplab

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "session/time_line.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace steplab {
+
+/// A run beside the leading one: of the same scene, shown at the same times, and everything that is done to particles
+/// and to the scene there happens to it too, at its last step that does not lie after it.
+class FollowerRun {
+public:
+    /// Throws UsageError.
+    FollowerRun(const RunDescription& description, std::size_t bytes);
+
+    /// As it began; a change of scene since then is in run().description().
+    const RunDescription& description() const { return description_; }
+    const Simulation& run() const { return line_.run(); }
+    TimeLine& line() { return line_; }
+
+    /// Goes to where the leading run stands. Stops on the way if `enough` says so; false if it is not there yet. Throws
+    /// UsageError if a change cannot be made to it, Interrupted.
+    bool follow(const TimeLine& leading, const std::function<bool()>& enough);
+    /// True if it is there.
+    bool is_beside(const TimeLine& leading) const;
+
+private:
+    bool follows(std::span<const SegmentBegin> changes) const;
+    bool go_to(double time, const std::function<bool()>& enough);
+    void take(const SegmentBegin& before, const SegmentBegin& change);
+
+    RunDescription description_;
+    std::size_t bytes_;
+    TimeLine line_;
+    std::vector<SegmentBegin> followed_;  ///< the leading run's changes that are changes of its line, the start first
+};
+
+}  // namespace steplab

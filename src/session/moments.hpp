@@ -1,0 +1,49 @@
+#pragma once
+
+#include "sim/run/simulation.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace steplab {
+
+/// Moments of a run to come back to: any other is reached by stepping again from the nearest one. They grow sparser when
+/// the memory allowed is full, the first after each change of the run always being kept.
+class Moments {
+public:
+    struct Moment {
+        std::uint64_t step = 0;
+        std::size_t changes = 0;  ///< that had taken effect
+        Simulation::Snapshot state;
+    };
+
+    /// `bytes`: memory that the kept states may take; two moments are kept however large they are.
+    explicit Moments(std::size_t bytes) : allowed_(bytes) {}
+
+    /// Keeps the present moment of the run, up to which so many changes have taken effect, unless one is near.
+    void offer(const Simulation& simulation, std::size_t changes);
+    /// Keeps it unless that same one is kept.
+    void keep(const Simulation& simulation, std::size_t changes);
+    /// The last one up to this step with so many changes at most; null if there is none.
+    const Moment* before(std::uint64_t step, std::size_t changes) const;
+    /// Takes away those with more changes, and those that lie after this step.
+    std::vector<Moment> cut(std::uint64_t step, std::size_t changes);
+    /// Puts such back, behind all that are here.
+    void append(std::vector<Moment> moments);
+    void clear();
+    /// Memory that the kept states take.
+    std::size_t bytes() const { return used_; }
+
+private:
+    void keep_within(const Simulation& simulation, std::size_t changes, std::uint64_t spacing);
+    void keep_to_memory();
+    void thin_out();
+
+    std::size_t allowed_;
+    std::size_t used_ = 0;
+    std::uint64_t spacing_ = 16;   ///< steps between two moments
+    std::vector<Moment> moments_;  ///< in the order of steps and changes
+};
+
+}  // namespace steplab

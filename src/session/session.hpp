@@ -1,0 +1,109 @@
+#pragma once
+
+#include "session/event.hpp"
+#include "session/follower_run.hpp"
+#include "session/session_view.hpp"
+#include "session/time_line.hpp"
+#include "sim/ensemble/live_ensemble.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace steplab {
+
+/// What a person does with runs: one to four of one scene, which stand at the same time, and everything that was done to
+/// them. It has neither a thread nor a clock of its own: it is told how many steps to take. The same events at the same
+/// steps give the same session, bit for bit.
+class Session {
+public:
+    static constexpr std::size_t most_runs = 4;
+    /// Ways and runs that were left and are kept for coming back.
+    static constexpr std::size_t most_branches = 16, most_left = 4;
+
+    /// `bytes`: memory for moments to come back to. Throws UsageError.
+    explicit Session(const RunDescription& description, std::size_t bytes = TimeLine::usual_bytes);
+
+    /// Does what an event says, at the step where the leading run stands. Throws UsageError, nothing changed.
+    void handle(const Event& event);
+
+    const Simulation& run() const { return line_.run(); }
+    const TimeLine& line() const { return line_; }
+    const std::vector<FollowerRun>& followers() const { return followers_; }
+    bool playing() const { return playing_; }
+    Rate rate() const { return rate_; }
+    /// The step that the leading run is on its way to.
+    std::optional<std::uint64_t> goal() const { return goal_; }
+
+    /// Takes steps of the leading run, and those of the others if they are beside it. Throws Interrupted.
+    void advance(std::uint64_t steps);
+    /// True while what goes beside the leading run is not there yet, as it began later or went back.
+    bool is_behind() const;
+    /// Brings it nearer, until it is there or `enough` says so. Throws Interrupted; what cannot follow is given up, and
+    /// the reason thrown as UsageError.
+    void catch_up(const std::function<bool()>& enough);
+    /// Takes the session to its goal and all runs to one time. Throws as advance() and catch_up() do.
+    void finish();
+    /// Pauses where the leading run stands.
+    void stop();
+    /// Where memory ran out.
+    void give_up_ensemble() { show_ensemble({}); }
+    /// Keeps the present moment, unless one is near.
+    void keep_moment() { line_.keep_moment(); }
+
+    /// The present moment of all runs, reusing the memory of `view`.
+    void observe(SessionView& view) const;
+
+private:
+    struct Handle;
+    /// All that a restart leaves behind.
+    struct Left {
+        TimeLine line;
+        std::vector<TimeLine::Branch> branches;
+        std::vector<Mark> bookmarks;
+    };
+    /// What undoing took back.
+    using Undone = std::variant<TimeLine::Branch, Left>;
+
+    void begin(const RunDescription& description);
+    void begun();
+    void step(std::int64_t steps);
+    void change(const RunDescription& description);
+    void act(const Act& act);
+    void undo();
+    void redo();
+    void seek(std::uint64_t step);
+    void keep(std::optional<TimeLine::Branch> left);
+    void changed();
+    void take_branch(std::size_t number);
+    void bookmark(const std::string& text);
+    void lead(std::size_t follower);
+    void remove(std::size_t run);
+    std::size_t check_follower(std::size_t run) const;
+    Left exchange(Left other);
+    TimeLineView line_view() const;
+    void show_ensemble(const LiveEnsembleOptions& asked);
+    FollowerRun follower(const RunDescription& description) const;
+
+    std::size_t bytes_;
+    TimeLine line_;  ///< of the leading run
+    std::vector<FollowerRun> followers_;
+    std::vector<TimeLine::Branch> branches_;
+    std::vector<Left> left_;
+    std::vector<Undone> undone_;
+    std::vector<Mark> bookmarks_;
+    bool playing_ = false;
+    Rate rate_;
+    std::optional<std::uint64_t> goal_;
+    std::optional<std::size_t> tracked_;
+    bool with_forces_ = false;
+    LiveEnsembleOptions ensemble_;
+    mutable std::optional<LiveEnsemble> live_ensemble_;
+    std::uint64_t number_ = 0;  ///< of the run: grows when one begins again
+};
+
+}  // namespace steplab

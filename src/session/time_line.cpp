@@ -1,0 +1,177 @@
+#include "session/time_line.hpp"
+
+#include "core/error.hpp"
+#include "session/change_text.hpp"
+#include "session/compared.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// Steps of dt from the beginning of a segment on that do not end after a time.
+std::uint64_t steps_within(double time, const RunDescription& description) {
+    return steplab::step_at(time, rounded_to(description.precision, description.dt));
+}
+
+}  // namespace
+
+TimeLine::TimeLine(const RunDescription& description, std::size_t bytes)
+    : run_(description), moments_(bytes), changes_{{0, description}} {
+    keep_moment();
+}
+
+void TimeLine::advance(std::uint64_t steps) {
+    const std::uint64_t target = run_.advanced().step + steps;
+    take_due_changes();
+    while (run_.advanced().step < target && !run_.advanced().diverged) {
+        const std::uint64_t next = taken_ < changes_.size() ? std::min(target, changes_[taken_].step) : target;
+        run_.advance(next - run_.advanced().step);
+        take_due_changes();
+    }
+    if (run_.advanced().step > reached_) {
+        reached_ = run_.advanced().step;
+        reached_time_ = time_of(reached_);
+    }
+}
+
+/// Those of the present step.
+void TimeLine::take_due_changes() {
+    while (taken_ < changes_.size() && !run_.advanced().diverged && changes_[taken_].step == run_.advanced().step) {
+        take_effect(changes_[taken_]);
+        ++taken_;
+        keep_moment();
+    }
+}
+
+void TimeLine::take_effect(SegmentBegin& change) {
+    change.time = run_.time();
+    if (change.act) {
+        run_.act(*change.act);
+    } else {
+        run_.change(change.description);
+    }
+}
+
+bool TimeLine::turn_to(std::uint64_t step) {
+    const auto due = static_cast<std::size_t>(std::count_if(
+        changes_.begin(), changes_.end(), [&](const SegmentBegin& change) { return change.step <= step; }));
+    const Moments::Moment* const nearest = moments_.before(step, due);
+    const bool can_go_on = run_.step() <= step && taken_ <= due;
+    if (can_go_on && (!nearest || nearest->step <= run_.step())) return false;
+    const bool back = !can_go_on;
+    if (nearest) {
+        run_.restore(nearest->state);
+        taken_ = nearest->changes;
+    } else {
+        run_.begin(changes_.front().description);
+        taken_ = 1;
+    }
+    return back;
+}
+
+std::uint64_t TimeLine::step_at(double time) const {
+    const auto next = std::find_if(std::next(changes_.begin()), changes_.end(),
+                                   [&](const SegmentBegin& change) { return change.time > time; });
+    const SegmentBegin& segment = *std::prev(next);
+    const std::uint64_t step = segment.step + steps_within(time - segment.time, segment.description);
+    return next == changes_.end() ? step : std::min(step, next->step);
+}
+
+double TimeLine::time_of(std::uint64_t step) const {
+    const auto next = std::find_if(std::next(changes_.begin()), changes_.end(),
+                                   [&](const SegmentBegin& change) { return change.step > step; });
+    const SegmentBegin& segment = *std::prev(next);
+    const RunDescription& run = segment.description;
+    return segment.time + static_cast<double>(step - segment.step) * rounded_to(run.precision, run.dt);
+}
+
+std::optional<TimeLine::Branch> TimeLine::change(const RunDescription& description) {
+    if (description == run_.description()) return std::nullopt;
+    if (restarts(run_.description(), description)) throw UsageError("this change begins another run");
+    check(description);
+    return append({run_.step(), description});
+}
+
+std::optional<TimeLine::Branch> TimeLine::act(const Act& act) { return append({run_.step(), run_.description(), act}); }
+
+/// A slider that is dragged while the run stands leaves one change, and so does a particle.
+bool TimeLine::replaces_last(const SegmentBegin& change) const {
+    if (taken_ == 1) return false;
+    const SegmentBegin &last = changes_[taken_ - 1], &before = changes_[taken_ - 2];
+    if (last.step != change.step || last.act.has_value() != change.act.has_value()) return false;
+    if (!change.act)
+        return differences(before.description, last.description) == differences(last.description, change.description);
+    const Pull *const pull = std::get_if<Pull>(&*change.act), *const earlier = std::get_if<Pull>(&*last.act);
+    return pull && earlier && pull->particle == earlier->particle;
+}
+
+std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change) {
+    const std::uint64_t step = change.step;
+    std::optional<Branch> left = cut(step, taken_);
+    if (replaces_last(change)) {
+        cut(step, taken_ - 1);
+        stand_at(step, taken_ - 1);
+    } else {
+        moments_.keep(run_, taken_);  // what may be taken back is often taken back at once
+    }
+    changes_.push_back(std::move(change));
+    take_due_changes();
+    return left;
+}
+
+/// The run as it was at a step before later changes of that step.
+void TimeLine::stand_at(std::uint64_t step, std::size_t changes) {
+    const Moments::Moment* const nearest = moments_.before(step, changes);
+    if (nearest) {
+        run_.restore(nearest->state);
+        taken_ = nearest->changes;
+    } else {
+        run_.begin(changes_.front().description);
+        taken_ = 1;
+    }
+    advance(step - run_.step());
+}
+
+/// Forgets what lies behind this step and more changes than these.
+std::optional<TimeLine::Branch> TimeLine::cut(std::uint64_t step, std::size_t kept) {
+    const bool nothing = changes_.size() == kept && reached_ <= step;
+    Branch branch{changes_, moments_.cut(step, kept), step, reached_, reached_time_};
+    changes_.resize(kept);
+    reached_ = step;
+    reached_time_ = time_of(step);
+    return nothing ? std::nullopt : std::optional(std::move(branch));
+}
+
+std::optional<TimeLine::Branch> TimeLine::undo() {
+    if (taken_ == 1) return std::nullopt;
+    const std::size_t kept = taken_ - 1;
+    const std::uint64_t step = changes_[kept].step;
+    std::optional<Branch> left = cut(step, kept);
+    stand_at(step, kept);
+    return left;
+}
+
+std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {
+    const auto [here, there] = std::mismatch(changes_.begin(), changes_.end(), branch.changes.begin(),
+                                             branch.changes.end(), [](const auto& a, const auto& b) {
+                                                 return a.step == b.step && a.description == b.description &&
+                                                        a.act == b.act;
+                                             });
+    const auto shared = static_cast<std::size_t>(here - changes_.begin());
+    std::uint64_t step = branch.fork;
+    if (here != changes_.end()) step = std::min(step, here->step);
+    if (there != branch.changes.end()) step = std::min(step, there->step);
+    std::optional<Branch> left = cut(step, shared);
+    stand_at(step, shared);
+    changes_ = std::move(branch.changes);
+    moments_.append(std::move(branch.moments));
+    reached_ = branch.reached;
+    reached_time_ = branch.reached_time;
+    take_due_changes();
+    return left;
+}
+
+}  // namespace steplab

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "session/moments.hpp"
+#include "sim/ensemble/live_ensemble.hpp"
+#include "sim/run/act.hpp"
+#include "sim/run/simulation.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace steplab {
+
+/// A run with everything that was done to it, each change with the step at which it took effect. It can be taken to any
+/// of its steps, bit for bit; what lies ahead is kept until something else is done. Changes are those of SegmentBegin:
+/// the first is the start.
+class TimeLine {
+public:
+    static constexpr std::size_t usual_bytes = std::size_t{256} << 20;
+
+    /// `bytes`: memory for moments to come back to. Throws UsageError.
+    explicit TimeLine(const RunDescription& description, std::size_t bytes = usual_bytes);
+
+    /// The run where it stands.
+    const Simulation& run() const { return run_; }
+    std::uint64_t step() const { return run_.step(); }
+    double time() const { return run_.time(); }
+    /// All changes, and those of them that have taken effect: the start at least.
+    std::span<const SegmentBegin> changes() const { return changes_; }
+    std::span<const SegmentBegin> past() const { return std::span(changes_).first(taken_); }
+    /// The largest step that it was at, on this branch, and its time.
+    std::uint64_t reached() const { return reached_; }
+    double reached_time() const { return reached_time_; }
+    /// The run stands at the last step that it can get to.
+    bool is_over() const { return run_.divergence().has_value(); }
+
+    /// Takes steps, and on the way what lies ahead. Throws Interrupted.
+    void advance(std::uint64_t steps);
+    /// Takes it to where it can go on to this step by advance(): the nearest moment before it that is kept, or stays
+    /// where that is nearer. True if it was taken back.
+    bool turn_to(std::uint64_t step);
+    /// Keeps the present moment, unless one is near.
+    void keep_moment() { moments_.offer(run_, taken_); }
+
+    /// The step at which it is to be shown at a time (step_at()), by the changes up to then.
+    std::uint64_t step_at(double time) const;
+    /// The time of a step, by the changes up to then.
+    double time_of(std::uint64_t step) const;
+
+    /// A way that the run went and left: all its changes from the start on, moments behind those that it shares with the
+    /// present one, and how far it went.
+    struct Branch {
+        std::vector<SegmentBegin> changes;
+        std::vector<Moments::Moment> moments;
+        std::uint64_t fork = 0;  ///< the step where it left the way that followed
+        std::uint64_t reached = 0;
+        double reached_time = 0;
+    };
+
+    /// From here on with another method, dt, precision or live parameter. What lay ahead is returned, if anything did.
+    /// Throws UsageError, nothing changed, also where the description restarts the run (restarts()).
+    std::optional<Branch> change(const RunDescription& description);
+    /// Does this to particles, which has to do something (steplab::acts()).
+    std::optional<Branch> act(const Act& act);
+    /// Takes back the last change that has taken effect, if it is not the start: the run then stands before it.
+    std::optional<Branch> undo();
+    /// Goes over to that way: the run stands where the two part, behind the branch's change there. What is left is
+    /// returned.
+    std::optional<Branch> take(Branch branch);
+
+    std::size_t bytes() const { return moments_.bytes(); }
+
+private:
+    void take_effect(SegmentBegin& change);
+    void take_due_changes();
+    void stand_at(std::uint64_t step, std::size_t changes);
+    std::optional<Branch> cut(std::uint64_t step, std::size_t kept);
+    std::optional<Branch> append(SegmentBegin change);
+    bool replaces_last(const SegmentBegin& change) const;
+
+    Simulation run_;
+    Moments moments_;
+    std::vector<SegmentBegin> changes_;
+    std::size_t taken_ = 1;      ///< how many have taken effect
+    std::uint64_t reached_ = 0;
+    double reached_time_ = 0;
+};
+
+}  // namespace steplab
