@@ -38,7 +38,9 @@ struct Watched {
 /// A run with a window that looks at it.
 class Watching {
 public:
-    explicit Watching(const RunDescription& description) : worker_(description) { worker_.send(event::SetRate{{true, 1}}); }
+    explicit Watching(const RunDescription& description) : worker_(description) {
+        worker_.send(event::SetRate{{true, 1}});
+    }
 
     Watched measure() {
         worker_.send(event::Play{true});

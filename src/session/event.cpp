@@ -5,8 +5,8 @@ namespace steplab {
 bool overtakes(const Event& earlier, const Event& later) {
     if (earlier.index() != later.index()) return false;
     if (const auto* const act = std::get_if<event::Do>(&later)) {
-        const Pull *const pull = std::get_if<Pull>(&act->act),
-                   *const before = std::get_if<Pull>(&std::get<event::Do>(earlier).act);
+        const Pull *const pull = std::get_if<Pull>(&act->act), *const before =
+                                                                   std::get_if<Pull>(&std::get<event::Do>(earlier).act);
         return pull && before && pull->particle == before->particle;
     }
     if (const auto* const change = std::get_if<event::ChangeRun>(&later))

@@ -88,10 +88,10 @@ struct TakeBranch {
 
 }  // namespace event
 
-using Event = std::variant<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change,
-                           event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
-                           event::ShowForces, event::AddRun, event::ChangeRun, event::RemoveRun, event::Lead,
-                           event::Bookmark, event::TakeBranch>;
+using Event =
+    std::variant<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change, event::SetRate,
+                 event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble, event::ShowForces,
+                 event::AddRun, event::ChangeRun, event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
 
 /// True if the second event leaves nothing of the first, which it follows: a slider or the time line is dragged.
 bool overtakes(const Event& earlier, const Event& later);

@@ -8,8 +8,8 @@
 
 namespace steplab {
 
-/// Moments of a run to come back to: any other is reached by stepping again from the nearest one. They grow sparser when
-/// the memory allowed is full, the first after each change of the run always being kept.
+/// Moments of a run to come back to: any other is reached by stepping again from the nearest one. They grow sparser
+/// when the memory allowed is full, the first after each change of the run always being kept.
 class Moments {
 public:
     struct Moment {

@@ -65,7 +65,8 @@ FollowerRun Session::follower(const RunDescription& description) const {
     if (description.model != run().description().model || description.origin != run().description().origin)
         throw UsageError("runs beside each other are of one scene");
     FollowerRun added(description, bytes_);
-    if (added.run().particles() != run().particles()) throw UsageError("runs beside each other have the same particles");
+    if (added.run().particles() != run().particles())
+        throw UsageError("runs beside each other have the same particles");
     return added;
 }
 
@@ -147,7 +148,8 @@ void Session::begin(const RunDescription& description) {
         for (const FollowerRun& each : followers_) followers.push_back(FollowerRun(each.run().description(), bytes_));
     }
     changed();
-    left_.push_back({std::exchange(line_, std::move(next)), std::exchange(branches_, {}), std::exchange(bookmarks_, {})});
+    left_.push_back(
+        {std::exchange(line_, std::move(next)), std::exchange(branches_, {}), std::exchange(bookmarks_, {})});
     if (left_.size() > most_left) left_.erase(left_.begin());
     followers_ = std::move(followers);
     begun();
@@ -214,15 +216,14 @@ void Session::take_branch(std::size_t number) {
 }
 
 void Session::bookmark(const std::string& text) {
-    const auto here = std::find_if(bookmarks_.begin(), bookmarks_.end(),
-                                   [&](const Mark& mark) { return mark.step == line_.step(); });
+    const auto here =
+        std::find_if(bookmarks_.begin(), bookmarks_.end(), [&](const Mark& mark) { return mark.step == line_.step(); });
     if (here != bookmarks_.end()) {
         bookmarks_.erase(here);
         return;
     }
     bookmarks_.push_back({line_.step(), line_.time(), text});
-    std::sort(bookmarks_.begin(), bookmarks_.end(),
-              [](const Mark& a, const Mark& b) { return a.step < b.step; });
+    std::sort(bookmarks_.begin(), bookmarks_.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
 }
 
 /// Both are at one time. The run that led begins again beside the other; steps of branches and marks were its steps.
@@ -272,7 +273,8 @@ void Session::observe(SessionView& view) const {
     leading.rate = rate_;
     leading.run = number_;
     view.followers.resize(followers_.size());
-    for (std::size_t i = 0; i < followers_.size(); ++i) steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
+    for (std::size_t i = 0; i < followers_.size(); ++i)
+        steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
     view.line = line_view();
 }
 

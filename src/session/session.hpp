@@ -16,9 +16,9 @@
 
 namespace steplab {
 
-/// What a person does with runs: one to four of one scene, which stand at the same time, and everything that was done to
-/// them. It has neither a thread nor a clock of its own: it is told how many steps to take. The same events at the same
-/// steps give the same session, bit for bit.
+/// What a person does with runs: one to four of one scene, which stand at the same time, and everything that was done
+/// to them. It has neither a thread nor a clock of its own: it is told how many steps to take. The same events at the
+/// same steps give the same session, bit for bit.
 class Session {
 public:
     static constexpr std::size_t most_runs = 4;

@@ -59,7 +59,7 @@ bool TimeLine::turn_to(std::uint64_t step) {
     const auto due = static_cast<std::size_t>(std::count_if(
         changes_.begin(), changes_.end(), [&](const SegmentBegin& change) { return change.step <= step; }));
     const Moments::Moment* const nearest = moments_.before(step, due);
-    const bool can_go_on = run_.step() <= step && taken_ <= due;
+    const bool can_go_on = run_.step() <= step;
     if (can_go_on && (!nearest || nearest->step <= run_.step())) return false;
     const bool back = !can_go_on;
     if (nearest) {
@@ -155,11 +155,11 @@ std::optional<TimeLine::Branch> TimeLine::undo() {
 }
 
 std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {
-    const auto [here, there] = std::mismatch(changes_.begin(), changes_.end(), branch.changes.begin(),
-                                             branch.changes.end(), [](const auto& a, const auto& b) {
-                                                 return a.step == b.step && a.description == b.description &&
-                                                        a.act == b.act;
-                                             });
+    const auto [here, there] =
+        std::mismatch(changes_.begin(), changes_.end(), branch.changes.begin(), branch.changes.end(),
+                      [](const auto& a, const auto& b) {
+                          return a.step == b.step && a.description == b.description && a.act == b.act;
+                      });
     const auto shared = static_cast<std::size_t>(here - changes_.begin());
     std::uint64_t step = branch.fork;
     if (here != changes_.end()) step = std::min(step, here->step);

@@ -50,8 +50,8 @@ public:
     /// The time of a step, by the changes up to then.
     double time_of(std::uint64_t step) const;
 
-    /// A way that the run went and left: all its changes from the start on, moments behind those that it shares with the
-    /// present one, and how far it went.
+    /// A way that the run went and left: all its changes from the start on, moments behind those that it shares with
+    /// the present one, and how far it went.
     struct Branch {
         std::vector<SegmentBegin> changes;
         std::vector<Moments::Moment> moments;
@@ -84,7 +84,7 @@ private:
     Simulation run_;
     Moments moments_;
     std::vector<SegmentBegin> changes_;
-    std::size_t taken_ = 1;      ///< how many have taken effect
+    std::size_t taken_ = 1;  ///< how many have taken effect
     std::uint64_t reached_ = 0;
     double reached_time_ = 0;
 };

@@ -40,7 +40,7 @@ struct Worker::Body {
     // the worker's own
     Session session;
     Pace pace;
-    bool doubtful = false;  // the energy is impossible, and the check that decides about it has not come yet
+    bool doubtful = false;       // the energy is impossible, and the check that decides about it has not come yet
     std::optional<Doubt> found;  // where `doubtful` began
     std::string error;
     std::uint64_t failures = 0;

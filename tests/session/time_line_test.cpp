@@ -127,6 +127,19 @@ TEST(TimeLine, branches_where_something_else_is_done) {
     expect_same(line, second, 4);
 }
 
+// Where memory is short, the moment behind the change may be gone, and those of the way that was left must not serve.
+TEST(TimeLine, does_not_mistake_moments_of_another_way_for_its_own) {
+    const RunDescription run = run_of("mesh", "rk4", Precision::double_, 0.1, {{"dim", 20}});
+    const std::size_t one = Simulation(run).save().bytes();
+    TimeLine line(run, 6 * one);
+    Hashes plain, kicked;
+    record(line, plain, 120);
+    go_to(line, 10);
+    line.act(Kick{100, {0, 0.5, 0}});
+    record(line, kicked, 200);
+    expect_same(line, kicked, 6);
+}
+
 TEST(TimeLine, takes_back_what_was_done) {
     const RunDescription run = run_of("chain", "pefrl", Precision::float_, 0.1);
     TimeLine line(run);
@@ -186,7 +199,8 @@ TEST(TimeLine, knows_the_times_of_its_steps) {
 
 // The partner: another course of events is another run.
 TEST(TimeLine, another_change_gives_other_bits) {
-    TimeLine one(run_of("chain", "rk4", Precision::double_, 0.1)), other(run_of("chain", "rk4", Precision::double_, 0.1));
+    TimeLine one(run_of("chain", "rk4", Precision::double_, 0.1)),
+        other(run_of("chain", "rk4", Precision::double_, 0.1));
     one.advance(10);
     other.advance(11);
     for (TimeLine* line : {&one, &other}) line->act(Kick{5, {0.1, 0, 0}});

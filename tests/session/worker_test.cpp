@@ -53,9 +53,14 @@ TEST_F(WorkerTest, shows_its_way_to_a_step_and_takes_other_commands_on_it) {
     static constexpr std::uint64_t far = 1'000'000'000'000;
     const auto under_way = [](const RunView& v) { return v.goal == far && v.frame.step > 0; };
     const std::vector<std::function<void()>> commands{
-        [this] { worker.send(event::Play{false}); },        [this] { worker.send(event::Step{-1}); },
-        [this] { worker.send(event::Step{1}); },     [this] { worker.send(event::Change{with_method(view.description, "verlet")}); },
-        [this] { worker.send(event::Do{Pull{9, {9, 1, 0}}}); }, [this] { worker.send(event::Restart{}); }};
+        [this] { worker.send(event::Play{false}); },
+        [this] { worker.send(event::Step{-1}); },
+        [this] { worker.send(event::Step{1}); },
+        [this] { worker.send(event::Change{with_method(view.description, "verlet")}); },
+        [this] {
+            worker.send(event::Do{Pull{9, {9, 1, 0}}});
+        },
+        [this] { worker.send(event::Restart{}); }};
     for (const auto& command : commands) {
         worker.send(event::Seek{far});
         ASSERT_TRUE(see(under_way));

@@ -4,8 +4,7 @@
 
 namespace steplab::ui {
 
-Desk::Desk(const RunDescription& description, const Display& display)
-    : interface(display) {
+Desk::Desk(const RunDescription& description, const Display& display) : interface(display) {
     view = view_of(Simulation(description));
     interface.record(view);
     move_to(-100, -100);

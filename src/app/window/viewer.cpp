@@ -73,14 +73,16 @@ void Viewer::open(const WindowRequest& request) {
 
 void Viewer::place_camera(const WindowRequest& request) {
     const ui::PixelRect scene = pixels(ui::arrange(window_.display(), request.panel).scene);
-    if (!request.view.empty()) camera_ = render::camera_of(request.view, view_->leading.frame, {scene.width, scene.height});
+    if (!request.view.empty())
+        camera_ = render::camera_of(request.view, view_->leading.frame, {scene.width, scene.height});
 }
 
 /// Once the run is at the moment to open at, on which the camera may depend.
 void Viewer::begin_as_asked() {
     if (!opening_) return;
     const bool was_under_way = std::exchange(under_way_, view_->leading.goal.has_value());
-    const bool at_goal = view_->leading.frame.step >= opening_->steps || view_->leading.divergence || !view_->leading.error.empty();
+    const bool at_goal =
+        view_->leading.frame.step >= opening_->steps || view_->leading.divergence || !view_->leading.error.empty();
     if (!at_goal && !was_under_way) return;                // it has not set out yet
     if (!at_goal && !under_way_) return opening_.reset();  // a person wanted something else
     if (!at_goal) return;
@@ -232,7 +234,8 @@ void Viewer::carry_out(const ui::Request& request) {
 
 /// Draws the frame again off-screen: the buffer of the window lacks the parts that other windows cover.
 void Viewer::save_snapshot(const ui::Request& request) {
-    const std::string name = request.file.empty() ? ui::free_name({}, view_->leading.description.model, "png") : request.file;
+    const std::string name =
+        request.file.empty() ? ui::free_name({}, view_->leading.description.model, "png") : request.file;
     const ui::Display display = window_.display();
     interface_.draw_picture(*view_, {camera_, style_}, request.part.width > 0);
     try {

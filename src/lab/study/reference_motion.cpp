@@ -74,10 +74,10 @@ struct Stretch {
     double begin;  ///< time
     RunDescription held;
     Plan scene;
-    std::optional<Act> act;                    ///< with which it begins
-    State<Real> fine_start, coarse_start;      ///< behind that
-    std::unique_ptr<DenseRun> fine, coarse;    ///< once asked for
-    double reached = 0;                        ///< the largest time they were asked for since their start
+    std::optional<Act> act;                  ///< with which it begins
+    State<Real> fine_start, coarse_start;    ///< behind that
+    std::unique_ptr<DenseRun> fine, coarse;  ///< once asked for
+    double reached = 0;                      ///< the largest time they were asked for since their start
     State<Real> fine_state = {}, coarse_state = {};
 
     void go_to(double time) {
@@ -142,8 +142,7 @@ struct ReferenceMotion::Body {
         ReferenceMoment moment{
             time, {converted<double>(state.displacement), converted<double>(state.velocity)}, infinity};
         if (!stretch.stopped())
-            moment.error =
-                largest_distance(state, stretch.coarse_state) + rounding_of(moment.state.displacement);
+            moment.error = largest_distance(state, stretch.coarse_state) + rounding_of(moment.state.displacement);
         return moment;
     }
 };
@@ -188,7 +187,8 @@ bool ReferenceMotion::is_exact() const { return body_->said_exact; }
 std::string ReferenceMotion::how() const {
     if (body_->said_exact) return "exact solution";
     return fmt::format(
-        "extrapolation of order {} in long double with tolerance {:.0e}; error estimated by a run with tolerance {:.0e}",
+        "extrapolation of order {} in long double with tolerance {:.0e}; error estimated by a run with tolerance "
+        "{:.0e}",
         Extrapolation<Real>::order, fine_tolerance, coarse_tolerance);
 }
 

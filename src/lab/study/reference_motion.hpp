@@ -9,10 +9,10 @@
 
 namespace steplab {
 
-/// The motion of a scene as accurately as it can be known, at one time after the other: a reference that goes along with
-/// runs. Exact as long as a closed form is valid; otherwise two runs in long double of the same extrapolation as
-/// reference(), with steps of their own and dense output, whose difference is the estimate of the error. What it says of
-/// a time depends on nothing but the scene, in double, and what was done to it: not on the times that were asked for
+/// The motion of a scene as accurately as it can be known, at one time after the other: a reference that goes along
+/// with runs. Exact as long as a closed form is valid; otherwise two runs in long double of the same extrapolation as
+/// reference(), with steps of their own and dense output, whose difference is the estimate of the error. What it says
+/// of a time depends on nothing but the scene, in double, and what was done to it: not on the times that were asked for
 /// before.
 class ReferenceMotion {
 public:

@@ -42,8 +42,8 @@ public:
     LiveEnsemble(std::size_t runs, Variation variation, const Execution& execution = {});
 
     /// Goes to this step of the run that consists of these segments, the first of which begins at step 0; back as well,
-    /// by stepping again; from the start, where segments have become others. Stops on the way if `enough` says so; false
-    /// if it is not there yet. Throws UsageError if the runs cannot be computed.
+    /// by stepping again; from the start, where segments have become others. Stops on the way if `enough` says so;
+    /// false if it is not there yet. Throws UsageError if the runs cannot be computed.
     bool go_to(
         std::uint64_t step, std::span<const SegmentBegin> segments,
         const std::function<bool()>& enough = [] { return false; });

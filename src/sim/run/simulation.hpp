@@ -122,8 +122,8 @@ public:
     /// Continues from the synchronised state with another method, dt, precision or live parameter, beginning a new
     /// segment; restarts if a parameter that shapes the scene, or the model, changes. Throws UsageError, run unchanged.
     Change change(const RunDescription& description);
-    /// Does this to its particles and continues in a new segment, with a new baseline of energy if it does work. Nothing
-    /// where it moves no particle (acts()).
+    /// Does this to its particles and continues in a new segment, with a new baseline of energy if it does work.
+    /// Nothing where it moves no particle (acts()).
     void act(const Act& act);
     /// From the start again.
     void restart();
@@ -134,8 +134,8 @@ public:
     bool baseline_is_start() const;
     std::uint64_t baseline_step() const;
 
-    /// Counts the stretches in which nothing was changed; after a return to an earlier one, those that begin get numbers
-    /// that none had before.
+    /// Counts the stretches in which nothing was changed; after a return to an earlier one, those that begin get
+    /// numbers that none had before.
     std::uint64_t segment() const;
     double segment_start() const;  ///< time at which the present one began
 

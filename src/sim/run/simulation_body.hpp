@@ -100,9 +100,9 @@ struct Simulation::Body : Course {
     void diverged();
     /// What a new segment changes besides the description.
     struct GoingOn {
-        bool new_baseline = false;        // energy came from outside
-        bool another_motion = false;      // than that of the exact solution
-        std::optional<double> dt = {};    // of its steps, instead of the description's
+        bool new_baseline = false;      // energy came from outside
+        bool another_motion = false;    // than that of the exact solution
+        std::optional<double> dt = {};  // of its steps, instead of the description's
     };
     void go_on(const RunDescription& description, const GoingOn& how);
 

@@ -289,5 +289,27 @@ TEST(LargeScenes, run_with_a_morse_cube_of_edge_20) {
     EXPECT_EQ(simulation.particles(), 8001u);
 }
 
+// Two ways from one moment, each with a segment of its own behind it.
+TEST(Snapshots, of_a_way_that_was_left_are_not_taken_for_those_of_another) {
+    Simulation simulation(run_of("chain", "rk4", Precision::double_, 0.1));
+    simulation.advance(10);
+    const Simulation::Snapshot fork = simulation.save();
+    RunDescription one = simulation.description(), other = one;
+    one.dt = 0.2;
+    other.dt = 0.3;
+    simulation.change(one);
+    simulation.advance(5);
+    const Simulation::Snapshot left = simulation.save();
+    simulation.advance(5);
+    const std::string right = simulation.hash();
+    simulation.restore(fork);
+    simulation.change(other);
+    simulation.advance(5);
+    simulation.restore(left);
+    EXPECT_EQ(simulation.description().dt, 0.2);
+    simulation.advance(5);
+    EXPECT_EQ(simulation.hash(), right);
+}
+
 }  // namespace
 }  // namespace steplab::test
