@@ -28,24 +28,32 @@ std::uint64_t step_at(double time, double dt) {
     return static_cast<std::uint64_t>(std::max(0.0, std::floor(time / dt + 1e-6)));
 }
 
-RunErrors::RunErrors(const Simulation& run) : momentum_(run.diagnostics().momentum) {}
-
-Compared RunErrors::of(const Simulation& run, const ReferenceMoment& reference, bool exact) const {
-    const Field<double>& there = run.state().displacement;
-    Compared compared{.step = run.step(),
-                      .time = run.time(),
-                      .error = largest_distance(reference.state.displacement, there),
-                      .rms_error = rms_distance(reference.state.displacement, there, *run.shape()),
-                      .energy_error = {},
-                      .momentum_error = {},
-                      .reference_error = exact ? 0 : reference.error,
-                      .evaluations = run.evaluations()};
-    if (!has_drag(run.description()) || run.drag_work()) compared.energy_error = run.energy_error();
-    if (run.conservation().momentum) {
-        const Vec3 change = run.diagnostics().momentum - momentum_;
-        compared.momentum_error = std::sqrt(dot(change, change));
+RunMoment moment_of(const Simulation& run, Vec3 start) {
+    RunMoment moment{.step = run.step(),
+                     .time = run.time(),
+                     .displacement = run.state().displacement,
+                     .shape = run.shape(),
+                     .energy_error = {},
+                     .momentum_error = {},
+                     .evaluations = run.evaluations()};
+    if (!has_drag(run.description()) || run.drag_work()) moment.energy_error = run.energy_error();
+    if (run.conservation().momentum && run.baseline_step() == 0) {
+        const Vec3 change = run.diagnostics().momentum - start;
+        moment.momentum_error = std::sqrt(dot(change, change));
     }
-    return compared;
+    return moment;
+}
+
+Compared compared(const RunMoment& run, const ReferenceMoment& reference, bool exact) {
+    const Field<double>& there = reference.state.displacement;
+    return {.step = run.step,
+            .time = run.time,
+            .error = largest_distance(there, run.displacement),
+            .rms_error = rms_distance(there, run.displacement, *run.shape),
+            .energy_error = run.energy_error,
+            .momentum_error = run.momentum_error,
+            .reference_error = exact ? 0 : reference.error,
+            .evaluations = run.evaluations};
 }
 
 }  // namespace steplab

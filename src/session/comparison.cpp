@@ -10,9 +10,9 @@ Comparison::Comparison(const std::vector<RunDescription>& runs, double duration,
     for (const RunDescription& description : runs) {
         Simulation simulation(sampled(description));
         simulation.count_drag_work();
-        RunErrors errors(simulation);
+        const Vec3 momentum = simulation.diagnostics().momentum;
         const ConfirmedSteps steps(step_at(duration, simulation.dt()));
-        runs_.push_back({std::move(simulation), steps, errors, reference_of(description), std::nullopt});
+        runs_.push_back({std::move(simulation), steps, momentum, reference_of(description), std::nullopt});
     }
 }
 
@@ -53,8 +53,8 @@ std::vector<std::optional<Compared>> Comparison::at(std::uint64_t sample) {
               [](const Run* a, const Run* b) { return a->simulation.time() < b->simulation.time(); });
     for (Run* run : moved) {
         ReferenceMotion& reference = references_[run->reference].motion;
-        const ReferenceMoment moment = reference.at(run->simulation.time());
-        run->last = run->errors.of(run->simulation, moment, reference.is_exact());
+        const ReferenceMoment there = reference.at(run->simulation.time());
+        run->last = compared(moment_of(run->simulation, run->start_momentum), there, reference.is_exact());
     }
     std::vector<std::optional<Compared>> all;
     for (const Run& run : runs_) all.push_back(run.last);

@@ -36,7 +36,7 @@ private:
     struct Run {
         Simulation simulation;
         ConfirmedSteps steps;
-        RunErrors errors;
+        Vec3 start_momentum;
         std::size_t reference;
         std::optional<Compared> last;
     };

@@ -60,6 +60,10 @@ struct ShowEnsemble {
 struct ShowForces {
     bool on = true;
 };
+/// Whether views hold how far the runs are from the motion of their scene, also where one run is alone.
+struct ShowErrors {
+    bool on = true;
+};
 /// Another run of the same scene beside the leading one, from its start on.
 struct AddRun {
     RunDescription description;
@@ -88,10 +92,10 @@ struct TakeBranch {
 
 }  // namespace event
 
-using Event =
-    std::variant<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change, event::SetRate,
-                 event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble, event::ShowForces,
-                 event::AddRun, event::ChangeRun, event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
+using Event = std::variant<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change,
+                           event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
+                           event::ShowForces, event::ShowErrors, event::AddRun, event::ChangeRun, event::RemoveRun,
+                           event::Lead, event::Bookmark, event::TakeBranch>;
 
 /// True if the second event leaves nothing of the first, which it follows: a slider or the time line is dragged.
 bool overtakes(const Event& earlier, const Event& later);

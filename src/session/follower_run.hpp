@@ -20,6 +20,7 @@ public:
     const RunDescription& description() const { return description_; }
     const Simulation& run() const { return line_.run(); }
     TimeLine& line() { return line_; }
+    const TimeLine& line() const { return line_; }
 
     /// Goes to where the leading run stands. Stops on the way if `enough` says so; false if it is not there yet. Throws
     /// UsageError if a change cannot be made to it, Interrupted.

@@ -39,6 +39,7 @@ struct Session::Handle {
     void operator()(const event::Redo&) const { session.redo(); }
     void operator()(const event::ShowEnsemble& show) const { session.show_ensemble(show.ensemble); }
     void operator()(const event::ShowForces& show) const { session.with_forces_ = show.on; }
+    void operator()(const event::ShowErrors& show) const { session.with_errors_ = show.on; }
     void operator()(const event::AddRun& add) const {
         if (session.followers_.size() + 1 == most_runs)
             throw UsageError(fmt::format("at most {} runs go beside each other", most_runs));

@@ -55,6 +55,8 @@ public:
     /// Keeps the present moment, unless one is near.
     void keep_moment() { line_.keep_moment(); }
 
+    /// True if the runs are to be compared with the motion of their scene: two and more of them always.
+    bool wants_errors() const { return with_errors_ || !followers_.empty(); }
     /// The present moment of all runs, reusing the memory of `view`.
     void observe(SessionView& view) const;
 
@@ -100,7 +102,7 @@ private:
     Rate rate_;
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;
-    bool with_forces_ = false;
+    bool with_forces_ = false, with_errors_ = false;
     LiveEnsembleOptions ensemble_;
     mutable std::optional<LiveEnsemble> live_ensemble_;
     std::uint64_t number_ = 0;  ///< of the run: grows when one begins again

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "session/compared.hpp"
 #include "session/run_view.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +34,20 @@ struct TimeLineView {
     bool can_undo = false, can_redo = false;
 };
 
+/// How far the runs of a session are from the motion of their scene at one time.
+struct SessionErrors {
+    double time = 0;                                 ///< of the leading run
+    std::vector<std::optional<Compared>> runs = {};  ///< the leading one first; none of one that is over
+    bool exact = false;                              ///< against the closed form
+    std::string how = {};                            ///< the reference of the leading run, in words
+};
+
 /// What the interface sees of a session: one consistent moment of all its runs. Plain data.
 struct SessionView {
     RunView leading = {};
     std::vector<RunView> followers = {};  ///< at the same time, by the rule of step_at()
     TimeLineView line = {};
+    std::optional<SessionErrors> errors = {};  ///< if they are wanted; of this moment, or of one before it
 };
 
 }  // namespace steplab

@@ -19,7 +19,7 @@ std::uint64_t steps_within(double time, const RunDescription& description) {
 }  // namespace
 
 TimeLine::TimeLine(const RunDescription& description, std::size_t bytes)
-    : run_(description), moments_(bytes), changes_{{0, description}} {
+    : run_(description), moments_(bytes), changes_{{0, description}}, start_momentum_(run_.diagnostics().momentum) {
     keep_moment();
 }
 

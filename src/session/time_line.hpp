@@ -31,6 +31,8 @@ public:
     /// All changes, and those of them that have taken effect: the start at least.
     std::span<const SegmentBegin> changes() const { return changes_; }
     std::span<const SegmentBegin> past() const { return std::span(changes_).first(taken_); }
+    /// The momentum with which it began [kg m/s].
+    Vec3 start_momentum() const { return start_momentum_; }
     /// The largest step that it was at, on this branch, and its time.
     std::uint64_t reached() const { return reached_; }
     double reached_time() const { return reached_time_; }
@@ -87,6 +89,7 @@ private:
     std::size_t taken_ = 1;  ///< how many have taken effect
     std::uint64_t reached_ = 0;
     double reached_time_ = 0;
+    Vec3 start_momentum_;
 };
 
 }  // namespace steplab

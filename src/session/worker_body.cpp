@@ -11,6 +11,8 @@ namespace {
 
 /// Computing time between two polls of the events: short enough for a change to take effect at once.
 constexpr Pace::Duration slice{0.008};
+/// A view waits so long for its errors; where they take longer it has those of a moment before.
+constexpr Pace::Duration patience{0.004};
 /// A view that was not taken is replaced by a newer one after this time.
 constexpr Pace::Duration stale{0.05};
 
@@ -52,7 +54,7 @@ void Worker::Body::loop() {
 void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
     if (doubtful || session.goal() || session.is_behind()) return;
-    const auto called = [this] { return stopping || !events.empty(); };
+    const auto called = [this] { return stopping || !events.empty() || compared; };
     if (!session.playing()) return changed.wait(lock, called);
     const auto now = Clock::now(), due = pace.next_due(now, session.rate(), session.run().dt());
     if (due > now) changed.wait_until(lock, due, called);  // what is over at once would still ask the system
@@ -60,11 +62,13 @@ void Worker::Body::wait_for_work() {
 
 bool Worker::Body::handle_events() {
     std::deque<Event> taken;
+    bool came = false;
     {
         const std::lock_guard lock(mutex);
         taken.swap(events);
+        came = std::exchange(compared, false);
     }
-    if (taken.empty()) return false;
+    if (taken.empty()) return came && !under_way();
     error.clear();
     doubtful = false;  // of what was before
     for (const Event& event : taken) went_well([&] { handle(event); });
@@ -136,6 +140,29 @@ void Worker::Body::keep_moment() {
     moments.took(begin, Clock::now());
 }
 
+/// How far the runs are from the motion of their scene, where that is wanted: of this moment if it is known at once.
+void Worker::Body::compare() {
+    view.errors.reset();
+    if (!session.wants_errors()) return errors.forget();
+    const auto shown = [](const TimeLine& line) {
+        return LiveErrors::Shown{
+            moment_of(line.run(), line.start_momentum()), {line.past().begin(), line.past().end()}, line.is_over()};
+    };
+    std::vector<LiveErrors::Shown> runs{shown(session.line())};
+    for (const FollowerRun& follower : session.followers()) runs.push_back(shown(follower.line()));
+    errors.ask(session.run().time(), std::move(runs));
+    view.errors = errors.newest(patience);
+}
+
+/// Called from the thread that compares: if nothing moves, a view is due for them.
+void Worker::Body::errors_came() {
+    {
+        const std::lock_guard lock(mutex);
+        compared = true;
+    }
+    changed.notify_one();
+}
+
 /// True if a view would cost the run no more than its part, or the run has time to spare.
 bool Worker::Body::affordable() const {
     const auto now = Clock::now();
@@ -146,6 +173,7 @@ bool Worker::Body::affordable() const {
 /// Makes `view` one of the present moment.
 void Worker::Body::see() {
     session.observe(view);
+    compare();
     RunView& leading = view.leading;
     if (leading.divergence) session.stop();
     leading.error = error;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session/live_errors.hpp"
 #include "session/pace.hpp"
 #include "session/session.hpp"
 #include "session/share.hpp"
@@ -33,6 +34,7 @@ struct Worker::Body {
     std::deque<Event> events;
     std::atomic<bool> stopping = false;  // also in the middle of a long step
     bool fresh = false;                  // `ready` has not been taken yet
+    bool compared = false;               // there are errors that no view has
     SessionView ready;
     std::optional<Doubt> doubt;  // told while `doubtful` lasts
     void (*wake)() = nullptr;
@@ -47,6 +49,7 @@ struct Worker::Body {
     SessionView view;
     Clock::time_point published;
     Share views{part_for_views, longest_without_view}, moments{part_for_history};
+    LiveErrors errors{[this] { errors_came(); }};
     std::thread thread;
 
     explicit Body(const RunDescription& description) : session(description) {
@@ -79,6 +82,8 @@ struct Worker::Body {
     void tell_doubt();
     void catch_up(Pace::Duration most);
     void keep_moment();
+    void compare();
+    void errors_came();
     bool affordable() const;
     void see();
     void publish(bool at_once, bool judged);

@@ -52,6 +52,17 @@ void close_topmost(const Context& context) {
     }
 }
 
+/// The same run in the other precision beside the leading one; if it is there, it goes.
+void toggle_twin(const Context& context) {
+    RunDescription twin = context.view.description;
+    twin.precision = twin.precision == Precision::double_ ? Precision::float_ : Precision::double_;
+    const auto& followers = context.session.followers;
+    const auto there =
+        std::find_if(followers.begin(), followers.end(), [&](const RunView& run) { return run.description == twin; });
+    if (there == followers.end()) return context.events.send(event::AddRun{twin});
+    context.events.send(event::RemoveRun{1 + static_cast<std::size_t>(there - followers.begin())});
+}
+
 void toggle_panel(const Context& context) { context.state.panel = context.layout.panel.empty(); }
 
 }  // namespace
@@ -92,6 +103,16 @@ void perform(const Context& context, Action action) {
             return events.send(event::Step{-1});
         case Action::restart:
             return events.send(event::Restart{});
+        case Action::undo:
+            return events.send(event::Undo{});
+        case Action::redo:
+            return events.send(event::Redo{});
+        case Action::bookmark:
+            return events.send(event::Bookmark{});
+        case Action::turn_round:
+            return events.send(event::Do{TurnRound{}});
+        case Action::twin:
+            return toggle_twin(context);
         case Action::reset_view:
             return reset_view(context);
         case Action::zoom_to_fit:

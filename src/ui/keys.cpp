@@ -6,11 +6,16 @@
 namespace steplab::ui {
 namespace {
 
-constexpr std::array<KeyBinding, 18> keys = {{
+constexpr std::array<KeyBinding, 23> keys = {{
     {Action::pause, Key::space, false, "Space", "play or pause"},
     {Action::step_forward, Key::right, false, "Right", "one step forward"},
     {Action::step_back, Key::left, false, "Left", "one step back"},
     {Action::restart, Key::backspace, false, "Backspace", "restart the run"},
+    {Action::undo, Key::z, true, "Ctrl+Z", "undo the last change"},
+    {Action::redo, Key::y, true, "Ctrl+Y", "redo what was undone"},
+    {Action::bookmark, Key::b, false, "B", "mark the moment, or remove its mark"},
+    {Action::turn_round, Key::r, false, "R", "turn all velocities round: time runs back"},
+    {Action::twin, Key::t, false, "T", "float beside double, or without it again"},
     {Action::reset_view, Key::home, false, "Home", "reset the view"},
     {Action::zoom_to_fit, Key::f, false, "F", "zoom to fit"},
     {Action::faster, Key::equal, false, "=", "play faster"},

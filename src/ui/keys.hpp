@@ -13,6 +13,11 @@ enum class Action {
     step_forward,
     step_back,
     restart,
+    undo,
+    redo,
+    bookmark,
+    turn_round,
+    twin,
     reset_view,
     zoom_to_fit,
     faster,
@@ -60,6 +65,10 @@ enum class Key {
     z,
     o,
     s,
+    b,
+    r,
+    t,
+    y,
     count
 };
 

@@ -30,6 +30,8 @@ void draw_pointed(const Context& context);
 void draw_lost_card(const Context& context);
 void draw_read_out(const Context& context);
 void draw_notices(const Context& context);
+void draw_time_line(const Context& context);
+void draw_runs_panel(const Context& context);
 void draw_divergence_card(const Context& context);
 void draw_help(const Context& context);
 

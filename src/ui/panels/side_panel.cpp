@@ -64,6 +64,7 @@ private:
 
 void draw_sections(const Context& context) {
     draw_scene_panel(context);
+    draw_runs_panel(context);
     draw_method_panel(context);
     draw_step_panel(context);
     draw_show_panel(context);

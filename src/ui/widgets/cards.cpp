@@ -1,5 +1,7 @@
 #include "ui/widgets/cards.hpp"
 
+#include "ui/widgets/widgets.hpp"
+
 #include <algorithm>
 
 namespace steplab::ui {
@@ -28,21 +30,9 @@ Card::~Card() {
 }
 
 bool close_cross(const Context& context, std::string_view widget) {
-    const float side = context.px(18);
     const ImVec2 cursor = ImGui::GetCursorPos();
-    ImGui::SetCursorPos(
-        {ImGui::GetWindowContentRegionMax().x - side + context.px(6), ImGui::GetScrollY() + context.px(8)});
-    const WithId id(widget);
-    const bool clicked = ImGui::InvisibleButton("close", {side, side});
-    context.mark(widget);
-    const ImVec2 from = ImGui::GetItemRectMin();
-    const ImVec2 centre{from.x + 0.5f * side, from.y + 0.5f * side};
-    const float reach = 0.25f * side;
-    const ImU32 ink = ImGui::IsItemHovered() ? colour::text : colour::text_faint;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float thickness = context.theme.scale() * 1.6f;
-    list.AddLine({centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}, ink, thickness);
-    list.AddLine({centre.x - reach, centre.y + reach}, {centre.x + reach, centre.y - reach}, ink, thickness);
+    ImGui::SetCursorPos({ImGui::GetWindowContentRegionMax().x - context.px(12), ImGui::GetScrollY() + context.px(8)});
+    const bool clicked = cross_button(context, widget);
     ImGui::SetCursorPos(cursor);
     return clicked;
 }

@@ -12,6 +12,8 @@ constexpr float panel_width = 300;
 constexpr float narrowest_with_panel = 620;
 constexpr float lowest_with_plots = 460;
 constexpr float narrowest_plot = 240;
+constexpr float time_line_height = 34;
+constexpr float lowest_with_time_line = 240;
 
 float plots_height(float height) { return std::clamp(0.285f * height, 150.0f, 380.0f); }
 
@@ -36,6 +38,10 @@ Layout arrange(const Display& display, std::optional<bool> panel) {
         layout.plots = {layout.scene.x, height - plots, layout.scene.width, plots};
         layout.plot_count = std::min(room, 2);
         layout.scene.height -= plots;
+    }
+    if (height >= px(lowest_with_time_line) && layout.scene.width >= px(narrowest_plot)) {
+        layout.scene.height -= px(time_line_height);
+        layout.time_line = {layout.scene.x, layout.scene.bottom(), layout.scene.width, px(time_line_height)};
     }
     layout.bar_has_title = width >= px(1120);
     layout.bar_has_speed = width >= px(820);

@@ -22,7 +22,8 @@ struct Area {
 struct Layout {
     Area bar;            ///< along the top
     Area panel;          ///< at the left
-    Area plots;          ///< at the bottom of the scene
+    Area time_line;      ///< below the scene
+    Area plots;          ///< at the bottom
     Area scene;          ///< the rest
     int plot_count = 0;  ///< number of plots that fit next to each other
     bool bar_has_title = false;

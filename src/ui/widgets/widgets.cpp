@@ -128,6 +128,22 @@ bool segmented(const Context& context, std::string_view widget, std::span<const 
     return changed;
 }
 
+bool cross_button(const Context& context, std::string_view widget) {
+    const float side = context.px(18);
+    const WithId id(widget);
+    const bool clicked = ImGui::InvisibleButton("close", {side, side});
+    context.mark(widget);
+    const ImVec2 from = ImGui::GetItemRectMin();
+    const ImVec2 centre{from.x + 0.5f * side, from.y + 0.5f * side};
+    const float reach = 0.25f * side;
+    const ImU32 ink = ImGui::IsItemHovered() ? colour::text : colour::text_faint;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float thickness = context.theme.scale() * 1.6f;
+    list.AddLine({centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}, ink, thickness);
+    list.AddLine({centre.x - reach, centre.y + reach}, {centre.x + reach, centre.y - reach}, ink, thickness);
+    return clicked;
+}
+
 bool text_button(const Context& context, std::string_view widget, std::string_view text, bool accent, float width) {
     const WithId id(widget);
     const ImVec2 inside = text_size(text);

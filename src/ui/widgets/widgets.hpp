@@ -75,6 +75,9 @@ bool choice_box(const Context& context, std::string_view widget, std::string_vie
 /// How ImGui carries the name of an OpenGL texture.
 ImTextureID texture_id(std::uint32_t name);
 
+/// A cross that takes away what it stands beside. True when clicked.
+bool cross_button(const Context& context, std::string_view widget);
+
 /// A button with a text; `accent` highlights it.
 bool text_button(const Context& context, std::string_view widget, std::string_view text, bool accent = false,
                  float width = 0);

@@ -1,0 +1,145 @@
+#include "core/number_text.hpp"
+#include "sim/catalogue.hpp"
+#include "ui/actions.hpp"
+#include "ui/panels/method_items.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/run_marks.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+namespace steplab::ui {
+namespace {
+
+const RunView& run_of(const Context& context, std::size_t run) {
+    return run == 0 ? context.view : context.session.followers[run - 1];
+}
+
+std::size_t runs_of(const Context& context) { return 1 + context.session.followers.size(); }
+
+/// "rk4, dt 0.1 s, double".
+std::string title_of(const RunDescription& run) {
+    const std::string step = chooses_its_steps(run) ? "tolerance " + rounded_text(run.method_parameters["tolerance"])
+                                                    : fmt::format("dt {} s", setting_text(run.dt));
+    return fmt::format("{}, {}, {}", run.method, step, id(run.precision));
+}
+
+const Compared* compared_of(const Context& context, std::size_t run) {
+    const auto& errors = context.session.errors;
+    return errors && run < errors->runs.size() && errors->runs[run] ? &*errors->runs[run] : nullptr;
+}
+
+/// "error 1.2e-3 m · energy 4e-6 J · 156 evaluations": what is known of them. Lines break between them only.
+std::string errors_text(const Context& context, std::size_t run) {
+    const RunView& view = run_of(context, run);
+    if (view.divergence) return fmt::format("diverged at t = {} s", typed(view.divergence->time, 4));
+    const Compared* const compared = compared_of(context, run);
+    if (!compared) return "computing the reference";
+    std::string text = fmt::format("error\u00a0{}\u00a0m", rounded_text(compared->error));
+    if (compared->energy_error) text += fmt::format(" · energy\u00a0{}\u00a0J", rounded_text(*compared->energy_error));
+    return text + fmt::format(" · {}\u00a0evaluations", rounded_text(static_cast<double>(compared->evaluations)));
+}
+
+/// The rest of what is known of them.
+std::string more_errors_text(const Compared& compared) {
+    std::string text =
+        fmt::format("largest error of a position {}, root mean square {}", with_unit(rounded_text(compared.error), "m"),
+                    with_unit(rounded_text(compared.rms_error), "m"));
+    if (compared.energy_error) text += "\nenergy error " + with_unit(rounded_text(*compared.energy_error), "J");
+    if (compared.momentum_error)
+        text += "\nmomentum error " + with_unit(rounded_text(*compared.momentum_error), "kg m/s");
+    const double rate = static_cast<double>(compared.evaluations) / compared.time;
+    if (compared.time > 0) text += fmt::format("\n{} force evaluations per simulated second", rounded_text(rate));
+    return text;
+}
+
+/// Where the run stands beside the leading one, if not at the same time.
+std::string offset_text(const Context& context, std::size_t run) {
+    const double late = context.view.frame.time - run_of(context, run).frame.time;
+    if (run == 0 || late <= 1e-6 * context.view.dt) return {};
+    return fmt::format("shown {} s before, at its last step\n", typed(late, 3));
+}
+
+void draw_swatch(const Context& context, std::size_t run) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const float width = context.px(22), y = corner.y + 0.5f * ImGui::GetTextLineHeight();
+    draw_run_line(*ImGui::GetWindowDrawList(), {corner.x, y}, width, run, run_ink(context.stage.style.background, run),
+                  context.px(2.5f));
+    ImGui::Dummy({width, ImGui::GetTextLineHeight()});
+    ImGui::SameLine(0, context.px(8));
+}
+
+/// A click on the name of a run makes it lead: the other sections are then its settings.
+void draw_run(const Context& context, std::size_t run) {
+    const std::string widget = fmt::format("run {}", run);
+    const WithId id(widget);
+    draw_swatch(context, run);
+    const std::string title = title_of(run == 0 ? context.description() : run_of(context, run).description);
+    const WithFont font(run == 0 ? context.theme.fonts().strong : context.theme.fonts().body);
+    const float room = ImGui::GetContentRegionAvail().x - context.px(22);
+    const bool clicked = ImGui::InvisibleButton("lead", {std::max(1.0f, room), ImGui::GetTextLineHeight()});
+    context.mark(widget);
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    text_left(corner.x, 0.5f * (corner.y + ImGui::GetItemRectMax().y), title,
+              ImGui::IsItemHovered() && run > 0 ? colour::bright : colour::text);
+    tooltip(context,
+            offset_text(context, run) + (run == 0 ? "the leading run: settings and time line are its own"
+                                                  : "click to make it the leading run, whose settings are shown"));
+    if (clicked && run > 0) context.events.send(event::Lead{run});
+    if (runs_of(context) > 1) {
+        ImGui::SameLine(0, context.px(4));
+        if (cross_button(context, widget + ".remove")) context.events.send(event::RemoveRun{run});
+    }
+}
+
+void draw_errors(const Context& context, std::size_t run) {
+    if (runs_of(context) == 1 && !context.session.errors) return;
+    explanation(context, errors_text(context, run));
+    if (const Compared* const compared = compared_of(context, run)) tooltip(context, more_errors_text(*compared));
+}
+
+void draw_reference(const Context& context) {
+    const auto& errors = context.session.errors;
+    if (!errors) return;
+    std::string text = errors->exact ? "against the exact solution" : "against a reference run";
+    if (errors->time < context.view.frame.time - 1e-9)
+        text += fmt::format(", which is at t = {} s", typed(errors->time, 4));
+    if (const Compared* const lead = compared_of(context, 0); lead && !errors->exact)
+        text += fmt::format(", accurate to {}", with_unit(rounded_text(lead->reference_error), "m"));
+    explanation(context, text, colour::text_faint);
+    tooltip(context, errors->how);
+}
+
+void draw_add(const Context& context) {
+    std::size_t none = 0;
+    std::vector<ComboItem> items{{.id = "", .name = "+ method"}};
+    for (ComboItem& item : method_items()) items.push_back(std::move(item));
+    if (combo(context, "add run", items, none, context.px(106)))
+        context.events.send(event::AddRun{with_method(context.description(), items[none].id)});
+    ImGui::SameLine(0, context.px(6));
+}
+
+}  // namespace
+
+void draw_runs_panel(const Context& context) {
+    heading(context, "RUNS");
+    for (std::size_t run = 0; run < runs_of(context); ++run) {
+        draw_run(context, run);
+        draw_errors(context, run);
+    }
+    draw_reference(context);
+    if (runs_of(context) < 4) draw_add(context);
+    if (text_button(context, "twin", "twin", false, context.px(58))) perform(context, Action::twin);
+    tooltip(context, help_of(Action::twin));
+    ImGui::SameLine(0, context.px(6));
+    if (text_button(context, "turn round", "turn round", false, context.px(92))) perform(context, Action::turn_round);
+    tooltip(context, has_drag(context.view.description)
+                         ? "all velocities are turned round; with drag the motion does not return"
+                         : help_of(Action::turn_round));
+}
+
+}  // namespace steplab::ui

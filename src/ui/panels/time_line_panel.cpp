@@ -1,0 +1,155 @@
+#include "core/entry.hpp"
+#include "core/number_text.hpp"
+#include "core/text.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/slider.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace steplab::ui {
+namespace {
+
+constexpr ParameterInfo time_info{.name = "t", .unit = "s", .minimum = 0, .what = "time"};
+constexpr ParameterInfo step_info{
+    .name = "step", .kind = ParameterInfo::Kind::integer, .unit = "", .minimum = 0, .maximum = 9e15, .what = "step"};
+
+/// "12.5", or "step 120".
+void go_to(const Context& context, std::string_view typed) {
+    constexpr std::string_view word = "step ";
+    if (typed.starts_with(word)) {
+        const double step = parse_value(step_info, typed.substr(word.size()));
+        return context.events.send(event::Seek{static_cast<std::uint64_t>(step)});
+    }
+    context.events.send(event::SeekTime{parse_value(time_info, typed)});
+}
+
+/// Places on the track of the slider, in pixels.
+class Track {
+public:
+    Track(const Context& context, const WidgetRect& slider, double end)
+        : radius_(context.theme.scale() * 6.3f), slider_(slider), end_(end) {}
+
+    float x(double time) const {
+        const double part = end_ > 0 ? std::clamp(time / end_, 0.0, 1.0) : 0;
+        return slider_.left + radius_ + static_cast<float>(part) * (slider_.right - slider_.left - 2 * radius_);
+    }
+    float y() const { return 0.5f * (slider_.top + slider_.bottom); }
+    const WidgetRect& area() const { return slider_; }
+
+private:
+    float radius_;
+    WidgetRect slider_;
+    double end_;
+};
+
+/// What was done: a tick below the track for each change, with what it was.
+void draw_changes(const Context& context, const Track& track) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 pointer = ImGui::GetIO().MousePos;
+    for (const Mark& change : context.session.line.changes) {
+        const float x = track.x(change.time), from = track.y() + context.px(4), to = track.y() + context.px(9);
+        list.AddLine({x, from}, {x, to}, colour::caution, context.px(2));
+        const bool near = std::abs(pointer.x - x) < context.px(4) && pointer.y > from - context.px(2) &&
+                          pointer.y < to + context.px(3);
+        if (near && !context.is_saved())
+            tooltip_beside(context, {x, from, x, to}, fmt::format("step {}: {}", change.step, change.text));
+    }
+}
+
+/// Marked moments: a diamond above the track; a click goes there.
+void draw_bookmarks(const Context& context, const Track& track) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float half = context.px(4), y = track.y() - context.px(8);
+    std::size_t number = 0;
+    for (const Mark& mark : context.session.line.bookmarks) {
+        const float x = track.x(mark.time);
+        const std::string widget = fmt::format("bookmark {}", number++);
+        const WithId id(widget);
+        ImGui::SetCursorScreenPos({x - half, y - half});
+        if (ImGui::InvisibleButton("mark", {2 * half, 2 * half})) context.events.send(event::Seek{mark.step});
+        context.mark(widget);
+        tooltip(context, fmt::format("step {}{}{}", mark.step, mark.text.empty() ? "" : ": ", mark.text));
+        list.AddQuadFilled({x, y - half}, {x + half, y}, {x, y + half}, {x - half, y},
+                           ImGui::IsItemHovered() ? colour::bright : colour::accent);
+    }
+}
+
+/// Ways that were left: lines below the track from where they leave it; a click takes one.
+void draw_branches(const Context& context, const Track& track) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto& branches = context.session.line.branches;
+    float y = track.y() + context.px(12);
+    for (std::size_t i = branches.size(); i-- > 0 && y < track.area().bottom + context.px(8); y += context.px(4)) {
+        const float from = track.x(branches[i].from), to = std::max(from + context.px(6), track.x(branches[i].to));
+        const std::string widget = fmt::format("branch {}", i);
+        const WithId id(widget);
+        ImGui::SetCursorScreenPos({from, y - context.px(2)});
+        if (ImGui::InvisibleButton("branch", {to - from, context.px(4)})) context.events.send(event::TakeBranch{i});
+        context.mark(widget);
+        tooltip(context, fmt::format("a way that was left at t = {} s, to t = {} s; click to go over to it",
+                                     typed(branches[i].from, 4), typed(branches[i].to, 4)));
+        const ImU32 ink = ImGui::IsItemHovered() ? colour::bright : colour::text_faint;
+        list.AddLine({from, track.y() + context.px(3)}, {from, y}, ink, context.theme.scale());
+        list.AddLine({from, y}, {to, y}, ink, context.px(2));
+    }
+}
+
+/// A drag takes the session along; it plays on where the button is released if it played before.
+void seek(const Context& context, double time) {
+    auto& resume = context.state.plays_after_scrubbing;
+    if (!resume) resume = context.state.wanted.playing();
+    if (context.state.wanted.playing()) context.state.wanted.play(false, context.events);
+    context.events.send(event::SeekTime{time});
+}
+
+void end_scrubbing(const Context& context) {
+    auto& resume = context.state.plays_after_scrubbing;
+    if (!resume || ImGui::GetIO().MouseDown[0]) return;
+    if (*resume) context.state.wanted.play(true, context.events);
+    resume.reset();
+}
+
+}  // namespace
+
+void draw_time_line(const Context& context) {
+    const Area& area = context.layout.time_line;
+    if (area.empty()) return;
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.width, area.height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(5)});
+    ImGui::Begin("time line", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    const double now = context.view.frame.time, end = std::max(now, context.session.line.reached_time);
+    slider_row(context,
+               {.widget = "time",
+                .label = "time line",
+                .tooltip = "drag to go back and forth in time; what lies ahead is kept until something else is done\n"
+                           "click on the time to type one, or \"step 120\"",
+                .value_text = with_unit(time_text(now, context.view.dt), "s"),
+                .entry_text = typed(now),
+                .value = now,
+                .default_value = end,
+                .range = {0, end, false, false},
+                .style = {},
+                .set = [&](double time) { seek(context, time); },
+                .set_text = [&](std::string_view typed) { go_to(context, typed); }});
+    const auto place = context.widgets.find("time");
+    if (place != context.widgets.end()) {
+        const Track track(context, place->second, end);
+        draw_changes(context, track);
+        draw_branches(context, track);
+        draw_bookmarks(context, track);
+    }
+    end_scrubbing(context);
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace steplab::ui
