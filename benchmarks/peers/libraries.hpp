@@ -2,6 +2,7 @@
 
 #include "../c_libraries.hpp"
 #include "../loops.hpp"
+#include "../planet_loops.hpp"
 #include "solver.hpp"
 
 #include <boost/numeric/odeint.hpp>
@@ -13,7 +14,9 @@
 #include <memory>
 #include <stdexcept>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace steplab::benchmark {
 
@@ -24,16 +27,26 @@ namespace odeint = boost::numeric::odeint;
 using Numbers = std::vector<double>;
 
 template <class Loop>
+Loop loop_of(const Problem& problem) {
+    if constexpr (std::is_constructible_v<Loop, const std::vector<double>&>) return Loop(problem.strengths);
+    return {};
+}
+
+template <class Loop>
 struct Case {
     double time;
     std::size_t n;
+    Force<Loop> force;
     Numbers x, v;
+    std::size_t most_steps;
 
     explicit Case(const Problem& problem)
         : time(problem.time),
           n(problem.positions.size()),
+          force{n, loop_of<Loop>(problem)},
           x(placed<Loop>(problem.positions)),
-          v(placed<Loop>(problem.velocities)) {}
+          v(placed<Loop>(problem.velocities)),
+          most_steps(problem.most_steps) {}
 
     Numbers state() const {
         Numbers both = x;
@@ -48,12 +61,24 @@ struct Case {
     }
 };
 
+/// What odeint calls after every step: nothing else ends a run whose steps become ever shorter.
+class StepLimit {
+public:
+    explicit StepLimit(std::size_t most) : left_(most) {}
+    void operator()(const Numbers&, double) {
+        if (left_-- == 0) throw std::runtime_error("too many steps");
+    }
+
+private:
+    std::size_t left_;
+};
+
 template <class Loop, class Stepper>
 Solver odeint_adaptive(std::string name, const Case<Loop>& c) {
     return {"odeint " + std::move(name), true, [c](double tolerance) {
                 Numbers state = c.state();
-                odeint::integrate_adaptive(odeint::make_controlled(tolerance, tolerance, Stepper()), Force<Loop>{c.n},
-                                           state, 0.0, c.time, 0.01);
+                odeint::integrate_adaptive(odeint::make_controlled(tolerance, tolerance, Stepper()), c.force, state,
+                                           0.0, c.time, 0.01, StepLimit(c.most_steps));
                 return c.points(state.data());
             }};
 }
@@ -64,7 +89,7 @@ Solver odeint_bulirsch_stoer(std::string name, bool relative, const Case<Loop>& 
     return {"odeint " + std::move(name), true, [c, relative](double tolerance) {
                 Numbers state = c.state();
                 odeint::bulirsch_stoer<Numbers> stepper(tolerance, relative ? tolerance : 0.0, 1.0, 1.0);
-                odeint::integrate_adaptive(stepper, Force<Loop>{c.n}, state, 0.0, c.time, 0.1);
+                odeint::integrate_adaptive(stepper, c.force, state, 0.0, c.time, 0.1, StepLimit(c.most_steps));
                 return c.points(state.data());
             }};
 }
@@ -74,7 +99,7 @@ Solver odeint_fixed(std::string name, const Case<Loop>& c) {
     return {"odeint " + std::move(name), false, [c](double steps) {
                 Numbers state = c.state();
                 Stepper stepper;
-                const Force<Loop> force{c.n};
+                const Force<Loop> force = c.force;
                 const double dt = c.time / steps;
                 for (double i = 0; i < steps; ++i) stepper.do_step(force, state, i * dt, dt);
                 return c.points(state.data());
@@ -86,7 +111,7 @@ Solver odeint_pair(std::string name, const Case<Loop>& c) {
     return {"odeint " + std::move(name), false, [c](double steps) {
                 Numbers x = c.x, v = c.v;
                 Stepper stepper;
-                const Force<Loop> force{c.n};
+                const Force<Loop> force = c.force;
                 const double dt = c.time / steps;
                 for (double i = 0; i < steps; ++i)
                     stepper.do_step(force, std::make_pair(std::ref(x), std::ref(v)), i * dt, dt);
@@ -98,10 +123,11 @@ template <class Loop>
 Solver gsl_adaptive(std::string name, const gsl_odeiv2_step_type* type, const Case<Loop>& c) {
     return {"GSL " + std::move(name), true, [c, type](double tolerance) {
                 Numbers state = c.state();
-                Force<Loop> force{c.n};
+                Force<Loop> force = c.force;
                 gsl_odeiv2_system system{gsl_rates<Loop>, nullptr, state.size(), &force};
                 const std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> driver(
                     gsl_odeiv2_driver_alloc_y_new(&system, type, 0.01, tolerance, tolerance), gsl_odeiv2_driver_free);
+                gsl_odeiv2_driver_set_nmax(driver.get(), c.most_steps);
                 double t = 0;
                 if (gsl_odeiv2_driver_apply(driver.get(), &t, c.time, state.data()) != GSL_SUCCESS)
                     throw std::runtime_error("GSL gave up");
@@ -114,14 +140,14 @@ Solver sundials_erk(int order, const Case<Loop>& c) {
     return {"SUNDIALS ERKStep " + std::to_string(order), true, [c, order](double tolerance) {
                 const SundialsContext context;
                 Numbers state = c.state();
-                Force<Loop> force{c.n};
+                Force<Loop> force = c.force;
                 const N_Vector y = vector_over(state, context);
                 void* memory = ERKStepCreate(sundials_rates<Loop>, 0, y, context.context);
                 succeeded(ERKStepSetOrder(memory, order));
                 succeeded(ERKStepSStolerances(memory, tolerance, tolerance));
                 succeeded(ERKStepSetUserData(memory, &force));
                 succeeded(ERKStepSetErrFile(memory, nullptr));
-                succeeded(ERKStepSetMaxNumSteps(memory, 10000000));
+                succeeded(ERKStepSetMaxNumSteps(memory, static_cast<long>(c.most_steps)));
                 succeeded(ERKStepSetStopTime(memory, c.time));
                 realtype t = 0;
                 const int result = ERKStepEvolve(memory, c.time, y, &t, ARK_NORMAL);
@@ -137,14 +163,14 @@ Solver sundials_adams(const Case<Loop>& c) {
     return {"SUNDIALS CVODE Adams", true, [c](double tolerance) {
                 const SundialsContext context;
                 Numbers state = c.state();
-                Force<Loop> force{c.n};
+                Force<Loop> force = c.force;
                 const N_Vector y = vector_over(state, context);
                 void* memory = CVodeCreate(CV_ADAMS, context.context);
                 succeeded(CVodeInit(memory, sundials_rates<Loop>, 0, y));
                 succeeded(CVodeSStolerances(memory, tolerance, tolerance));
                 succeeded(CVodeSetUserData(memory, &force));
                 succeeded(CVodeSetErrFile(memory, nullptr));
-                succeeded(CVodeSetMaxNumSteps(memory, 10000000));
+                succeeded(CVodeSetMaxNumSteps(memory, static_cast<long>(c.most_steps)));
                 SUNNonlinearSolver solver = SUNNonlinSol_FixedPoint(y, 0, context.context);
                 succeeded(CVodeSetNonlinearSolver(memory, solver));
                 succeeded(CVodeSetStopTime(memory, c.time));
@@ -199,10 +225,12 @@ std::vector<Solver> solvers_with(const Problem& problem) {
     return all;
 }
 
-template <class Chain, class Mesh, class Morse>
+template <class Chain, class Mesh, class Morse, class Sun, class Planets>
 std::vector<Solver> solvers_of(const Problem& problem) {
     if (problem.scene == "chain") return solvers_with<Chain>(problem);
     if (problem.scene == "mesh") return solvers_with<Mesh>(problem);
+    if (problem.scene == "kepler") return solvers_with<Sun>(problem);
+    if (problem.scene == "outer-solar-system") return solvers_with<Planets>(problem);
     return solvers_with<Morse>(problem);
 }
 

@@ -1,11 +1,14 @@
-// Time to an error: for three scenes and errors from 1e-2 to 1e-14, the fastest method of steplab beside the fastest of
-// Boost.odeint, GSL and SUNDIALS, in one process. Every method runs over a series of dt or tolerances; all runs that
-// might win are timed in interleaved rounds and the least of each is kept. The libraries get the force once as a user
-// writes it and once as compilers vectorise it (with -fno-math-errno). Usage: peers [chain|morse|mesh ...] [rounds]
+// Time to an error: for each scene and error, the fastest method of steplab beside the fastest of Boost.odeint, GSL and
+// SUNDIALS, in one process. Every method runs over a series of dt or tolerances; all runs that might win are timed in
+// interleaved rounds and the least of each is kept. The libraries get the force once as a user writes it and once as
+// compilers vectorise it (with -fno-math-errno). Three short scenes by default, errors of which are distances;
+// `kepler`: eccentricity 0.9 over 100 periods, errors by the semi-major axis; `outer-solar-system`: 10^4 years, the
+// largest error of any body by the semi-major axis of Jupiter. Usage: peers [chain|morse|mesh|kepler|outer-solar-system
+// ...] [rounds]
 
+#include "contest_plan.hpp"
 #include "core/flush_subnormals.hpp"
 #include "lab/study/speed_error.hpp"
-#include "lab/study/study.hpp"
 #include "lines.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
@@ -19,6 +22,9 @@
 #include <cstdlib>
 #include <exception>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace steplab::benchmark {
 
@@ -32,39 +38,14 @@ struct Entry {
     std::function<std::string()> hash = [] { return std::string(); };  ///< of the state at the end, if it is ours
 };
 
-constexpr double targets[] = {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
-/// Settings in a row that may gain nothing before a series ends.
-constexpr int patience = 20;
-/// Runs beyond this are of no use to anybody here.
-constexpr double most_seconds = 0.02;
+constexpr const char* programs[] = {"steplab", "odeint", "GSL", "SUNDIALS"};
+/// Of a series with smaller errors it is expected that finer settings gain.
+constexpr double converging = 1e-3;
 
 double seconds_of(const std::function<void()>& work) {
     const auto begin = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-StudyPlan plan_of(std::string_view scene) {
-    std::vector<StudyPlan> plans = default_plans(false);
-    StudyPlan plan = *std::find_if(plans.begin(), plans.end(), [&](const auto& p) { return p.scene.model == scene; });
-    plan.precisions = {Precision::double_};
-    plan.most_seconds_a_run = most_seconds;
-    plan.ratio = 1.1;
-    plan.rounds = 1;
-    return plan;
-}
-
-Problem problem_of(const StudyPlan& plan) {
-    const Frame start = Simulation(plan.scene).frame();
-    return {plan.scene.model, plan.time, start.positions, start.velocities};
-}
-
-double error_of(const std::vector<Vec3>& end, const StudyPlan& plan, const Reference& reference) {
-    const Plan scene = model_of(plan.scene).plan(plan.scene.scene);
-    Field<double> displacement(end.size());
-    for (std::size_t i = 0; i < end.size(); ++i) displacement.set(i, end[i] - scene.reference.at(i));
-    const double largest = error_against(reference.moments.back(), displacement);
-    return std::isfinite(largest) ? largest : 1e300;
 }
 
 std::string hash_at_the_end(const RunDescription& run, std::uint64_t steps) {
@@ -75,16 +56,17 @@ std::string hash_at_the_end(const RunDescription& run, std::uint64_t steps) {
 
 class Contest {
 public:
-    Contest(std::string_view scene) : plan_(plan_of(scene)), reference_(reference_for(plan_)) {
+    explicit Contest(const ContestPlan& plan) : plan_(plan), reference_(reference_for(plan_.study)) {
         const Problem problem = problem_of(plan_);
         for (const Solver& solver : plain_solvers(problem)) enter(solver, 1);
         for (const Solver& solver : gather_solvers(problem)) enter(solver, 2);
-        for (const std::string& id : possible_methods(plan_)) {
-            if (run_over(plan_, id, Precision::double_, 1).method_parameters.contains("tolerance"))
+        StudyPlan& study = plan_.study;
+        for (const std::string& id : possible_methods(study)) {
+            if (run_over(study, id, Precision::double_, 1).method_parameters.contains("tolerance"))
                 enter_tolerances(id);
         }
-        std::erase_if(plan_.methods, [](const std::string& id) { return method(id).info.adaptive; });
-        for (const Measurement& run : measure_series(plan_, reference_, [](double) {})) enter(run);
+        std::erase_if(study.methods, [](const std::string& id) { return method(id).info.adaptive; });
+        for (const Measurement& run : measure_series(study, reference_, [](double) {})) enter(run);
     }
 
     void hold(int rounds) {
@@ -96,9 +78,9 @@ public:
 
     /// The fastest of steplab and of the libraries with either force, for each error.
     void print_lines() const {
-        const std::string row = fmt::format("error-{}", plan_.scene.model);
-        const double particles = model_of(plan_.scene).particles(plan_.scene.scene);
-        for (const double target : targets) {
+        const std::string row = fmt::format("error-{}", plan_.name);
+        const double particles = model_of(plan_.study.scene).particles(plan_.study.scene.scene);
+        for (const double target : plan_.targets) {
             const std::string error = fmt::format("{:.0e}", target);
             const auto add = [&](const std::string& who, const Entry& entry) {
                 benchmark::print({row, error, "double", particles, who, entry.least * 1e9, entry.hash()});
@@ -111,18 +93,27 @@ public:
     }
 
     void print_table() const {
-        fmt::print("\n{} to t = {}, reference: {} ({:.0e})\n", plan_.scene.model, plan_.time, reference_.how,
-                   reference_.moments.back().error);
+        fmt::print("\n{} to t = {}, reference: {} ({:.0e})\n", plan_.name, plan_.study.time, reference_.how,
+                   reference_.moments.back().error / plan_.length);
         fmt::print("{:<7} {:>10}  {:<30} {:>10} {:>6}  {:<34} {:>10} {:>6}  {}\n", "error", "steplab", "", "plain",
                    "ratio", "", "gather", "ratio", "");
-        for (const double target : targets) {
+        for (const double target : plan_.targets) {
             const Entry *own = best(0, target), *plain = best(1, target), *gather = best(2, target);
             fmt::print("{:<7.0e} {}  {} {}  {}\n", target, cell(own, 30), cell(plain, own, 34), cell(gather, own, 34),
                        "");
         }
+        if (plan_.smallest) print_smallest();
     }
 
 private:
+    void print_smallest() const {
+        fmt::print("smallest error that each program reaches\n");
+        for (const char* program : programs) {
+            const Entry* const entry = most_exact(program);
+            if (entry) fmt::print("{:<10} {:>7.1e} {}\n", program, entry->error, cell(entry, 30));
+        }
+    }
+
     static std::string setting(const RunDescription& run) {
         if (run.method_parameters.contains("tolerance") && run.method_parameters["tolerance"] > 0)
             return fmt::format("{:.0e}", run.method_parameters["tolerance"]);
@@ -131,20 +122,20 @@ private:
 
     void enter(const Measurement& run) {
         if (run.diverged()) return;
-        entries_.push_back({fmt::format("{} {}", run.run.method, setting(run.run)), 0, run.error,
+        entries_.push_back({fmt::format("{} {}", run.run.method, setting(run.run)), 0, run.error / plan_.length,
                             [run] { return stepping_seconds(run.run, run.steps); }, run.wall_seconds.value_or(1e300),
                             [run] { return hash_at_the_end(run.run, run.steps); }});
     }
 
     /// The same series as those of the libraries' adaptive methods.
     void enter_tolerances(const std::string& id) {
-        RunDescription run = run_over(plan_, id, Precision::double_, 1);
-        for (double tolerance = 0.3; tolerance > 1e-16; tolerance *= 0.5) {
+        RunDescription run = run_over(plan_.study, id, Precision::double_, 1);
+        for (double tolerance = 0.3; tolerance > 1e-16; tolerance *= plan_.tolerance_ratio) {
             run.method_parameters.set("tolerance", tolerance);
             Measurement measured = measure(run, 1, reference_);
             measured.wall_seconds = stepping_seconds(run, 1);
             enter(measured);
-            if (*measured.wall_seconds > most_seconds) return;
+            if (*measured.wall_seconds > plan_.study.most_seconds_a_run) return;
         }
     }
 
@@ -152,7 +143,8 @@ private:
     void enter(const Solver& solver, int group) {
         double best_error = 1e300;
         int useless = 0;
-        for (double setting = solver.adaptive ? 1 : 4; useless < patience; setting *= solver.adaptive ? 0.6 : 1.1) {
+        const double ratio = solver.adaptive ? plan_.tolerance_ratio : plan_.study.ratio;
+        for (double setting = solver.adaptive ? 1 : 4; useless < plan_.patience; setting *= ratio) {
             if (setting < 1e-17 || setting > 1e8) return;
             if (!solver.adaptive) setting = std::ceil(setting);
             std::vector<Vec3> end;
@@ -162,22 +154,31 @@ private:
                 error = error_of(end, plan_, reference_);
             } catch (const std::exception&) {  // the library gave up
             }
-            useless = best_error < 1 && error > 0.8 * best_error ? useless + 1 : 0;
+            useless = best_error < converging && error > 0.8 * best_error ? useless + 1 : 0;
             best_error = std::min(best_error, error);
             entries_.push_back({fmt::format("{} {:.0e}", solver.name, setting), group, error,
                                 [solver, setting] { return seconds_of([&] { solver.solve(setting); }); }, seconds});
-            if (seconds > most_seconds) return;
+            if (seconds > plan_.study.most_seconds_a_run) return;
         }
     }
 
     /// Keeps what may be the fastest of its group at a target: within a factor 2 of the first timing.
     void drop_hopeless() {
-        std::erase_if(entries_, [&](const Entry& entry) {
-            return std::none_of(std::begin(targets), std::end(targets), [&](double target) {
+        std::vector<const Entry*> kept;
+        if (plan_.smallest) {
+            for (const char* program : programs) kept.push_back(most_exact(program));
+        }
+        const auto hopeless = [&](const Entry& entry) {
+            return std::none_of(plan_.targets.begin(), plan_.targets.end(), [&](double target) {
                 const Entry* fastest = best(entry.group, target);
                 return fastest && entry.error <= target && entry.least <= 2 * fastest->least;
             });
-        });
+        };
+        std::vector<Entry> left;
+        for (const Entry& entry : entries_) {
+            if (!hopeless(entry) || std::find(kept.begin(), kept.end(), &entry) != kept.end()) left.push_back(entry);
+        }
+        entries_ = std::move(left);
     }
 
     const Entry* best(int group, double target) const {
@@ -186,6 +187,16 @@ private:
             if (entry.group == group && entry.error <= target && (!best || entry.least < best->least)) best = &entry;
         }
         return best;
+    }
+
+    /// The run of the smallest error, with either force.
+    const Entry* most_exact(std::string_view program) const {
+        const Entry* most = nullptr;
+        for (const Entry& entry : entries_) {
+            const bool theirs = entry.group == 0 ? program == programs[0] : entry.who.starts_with(program);
+            if (theirs && (!most || entry.error < most->error)) most = &entry;
+        }
+        return most;
     }
 
     static std::string cell(const Entry* entry, std::size_t width) {
@@ -198,7 +209,7 @@ private:
                            theirs->who, width);
     }
 
-    StudyPlan plan_;
+    ContestPlan plan_;
     Reference reference_;
     std::vector<Entry> entries_;
 };
@@ -209,7 +220,7 @@ int main(int argc, char** argv) {
     using namespace steplab::benchmark;
     std::vector<std::string> words(argv + 1, argv + argc), scenes;
     const bool in_lines = wants_lines(words);
-    int rounds = 20;
+    int rounds = 0;
     for (const std::string& word : words) {
         const int number = std::atoi(word.c_str());
         if (number > 0) {
@@ -221,8 +232,9 @@ int main(int argc, char** argv) {
     if (scenes.empty()) scenes = {"chain", "morse", "mesh"};
     const steplab::FlushSubnormals flush;  // for the libraries too
     for (const std::string& scene : scenes) {
-        Contest contest(scene);
-        contest.hold(rounds);
+        const ContestPlan plan = contest_plan(scene);
+        Contest contest(plan);
+        contest.hold(rounds > 0 ? rounds : plan.rounds);
         in_lines ? contest.print_lines() : contest.print_table();
     }
 }

@@ -3,7 +3,8 @@
 namespace steplab::benchmark {
 
 std::vector<Solver> plain_solvers(const Problem& problem) {
-    return solvers_of<PlainChain<double>, PlainMesh<double>, PlainMorse<double>>(problem);
+    return solvers_of<PlainChain<double>, PlainMesh<double>, PlainMorse<double>, FixedSun<PointsInARow<double>>,
+                      PlainPlanets<double>>(problem);
 }
 
 }  // namespace steplab::benchmark

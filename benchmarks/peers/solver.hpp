@@ -12,9 +12,11 @@ namespace steplab::benchmark {
 
 /// A start and a time: what every solver is given.
 struct Problem {
-    std::string_view scene;  ///< chain, mesh or morse: which force
+    std::string_view scene;  ///< of a contest: which force
     double time = 0;
-    std::vector<Vec3> positions, velocities;
+    std::vector<Vec3> positions, velocities;  ///< of what moves
+    std::vector<double> strengths;            ///< G m of each, where planets pull
+    std::size_t most_steps = 10000000;        ///< after which methods that choose their steps give up
 };
 
 /// One method of one library on one problem. `solve` goes from the start to the problem's time with a tolerance or a

@@ -138,7 +138,7 @@ private:
         const bool other_damping = static_cast<long double>(kappa) != matrices_.kappa;
         const bool other_weights = other_damping || h != weights_.h;
         if (other_damping) matrices_ = kappa == T(0) ? undamped_gauss : GaussMatrices(static_cast<long double>(kappa));
-        if (other_weights) weights_ = Weights(matrices_, h);
+        if (other_weights) weights_.make(matrices_, h);
         if (!other_weights && known.first == first_ && known.ratio == ratio_) return;
         first_ = known.first;
         ratio_ = known.ratio;

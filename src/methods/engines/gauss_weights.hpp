@@ -3,10 +3,13 @@
 #include "methods/engines/gauss_table.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace steplab {
@@ -93,6 +96,13 @@ private:
 
 inline constexpr GaussMatrices undamped_gauss{0};
 
+template <class T>
+constexpr std::array<T, stage_count> rounded_to(const GaussTable::Row& row) {
+    std::array<T, stage_count> rounded{};
+    for (std::size_t j = 0; j < stage_count; ++j) rounded[j] = static_cast<T>(row[j]);
+    return rounded;
+}
+
 /// The weights of a step of length h, which they contain. What rounding cuts off them is kept too ("low"): a method is
 /// symplectic only as far as its weights are right, and an error of 1e-16 in them would add up over the steps.
 ///
@@ -114,7 +124,10 @@ struct GaussWeights {
     StageColumns<T> end{};  ///< h b M, h^2 b M A, and what f's Legendre coefficients 6 and 7 are made of
 
     GaussWeights() = default;
-    GaussWeights(const GaussMatrices& matrices, T length) : h(length) {
+    GaussWeights(const GaussMatrices& matrices, T length) { make(matrices, length); }
+
+    void make(const GaussMatrices& matrices, T length) {
+        h = length;
         const auto h1 = static_cast<long double>(length), h2 = h1 * h1;
         std::tie(reach, reach_low) = in_lanes(matrices.reach, h1, half_of_digits);
         far = half_of_digits(h1 * matrices.far);
@@ -123,8 +136,13 @@ struct GaussWeights {
         for (std::size_t j = 0; j < stage_count; ++j) {
             std::tie(stage[j], stage_low[j]) = in_lanes(matrices.stage[j], h2);
             const long double v = h1 * matrices.velocity[j], x = h2 * matrices.position[j];
-            end[j] = in_lanes({v, x, rest(v), rest(x), gauss_table.legendre[6][j], gauss_table.legendre[7][j], 0, 0}, 1)
-                         .first;
+            alignas(64) const std::array<T, stage_count> column{rounded(v),
+                                                                rounded(x),
+                                                                rounded(rest(v)),
+                                                                rounded(rest(x)),
+                                                                last_coefficients[0][j],
+                                                                last_coefficients[1][j]};
+            end[j] = Stages<T>::load(column.data());
         }
     }
 
@@ -132,11 +150,17 @@ private:
     static T rounded(long double x) { return static_cast<T>(x); }
     static long double rest(long double x) { return x - static_cast<long double>(rounded(x)); }
 
+    static constexpr std::array<std::array<T, stage_count>, 2> last_coefficients{
+        rounded_to<T>(gauss_table.legendre[6]), rounded_to<T>(gauss_table.legendre[7])};
+
+    /// Towards zero: first to a T, then to half of its digits.
     static T half_of_digits(long double x) {
-        int exponent = 0;
-        constexpr int digits = std::numeric_limits<T>::digits / 2;
-        const long double mantissa = std::frexp(x, &exponent);
-        return static_cast<T>(std::ldexp(std::trunc(std::ldexp(mantissa, digits)), exponent - digits));
+        using Bits = std::conditional_t<sizeof(T) == sizeof(float), std::uint32_t, std::uint64_t>;
+        constexpr int digits = std::numeric_limits<T>::digits, dropped = digits - digits / 2;
+        const T nearest = rounded(x);
+        const bool beyond = std::abs(static_cast<long double>(nearest)) > std::abs(x);
+        const Bits bits = std::bit_cast<Bits>(nearest) - static_cast<Bits>(beyond);
+        return std::bit_cast<T>(static_cast<Bits>(bits >> dropped << dropped));
     }
 
     /// scale row, and what `cut` leaves of it.
@@ -151,20 +175,32 @@ private:
     }
 };
 
+/// 1 / (c_j - c_k) of the nodes, 0 for j = k: of their Lagrange polynomials.
+template <class T>
+constexpr std::array<std::array<T, stage_count>, stage_count> inverse_gaps() {
+    std::array<std::array<T, stage_count>, stage_count> inverse{};
+    for (std::size_t j = 0; j < stage_count; ++j) {
+        for (std::size_t k = 0; k < stage_count; ++k) {
+            if (k != j) inverse[j][k] = static_cast<T>(1 / (gauss_table.c[j] - gauss_table.c[k]));
+        }
+    }
+    return inverse;
+}
+
 /// Columns of the matrix that carries a polynomial from its values at the stages of one interval to those of another,
 /// which begins at `first` and is `ratio` times as long, in units of the first.
 template <class T>
 StageColumns<T> extrapolation(T first, T ratio) {
-    StageColumns<T> columns;
-    alignas(64) std::array<T, stage_count> nodes;
-    for (std::size_t i = 0; i < stage_count; ++i) nodes[i] = first + ratio * static_cast<T>(gauss_table.c[i]);
-    const Stages<T> at = Stages<T>::load(nodes.data());
+    static constexpr auto nodes = rounded_to<T>(gauss_table.c);
+    static constexpr auto gaps = inverse_gaps<T>();
+    StageColumns<T> from_node, columns;
+    alignas(64) std::array<T, stage_count> places;
+    for (std::size_t i = 0; i < stage_count; ++i) places[i] = first + ratio * nodes[i];
+    for (std::size_t k = 0; k < stage_count; ++k) from_node[k] = Stages<T>::load(places.data()) - Stages<T>(nodes[k]);
     for (std::size_t j = 0; j < stage_count; ++j) {
         Stages<T> lagrange = T(1);
         for (std::size_t k = 0; k < stage_count; ++k) {
-            if (k == j) continue;
-            const auto gap = static_cast<T>(1 / (gauss_table.c[j] - gauss_table.c[k]));
-            lagrange = lagrange * ((at - Stages<T>(static_cast<T>(gauss_table.c[k]))) * Stages<T>(gap));
+            if (k != j) lagrange = lagrange * (from_node[k] * Stages<T>(gaps[j][k]));
         }
         columns[j] = lagrange;
     }

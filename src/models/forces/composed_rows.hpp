@@ -4,10 +4,12 @@
 #include "core/force_layout.hpp"
 #include "core/lanes.hpp"
 #include "models/forces/composed_particles.hpp"
+#include "models/forces/few_pairs.hpp"
 #include "models/forces/pair_potential.hpp"
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -31,16 +33,21 @@ public:
         PairRows rows(*first, second ? *second : *first, pairs.second.empty());
         const bool apart = rows.rows_.end <= rows.columns_.begin || rows.columns_.end <= rows.rows_.begin;
         if (!rows.within_ && !apart) return std::nullopt;
+        const ComposedParticles<T> particles(std::make_shared<const Composition>(all));
         rows.expression_ = pairs.expression;
-        rows.keep_properties(ComposedParticles<T>(std::make_shared<const Composition>(all)));
+        rows.keep_properties(particles);
+        if (rows.are_few()) rows.few_.emplace(rows.all(), particles, rows.turned_);
         return rows;
     }
 
     template <class Potential>
     void add(const Potential& potential, const Field<T>& u, Field<T>& a) const {
-        auto factors = factors_of(potential);
-        for (std::size_t i = rows_.begin; i < rows_.end; ++i)
-            add_row(factors, u, a, i, {within_ ? i + 1 : columns_.begin, columns_.end});
+        if (few_) {
+            auto factors = factors_of<typename FewPairs<T>::N>(potential);
+            return few_->add(factors, u, a);
+        }
+        auto factors = factors_of<N>(potential);
+        for (std::size_t i = rows_.begin; i < rows_.end; ++i) add_row(factors, u, a, i, columns_of(i));
     }
 
 private:
@@ -68,6 +75,23 @@ private:
         return Range{particles.front(), std::size_t(particles.back()) + 1};
     }
 
+    Range columns_of(std::size_t i) const { return {within_ ? i + 1 : columns_.begin, columns_.end}; }
+
+    /// Every row is of one block, and there are not many.
+    bool are_few() const {
+        const std::size_t rows = rows_.end - rows_.begin, columns = columns_.end - columns_.begin;
+        const bool one_block = columns_.begin / width == (columns_.end - 1) / width;
+        return one_block && (within_ ? rows * (rows - 1) / 2 : rows * columns) <= FewPairs<T>::most;
+    }
+    std::vector<typename FewPairs<T>::Row> all() const {
+        std::vector<typename FewPairs<T>::Row> all;
+        for (std::size_t i = rows_.begin; i < rows_.end; ++i) {
+            const Range columns = columns_of(i);
+            if (columns.begin < columns.end) all.push_back({i, columns.begin, columns.end});
+        }
+        return all;
+    }
+
     void keep_properties(const ComposedParticles<T>& particles) {
         properties_ = Field<T>(particles.count());
         for (std::size_t i = 0; i < particles.count(); ++i) {
@@ -77,13 +101,17 @@ private:
         }
     }
 
-    template <class Potential>
-    static auto factors_of(const Potential& potential) {
-        return [&potential](const N& distance2, const PairProperties<N>& pair) __attribute__((always_inline)) {
-            return potential.factor(distance2, pair);
-        };
+    template <class Number, class Potential>
+    auto factors_of(const Potential& potential) const {
+        if constexpr (std::same_as<Potential, ExpressionPotential<T>>) {
+            return ExpressionFactors<T, Number>(expression_->force);
+        } else {
+            return [&potential](const Number& distance2, const PairProperties<Number>& pair)
+                __attribute__((always_inline)) {
+                return potential.factor(distance2, pair);
+            };
+        }
     }
-    auto factors_of(const ExpressionPotential<T>&) const { return ExpressionFactors<T, N>(expression_->force); }
 
     template <class Factors>
     void add_row(Factors& factors, const Field<T>& u, Field<T>& a, std::size_t i, Range columns) const {
@@ -129,6 +157,7 @@ private:
 
     Range rows_, columns_;
     bool within_, turned_;
+    std::optional<FewPairs<T>> few_;
     std::shared_ptr<const ExpressionForce> expression_;
     Field<T> properties_;  ///< of each particle: mass, inverse mass, charge
 };

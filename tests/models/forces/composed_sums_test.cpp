@@ -134,6 +134,64 @@ TYPED_TEST(ComposedSums, a_star_of_springs_is_not_put_in_rows) {
     expect_same(sums(force, u), summed_one_by_one(terms, u), "sums");
 }
 
+/// Of one set, or of two of which the second is not smaller.
+ComposedPairs pairs_without_cutoff(const std::string& potential, std::size_t first, std::size_t second) {
+    ComposedPairs pairs;
+    pairs.potential = potential == "gravity" ? potential : "";
+    if (potential == "gravity") pairs.values = {3, 0};
+    if (potential != "gravity") pairs.expression = expression_of(PairTerm{.potential = potential}, 2);
+    pairs.first.resize(first), pairs.second.resize(second);
+    std::iota(pairs.first.begin(), pairs.first.end(), 0U);
+    std::iota(pairs.second.begin(), pairs.second.end(), static_cast<std::uint32_t>(first));
+    return pairs;
+}
+
+template <class T>
+void add_row_by_row(const ComposedPairs& pairs, const ComposedParticles<T>& particles, const Field<T>& u, Field<T>& a) {
+    const PairPotential<T> potential(pairs, particles.terms().mass);
+    const auto vector = [](const Field<T>& field, std::size_t i) {
+        return Vector<T>{field.x()[i], field.y()[i], field.z()[i]};
+    };
+    const auto add = [&](std::size_t i, const Vector<T>& push) {
+        const Vector<T> sum = vector(a, i) + particles.inverse_mass(i) * push;
+        a.x()[i] = sum.x, a.y()[i] = sum.y, a.z()[i] = sum.z;
+    };
+    for (const std::size_t i : pairs.first) {
+        Vector<T> sum{T(0), T(0), T(0)};
+        for (std::size_t j = pairs.second.empty() ? i + 1 : pairs.first.size(); j < u.count(); ++j) {
+            const Vector<T> d = vector(u, j) - vector(u, i);
+            const T distance2 = d.x * d.x + d.y * d.y + d.z * d.z;
+            const T factor = distance2 > T(0) ? potential.factor(distance2, particles.properties(i, j)) : T(0);
+            sum = sum + factor * d;
+            add(j, factor * d);
+        }
+        add(i, Vector<T>{-sum.x, -sum.y, -sum.z});
+    }
+}
+
+TYPED_TEST(ComposedSums, few_pairs_are_those_added_row_by_row) {
+    const Field<TypeParam> all = near_a_lattice<TypeParam>(3, 1, 0.2);
+    for (const std::string potential : {"gravity", "m1 * m2 * exp(-r) / r"}) {
+        for (std::size_t count = 2; count <= 16; ++count) {
+            for (const std::size_t second : {std::size_t(0), count - count / 2}) {
+                Composition terms;
+                terms.count = count;
+                give_masses_and_fix_some(terms);
+                terms.pairs = {pairs_without_cutoff(potential, count - second, second)};
+                const ComposedParticles<TypeParam> particles(std::make_shared<const Composition>(terms));
+                Field<TypeParam> u(count), a(count);
+                copy(all, 0, count, u, 0);
+                if (count > 4) u.set(4, u.at(3));
+                for (std::size_t i = 0; i < count; ++i) a.set(i, terms.accelerations[i]);
+                add_row_by_row(terms.pairs[0], particles, u, a);
+                for (std::size_t i = 0; i < count; ++i) a.set(i, terms.fixed[i] != 0 ? Vec3{} : a.at(i));
+                Composed<TypeParam> force(forces_of(terms));
+                expect_same(sums(force, u), a, potential + ", " + std::to_string(count));
+            }
+        }
+    }
+}
+
 ComposedPairs pairs_between_all(const std::string& potential, std::size_t count) {
     ComposedPairs pairs;
     pairs.cutoff = 1.7;
