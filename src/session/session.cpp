@@ -83,6 +83,11 @@ bool Session::is_behind() const {
                        [&](const FollowerRun& follower) { return !follower.is_beside(line_); });
 }
 
+bool Session::wants_errors() const {
+    if (!followers_.empty()) return true;
+    return with_errors_.value_or(!run().has_exact() && run().particles() <= most_compared_alone);
+}
+
 void Session::catch_up(const std::function<bool()>& enough) {
     for (auto follower = followers_.begin(); follower != followers_.end(); ++follower) {
         try {

@@ -55,8 +55,10 @@ public:
     /// Keeps the present moment, unless one is near.
     void keep_moment() { line_.keep_moment(); }
 
+    /// Particles up to which a run alone is compared with a reference run, if its scene has no exact solution.
+    static constexpr std::size_t most_compared_alone = 300;
     /// True if the runs are to be compared with the motion of their scene: two and more of them always.
-    bool wants_errors() const { return with_errors_ || !followers_.empty(); }
+    bool wants_errors() const;
     /// The present moment of all runs, reusing the memory of `view`.
     void observe(SessionView& view) const;
 
@@ -102,7 +104,8 @@ private:
     Rate rate_;
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;
-    bool with_forces_ = false, with_errors_ = false;
+    bool with_forces_ = false;
+    std::optional<bool> with_errors_;  ///< none: as usual
     LiveEnsembleOptions ensemble_;
     mutable std::optional<LiveEnsemble> live_ensemble_;
     std::uint64_t number_ = 0;  ///< of the run: grows when one begins again

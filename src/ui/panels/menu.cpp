@@ -42,6 +42,10 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/reset view", "Reset view", Action::reset_view);
     action_item(context, "menu/zoom to fit", "Zoom to fit", Action::zoom_to_fit);
     ImGui::Separator();
+    action_item(context, "menu/undo", "Undo", Action::undo);
+    action_item(context, "menu/redo", "Redo", Action::redo);
+    action_item(context, "menu/bookmark", "Mark this moment", Action::bookmark);
+    ImGui::Separator();
     action_item(context, "menu/faster", "Play faster", Action::faster);
     action_item(context, "menu/slower", "Play slower", Action::slower);
     action_item(context, "menu/previous scene", "Previous scene", Action::previous_scene);

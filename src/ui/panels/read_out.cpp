@@ -16,9 +16,25 @@ struct Line {
     bool strong = false;
 };
 
+/// Against a reference run, while that tells it.
+void append_reference_error(std::vector<Line>& lines, const SessionErrors& errors, const RunView& view) {
+    const Compared& lead = *errors.runs.front();
+    const bool late = errors.time < view.frame.time - 1e-9;
+    lines.push_back({fmt::format("position error: {} (against a reference{})", with_unit(rounded_text(lead.error), "m"),
+                                 late ? fmt::format(", at t = {} s", typed(errors.time, 4)) : "")});
+    if (lead.reference_error > 0.1 * lead.error)
+        lines.push_back({"the reference is accurate to " + with_unit(rounded_text(lead.reference_error), "m") + " only",
+                         colour::caution});
+}
+
 /// The error of the moment, and the digits that the largest one so far has left; or why they are not known.
-void append_error(std::vector<Line>& lines, const RunView& view, const History& history) {
+void append_error(std::vector<Line>& lines, const Context& context) {
+    const RunView& view = context.view;
+    const History& history = context.state.history;
     const auto error = view.diagnostics.error;
+    const auto& errors = context.session.errors;
+    if (!error && errors && !errors->runs.empty() && errors->runs.front())
+        return append_reference_error(lines, *errors, view);
     if (!error) {
         if (!view.why_not_exact.empty()) lines.push_back({"position error unknown: " + view.why_not_exact});
         return;
@@ -38,7 +54,7 @@ std::vector<Line> lines_of(const Context& context) {
     const std::string energy = has_drag(view.description) ? "energy change: " : "energy error: ";
     lines.push_back({energy + with_unit(rounded_text(view.diagnostics.energy_error), "J")});
     if (view.baseline_step > 0) lines.push_back({fmt::format("relative to the energy at step {}", view.baseline_step)});
-    append_error(lines, view, context.state.history);
+    append_error(lines, context);
     if (!view.frame.ensemble.empty())
         lines.push_back({"ensemble spread: max " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });

@@ -97,14 +97,14 @@ void draw_run(const Context& context, std::size_t run) {
 }
 
 void draw_errors(const Context& context, std::size_t run) {
-    if (runs_of(context) == 1 && !context.session.errors) return;
+    if (runs_of(context) == 1) return;  // they are in the scene
     explanation(context, errors_text(context, run));
     if (const Compared* const compared = compared_of(context, run)) tooltip(context, more_errors_text(*compared));
 }
 
 void draw_reference(const Context& context) {
     const auto& errors = context.session.errors;
-    if (!errors) return;
+    if (!errors || runs_of(context) == 1) return;
     std::string text = errors->exact ? "against the exact solution" : "against a reference run";
     if (errors->time < context.view.frame.time - 1e-9)
         text += fmt::format(", which is at t = {} s", typed(errors->time, 4));
