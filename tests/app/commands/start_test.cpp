@@ -150,6 +150,23 @@ TEST_F(StartCommands, exports_a_model_with_values_of_a_file_beside_it) {
     EXPECT_EQ(summary({"run", "--scene", copy, "--steps", "50"})["hash"], summary(run)["hash"]);
 }
 
+/// The order in which a square cloth of so many particles along a side is stepped.
+json order_of_cloth(const std::string& file, int side) {
+    put_text(file, fmt::format("steplab = 1\n[[particles]]\ngroup = \"cloth\"\n"
+                               "grid = {{ count = [{0}, {0}], steps = [[1, 0, 0], [0, 0, -1]] }}\n"
+                               "[[springs]]\nbetween = \"cloth\"\nk = 1\n",
+                               side));
+    return json::parse(run_program({"list", "scene", "--json", "--scene", file}).out)["order"];
+}
+
+TEST_F(StartCommands, list_scene_says_in_which_order_particles_are_stepped) {
+    const std::string cloth = folder_.file("cloth.toml");
+    EXPECT_EQ(order_of_cloth(cloth, 40), "scene") << "few particles";
+    EXPECT_THAT(run_program({"list", "scene", "--scene", cloth}).out, testing::Not(HasSubstr("Z-order")));
+    EXPECT_EQ(order_of_cloth(cloth, 60), "z-order");
+    EXPECT_THAT(run_program({"list", "scene", "--scene", cloth}).out, HasSubstr("along a Z-order curve"));
+}
+
 TEST_F(StartCommands, list_scene_says_what_is_recognised) {
     const auto listed = [](std::vector<std::string> scene) {
         scene.insert(scene.begin(), {"list", "scene", "--json"});
