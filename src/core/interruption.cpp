@@ -1,11 +1,13 @@
 #include "core/interruption.hpp"
 
 #include "core/program_end.hpp"
+#include "core/watching.hpp"
 
 #include <atomic>
 #include <csignal>
 #include <ctime>
 #include <initializer_list>
+#include <utility>
 
 namespace steplab {
 
@@ -17,6 +19,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 timer_t deadline{};
 
 thread_local const std::atomic<bool>* asked_on_this_thread = nullptr;
+thread_local const std::function<void()>* watch_of_this_thread = nullptr;
 
 void end_now(int signal) { end_program(128 + signal); }
 
@@ -73,7 +76,22 @@ void end_program_soon(int exit_code) {
 void check_interruption() {
     if (const int signal = caught_signal) throw Interrupted(signal);
     if (asked_on_this_thread && *asked_on_this_thread) throw Interrupted(SIGTERM);
+    const auto* const watch = watch_of_this_thread;
+    if (!watch) return;
+    watch_of_this_thread = nullptr;  // what it calls may come back here
+    try {
+        (*watch)();
+    } catch (...) {
+        watch_of_this_thread = watch;
+        throw;
+    }
+    watch_of_this_thread = watch;
 }
+
+Watching::Watching(std::function<void()> watch) : watch_(std::move(watch)), outer_(watch_of_this_thread) {
+    watch_of_this_thread = &watch_;
+}
+Watching::~Watching() { watch_of_this_thread = outer_; }
 
 InterruptibleBy::InterruptibleBy(const std::atomic<bool>& asked) { asked_on_this_thread = &asked; }
 InterruptibleBy::~InterruptibleBy() { asked_on_this_thread = nullptr; }

@@ -225,6 +225,13 @@ void write_view(Writer& writer, const SceneView& view) {
     if (!view.background.empty()) writer.line("background", toml_string(view.background));
 }
 
+/// The start of the scene as the run changes it: values of a file take the place of all before.
+SceneStart start_of(const RunDescription& run, SceneStart start, const std::string& file) {
+    if (run.start.from) start = {.file = file};
+    start.change.reverse = start.change.reverse != run.start.reverse;
+    return start;
+}
+
 std::string head(const RunDescription& run) {
     const Model& model = model_of(run);
     const std::string topic = model.topic.empty() ? "" : fmt::format("topic = {}\n", toml_string(model.topic));
@@ -234,13 +241,15 @@ std::string head(const RunDescription& run) {
 
 }  // namespace
 
-std::string scene_file_text(const RunDescription& run) {
-    if (!run.origin) return scene_file_text(run, {});
+SceneView view_of(const RunDescription& run) {
+    if (!run.origin) return {};
     const SceneDefaults& defaults = run.origin->defaults;
-    return scene_file_text(run, {defaults.camera, defaults.colour, defaults.background});
+    return {defaults.camera, defaults.colour, defaults.background};
 }
 
-std::string scene_file_text(const RunDescription& run, const SceneView& view) {
+std::string scene_file_text(const RunDescription& run) { return scene_file_text(run, view_of(run)); }
+
+std::string scene_file_text(const RunDescription& run, const SceneView& view, const std::string& start_file) {
     const Scene scene = model_of(run).scene(run.scene);
     Writer writer;
     for (const ParticleBlock& block : scene.particles) writer(block);
@@ -254,7 +263,7 @@ std::string scene_file_text(const RunDescription& run, const SceneView& view) {
         if (scene.corner) writer.line("corner", *scene.corner);
     }
     write_run(writer, run, run.origin ? run.origin->defaults : SceneDefaults{});
-    writer(scene.start);
+    writer(start_of(run, scene.start, start_file));
     write_view(writer, view);
     return head(run) + parameters_text(run, scene, writer) + writer.text;
 }

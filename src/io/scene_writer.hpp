@@ -11,10 +11,14 @@ struct SceneView {
     std::string camera = {}, colour = {}, background = {};
 };
 
+/// As the run's own scene file says it; empty for a model.
+SceneView view_of(const RunDescription& run);
+
 /// A scene file of the scene of a run, whose parameters have their values there: running it gives the same hash. What
 /// the run's own scene file says of its length, its view and its topic is kept.
 std::string scene_file_text(const RunDescription& run);
-/// The same with another view.
-std::string scene_file_text(const RunDescription& run, const SceneView& view);
+/// The same with another view, and with the start of the run: `start_file` is the name of the file of its values
+/// (--from).
+std::string scene_file_text(const RunDescription& run, const SceneView& view, const std::string& start_file = {});
 
 }  // namespace steplab

@@ -113,7 +113,8 @@ Outcome run_program(const std::vector<std::string>& arguments, const Surrounding
 }
 
 std::string without_progress(const std::string& errors) {
-    static const std::regex line("steplab report: [0-9]+ %, .* left\\n");
+    static const std::regex line(
+        "steplab (report|advise|limits): ([0-9]+ %(, .* left)?|(computing|finding|measuring) .*)\\n");
     return std::regex_replace(errors, line, "");
 }
 

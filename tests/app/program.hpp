@@ -54,8 +54,8 @@ private:
 /// Runs a program to its end.
 Outcome run_program(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
 
-/// What a program wrote to standard error but for lines of progress ("steplab report: 48 %, 12 s left"), of which a
-/// slow machine makes some.
+/// What a program wrote to standard error but for lines of progress ("steplab report: 48 %, 12 s left", "steplab
+/// limits: measuring the limit of rk4"), of which a slow machine makes some.
 std::string without_progress(const std::string& errors);
 
 }  // namespace steplab

@@ -1,12 +1,14 @@
 #include "core/interruption.hpp"
 
 #include "core/program_end.hpp"
+#include "core/watching.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <stdexcept>
 #include <thread>
 #include <unistd.h>
 
@@ -38,6 +40,27 @@ TEST(InterruptibleBy, throws_once_asked_on_this_thread_while_it_lives) {
         std::thread([] { EXPECT_NO_THROW(check_interruption()); }).join();
     }
     EXPECT_NO_THROW(check_interruption());
+}
+
+TEST(Watching, is_called_on_this_thread_while_it_lives_and_may_end_the_work) {
+    int outer = 0, inner = 0;
+    const Watching first([&] {
+        ++outer;
+        check_interruption();  // does not call it again
+    });
+    check_interruption();
+    {
+        const Watching second([&] {
+            if (++inner == 2) throw std::runtime_error("enough");
+        });
+        check_interruption();
+        EXPECT_THROW(check_interruption(), std::runtime_error);
+        check_interruption();
+    }
+    std::thread(check_interruption).join();
+    check_interruption();
+    EXPECT_EQ(inner, 3);
+    EXPECT_EQ(outer, 2);
 }
 
 TEST_P(InterruptionDeathTest, is_thrown_however_often_the_signal_comes) {

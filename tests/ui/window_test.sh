@@ -295,6 +295,38 @@ scene_file_is_read_again_when_it_changes() {
     close_window
 }
 
+# chain_at X: three particles, the last of them at X, as extended XYZ.
+chain_at() { printf '3\n\nX 0 0 0\nX 1 0 0\nX %s 0 0\n' "$1"; }
+
+files_that_a_scene_reads_are_watched() {
+    start_display 1280x800
+    chain_at 2 >"$folder/a.xyz"
+    chain_at 5 >"$folder/b.xyz"
+    listed() {
+        printf 'steplab = 1\n[[particles]]\nfile = "%s"\n[[pairs]]\npotential = "gravity"\nG = 1\n' "$1"
+        printf '[start]\nfrom = "start.xyz:0"\n'
+    }
+    chain_at 3 >"$folder/start.xyz"
+    listed a.xyz >"$folder/a.toml"
+    open_window --scene a.toml
+    click step; expect 'step 1'
+    chain_at 4 >"$folder/a.xyz"
+    expect 'run [0-9]+' 'step 0'
+    click step; expect 'step 1'
+    chain_at 6 >"$folder/start.xyz" # named with a step
+    expect 'run [0-9]+' 'step 0'
+    click step; expect 'step 1'
+    listed b.xyz >"$folder/a.toml"
+    expect 'run [0-9]+' 'step 0'
+    click step; expect 'step 1'
+    chain_at 7 >"$folder/b.xyz" # watched since the scene reads it
+    expect 'run [0-9]+' 'step 0'
+    click step; expect 'step 1'
+    printf 'nonsense' >"$folder/b.xyz"
+    expect 'refused .*b.xyz.*'
+    close_window
+}
+
 saved_scene_opens_the_same_again() {
     start_display 1280x800
     open_window --model chain --set n=7 --method pefrl --dt 0.02 --view 10,20,30,1,2,3 --colour speed

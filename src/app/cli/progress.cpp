@@ -16,19 +16,25 @@ namespace {
 /// Of progress that is written as lines.
 constexpr std::chrono::seconds between_lines(5);
 
+/// "12 s left" after this text; empty while the time is not known.
+std::string time_left(const char* before, double fraction, double elapsed_seconds) {
+    if (!(fraction > 0)) return {};
+    return fmt::format("{}{} left", before, duration_text(std::ceil(elapsed_seconds * (1 - fraction) / fraction)));
+}
+
 }  // namespace
 
 std::string progress_text(double fraction, double elapsed_seconds) {
     constexpr int width = 30;
     const int filled = std::clamp(static_cast<int>(fraction * width), 0, width);
-    return fmt::format("[{}{}] {:3.0f} %  {} left", std::string(static_cast<std::size_t>(filled), '#'),
+    return fmt::format("[{}{}] {:3.0f} %{}", std::string(static_cast<std::size_t>(filled), '#'),
                        std::string(static_cast<std::size_t>(width - filled), '-'), std::floor(fraction * 100),
-                       duration_text(std::ceil(elapsed_seconds * (1 - fraction) / fraction)));
+                       time_left("  ", fraction, elapsed_seconds));
 }
 
 std::string progress_line(const std::string& program, double fraction, double elapsed_seconds) {
-    return fmt::format("{}: {:.0f} %, {} left\n", program, std::floor(fraction * 100),
-                       duration_text(std::ceil(elapsed_seconds * (1 - fraction) / fraction)));
+    return fmt::format("{}: {:.0f} %{}\n", program, std::floor(fraction * 100),
+                       time_left(", ", fraction, elapsed_seconds));
 }
 
 Progress::Progress(std::uint64_t total, bool visible, std::string program)
@@ -56,10 +62,7 @@ void Progress::at(std::uint64_t done) {
     if (!is_due()) return;
     const double fraction = static_cast<double>(done) / static_cast<double>(total_);
     const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
-    if (visible_)
-        draw(progress_text(fraction, elapsed));
-    else if (done > 0)
-        print_line(progress_line(program_, fraction, elapsed));
+    visible_ ? draw(progress_text(fraction, elapsed)) : print_line(progress_line(program_, fraction, elapsed));
 }
 
 void Progress::stage(const std::string& text) {

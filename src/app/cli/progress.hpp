@@ -6,7 +6,8 @@
 
 namespace steplab {
 
-/// "[#######-------]  48 %  12 s left": the part of a long computation that is done, and the time left.
+/// "[#######-------]  48 %  12 s left": the part of a long computation that is done, and the time left, which is not
+/// known before some is done.
 std::string progress_text(double fraction, double elapsed_seconds);
 
 /// "steplab report: 48 %, 12 s left", a line for standard error where that is no terminal.

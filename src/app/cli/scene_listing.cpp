@@ -9,6 +9,7 @@
 #include "sim/run/segment.hpp"
 #include "sim/run/starting.hpp"
 #include "sim/steppers/bands.hpp"
+#include "sim/steppers/reordered.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,6 +45,7 @@ void add_plan(SceneListing& listing) {
     listing.recognised = layout.what;
     listing.instructions = id(setup.instructions);
     listing.threads = threads_for(how, setup, {});
+    listing.reordered = !order_by_place(plan).empty();
     listing.drag = plan.drag;
 }
 
@@ -108,6 +110,8 @@ std::string scene_text(const SceneListing& scene) {
                           {"particles", fmt::format("{}, {} of them fixed", scene.particles, scene.fixed)},
                           {"mass", mass_text(scene)},
                           {"springs", fmt::format("{}", scene.springs)}};
+    if (scene.reordered)
+        rows.insert(rows.begin() + 2, {"order", "along a Z-order curve; files and tables keep the order of the scene"});
     for (const SceneListing::PairForce& force : scene.pair_forces)
         rows.push_back({"pair force", fmt::format("{} between {} pairs{}", force.potential, exact_text(force.pairs),
                                                   force.cutoff ? ", cut-off " + exact_text(*force.cutoff) : "")});
@@ -137,6 +141,7 @@ std::string scene_json(const SceneListing& scene) {
                     {"recognised", scene.recognised},
                     {"threads", scene.threads},
                     {"instructions", scene.instructions},
+                    {"order", scene.reordered ? "z-order" : "scene"},
                     {"method", run.method},
                     {"precision", id(run.precision)},
                     {"dt", run.dt},

@@ -23,6 +23,7 @@ struct SceneListing {
     std::string_view recognised;  ///< in words: "a line of equal springs"
     std::string_view instructions;
     std::size_t threads = 1;
+    bool reordered = false;  ///< stepped along a Z-order curve, not in the order of the scene
     std::size_t particles = 0, fixed = 0;
     std::size_t springs = 0;
     std::vector<PairForce> pair_forces = {};

@@ -85,7 +85,7 @@ public:
         const double error = parse_value(error_info, error_);
         const StudyPlan plan = plan_of(scene_.description());
         catch_interruptions();
-        Progress bar(1000, isatty(STDERR_FILENO) != 0);
+        Progress bar(1000, isatty(STDERR_FILENO) != 0, "steplab advise");
         const Reference reference = reference_for(plan, error / finer_reference, [&](int run, double part) {
             bar.stage(fmt::format("computing the reference solution: run {}, {:.0f} %", run, std::floor(part * 100)));
         });

@@ -7,6 +7,7 @@
 #include "app/commands/limits_text.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/watching.hpp"
 #include "lab/limits/all_limits.hpp"
 
 #include <fmt/format.h>
@@ -39,8 +40,10 @@ public:
     int run() override {
         const std::vector<RunDescription> runs = scene_.descriptions();
         catch_interruptions();
-        const StabilityLab lab(runs.front());
-        const std::vector<Limit> limits = limits_of(lab, runs);
+        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0, "steplab limits");
+        const StabilityLab lab = lab_of(runs.front(), progress);
+        const std::vector<Limit> limits = limits_of(lab, runs, progress);
+        progress.clear();
         if (json_) {
             print(limits_json(limits));
         } else {
@@ -52,9 +55,17 @@ public:
     }
 
 private:
-    static std::vector<Limit> limits_of(const StabilityLab& lab, const std::vector<RunDescription>& runs) {
-        if (runs.size() == 1) return {lab.limit(runs.front())};
-        Progress progress(runs.size(), isatty(STDERR_FILENO) != 0);
+    static StabilityLab lab_of(const RunDescription& run, Progress& progress) {
+        const Watching watching([&] { progress.stage("finding the largest frequency of the scene"); });
+        return StabilityLab(run);
+    }
+
+    static std::vector<Limit> limits_of(const StabilityLab& lab, const std::vector<RunDescription>& runs,
+                                        Progress& progress) {
+        if (runs.size() == 1) {
+            const Watching watching([&] { progress.stage("measuring the limit of " + runs.front().method); });
+            return {lab.limit(runs.front())};
+        }
         return all_limits(lab, runs, [&](std::size_t found) { progress.at(found); });
     }
 

@@ -8,6 +8,7 @@
 #include "core/interruption.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
+#include "io/scene_file.hpp"
 #include "lab/report/report.hpp"
 #include "sim/catalogue.hpp"
 
@@ -30,6 +31,7 @@ constexpr ParameterInfo time_info{.name = "--time", .unit = "", .minimum_include
 constexpr const char* report_examples =
     "Examples:\n"
     "  steplab report --quick --out out\n"
+    "  steplab report --scene figure-eight --quick --out eight\n"
     "  steplab report --model chain --set n=100 --time 50 --error 1e-3 --error 1e-9 --out chain\n\n";
 
 class ReportCommand final : public Command {
@@ -44,10 +46,14 @@ public:
         text_option(app, "--out", out_, "DIR", "Folder for speed_error.csv and report.html (required)");
         flag_option(app, "--quick", quick_, "Fewer and shorter runs: under 1 minute instead of under 15");
         repeated_option(app, "--model", models_, "ID", "Only this model; repeatable (default all)");
+        repeated_option(app, "--scene", scenes_, "FILE|NAME", "Only this scene file or shipped scene; repeatable");
         repeated_option(app, "--method", methods_, "ID", "Only this method; repeatable (default all)");
         text_option(app, "--precision", precision_, "float|double", "Only this precision (default both)");
-        repeated_option(app, "--set", settings_, "name=value", "Parameter of the models or methods; repeatable");
-        text_option(app, "--time", time_, "T", "End time of the runs [s] (default: one for each model)");
+        repeated_option(app, "--set", settings_, "name=value",
+                        "Parameter of the models, scenes or methods; repeatable");
+        text_option(
+            app, "--time", time_, "T",
+            "End time of the runs [s] (default: one for each model; the end that a scene file gives, else 1000 steps)");
         repeated_option(app, "--error", errors_, "E", "Target error [m]; repeatable (default 1e-2 ... 1e-12)");
         footer(app, [] { return std::string(report_examples) + catalogue_hint(); });
     }
@@ -78,7 +84,8 @@ public:
         }
         bar.clear();
         print(fmt::format("wrote {}/speed_error.csv and {}/report.html\n", shown(out_), shown(out_)));
-        if (models_.empty()) fmt::print(stderr, "steplab report: note: not in it: {}\n", left_out_text());
+        if (models_.empty() && scenes_.empty())
+            fmt::print(stderr, "steplab report: note: not in it: {}\n", left_out_text());
         return static_cast<int>(ExitCode::done);
     }
 
@@ -86,9 +93,10 @@ private:
     /// The thesis has its own scenes, methods and times.
     void refuse_beside_thesis() const {
         const std::pair<bool, const char*> others[] = {
-            {quick_, "--quick"},           {!models_.empty(), "--model"},        {!methods_.empty(), "--method"},
-            {!settings_.empty(), "--set"}, {!precision_.empty(), "--precision"}, {!time_.empty(), "--time"},
-            {!errors_.empty(), "--error"}};
+            {quick_, "--quick"},           {!models_.empty(), "--model"},
+            {!scenes_.empty(), "--scene"}, {!methods_.empty(), "--method"},
+            {!settings_.empty(), "--set"}, {!precision_.empty(), "--precision"},
+            {!time_.empty(), "--time"},    {!errors_.empty(), "--error"}};
         for (const auto& [given, name] : others) {
             if (given)
                 throw UsageError(
@@ -113,12 +121,14 @@ private:
         std::vector<StudyPlan> chosen = default_plans(quick_);
         const auto all = static_cast<double>(chosen.size());
         std::erase_if(chosen, [&](const StudyPlan& plan) {
-            return !models_.empty() && std::find(models_.begin(), models_.end(), plan.scene.model) == models_.end();
+            const bool named = std::find(models_.begin(), models_.end(), plan.scene.model) != models_.end();
+            return !named && !(models_.empty() && scenes_.empty());
         });
+        for (const std::string& name : scenes_) add(plan_of(name), chosen);
         for (StudyPlan& plan : chosen) {
             // The time of models that are left out is given to the others: an expensive scene needs it to show most
             // methods at their best.
-            if (quick_) plan.most_seconds_a_run *= all / static_cast<double>(chosen.size());
+            if (quick_) plan.most_seconds_a_run *= std::max(1.0, all / static_cast<double>(chosen.size()));
             if (!methods_.empty()) plan.methods = methods_;
             if (!precision_.empty()) plan.precisions = {precision_of(precision_)};
             if (!time_.empty()) plan.time = parse_value(time_info, time_);
@@ -126,6 +136,21 @@ private:
         for (const Setting& setting : parse_settings(settings_)) apply(setting, chosen);
         for (const StudyPlan& plan : chosen) check(plan.scene);
         return chosen;
+    }
+
+    StudyPlan plan_of(const std::string& scene) const {
+        const RunDescription run = describe(find_scene(scene));
+        constexpr double usual_steps = 1000;
+        return plan_for(run, model_of(run).opening.until.value_or(usual_steps * run.dt), quick_);
+    }
+
+    /// Tables and pages call a scene by the name of its file.
+    static void add(StudyPlan plan, std::vector<StudyPlan>& plans) {
+        for (const StudyPlan& other : plans) {
+            if (other.scene.model == plan.scene.model)
+                throw UsageError(fmt::format("two scenes of the report are called '{}'", shown(plan.scene.model)));
+        }
+        plans.push_back(std::move(plan));
     }
 
     /// Sets a parameter in all plans whose model or methods have it. Throws UsageError if none has.
@@ -157,7 +182,7 @@ private:
 
     std::string out_;
     bool quick_ = false, thesis_ = false;
-    std::vector<std::string> models_, methods_, settings_, errors_;
+    std::vector<std::string> models_, scenes_, methods_, settings_, errors_;
     std::string precision_, time_;
 };
 

@@ -1,8 +1,9 @@
 #include "app/window/scene_files.hpp"
 
 #include "core/error.hpp"
-#include "io/output_file.hpp"
+#include "io/scene_export.hpp"
 #include "io/scene_file.hpp"
+#include "io/starting_values_file.hpp"
 #include "ui/plot/plot_files.hpp"
 
 #include <chrono>
@@ -10,6 +11,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -29,7 +31,11 @@ std::vector<std::filesystem::path> files_of(const SceneFile& scene) {
     const std::filesystem::path file = scene_path(scene.given);
     std::vector<std::filesystem::path> files{file};
     for (const SceneFile::Part& part : scene.parts) {
-        if (!part.name.empty()) files.push_back(file.parent_path() / part.name);
+        if (part.name.empty()) continue;
+        const std::filesystem::path named = file.parent_path() / part.name;
+        std::error_code error;
+        const bool with_step = !std::filesystem::exists(named, error);  // "run.trajectory:500"
+        files.push_back(with_step ? file.parent_path() / file_at_step(part.name).file : named);
     }
     return files;
 }
@@ -59,9 +65,7 @@ void SceneFiles::save(const RunDescription& run, const SceneView& view) {
     post([this, run, view] {
         attempt([&] {
             const std::string name = ui::free_name({}, run.model, "toml");
-            OutputFile file(name);
-            file.write(scene_file_text(run, view));
-            file.commit();
+            write_scene(name, run, view);
             report({.kind = News::Kind::saved, .text = name});
         });
     });
@@ -73,9 +77,8 @@ void SceneFiles::watch(const RunDescription& shown) {
         watched_ = origin;
         watching_ = static_cast<bool>(origin);
         if (!other || !watching_) return;
-        files_ = FileWatch(files_of(*origin));
         failed_ = false;
-        read_again();  // it may have changed before it was watched
+        watch_files();
     });
 }
 
@@ -114,6 +117,13 @@ void SceneFiles::work() {
     }
 }
 
+/// Reads once more, because they may have changed before they were watched.
+void SceneFiles::watch_files() {
+    watched_files_ = files_of(*watched_);
+    files_ = FileWatch(watched_files_);
+    read_again();
+}
+
 /// What was wrong is over when the file is right again, even if it then is as it was.
 void SceneFiles::read_again() {
     const bool failed = std::exchange(failed_, true);
@@ -123,6 +133,7 @@ void SceneFiles::read_again() {
         if (!failed && fresh == watched_) return;
         watched_ = fresh;
         report({.kind = News::Kind::read_again, .scene = describe(fresh)});
+        if (files_of(*fresh) != watched_files_) watch_files();
     });
 }
 

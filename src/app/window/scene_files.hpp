@@ -6,16 +6,18 @@
 
 #include <condition_variable>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace steplab {
 
 /// Reads and writes scene files on a thread of its own, because large ones take long, and watches the file of the scene
-/// that is shown. Every call returns at once.
+/// that is shown and the files that it reads. Every call returns at once.
 class SceneFiles {
 public:
     /// What a job came to.
@@ -46,6 +48,7 @@ private:
     using Job = std::function<void()>;
     void post(Job job);
     void work();
+    void watch_files();
     void read_again();
     void report(News news);
     template <class Work>
@@ -59,6 +62,7 @@ private:
     bool stopping_ = false;
     // of the thread
     FileWatch files_;
+    std::vector<std::filesystem::path> watched_files_;
     SceneOrigin watched_;  ///< as it was read last
     bool failed_ = false;  ///< the last time it was read again
     bool watching_ = false;

@@ -1,6 +1,7 @@
 #include "lab/limits/all_limits.hpp"
 
 #include "core/error.hpp"
+#include "core/watching.hpp"
 #include "lab/study/parallel.hpp"
 #include "sim/ensemble/ensemble_stepper.hpp"
 #include "sim/run/memory.hpp"
@@ -18,6 +19,11 @@ Limit limit_or_refusal(const StabilityLab& lab, const RunDescription& run) {
     } catch (const UsageError& refusal) {
         return {.description = run, .omega_max = lab.omega_max(), .theory = {}, .measured = {}, .note = refusal.what()};
     }
+}
+
+Limit watched(const StabilityLab& lab, const RunDescription& run, const std::function<void()>& watch) {
+    const Watching watching(watch);
+    return limit_or_refusal(lab, run);
 }
 
 /// Memory of the runs in SIMD lanes of one search; 0 for a run that is not possible.
@@ -39,7 +45,10 @@ std::vector<Limit> all_limits(const StabilityLab& lab, std::span<const RunDescri
     double bytes = 0;
     for (const RunDescription& run : methods) bytes = std::max(bytes, bytes_of_search(run));
     parallel_for_each(methods.size(), bytes, [&](std::size_t i, const Execution&) {
-        limits[i] = limit_or_refusal(lab, methods[i]);
+        limits[i] = watched(lab, methods[i], [&] {
+            const std::lock_guard lock(mutex);
+            done(found);
+        });
         const std::lock_guard lock(mutex);
         done(++found);
     });

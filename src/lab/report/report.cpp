@@ -33,11 +33,16 @@ std::vector<Limit> limits_of(const StudyPlan& plan, const StudyProgress& progres
     });
 }
 
+/// References take long where many particles interact.
+Reference watched_reference(const StudyPlan& plan, const StudyProgress& progress) {
+    return reference_for(plan, 0, [&](int, double) { progress(0); });
+}
+
 Study measured(const StudyPlan& plan, const SavedStudies& saved, const StudyProgress& progress) {
     StudyState state = saved.find(plan).value_or(StudyState{});
     const auto save = [&] { saved.save(plan, state); };
     if (!state.series.timed) {
-        const Reference reference = reference_for(plan);
+        const Reference reference = watched_reference(plan, progress);
         state.reference = reference.how;
         state.reference_error = reference.moments.back().error;
         continue_series(plan, reference, state.series, save, [&](double part) { progress(share_of_series * part); });

@@ -62,7 +62,7 @@ std::string scene_text(const RunDescription& scene) {
 
 std::string links(std::span<const Study> studies) {
     std::string text = "<nav>";
-    for (const Study& study : studies) text += fmt::format("<a href=\"#{0}\">{0}</a>", study.plan.scene.model);
+    for (const Study& study : studies) text += fmt::format("<a href=\"#{0}\">{0}</a>", escaped(study.plan.scene.model));
     return text + "</nav>\n";
 }
 
@@ -110,9 +110,9 @@ std::string cut_text(const Study& study) {
 std::string study_section(const Study& study, std::span<const double> errors, const StudyFigures& figures,
                           std::span<const std::string> svg, const MethodColours& colours) {
     const RunDescription& scene = study.plan.scene;
-    std::string text =
-        fmt::format("<section>\n<h2 id=\"{0}\">{0}</h2>\n<p>{1} Simulated until t = {2} s{3}.</p>\n", scene.model,
-                    escaped(model_of(scene).info.what), number_text(study.plan.time), scene_text(scene));
+    std::string text = fmt::format("<section>\n<h2 id=\"{0}\">{0}</h2>\n<p>{1} Simulated until t = {2} s{3}.</p>\n",
+                                   escaped(scene.model), escaped(model_of(scene).info.what),
+                                   number_text(study.plan.time), scene_text(scene));
     text += answers_in_words(study, errors) + reference_text(study);
     if (const std::string chaos = chaos_note(scene, study.plan.time, study.reference_error); !chaos.empty())
         text += fmt::format("<p><strong>{}</strong></p>\n", chaos);

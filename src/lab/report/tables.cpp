@@ -50,7 +50,7 @@ std::string answers_table(std::span<const Study> studies, std::span<const double
     for (const double error : errors) table.head.push_back("error ≤ " + readable(error));
     for (const Study& study : studies) {
         std::vector<std::string> row{fmt::format("<a href=\"#{0}\">{0}</a><br><small>to t = {1} s</small>",
-                                                 study.plan.scene.model, readable(study.plan.time, 4))};
+                                                 escaped(study.plan.scene.model), readable(study.plan.time, 4))};
         for (const double error : errors) row.push_back(answer_cell(fastest(study.runs, error), colours));
         table.rows.push_back(std::move(row));
     }

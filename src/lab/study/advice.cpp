@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
+#include "core/watching.hpp"
 #include "lab/study/answers.hpp"
 #include "lab/study/gain_watch.hpp"
 #include "lab/study/lyapunov.hpp"
@@ -90,7 +91,8 @@ struct Question {
     double error;
     const Reference& reference;
     double frequency;
-    double most_seconds;  ///< no run may take longer
+    double most_seconds;             ///< no run may take longer
+    std::function<void()> progress;  ///< called in runs by any thread; may throw to end all
 };
 
 /// Finds the cheapest runs of one method in one precision that keep the error.
@@ -124,14 +126,15 @@ private:
 
     Measurement measured(const RunDescription& run, std::uint64_t steps) {
         const auto begin = std::chrono::steady_clock::now();
-        const auto observe = [&] {
-            check_interruption();
+        // Within a step, too: one of a method that chooses its own steps may be the whole run.
+        const Watching watching([&] {
+            question_.progress();
             const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
             const double longest =
                 is_classic() ? infinity : found_.longest_time();  // other searches may find a cheap run meanwhile
             if (elapsed.count() > std::min(question_.most_seconds, longest)) throw Abandoned();
-        };
-        Measurement result = measure(run, steps, question_.reference, observe, execution_);
+        });
+        Measurement result = measure(run, steps, question_.reference, check_interruption, execution_);
         found_.measured(result);
         return result;
     }
@@ -208,32 +211,43 @@ std::vector<std::string> most_accurate_first(std::vector<std::string> methods) {
 }
 
 /// The cheapest runs of all methods and precisions, searched for in parallel.
-std::vector<Measurement> candidates(const Question& question, Found& found, const StudyProgress& progress) {
+std::vector<Measurement> candidates(Question question, Found& found, const StudyProgress& progress) {
     const std::vector<std::string> methods = most_accurate_first(possible_methods(question.plan));
     const std::vector<Precision>& precisions = question.plan.precisions;
     std::vector<std::vector<Measurement>> runs(methods.size() * precisions.size());
     std::mutex mutex;
     std::size_t done = 0;
+    const auto report = [&] { progress(0.8 * static_cast<double>(done) / static_cast<double>(runs.size())); };
+    question.progress = [&] {
+        const std::lock_guard lock(mutex);
+        report();
+    };
     parallel_for_each(runs.size(), most_bytes(question.plan), [&](std::size_t i, const Execution& execution) {
         const std::string& method = methods[i / precisions.size()];
         runs[i] = Search(question, method, precisions[i % precisions.size()], execution, found).cheapest();
         const std::lock_guard lock(mutex);
-        progress(0.8 * static_cast<double>(++done) / static_cast<double>(runs.size()));
+        ++done;
+        report();
     });
     std::vector<Measurement> all;
     for (auto& some : runs) std::move(some.begin(), some.end(), std::back_inserter(all));
     return all;
 }
 
+double watched_frequency(const StudyPlan& plan, const StudyProgress& progress) {
+    const Watching watching([&] { progress(0); });
+    return frequency(plan);
+}
+
 /// Runs that keep the error; short runs are tried first. Throws UsageError if there are none.
 std::vector<Measurement> found_runs(const StudyPlan& plan, double error, const Reference& reference,
                                     const StudyProgress& progress) {
-    const double fastest_motion = frequency(plan);
+    const double fastest_motion = watched_frequency(plan, progress);
     for (const bool long_runs : {false, true}) {
         Found found;
         const double most_seconds = plan.most_seconds_a_run * (long_runs ? long_run : 1);
         std::vector<Measurement> runs =
-            candidates({plan, error, reference, fastest_motion, most_seconds}, found, progress);
+            candidates({plan, error, reference, fastest_motion, most_seconds, {}}, found, progress);
         if (!runs.empty()) return runs;
         if (found.any_abandoned() && !long_runs) continue;
         throw UsageError(fmt::format("no method reached an error of {} here: the smallest was {}, by {}", typed(error),

@@ -13,7 +13,8 @@ struct Advice {
 };
 
 /// Finds the largest dt or tolerance of every method and precision of the plan that still keeps the error, times these
-/// runs and repeats the fastest. Throws UsageError, naming the smallest error that was reached, if none keeps it.
+/// runs and repeats the fastest; `progress` is called in runs, too. Throws UsageError, naming the smallest error that
+/// was reached, if none keeps it.
 Advice advise(const StudyPlan& plan, double error, const Reference& reference, const StudyProgress& progress);
 
 }  // namespace steplab

@@ -2,6 +2,7 @@
 
 #include "core/interruption.hpp"
 #include "lab/study/distances.hpp"
+#include "core/watching.hpp"
 #include "methods/engines/extrapolation.hpp"
 #include "methods/engines/system.hpp"
 #include "models/forces/layouts.hpp"
@@ -101,6 +102,10 @@ ReferenceRun run_on(const Layout& forces, const Plan& scene, std::span<const dou
     return run;
 }
 
+void show(const ReferenceEffort& effort, int run, double part) {
+    if (effort.progress) effort.progress(run, part);
+}
+
 /// Makes the runs of one reference.
 class Runs {
 public:
@@ -109,9 +114,11 @@ public:
 
     ReferenceRun operator()(const Fineness& fineness) {
         ++count_;
+        double done = 0;
+        const Watching watching([&] { show(effort_, count_, done); });
         const auto watch = [&](double part) {
+            done = part;
             check_interruption();
-            if (effort_.progress) effort_.progress(count_, part);
         };
         return std::visit([&](const auto& forces) { return run_on(forces, scene_, times_, fineness, watch); },
                           scene_.forces);
@@ -173,6 +180,7 @@ double rate_of(const RunDescription& held, const Plan& scene) {
 /// The longest step of the coarsest run.
 double longest_step(const RunDescription& held, const Plan& scene, std::span<const double> times,
                     const ReferenceEffort& effort) {
+    const Watching watching([&] { show(effort, 1, 0); });
     const double rate = rate_of(held, scene), step = rate > 0 ? effort.first_phase / rate : infinity;
     return times.empty() ? step : std::min(step, std::max(times.back(), 1e-300) / 2);
 }

@@ -32,8 +32,8 @@ struct ReferenceEffort {
     double most_particle_evaluations = 2e7;
     double first_phase = 2;  ///< omega_max times the step of the coarsest run
     int most_refinements = 12;
-    /// Called during the computation with the number of the run, from 1, and the fraction of it that is done; may throw
-    /// to end it.
+    /// Called every few steps with the number of the run, from 1, and the fraction of it that is done; may throw to end
+    /// it.
     std::function<void(int run, double part)> progress = nullptr;
 };
 

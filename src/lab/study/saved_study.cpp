@@ -4,6 +4,7 @@
 #include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/output_file.hpp"
+#include "io/trajectory_layout.hpp"
 #include "lab/study/speed_error_csv.hpp"
 
 #include <fmt/format.h>
@@ -22,6 +23,10 @@ using Json = nlohmann::json;
 std::string key(const StudyPlan& plan) {
     const Circumstances made = circumstances();
     std::string text = fmt::format("{} to {} with", command_line(plan.scene), number_text(plan.time));
+    if (plan.scene.origin) {
+        for (const SceneFile::Part& part : plan.scene.origin->parts)
+            text += fmt::format(" {:x}", trajectory::hash_of(part.content));
+    }
     for (const std::string& method : plan.methods) text += " " + method;
     for (const auto& [name, value] : plan.method_settings) text += fmt::format(" {}={}", name, number_text(value));
     for (const Precision precision : plan.precisions) text += fmt::format(" {}", id(precision));
@@ -58,10 +63,10 @@ Json json_of(const std::map<std::size_t, MeasuredSeries>& ahead) {
     return list;
 }
 
-std::map<std::size_t, MeasuredSeries> ahead_of(const Json& list) {
+std::map<std::size_t, MeasuredSeries> ahead_of(const Json& list, const RunDescription& scene) {
     std::map<std::size_t, MeasuredSeries> ahead;
     for (const Json& json : list)
-        ahead[json.at(0)] = {parse_speed_error_csv(json.at(1).get<std::string>()), json.at(2)};
+        ahead[json.at(0)] = {parse_speed_error_csv(json.at(1).get<std::string>(), scene), json.at(2)};
     return ahead;
 }
 
@@ -92,10 +97,10 @@ std::vector<Limit> limits_of(const Json& list, const StudyPlan& plan) {
 StudyState state_of(const Json& json, const StudyPlan& plan) {
     StudyState state{.reference = json.at("reference"),
                      .reference_error = json.at("reference_error"),
-                     .series = {.runs = parse_speed_error_csv(json.at("runs").get<std::string>()),
+                     .series = {.runs = parse_speed_error_csv(json.at("runs").get<std::string>(), plan.scene),
                                 .cut = cut_of(json.at("cut")),
                                 .series = json.at("series"),
-                                .ahead = ahead_of(json.at("ahead")),
+                                .ahead = ahead_of(json.at("ahead"), plan.scene),
                                 .timed = json.at("timed")},
                      .limits = {}};
     if (json.contains("limits")) state.limits = limits_of(json.at("limits"), plan);

@@ -180,6 +180,7 @@ Reference reference_for(const StudyPlan& plan, double error, const std::function
     ReferenceEffort effort;
     effort.error = std::max(effort.error, error);
     effort.progress = progress;
+    effort.most_particle_evaluations *= plan.reference_effort;
     effort.most_particle_evaluations *= (error > 0 ? 0.2 : 1) * std::min(1.0, expensive_partners / partners(scene));
     return reference(scene, std::vector{plan.time}, effort);
 }

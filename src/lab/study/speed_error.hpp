@@ -20,11 +20,12 @@ struct StudyPlan {
     double most_seconds_a_run = 0.02;  ///< on its share of the machine; a series ends before a run takes longer
     std::uint64_t most_steps_a_run = 1'000'000'000;  ///< a series also ends before a run takes more steps
     double ratio = 2;                                ///< of neighbouring dt in a series, > 1
+    double reference_effort = 1;                     ///< part of the usual one
     int rounds = 3;                                  ///< number of interleaved rounds in which each run is timed
 };
 
-/// Called between runs with the fraction of the work that is done, 0 .. 1, by any thread, but one at a time; may throw
-/// to end it.
+/// Called between runs, and in them where that is said, with the fraction of the work that is done, 0 .. 1, by any
+/// thread, but one at a time; may throw to end it.
 using StudyProgress = std::function<void(double)>;
 
 /// A series that ended because its next run would have taken too long, not because accuracy no longer improved.

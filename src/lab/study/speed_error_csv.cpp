@@ -19,6 +19,14 @@ namespace {
 
 std::string cell(const std::optional<double>& value) { return value ? number_text(*value) : std::string(); }
 
+/// The name of a scene file may be any.
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+    return quoted + "\"";
+}
+
 std::string settings(const ParameterValues& values) {
     std::string text;
     for (const auto& info : values.infos()) {
@@ -33,7 +41,7 @@ std::string line(const Measurement& m) {
     const auto good = [&](double value) { return m.diverged() ? std::optional<double>() : value; };
     const bool has_tolerance = run.method_parameters.contains("tolerance");
     const std::string of_scene = settings(run.scene), of_method = settings(run.method_parameters);
-    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", run.model, run.method, id(run.precision),
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", cell(run.model), run.method, id(run.precision),
                        number_text(run.dt), m.steps, m.result.evaluations, cell(m.wall_seconds), cell(good(m.error)),
                        cell(good(m.result.energy_error)), m.diverged() ? "diverged" : "ok", m.result.hash,
                        cell(good(m.rms_error)), has_tolerance ? number_text(run.method_parameters["tolerance"]) : "",
@@ -61,15 +69,15 @@ std::optional<double> number(std::string_view cell, std::string_view line) {
     return value;
 }
 
-RunDescription run_of(const std::vector<std::string_view>& cells, std::string_view line) {
-    RunDescription run = describe(cells[0], cells[1]);
-    const std::optional<Precision> precision = parse_precision(cells[2]);
+RunDescription run_of(const RunDescription& scene, const std::vector<std::string_view>& cells, std::string_view line) {
+    RunDescription run = with_method(scene, cells[0]);
+    const std::optional<Precision> precision = parse_precision(cells[1]);
     if (!precision) refuse(line);
     run.precision = *precision;
-    run.dt = number(cells[3], line).value_or(0);
-    if (!cells[12].empty()) run.method_parameters.set("tolerance", number(cells[12], line).value_or(0));
-    if (cells[13].empty()) return run;
-    for (const std::string_view setting : split(cells[13], ' ')) {
+    run.dt = number(cells[2], line).value_or(0);
+    if (!cells[11].empty()) run.method_parameters.set("tolerance", number(cells[11], line).value_or(0));
+    if (cells[12].empty()) return run;
+    for (const std::string_view setting : split(cells[12], ' ')) {
         const std::size_t equals = setting.find('=');
         if (equals == std::string_view::npos) refuse(line);
         set_parameter(run, setting.substr(0, equals), setting.substr(equals + 1));
@@ -77,19 +85,21 @@ RunDescription run_of(const std::vector<std::string_view>& cells, std::string_vi
     return run;
 }
 
-Measurement parsed(std::string_view line) {
-    const auto cells = split(line, ',');
-    if (cells.size() != 14) refuse(line);
+Measurement parsed(std::string_view line, const RunDescription& scene) {
+    const std::string name = cell(scene.model) + ",";
+    if (!line.starts_with(name)) refuse(line);
+    const auto cells = split(line.substr(name.size()), ',');
+    if (cells.size() != 13) refuse(line);
     const auto value = [&](std::size_t cell) { return number(cells[cell], line).value_or(0); };
     RunResult result{
-        .evaluations = static_cast<std::uint64_t>(value(5)), .energy_error = value(8), .hash = std::string(cells[10])};
-    if (cells[9] != "ok") result.divergence.emplace();
-    return {.run = run_of(cells, line),
-            .steps = static_cast<std::uint64_t>(value(4)),
+        .evaluations = static_cast<std::uint64_t>(value(4)), .energy_error = value(7), .hash = std::string(cells[9])};
+    if (cells[8] != "ok") result.divergence.emplace();
+    return {.run = run_of(scene, cells, line),
+            .steps = static_cast<std::uint64_t>(value(3)),
             .result = std::move(result),
-            .error = value(7),
-            .rms_error = value(11),
-            .wall_seconds = number(cells[6], line)};
+            .error = value(6),
+            .rms_error = value(10),
+            .wall_seconds = number(cells[5], line)};
 }
 
 }  // namespace
@@ -100,10 +110,10 @@ std::string speed_error_csv(std::span<const Measurement> measurements) {
     return text;
 }
 
-std::vector<Measurement> parse_speed_error_csv(std::string_view text) {
+std::vector<Measurement> parse_speed_error_csv(std::string_view text, const RunDescription& scene) {
     std::vector<Measurement> measurements;
     for (const std::string_view line : split(text, '\n')) {
-        if (!line.empty() && line != speed_error_header) measurements.push_back(parsed(line));
+        if (!line.empty() && line != speed_error_header) measurements.push_back(parsed(line, scene));
     }
     return measurements;
 }

@@ -17,8 +17,8 @@ extern const char* const speed_error_header;
 /// that differ from their defaults, "L=3 v0=1".
 std::string speed_error_csv(std::span<const Measurement> measurements);
 
-/// Reads them back; those numbers of a result that are not among the columns are 0. Throws FileError naming the line
-/// that is not of this form.
-std::vector<Measurement> parse_speed_error_csv(std::string_view text);
+/// Reads those of a scene back; those numbers of a result that are not among the columns are 0. Throws FileError naming
+/// the line that is not of this form.
+std::vector<Measurement> parse_speed_error_csv(std::string_view text, const RunDescription& scene);
 
 }  // namespace steplab

@@ -25,6 +25,9 @@ struct Study {
 /// because at its default particles pass through each other, where methods lose their order.
 std::vector<StudyPlan> default_plans(bool quick);
 
+/// The plan that a report has for a scene: all methods in both precisions.
+StudyPlan plan_for(const RunDescription& scene, double time, bool quick);
+
 /// A model without a scene in reports, and why.
 struct LeftOut {
     std::string_view model, reason;

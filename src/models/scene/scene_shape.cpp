@@ -23,16 +23,31 @@ double mean_spring(const Shape& shape) {
     return shape.springs.empty() ? 0 : sum / static_cast<double>(shape.springs.size());
 }
 
+/// The distance of the place that is nearest by this measure; infinite if there is no other.
+template <class Measure>
+double nearest(const std::vector<Vec3>& places, std::size_t i, const Measure& measure) {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = i;
+    for (std::size_t j = 0; j < places.size(); ++j) {
+        const double distance = measure(places[j] - places[i]);
+        if (distance > 0 && distance < least) least = distance, nearest = j;
+    }
+    return nearest == i ? std::numeric_limits<double>::infinity() : length(places[nearest] - places[i]);
+}
+
+/// Squares are compared, unless they are beyond the range of numbers: a root for each would take longer than to read a
+/// million particles.
+double distance_of_nearest(const std::vector<Vec3>& places, std::size_t i) {
+    const double distance = nearest(places, i, [](Vec3 d) { return dot(d, d); });
+    return std::isfinite(distance) ? distance : nearest(places, i, [](Vec3 d) { return length(d); });
+}
+
 double mean_nearest(const std::vector<Vec3>& places) {
     constexpr std::size_t most = 300;  // asked
     const std::size_t stride = std::max<std::size_t>(1, places.size() / most);
     double sum = 0, asked = 0;
     for (std::size_t i = 0; i < places.size(); i += stride) {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t j = 0; j < places.size(); ++j) {
-            const double distance = length(places[j] - places[i]);
-            if (j != i && distance > 0) least = std::min(least, distance);
-        }
+        const double least = distance_of_nearest(places, i);
         if (std::isfinite(least)) sum += least, asked += 1;
     }
     return asked > 0 ? sum / asked : 0;

@@ -1,5 +1,6 @@
 #include "sim/run/linearised.hpp"
 
+#include "core/interruption.hpp"
 #include "models/forces/layouts.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -125,7 +126,11 @@ Eigen::VectorXd LinearisedScene::vector(const Field<double>& displacements) cons
 }
 
 Eigenpairs modes(const LinearisedScene& scene) {
-    return lanczos([&](const Eigen::VectorXd& u) { return scene.stiffness(u); }, scene.size());
+    const auto product = [&](const Eigen::VectorXd& u) {
+        check_interruption();  // of many particles each one takes a while
+        return scene.stiffness(u);
+    };
+    return lanczos(product, scene.size());
 }
 
 double highest_frequency(const Eigenpairs& modes) {

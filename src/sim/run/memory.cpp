@@ -1,15 +1,22 @@
 #include "sim/run/memory.hpp"
 
+#include "models/forces/composed_formula.hpp"
+#include "models/forces/composed_pairs.hpp"
 #include "models/forces/neighbours.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/starting.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <unistd.h>
 #include <variant>
+#include <vector>
 
 namespace steplab {
 
@@ -41,36 +48,110 @@ double pairs(const NearPairForces& forces, const Plan& scene) {
     for (std::size_t i = 0; i < forces.count; ++i) sum += static_cast<double>(neighbours.of(i).size());
     return sum / 2;
 }
-double pairs(const ComposedForces& forces, const Plan&) {
+
+/// The other particles within a distance of one at the start, on average: from how many share a cell of that side, in
+/// some of the cells.
+double partners_within(double distance, const Plan& scene) {
+    constexpr std::size_t enough = 50'000;
+    const std::size_t count = scene.start.count(), every = std::max<std::size_t>(1, count / enough);
+    const auto cell_of = [distance](double x) {
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(std::clamp(x / distance, -1e15, 1e15))));
+    };
+    std::vector<std::uint64_t> cells;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 at = scene.reference.at(i) + scene.start[i].displacement;
+        // odd constants of which each bit of the product depends on all bits below
+        const std::uint64_t cell = (cell_of(at.x) * 0x9e3779b97f4a7c15 ^ cell_of(at.y)) * 0xbf58476d1ce4e5b9 ^
+                                   (cell_of(at.z) * 0x94d049bb133111eb);
+        if ((cell >> 32) % every == 0) cells.push_back(cell);
+    }
+    std::sort(cells.begin(), cells.end());
+    double sharing = 0;
+    for (auto first = cells.begin(); first != cells.end();) {
+        const auto next = std::upper_bound(first, cells.end(), *first);
+        const auto together = static_cast<double>(next - first);
+        sharing += together * (together - 1);
+        first = next;
+    }
+    constexpr double sphere = 4 * std::numbers::pi / 3;  // of a cell
+    return cells.empty() ? 0 : sphere * sharing / static_cast<double>(cells.size());
+}
+
+double pairs(const ComposedForces& forces, const Plan& scene) {
     const Composition& terms = *forces.terms;
     double sum = static_cast<double>(terms.springs.size());
     for (const ComposedPairs& set : terms.pairs) {
         const double first = static_cast<double>(set.first.size()), second = static_cast<double>(set.second.size());
-        sum += set.second.empty() ? first * first / 2 : first * second;
+        const double all = set.second.empty() ? first * first / 2 : first * second;
+        const double near = set.cutoff > 0 ? partners_within(set.cutoff, scene) / static_cast<double>(terms.count) : 1;
+        sum += all * std::min(1.0, near);
     }
     return sum;
 }
 
-/// Of space, as the particles of a scene are at the start.
-double volume(const NearPairForces& forces, const Plan& scene) {
-    if (forces.period > 0) return forces.period * forces.period * forces.period;
-    Vec3 low = scene.start[0].displacement, high = low;
-    for (std::size_t i = 1; i < forces.count; ++i) {
-        const Vec3 at = scene.start[i].displacement;
-        low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
-    }
-    return (high.x - low.x) * (high.y - low.y) * (high.z - low.z);
-}
+/// Lists reach beyond the cut-off by a skin.
+constexpr double reach = 1.15;
 
 /// Lists of clusters (cluster_lists.hpp): of four particles one list, of numbers of four bytes, that holds about as
 /// many as one of them has within reach, as many again reserved; and what is held for each particle while lists are
 /// made.
-double bytes_of_lists(const NearPairForces& forces, const Plan& scene) {
-    const double particles = static_cast<double>(forces.count), reach = 1.15 * forces.cutoff;
-    const double sphere = 4 * std::numbers::pi / 3 * reach * reach * reach;
-    const double within_reach = std::min(particles, particles / volume(forces, scene) * sphere);
-    return particles * (2 * within_reach + 350);
+double bytes_of_clusters(double particles, double within_reach) {
+    return particles * (2 * std::min(particles, within_reach) + 350);
+}
+
+/// Lists of neighbours: each pair in both, of the stepper and, while it is measured, of the energy.
+double bytes_of_neighbours(double particles, double within_reach) {
+    return particles * (7 * std::min(particles, within_reach) + 100);
+}
+
+double bytes_of_set(const ComposedPairs& set, const Composition& terms, const Plan& scene) {
+    const auto particles = static_cast<double>(terms.count);
+    if (set.cutoff == 0) return 60 * particles;  // masses and charges of rows
+    const double within_reach = partners_within(reach * set.cutoff, scene);
+    PairForce<double> engine(set, terms, std::make_shared<Team>(1));
+    return engine.clusters() ? bytes_of_clusters(particles, within_reach)
+                             : bytes_of_neighbours(particles, within_reach);
+}
+
+/// Of a vector that grows by doubling.
+double grown(std::size_t count) { return static_cast<double>(std::bit_ceil(count)); }
+
+/// Springs of the scene, once more in the order in which they are stepped; their formulas in the engines of the stepper
+/// and of the energy, rows of both ends, and what is held while these are made.
+double bytes_of_springs(const std::vector<ComposedSpring>& springs) {
+    constexpr double row = 4 + 2 * 8.0, made = 64;  // row: the other end, numbers that differ
+    const auto count = static_cast<double>(springs.size()), most = grown(springs.size());
+    return sizeof(ComposedSpring) * (most + count) + 2 * (sizeof(ComposedFormula<double>) * most + row * 2 * most) +
+           made * count;
+}
+
+/// Their formulas and numbers in lanes, of a method that evaluates all its stages at once.
+double bytes_in_stages(const std::vector<ComposedSpring>& springs) {
+    constexpr double numbers = 8, lanes = 8;
+    return (lanes * sizeof(ComposedFormula<double>) + lanes * numbers * 8 + 8) * grown(springs.size());
+}
+
+/// What is held for forces beside what a method holds for them.
+double bytes_held(const NearPairForces& forces, const Plan& scene) {
+    return bytes_of_clusters(static_cast<double>(forces.count), partners_within(reach * forces.cutoff, scene));
+}
+double bytes_held(const ComposedForces& forces, const Plan& scene) {
+    const Composition& terms = *forces.terms;
+    // masses, charges, what is fixed; references of the scene, the engines and their rows
+    const double of_particle = 60 + (terms.reference.empty() ? 0 : 300);
+    double bytes = of_particle * static_cast<double>(terms.count);
+    if (!terms.springs.empty()) bytes += bytes_of_springs(terms.springs);
+    for (const ComposedPairs& set : terms.pairs) bytes += bytes_of_set(set, terms, scene);
+    return bytes;
+}
+template <class Other>
+double bytes_held(const Other&, const Plan&) {
+    return 0;
+}
+
+double bytes_in_stages(const Plan& scene) {
+    const auto* const forces = std::get_if<ComposedForces>(&scene.forces);
+    return forces && !forces->terms->springs.empty() ? bytes_in_stages(forces->terms->springs) : 0;
 }
 
 }  // namespace
@@ -109,14 +190,13 @@ double interacting_pairs(const Plan& scene) {
 
 double bytes_of_interactions(const RunDescription& description, const Plan& scene) {
     const Method& entry = method(description.method);
-    const auto* const near = std::get_if<NearPairForces>(&scene.forces);
-    const double lists = near ? bytes_of_lists(*near, scene) : 0;
-    if (!entry.info.bytes_of_interactions) return lists;
-    return lists + std::visit(
-                       [&](const auto& forces) {
-                           return entry.info.bytes_of_interactions(coupling(forces), pairs(forces, scene));
-                       },
-                       scene.forces);
+    const double held = std::visit([&](const auto& forces) { return bytes_held(forces, scene); }, scene.forces);
+    if (!entry.info.bytes_of_interactions) return held + (entry.info.implicit ? bytes_in_stages(scene) : 0);
+    return held + std::visit(
+                      [&](const auto& forces) {
+                          return entry.info.bytes_of_interactions(coupling(forces), pairs(forces, scene));
+                      },
+                      scene.forces);
 }
 
 }  // namespace steplab

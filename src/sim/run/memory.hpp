@@ -14,10 +14,10 @@ double bytes_per_particle(const RunDescription& description);
 /// Bytes that such a run takes in all, about.
 double bytes_of_run(const RunDescription& description);
 
-/// Bytes its method needs besides for the interactions of the scene, as many as there are at the start.
+/// Bytes it takes besides for the interactions of the scene, as many as there are at the start.
 double bytes_of_interactions(const RunDescription& description, const Plan& scene);
 
-/// How many pairs act on each other in the scene as it starts; of composed scenes those that a cut-off leaves out too.
+/// How many pairs act on each other in the scene as it starts; of composed scenes with a cut-off about.
 double interacting_pairs(const Plan& scene);
 
 }  // namespace steplab

@@ -11,6 +11,11 @@ TEST(Progress, names_the_part_done_and_the_time_left) {
     EXPECT_EQ(progress_line("steplab report", 1, 60), "steplab report: 100 %, 0 s left\n");
 }
 
+TEST(Progress, names_no_time_before_anything_is_done) {
+    EXPECT_EQ(progress_text(0, 10), "[------------------------------]   0 %");
+    EXPECT_EQ(progress_line("steplab advise", 0, 10), "steplab advise: 0 %\n");
+}
+
 TEST(Progress, writes_nothing_at_once) {
     testing::internal::CaptureStderr();
     {

@@ -18,7 +18,7 @@ Json limits(std::vector<std::string> options) {
     words.insert(words.end(), options.begin(), options.end());
     const Outcome outcome = run_program(words);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(without_progress(outcome.err), "");
     return Json::parse(outcome.out);
 }
 

@@ -178,6 +178,24 @@ TEST(Report, is_restricted_by_options) {
     EXPECT_THAT(page, testing::Not(HasSubstr("pefrl")));
 }
 
+TEST(Report, measures_scenes_of_ones_own_under_any_name) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.file("two, \"springs\".toml");
+    ASSERT_EQ(run_program({"export", "--model", "chain", "--set", "n=3", "--to", "scene", "--out", scene}).code, 0);
+    std::vector<std::string> words{"report",  "--scene",  scene,   "--scene",         "kepler-ellipse",
+                                   "--quick", "--method", "rk4",   "--precision",     "double",
+                                   "--time",  "2",        "--out", folder.file("out")};
+    const Outcome outcome = run_program(words);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(without_progress(outcome.err), "");
+    const std::string rows = text_of(folder.file("out/speed_error.csv"));
+    EXPECT_THAT(rows, HasSubstr("\n\"two, \"\"springs\"\"\",rk4,double,"));
+    EXPECT_THAT(rows, HasSubstr("\nkepler-ellipse,rk4,double,"));
+    EXPECT_THAT(text_of(folder.file("out/report.html")), HasSubstr("two, &quot;springs&quot;</h2>"));
+    words.insert(words.begin() + 1, {"--scene", "kepler-ellipse"});
+    EXPECT_EQ(run_program(words).code, 2) << "two of one name";
+}
+
 TEST(Advise, names_a_command_that_keeps_the_error) {
     const Outcome outcome = run_program({"advise", "--model", "chain", "--until", "20", "--error", "1e-7"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;

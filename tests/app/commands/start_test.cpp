@@ -1,6 +1,7 @@
 #include "app/program.hpp"
 #include "io/files.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -114,6 +115,56 @@ TEST_F(StartCommands, writes_the_files_of_a_scene_beside_it) {
     const Outcome outcome = run_program({"export", "--scene", scene, "--to", "scene", "--out", copy});
     EXPECT_EQ(outcome.code, 3);
     EXPECT_THAT(outcome.err, HasSubstr("is there with other content"));
+}
+
+TEST_F(StartCommands, exports_a_scene_as_the_run_starts_it) {
+    const std::string file = folder_.file("half.trajectory"), copy = folder_.file("copy.toml");
+    summary({"run", "--scene", scene_, "--steps", "100", "--out", file});
+    for (const std::vector<std::string>& start :
+         {std::vector<std::string>{"--from", file}, {"--from", file, "--reverse"}, {"--reverse"}}) {
+        std::vector<std::string> run{"run", "--scene", scene_}, write{"export", "--scene", scene_};
+        write.insert(write.end(), {"--to", "scene", "--out", copy});
+        run.insert(run.end(), start.begin(), start.end());
+        write.insert(write.end(), start.begin(), start.end());
+        ASSERT_EQ(run_program(write).code, 0);
+        EXPECT_EQ(summary({"run", "--scene", copy})["hash"], summary(run)["hash"]) << start.front();
+    }
+    EXPECT_THAT(text_of(copy), HasSubstr("[start]\nreverse = true"));
+    ASSERT_EQ(run_program({"export", "--scene", copy, "--reverse", "--to", "scene", "--out", copy}).code, 0);
+    EXPECT_THAT(text_of(copy), testing::Not(HasSubstr("reverse"))) << "turned round twice";
+}
+
+TEST_F(StartCommands, exports_a_model_with_values_of_a_file_beside_it) {
+    const std::string file = folder_.file("rope.trajectory"), copy = folder_.file("copy.toml");
+    const json half = summary({"run", "--model", "rope", "--steps", "50", "--out", file});
+    const std::vector<std::string> from{"--model", "rope", "--from", file};
+    std::vector<std::string> run{"run", "--steps", "50"}, write{"export", "--to", "scene"};
+    run.insert(run.end(), from.begin(), from.end());
+    write.insert(write.end(), from.begin(), from.end());
+    const Outcome nowhere = run_program(write);
+    EXPECT_EQ(nowhere.code, 2);
+    EXPECT_THAT(nowhere.err, HasSubstr("--out FILE"));
+    write.insert(write.end(), {"--out", copy});
+    ASSERT_EQ(run_program(write).code, 0);
+    EXPECT_THAT(text_of(copy), HasSubstr("from = \"copy-start.csv\""));
+    EXPECT_EQ(summary({"run", "--scene", copy, "--steps", "50"})["hash"], summary(run)["hash"]);
+}
+
+/// The order in which a square cloth of so many particles along a side is stepped.
+json order_of_cloth(const std::string& file, int side) {
+    put_text(file, fmt::format("steplab = 1\n[[particles]]\ngroup = \"cloth\"\n"
+                               "grid = {{ count = [{0}, {0}], steps = [[1, 0, 0], [0, 0, -1]] }}\n"
+                               "[[springs]]\nbetween = \"cloth\"\nk = 1\n",
+                               side));
+    return json::parse(run_program({"list", "scene", "--json", "--scene", file}).out)["order"];
+}
+
+TEST_F(StartCommands, list_scene_says_in_which_order_particles_are_stepped) {
+    const std::string cloth = folder_.file("cloth.toml");
+    EXPECT_EQ(order_of_cloth(cloth, 40), "scene") << "few particles";
+    EXPECT_THAT(run_program({"list", "scene", "--scene", cloth}).out, testing::Not(HasSubstr("Z-order")));
+    EXPECT_EQ(order_of_cloth(cloth, 60), "z-order");
+    EXPECT_THAT(run_program({"list", "scene", "--scene", cloth}).out, HasSubstr("along a Z-order curve"));
 }
 
 TEST_F(StartCommands, list_scene_says_what_is_recognised) {

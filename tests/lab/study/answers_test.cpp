@@ -62,7 +62,7 @@ TEST(SpeedErrorCsv, reads_back_exactly) {
     runs[0].run.scene.set("n", 17);
     runs[1].run.method_parameters.set("substeps", 3);
     runs[2].wall_seconds.reset();
-    const std::vector<Measurement> back = parse_speed_error_csv(speed_error_csv(runs));
+    const std::vector<Measurement> back = parse_speed_error_csv(speed_error_csv(runs), describe("chain"));
     ASSERT_EQ(back.size(), runs.size());
     for (std::size_t i = 0; i < runs.size(); ++i) {
         EXPECT_EQ(back[i].run, runs[i].run);
@@ -81,10 +81,10 @@ TEST(SpeedErrorCsv, has_the_columns_of_the_contract_and_empty_cells_for_a_failed
 }
 
 TEST(SpeedErrorCsv, refuses_other_text) {
-    EXPECT_THROW(parse_speed_error_csv("chain,rk4,double\n"), Error);
-    EXPECT_THROW(parse_speed_error_csv("chain,rk4,double,x,1,1,,,,ok,0,,,\n"), Error);
-    EXPECT_THROW(parse_speed_error_csv("chain,nonsense,double,1,1,1,,,,ok,0,,,\n"), Error);
-    EXPECT_THROW(parse_speed_error_csv("chain,rk4,quad,1,1,1,,,,ok,0,,,\n"), Error);
+    EXPECT_THROW(parse_speed_error_csv("chain,rk4,double\n", describe("chain")), Error);
+    EXPECT_THROW(parse_speed_error_csv("chain,rk4,double,x,1,1,,,,ok,0,,,\n", describe("chain")), Error);
+    EXPECT_THROW(parse_speed_error_csv("chain,nonsense,double,1,1,1,,,,ok,0,,,\n", describe("chain")), Error);
+    EXPECT_THROW(parse_speed_error_csv("chain,rk4,quad,1,1,1,,,,ok,0,,,\n", describe("chain")), Error);
 }
 
 }  // namespace

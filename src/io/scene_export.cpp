@@ -1,0 +1,63 @@
+#include "io/scene_export.hpp"
+
+#include "core/error.hpp"
+#include "core/shown.hpp"
+#include "io/input_file.hpp"
+#include "io/output_file.hpp"
+#include "io/starting_values_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::string_view standard_output = "-";
+
+/// True if the file is there with this content. Throws FileError if it has another one.
+bool holds(const std::string& name, const std::string& content) {
+    std::error_code error;
+    if (!std::filesystem::exists(name, error)) return false;
+    const InputFile file(name);
+    if (file.size() == content.size() && file.read(0, file.size()) == content) return true;
+    throw FileError(fmt::format("'{}', which the scene reads, is there with other content", shown(name)));
+}
+
+/// Nothing that is there is written over: it may be what the scene was made from.
+void write_beside(const std::filesystem::path& folder, const std::string& name, const std::string& content) {
+    const std::string path = (folder / name).string();
+    if (holds(path, content)) return;
+    OutputFile file(path);
+    file.write(content);
+    file.commit();
+}
+
+void write_read_files(const std::filesystem::path& folder, const RunDescription& run, const std::string& start) {
+    if (run.start.from) write_beside(folder, start, csv_text(*run.start.from));
+    if (!run.origin) return;
+    for (const SceneFile::Part& part : run.origin->parts) {
+        if (!part.name.empty()) write_beside(folder, file_at_step(part.name).file, part.content);
+    }
+}
+
+}  // namespace
+
+void write_scene(const std::string& out, const RunDescription& run, const SceneView& view) {
+    const std::filesystem::path path(out);
+    const std::string start = path.stem().string() + "-start.csv";
+    const std::string text = scene_file_text(run, view, start);
+    if (out != standard_output)
+        write_read_files(path.parent_path(), run, start);
+    else if (run.start.from)
+        throw UsageError("a scene with --from needs --out FILE: the values are written beside it");
+    OutputFile file(out);
+    file.write(text);
+    file.commit();
+}
+
+void write_scene(const std::string& out, const RunDescription& run) { write_scene(out, run, view_of(run)); }
+
+}  // namespace steplab
