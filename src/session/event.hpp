@@ -73,6 +73,11 @@ struct ChangeRun {
     std::size_t run = 1;
     RunDescription description;
 };
+/// While on, each run beside the leading one has the dt or tolerance at which it costs as many force evaluations per
+/// simulated second.
+struct EqualCost {
+    bool on = true;
+};
 /// Of the leading run (0), the next one takes the lead.
 struct RemoveRun {
     std::size_t run = 1;
@@ -94,8 +99,8 @@ struct TakeBranch {
 
 using Event = std::variant<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change,
                            event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
-                           event::ShowForces, event::ShowErrors, event::AddRun, event::ChangeRun, event::RemoveRun,
-                           event::Lead, event::Bookmark, event::TakeBranch>;
+                           event::ShowForces, event::ShowErrors, event::AddRun, event::ChangeRun, event::EqualCost,
+                           event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
 
 /// True if the second event leaves nothing of the first, which it follows: a slider or the time line is dragged.
 bool overtakes(const Event& earlier, const Event& later);

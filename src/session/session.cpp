@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "session/change_text.hpp"
+#include "session/equal_cost.hpp"
 
 #include <fmt/format.h>
 
@@ -43,10 +44,15 @@ struct Session::Handle {
     void operator()(const event::AddRun& add) const {
         if (session.followers_.size() + 1 == most_runs)
             throw UsageError(fmt::format("at most {} runs go beside each other", most_runs));
-        session.followers_.push_back(session.follower(add.description));
+        session.followers_.push_back(session.follower(session.at_cost(add.description)));
     }
     void operator()(const event::ChangeRun& change) const {
-        session.followers_.at(session.check_follower(change.run)) = session.follower(change.description);
+        session.followers_.at(session.check_follower(change.run)) =
+            session.follower(session.at_cost(change.description));
+    }
+    void operator()(const event::EqualCost& cost) const {
+        session.equal_cost_ = cost.on;
+        session.equalise_cost();
     }
     void operator()(const event::RemoveRun& remove) const { session.remove(remove.run); }
     void operator()(const event::Lead& lead) const { session.lead(session.check_follower(lead.run)); }
@@ -172,6 +178,21 @@ void Session::change(const RunDescription& description) {
     if (restarts(run().description(), description)) return begin(description);
     keep(line_.change(description));
     changed();
+    equalise_cost();
+}
+
+/// As it is to run beside the leading one.
+RunDescription Session::at_cost(const RunDescription& description) const {
+    return equal_cost_ ? at_equal_cost(description, run().description()) : description;
+}
+
+/// Those whose cost changes begin again.
+void Session::equalise_cost() {
+    if (!equal_cost_) return;
+    for (FollowerRun& each : followers_) {
+        const RunDescription wanted = at_cost(each.description());
+        if (!(wanted == each.description())) each = follower(wanted);
+    }
 }
 
 void Session::act(const Act& act) {
@@ -282,6 +303,7 @@ void Session::observe(SessionView& view) const {
     for (std::size_t i = 0; i < followers_.size(); ++i)
         steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
     view.line = line_view();
+    view.equal_cost = equal_cost_;
 }
 
 TimeLineView Session::line_view() const {

@@ -92,6 +92,8 @@ private:
     TimeLineView line_view() const;
     void show_ensemble(const LiveEnsembleOptions& asked);
     FollowerRun follower(const RunDescription& description) const;
+    RunDescription at_cost(const RunDescription& description) const;
+    void equalise_cost();
 
     std::size_t bytes_;
     TimeLine line_;  ///< of the leading run
@@ -105,6 +107,7 @@ private:
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;
     bool with_forces_ = false;
+    bool equal_cost_ = false;
     std::optional<bool> with_errors_;  ///< none: as usual
     LiveEnsembleOptions ensemble_;
     mutable std::optional<LiveEnsemble> live_ensemble_;

@@ -47,6 +47,7 @@ struct SessionView {
     RunView leading = {};
     std::vector<RunView> followers = {};  ///< at the same time, by the rule of step_at()
     TimeLineView line = {};
+    bool equal_cost = false;
     std::optional<SessionErrors> errors = {};  ///< if they are wanted; of this moment, or of one before it
 };
 

@@ -23,8 +23,8 @@ bool is_any(const Event& event) {
 
 /// True if a step takes another time after it.
 bool changes_speed(const Event& event) {
-    return is_any<event::Change, event::ChangeRun, event::AddRun, event::RemoveRun, event::Lead, event::Undo,
-                  event::Redo, event::TakeBranch, event::ShowEnsemble>(event);
+    return is_any<event::Change, event::ChangeRun, event::AddRun, event::RemoveRun, event::EqualCost, event::Lead,
+                  event::Undo, event::Redo, event::TakeBranch, event::ShowEnsemble>(event);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ protected:
     LiveErrorsTest() : WorkerTest(mesh("rk4", 0.1)) {}
 
     bool errors_at(std::uint64_t step) {
-        return see([&](const RunView& view) {
-            return view.frame.step == step && session.errors && session.errors->time == view.frame.time;
+        return see([&](const RunView& seen) {
+            return seen.frame.step == step && session.errors && session.errors->time == seen.frame.time;
         });
     }
 };

@@ -109,6 +109,39 @@ panel_changes_the_run() {
     close_window
 }
 
+runs_go_beside_each_other() {
+    start_display 1280x800
+    open_window --model chain --method rk4 --dt 0.1
+    choose 'add run' euler; expect 'runs rk4 double, euler double' 'compared 2'
+    xdotool key t; expect 'runs rk4 double, euler double, rk4 float' 'compared 3'
+    xdotool key Right Right; expect 'step 2'
+    click 'equal cost'; expect 'widget run 2 [0-9].*'
+    click 'run 1'; expect 'method euler' 'runs euler double, .*'
+    click 'run 0.remove'; expect 'method rk4'
+    xdotool key r; expect 'changes 1'
+    close_window
+}
+
+time_line_leads_back_and_forth() {
+    start_display 1280x800
+    open_window --model chain --method rk4 --dt 0.1
+    xdotool key Right Right Right Right; expect 'step 4' 'reached 4'
+    click time; expect 'step 2'
+    enter time 0.3; expect 'step 3'
+    enter time 'step 1'; expect 'step 1'
+    xdotool key b; expect 'bookmarks 1'
+    enter dt 0.2; expect 'dt 0.2' 'branches 1' 'changes 1' 'reached 1'
+    xdotool key ctrl+z; expect 'dt 0.1' 'changes 0'
+    xdotool key ctrl+y; expect 'dt 0.2' 'changes 1'
+    xdotool key Right Right; expect 'step 3'
+    click 'branch 0'; expect 'dt 0.1' 'step 1' 'reached 4' 'branches 1'
+    click 'bookmark 0'; xdotool key b; expect 'bookmarks 0'
+    xdotool key Right; expect 'step 2'
+    xdotool key BackSpace; expect 'step 0'
+    xdotool key ctrl+z; expect 'step 2'
+    close_window
+}
+
 ensemble_goes_with_the_run() {
     start_display 1280x800
     open_window --model chain --method euler

@@ -57,6 +57,21 @@ void Trace::report(const RunView& view) {
     report("error", view.error.empty() ? "none" : view.error);
 }
 
+void Trace::report(const SessionView& session) {
+    report(session.leading);
+    const auto text = [](const RunView& run) {
+        return fmt::format("{} {}", run.description.method, id(run.description.precision));
+    };
+    std::string runs = text(session.leading);
+    for (const RunView& run : session.followers) runs += ", " + text(run);
+    report("runs", runs);
+    report("compared", session.errors ? std::to_string(session.errors->runs.size()) : "none");
+    report("reached", std::to_string(session.line.reached));
+    report("changes", std::to_string(session.line.changes.size()));
+    report("branches", std::to_string(session.line.branches.size()));
+    report("bookmarks", std::to_string(session.line.bookmarks.size()));
+}
+
 void Trace::report(const render::Camera& camera) { report("camera", render::view_text(camera)); }
 
 void Trace::report(const ui::WidgetMap& widgets, bool last_frame) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/camera.hpp"
-#include "session/run_view.hpp"
+#include "session/session_view.hpp"
 #include "ui/display.hpp"
 
 #include <cstdio>
@@ -23,7 +23,7 @@ public:
     /// Writes "name value" if the value has changed since it was last written under this name. Throws FileError, and
     /// ReaderGone for a closed pipe.
     void report(std::string_view name, const std::string& value);
-    void report(const RunView& view);
+    void report(const SessionView& session);
     void report(const render::Camera& camera);
     /// Widgets reach their places in the frames after they appear. Reported are places that are the same in two frames;
     /// with `last_frame`, which no other follows, all places.
@@ -33,6 +33,7 @@ private:
     struct Close {
         void operator()(std::FILE* file) const;
     };
+    void report(const RunView& view);
     [[noreturn]] void fail() const;
 
     std::string name_;  ///< for messages

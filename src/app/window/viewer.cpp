@@ -255,7 +255,7 @@ void Viewer::save_scene() {
 
 void Viewer::report() {
     if (!trace_.wanted()) return;
-    trace_.report(view_->leading);
+    trace_.report(*view_);
     trace_.report(camera_);
     trace_.report(interface_.widgets(), frames_wanted_ == 0);
 }

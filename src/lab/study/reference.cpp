@@ -1,8 +1,8 @@
 #include "lab/study/reference.hpp"
 
 #include "core/interruption.hpp"
-#include "lab/study/distances.hpp"
 #include "core/watching.hpp"
+#include "lab/study/distances.hpp"
 #include "methods/engines/extrapolation.hpp"
 #include "methods/engines/system.hpp"
 #include "models/forces/layouts.hpp"

@@ -155,8 +155,18 @@ private:
 
     /// Towards zero: first to a T, then to half of its digits.
     static T half_of_digits(long double x) {
-        using Bits = std::conditional_t<sizeof(T) == sizeof(float), std::uint32_t, std::uint64_t>;
         constexpr int digits = std::numeric_limits<T>::digits, dropped = digits - digits / 2;
+        if constexpr (std::is_same_v<T, long double>) {  // which has no integer of its size
+            int exponent = 0;
+            const long double mantissa = std::frexp(x, &exponent);
+            return std::ldexp(std::trunc(std::ldexp(mantissa, digits / 2)), exponent - digits / 2);
+        } else {
+            return with_dropped_bits(x, dropped);
+        }
+    }
+
+    static T with_dropped_bits(long double x, int dropped) {
+        using Bits = std::conditional_t<sizeof(T) == sizeof(float), std::uint32_t, std::uint64_t>;
         const T nearest = rounded(x);
         const bool beyond = std::abs(static_cast<long double>(nearest)) > std::abs(x);
         const Bits bits = std::bit_cast<Bits>(nearest) - static_cast<Bits>(beyond);

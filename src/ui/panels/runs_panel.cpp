@@ -132,6 +132,13 @@ void draw_runs_panel(const Context& context) {
         draw_errors(context, run);
     }
     draw_reference(context);
+    bool equal = context.session.equal_cost;
+    if (runs_of(context) > 1 && check_row(context, "equal cost", "equal cost", equal))
+        context.events.send(event::EqualCost{equal});
+    if (runs_of(context) > 1)
+        tooltip(context,
+                "each run gets the dt, or the tolerance, at which it costs as many force evaluations per simulated "
+                "second as the leading one; it begins again with it");
     if (runs_of(context) < 4) draw_add(context);
     if (text_button(context, "twin", "twin", false, context.px(58))) perform(context, Action::twin);
     tooltip(context, help_of(Action::twin));

@@ -1,0 +1,51 @@
+#include "session/equal_cost.hpp"
+
+#include "session/session.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+namespace steplab::test {
+namespace {
+
+/// Force evaluations per simulated second, until a time or where the run diverges.
+double counted(const RunDescription& run, double time) {
+    Simulation simulation(run);
+    while (simulation.time() < time && !simulation.divergence()) simulation.advance(1);
+    return static_cast<double>(simulation.evaluations()) / simulation.time();
+}
+
+// Ten in a hundred: what the window promises. Methods that choose their steps cannot be as costly as rk4 at dt = 0.02,
+// whatever their tolerance, nor gauss-16 as cheap as rk4 at 0.1.
+TEST(EqualCost, is_that_of_the_other_run_for_every_method) {
+    for (const Method& each : methods()) {
+        RunDescription rk4 = run_of("mesh", "rk4", Precision::double_, 0.02, {{"dim", 5}});
+        if (chooses_its_steps(with_method(rk4, each.info.id))) rk4.dt = 0.1;
+        const RunDescription run = at_equal_cost(with_method(rk4, each.info.id), rk4);
+        SCOPED_TRACE(command_line(run));
+        EXPECT_NEAR(counted(run, 20), counted(rk4, 20), 0.1 * counted(rk4, 20));
+    }
+}
+
+TEST(EqualCost, of_explicit_methods_is_exact) {
+    const RunDescription rk4 = run_of("chain", "rk4", Precision::double_, 0.1);
+    EXPECT_EQ(evaluations_per_second(rk4), 40);
+    EXPECT_EQ(at_equal_cost(with_method(rk4, "velocity-verlet"), rk4).dt, 0.025);
+}
+
+TEST(Session, keeps_all_runs_at_equal_cost_while_that_is_wanted) {
+    Session session(run_of("chain", "rk4", Precision::double_, 0.1));
+    session.handle(event::AddRun{run_of("chain", "velocity-verlet", Precision::double_, 0.1)});
+    session.handle(event::EqualCost{true});
+    EXPECT_EQ(session.followers()[0].description().dt, 0.025);
+    session.handle(event::AddRun{run_of("chain", "euler", Precision::double_, 0.1)});
+    EXPECT_EQ(session.followers()[1].description().dt, 0.025);
+    session.handle(event::Change{run_of("chain", "rk4", Precision::double_, 0.2)});
+    EXPECT_EQ(session.followers()[0].description().dt, 0.05);
+    session.handle(event::EqualCost{false});
+    session.handle(event::Change{run_of("chain", "rk4", Precision::double_, 0.1)});
+    EXPECT_EQ(session.followers()[0].description().dt, 0.05);
+}
+
+}  // namespace
+}  // namespace steplab::test
