@@ -1,0 +1,30 @@
+#pragma once
+
+#include "render/palette.hpp"
+#include "render/shown_runs.hpp"
+#include "render/sketch.hpp"
+#include "render/style.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace steplab::render {
+
+/// A line of text about the runs of a picture.
+struct RunLine {
+    std::string text;
+    std::optional<std::size_t> run = {};  ///< whose mark stands before it
+};
+
+/// Which run has which mark, and how many times the differences of ghosts are magnified, if they are.
+std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style);
+/// "1   rk4, dt 0.1 s, double": the number and the name of a run, with its mark.
+RunLine line_of_run(const ShownRun& run, std::size_t number);
+
+/// Adds the lines at the upper right of a picture, and returns the height that they take there.
+double sketch_run_lines(Sketch& sketch, const std::vector<RunLine>& lines, PictureSize size, const Palette& palette,
+                        double pixel_scale);
+
+}  // namespace steplab::render
