@@ -13,14 +13,12 @@ out vec2 v_place;         // pixels from the centre, y up
 flat out float v_radius;  // pixels
 flat out vec3 v_colour;
 
-const float reach = 1.6;  // of the farthest corner of an outline, in radii
-
 void main() {
     vec3 centre = seen(a_centre);
     float pixels = u_pixels / max(-centre.z, 1e-30);
     v_radius = max(a_colour.a * u_radius * pixels, u_least_radius);
     v_colour = a_colour.rgb;
     vec2 corner = vec2((gl_VertexID & 1) != 0 ? 1.0 : -1.0, (gl_VertexID & 2) != 0 ? 1.0 : -1.0);
-    v_place = corner * (reach * v_radius + 1.0);
+    v_place = corner * (v_radius + 1.0);
     gl_Position = u_clip * vec4(centre + vec3(v_place / pixels, 0.0), 1.0);
 }

@@ -6,13 +6,17 @@
 namespace steplab::render {
 namespace {
 
-constexpr double spring_thickness = 0.5;  // in that of the leading run's springs
-constexpr std::uint8_t spring_alpha = 200, link_alpha = 150;
+constexpr double spring_thickness = 0.6;  // in that of the leading run's springs
+constexpr std::uint8_t spring_alpha = 220, link_alpha = 170;
 constexpr double link_width = 1, outline_width = 1.6;  // pixels
+constexpr double dash = 4;                             // pixels, as long as the gap behind it
+constexpr double most_dashes = 100;                    // of a line; longer ones have longer dashes
 constexpr double least_radius = 1.5;                   // pixels
 constexpr float filled = 0.26F;                        // opacity within the outline
 // Ghosts nearer to their twins, in radii of the particle, are hidden in them.
-constexpr double hidden = 0.05;
+constexpr double hidden = 0.2;
+// Thin springs would only veil those of the leading run, up to a larger difference of their ends.
+constexpr double hidden_spring = 0.6;
 
 double radius_of(const KnownShape& known, std::size_t particle) {
     return static_cast<double>(known.part(particle)) * known.largest_radius(known.shape->roles[particle]);
@@ -26,6 +30,19 @@ double largest_radius(const KnownShape& known) {
 }
 
 Rgb colour_of(const Shot& shot, std::size_t run) { return palette(shot.style.background).runs[run]; }
+
+/// Dashes of a line, at even distances in space. Where both ends are seen, they are of about the same length in pixels.
+void add_dashes(std::vector<Rod>& rods, const Shot& shot, Vec3 from, Vec3 to, VertexColour colour) {
+    if (!drawable(from) || !drawable(to)) return;
+    const auto start = shot.projection.pixel(from), end = shot.projection.pixel(to);
+    const double length = start && end ? std::hypot(end->x - start->x, end->y - start->y) : INFINITY;
+    const double dashes = std::clamp(std::round(length / (2 * dash * shot.style.pixel_scale)), 1.0, most_dashes);
+    const glm::vec3 first = vertex(shot.projection, from), way = vertex(shot.projection, to) - first;
+    for (double i = 0; i < dashes; ++i) {
+        const auto at = [&](double part) { return first + static_cast<float>(part / dashes) * way; };
+        rods.push_back({at(i), at(i + 0.5), colour});
+    }
+}
 
 }  // namespace
 
@@ -61,7 +78,7 @@ void Ghosts::prepare(const Shot& shot, std::size_t run, Ghost& ghost, Occupancy&
     if (shot.style.springs)
         ghost.springs.prepare(
             own, ghost.blocks,
-            {spring_thickness, vertex_colour(colour_of(shot, run), spring_alpha), std::span(ghost.apart)});
+            {spring_thickness, vertex_colour(colour_of(shot, run), spring_alpha), std::span(ghost.bent)});
     link(shot, run, ghost);
     for (std::size_t i = 0; i < ghost.apart.size(); ++i) {
         if (ghost.apart[i] == 0) ghost.blocks.hide(i);
@@ -75,9 +92,11 @@ void Ghosts::prepare(const Shot& shot, std::size_t run, Ghost& ghost, Occupancy&
 
 void Ghosts::find_apart(const Shot& shot, Ghost& ghost) {
     ghost.apart.resize(ghost.frame.positions.size());
+    ghost.bent.resize(ghost.frame.positions.size());
     for (std::size_t i = 0; i < ghost.apart.size(); ++i) {
         const double way = length(ghost.frame.positions[i] - shot.frame.positions[i]);
         ghost.apart[i] = way > hidden * radius_of(shot.known, i);
+        ghost.bent[i] = way > hidden_spring * radius_of(shot.known, i);
     }
 }
 
@@ -85,10 +104,7 @@ void Ghosts::find_apart(const Shot& shot, Ghost& ghost) {
 void Ghosts::link(const Shot& shot, std::size_t run, Ghost& ghost) {
     ghost.links.clear();
     const VertexColour colour = vertex_colour(colour_of(shot, run), link_alpha);
-    const auto add = [&](Vec3 from, Vec3 to) {
-        if (drawable(from) && drawable(to))
-            ghost.links.push_back({vertex(shot.projection, from), vertex(shot.projection, to), colour});
-    };
+    const auto add = [&](Vec3 from, Vec3 to) { add_dashes(ghost.links, shot, from, to, colour); };
     for (std::size_t i = 0; i < ghost.apart.size(); ++i) {
         const Vec3 way = ghost.frame.positions[i] - shot.frame.positions[i];
         if (!(length(way) > radius_of(shot.known, i))) continue;  // hidden in the particle

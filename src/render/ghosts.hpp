@@ -46,6 +46,7 @@ private:
         Springs springs;
         std::vector<Rod> links;
         std::vector<std::uint8_t> apart;    ///< one per particle: 1 if it is not where its twin is
+        std::vector<std::uint8_t> bent;     ///< the same, if its springs are seen beside those of its twin
         std::vector<VertexColour> colours;  ///< kept to reuse its memory
     };
 

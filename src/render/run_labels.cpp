@@ -10,7 +10,8 @@ namespace steplab::render {
 namespace {
 
 // In pixels at scale 1.
-constexpr double line_height = 20, top_edge = 10, right_edge = 20, mark_radius = 5, gap = 9, padding = 6;
+constexpr double line_height = 20, top_edge = 10, right_edge = 20, mark_radius = 5, number_place = 18, name_place = 33,
+                 padding = 6;
 constexpr double veil = 0.72;  // opacity of the ground of a text
 
 /// The outline that the particles of a run have (shaders/ghost.frag); a filled disc for the leading run.
@@ -22,6 +23,16 @@ void sketch_mark(Sketch& sketch, PixelPoint centre, std::size_t run, Rgb colour,
     sketch.outline(centre, reach[run] * r, corners[run], colour, width);
 }
 
+/// `middle`: of its left end.
+void sketch_line(Sketch& sketch, const RunLine& line, PixelPoint middle, const Palette& palette, double pixel_scale) {
+    const double y = middle.y - sketch.text_size(line.text).y / 2;
+    if (!line.run) return sketch.text({middle.x, y}, line.text, palette.text);
+    sketch_mark(sketch, {middle.x + mark_radius * pixel_scale, middle.y}, *line.run, palette.runs[*line.run],
+                pixel_scale);
+    sketch.text({middle.x + number_place * pixel_scale, y}, std::to_string(*line.run), palette.text);
+    sketch.text({middle.x + name_place * pixel_scale, y}, line.text, palette.text);
+}
+
 }  // namespace
 
 std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style) {
@@ -31,26 +42,25 @@ std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style) {
     return lines;
 }
 
-RunLine line_of_run(const ShownRun& run, std::size_t number) {
-    return {fmt::format("{}   {}", number, run.name), number};
-}
+RunLine line_of_run(const ShownRun& run, std::size_t number) { return {run.name, number}; }
 
 double sketch_run_lines(Sketch& sketch, const std::vector<RunLine>& lines, PictureSize size, const Palette& palette,
                         double pixel_scale) {
     if (lines.empty()) return 0;
     double widest = 0;
-    for (const RunLine& line : lines) widest = std::max(widest, sketch.text_size(line.text).x);
-    const double mark = (2 * mark_radius + gap) * pixel_scale, edge = padding * pixel_scale;
+    for (const RunLine& line : lines) {
+        const double indent = line.run ? name_place * pixel_scale : 0;
+        widest = std::max(widest, indent + sketch.text_size(line.text).x);
+    }
+    const double edge = padding * pixel_scale;
     const double right = size.width - right_edge * pixel_scale, top = top_edge * pixel_scale;
     // A name too long for the picture is cut off at its end.
-    const double left = std::max(right - widest - mark, 2 * edge), step = line_height * pixel_scale;
+    const double left = std::max(right - widest, 2 * edge), step = line_height * pixel_scale;
     const double height = step * static_cast<double>(lines.size());
     sketch.box({left - edge, top}, {right + edge, top + height}, palette.bottom, veil);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double middle = top + (static_cast<double>(i) + 0.5) * step;
-        const auto& [text, run] = lines[i];
-        sketch.text({left + mark, middle - sketch.text_size(text).y / 2}, text, palette.text);
-        if (run) sketch_mark(sketch, {left + mark_radius * pixel_scale, middle}, *run, palette.runs[*run], pixel_scale);
+        sketch_line(sketch, lines[i], {left, middle}, palette, pixel_scale);
     }
     return height;
 }

@@ -20,7 +20,7 @@ struct RunLine {
 
 /// Which run has which mark, and how many times the differences of ghosts are magnified, if they are.
 std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style);
-/// "1   rk4, dt 0.1 s, double": the number and the name of a run, with its mark.
+/// The name of a run, after its mark and its number.
 RunLine line_of_run(const ShownRun& run, std::size_t number);
 
 /// Adds the lines at the upper right of a picture, and returns the height that they take there.

@@ -63,6 +63,7 @@ struct Flat {
     Occupancy taken;
     std::vector<RunLine> lines = {};
     Tile tile = {};  ///< of the run's own picture, as if the whole target showed it
+    bool legend = true;
 };
 
 /// The style with one colour scale for all runs: where none is given, that of the run with the largest value.
@@ -118,6 +119,8 @@ std::vector<Flat> SceneRenderer::Body::draw_split(ShownRuns runs, const Style& g
     const Style style = with_common_scale(given, runs);
     ground.draw_backdrop(palette(style.background), tile, target.size());
     const auto areas = split_areas(tile.whole, runs.size());
+    // The legend is that of all runs: it is drawn once, at the upper right.
+    const std::size_t in_corner = areas[1].top == 0 ? 1 : 0;
     std::vector<Flat> flats;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const auto place = place_of(areas[i], tile, target.size());
@@ -130,6 +133,7 @@ std::vector<Flat> SceneRenderer::Body::draw_split(ShownRuns runs, const Style& g
         flats.push_back(draw_run(i, *runs[i].frame, {}, style, camera, *place, target));
         flats.back().lines = {line_of_run(runs[i], i)};
         flats.back().tile = {areas[i].size, tile.left - areas[i].left, tile.top - areas[i].top};
+        flats.back().legend = i == in_corner;
     }
     return flats;
 }
@@ -209,7 +213,8 @@ void SceneRenderer::Body::draw_flat(const Style& style, const Flat& flat, Pictur
     if (style.grid) sketch_labels(sketch, flat.axes, flat.taken, colours);
     if (style.grid) sketch_cross(sketch, flat.projection, colours, style.pixel_scale);
     const double lines_height = sketch_run_lines(sketch, flat.lines, size, colours, style.pixel_scale);
-    if (style.legend && flat.scale) sketch_legend(sketch, *flat.scale, size, colours, style.pixel_scale, lines_height);
+    if (style.legend && flat.legend && flat.scale)
+        sketch_legend(sketch, *flat.scale, size, colours, style.pixel_scale, lines_height);
     sketch.finish(flat.tile, part);
 }
 
