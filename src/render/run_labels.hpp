@@ -6,6 +6,7 @@
 #include "render/style.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,8 +24,11 @@ std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style);
 /// The name of a run, after its mark and its number.
 RunLine line_of_run(const ShownRun& run, std::size_t number);
 
-/// Adds the lines at the upper right of a picture, and returns the height that they take there.
-double sketch_run_lines(Sketch& sketch, const std::vector<RunLine>& lines, PictureSize size, const Palette& palette,
-                        double pixel_scale);
+/// The right end of a picture at which lines stand.
+enum class RunLinesAt : std::uint8_t { top, foot };
+
+/// Adds the lines to a picture, and returns the height that they take at its top.
+double sketch_run_lines(Sketch& sketch, const std::vector<RunLine>& lines, RunLinesAt place, PictureSize size,
+                        const Palette& palette, double pixel_scale);
 
 }  // namespace steplab::render

@@ -62,6 +62,7 @@ struct Flat {
     Axes axes;
     Occupancy taken;
     std::vector<RunLine> lines = {};
+    RunLinesAt lines_at = RunLinesAt::top;
     Tile tile = {};  ///< of the run's own picture, as if the whole target showed it
     bool legend = true;
 };
@@ -132,6 +133,7 @@ std::vector<Flat> SceneRenderer::Body::draw_split(ShownRuns runs, const Style& g
         glEnable(GL_SCISSOR_TEST);  // points and lines reach beyond the viewport
         flats.push_back(draw_run(i, *runs[i].frame, {}, style, camera, *place, target));
         flats.back().lines = {line_of_run(runs[i], i)};
+        flats.back().lines_at = RunLinesAt::foot;  // the window's read-out stands at the top
         flats.back().tile = {areas[i].size, tile.left - areas[i].left, tile.top - areas[i].top};
         flats.back().legend = i == in_corner;
     }
@@ -212,7 +214,7 @@ void SceneRenderer::Body::draw_flat(const Style& style, const Flat& flat, Pictur
     sketch.begin(size, style.pixel_scale);
     if (style.grid) sketch_labels(sketch, flat.axes, flat.taken, colours);
     if (style.grid) sketch_cross(sketch, flat.projection, colours, style.pixel_scale);
-    const double lines_height = sketch_run_lines(sketch, flat.lines, size, colours, style.pixel_scale);
+    const double lines_height = sketch_run_lines(sketch, flat.lines, flat.lines_at, size, colours, style.pixel_scale);
     if (style.legend && flat.legend && flat.scale)
         sketch_legend(sketch, *flat.scale, size, colours, style.pixel_scale, lines_height);
     sketch.finish(flat.tile, part);
@@ -222,7 +224,8 @@ void SceneRenderer::Body::draw_flat(const Style& style, const Flat& flat, Pictur
 void SceneRenderer::Body::draw_borders(const Style& style, const Tile& tile, std::size_t runs, PictureSize part) {
     const Palette& colours = palette(style.background);
     sketch.begin(tile.whole, style.pixel_scale);
-    for (const auto& [left, top, size] : split_areas(tile.whole, runs)) {
+    const std::size_t places = runs == 3 ? 4 : runs;  // one of them empty
+    for (const auto& [left, top, size] : split_areas(tile.whole, places)) {
         const PixelPoint corner{static_cast<double>(left), static_cast<double>(top)};
         const double width = style.pixel_scale;
         if (left > 0) sketch.box(corner, {corner.x + width, corner.y + size.height}, colours.grid, 0.6);
