@@ -9,6 +9,7 @@
 #include "render/shown_runs.hpp"
 #include "render/springs.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>

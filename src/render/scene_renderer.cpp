@@ -97,6 +97,7 @@ struct SceneRenderer::Body {
                                  const RenderTarget& target);
     Flat draw_run(std::size_t run, const Frame& frame, ShownRuns beside, const Style& style, const Camera& camera,
                   const Place& place, const RenderTarget& target);
+    Bounds bodies(const Style& style, bool with_ghosts) const;
     void draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
                     const RenderTarget& target, bool with_ghosts);
     void draw_grid(const Style& style, const AxesBox& box, const ViewUniforms& view);
@@ -161,16 +162,22 @@ Flat SceneRenderer::Body::draw_run(std::size_t run, const Frame& frame, ShownRun
     if (!beside.empty() && !ghosts) ghosts.emplace();
     if (!beside.empty()) ghosts->prepare(shot, beside, flat.taken);
     const double reach = known[run]->largest_radius(Role::bullet) + (arrows.empty() ? 0 : 2 * frame.shape->spacing);
-    Bounds bodies = blocks.bounds();
-    if (style.trails) {
-        for (const std::vector<Vec3>& places : *style.trails) bodies = joined(bodies, bounds_of(places));
-    }
-    if (!beside.empty() && ghosts->bounds()) bodies = joined(bodies, *ghosts->bounds());
-    const ViewUniforms view(projection, drawn_bounds(bodies, ensemble.bounds(), reach, box, style.grid), tile, part,
-                            palette(style.background));
+    const ViewUniforms view(projection,
+                            drawn_bounds(bodies(style, !beside.empty()), ensemble.bounds(), reach, box, style.grid),
+                            tile, part, palette(style.background));
     ground.draw_backdrop(palette(style.background), tile, part);
     draw_space(style, box, flat.axes, view, target, !beside.empty());
     return flat;
+}
+
+/// The box around particles, trails and ghosts.
+Bounds SceneRenderer::Body::bodies(const Style& style, bool with_ghosts) const {
+    Bounds bounds = blocks.bounds();
+    if (style.trails) {
+        for (const std::vector<Vec3>& places : *style.trails) bounds = joined(bounds, bounds_of(places));
+    }
+    if (with_ghosts && ghosts->bounds()) bounds = joined(bounds, *ghosts->bounds());
+    return bounds;
 }
 
 void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
