@@ -38,7 +38,7 @@ void sketch_line(Sketch& sketch, const RunLine& line, PixelPoint middle, const P
 std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style) {
     std::vector<RunLine> lines;
     for (std::size_t i = 0; i < runs.size() && style.legend; ++i) lines.push_back(line_of_run(runs[i], i));
-    if (style.magnify != 1) lines.push_back({fmt::format("differences \u00d7 {}", typed(style.magnify, 4))});
+    if (style.magnify != 1) lines.push_back({fmt::format("differences \u00d7 {}", short_number(style.magnify))});
     return lines;
 }
 
