@@ -18,10 +18,10 @@ double Ground::reach(const AxesBox& box) {
     return 1.5 * std::max({size.x, size.z, 0.6 * size.y, 4 * box.step});
 }
 
-void Ground::draw_backdrop(const Palette& palette, const Tile& tile, const RenderTarget& target) const {
+void Ground::draw_backdrop(const Palette& palette, const Tile& tile, PictureSize part) const {
     const double height = tile.whole.height;
     backdrop_.use();
-    backdrop_.set("u_rows", glm::vec2(1 - (tile.top + target.size().height) / height, 1 - tile.top / height));
+    backdrop_.set("u_rows", glm::vec2(1 - (tile.top + part.height) / height, 1 - tile.top / height));
     backdrop_.set("u_bottom", as_vec3(palette.bottom));
     backdrop_.set("u_top", as_vec3(palette.top));
     glBindVertexArray(no_vertices_.id());

@@ -10,8 +10,8 @@ namespace steplab::render {
 class Ground {
 public:
     Ground();
-    /// Fills the target; only the depth has to be cleared before.
-    void draw_backdrop(const Palette& palette, const Tile& tile, const RenderTarget& target) const;
+    /// Fills the viewport with a tile of a picture, which has the size `part`; only the depth has to be cleared before.
+    void draw_backdrop(const Palette& palette, const Tile& tile, PictureSize part) const;
     /// The grid on the lower side of the box; blended, so to be drawn after everything opaque.
     void draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, double pixel_scale) const;
     void draw_axes(const Axes& axes, const ViewUniforms& view, const Palette& palette, double pixel_scale);

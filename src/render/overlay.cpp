@@ -66,11 +66,11 @@ void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& p
 }
 
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,
-                   double pixel_scale) {
+                   double pixel_scale, double lower) {
     const double width = 11 * pixel_scale;
     const double height = std::min(160 * pixel_scale, 0.4 * size.height);
     const double right = size.width - 28 * pixel_scale;
-    const double top = 58 * pixel_scale;
+    const double top = 58 * pixel_scale + lower;
     const std::string heading(title(scale.colouring));
     sketch.text({right - sketch.text_size(heading).x, top - 28 * pixel_scale}, heading, palette.text);
     constexpr int bands = 32;

@@ -14,8 +14,8 @@ void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, con
 /// The small xyz cross at the lower left, and its mark that keeps labels away.
 void mark_cross(Occupancy& taken, PictureSize size, double pixel_scale);
 void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& palette, double pixel_scale);
-/// The colour scale with title and numbers at the upper right.
+/// The colour scale with title and numbers at the upper right, `lower` by some pixels where texts are above it.
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,
-                   double pixel_scale);
+                   double pixel_scale, double lower = 0);
 
 }  // namespace steplab::render

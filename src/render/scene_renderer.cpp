@@ -1,6 +1,7 @@
 #include "render/scene_renderer.hpp"
 
 #include "render/ensemble_dots.hpp"
+#include "render/ghosts.hpp"
 #include "render/ground.hpp"
 #include "render/known_shape.hpp"
 #include "render/lines.hpp"
@@ -8,8 +9,14 @@
 #include "render/overlay.hpp"
 #include "render/particle_blocks.hpp"
 #include "render/particles.hpp"
+#include "render/run_labels.hpp"
 #include "render/shot.hpp"
+#include "render/split.hpp"
 #include "render/springs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace steplab::render {
 namespace {
@@ -32,6 +39,45 @@ Bounds drawn_bounds(Bounds positions, const std::optional<Bounds>& ensemble, dou
     return joined(bodies, ground);
 }
 
+/// A run's part of the picture.
+struct Place {
+    Tile tile;         ///< of the run's own picture
+    PictureSize part;  ///< the size of that tile
+    PictureArea port;  ///< where in the target it is
+};
+
+/// Where the picture of an area of the whole is drawn; none if the target does not contain any of it.
+std::optional<Place> place_of(const PictureArea& area, const Tile& tile, PictureSize target) {
+    const auto part = shared_part(area, {tile.left, tile.top, target});
+    if (!part) return std::nullopt;
+    return Place{{area.size, part->left - area.left, part->top - area.top},
+                 part->size,
+                 {part->left - tile.left, part->top - tile.top, part->size}};
+}
+
+/// What is drawn over the finished scene of a run.
+struct Flat {
+    Projection projection;
+    std::optional<ColourScale> scale;
+    Axes axes;
+    Occupancy taken;
+    std::vector<RunLine> lines = {};
+    RunLinesAt lines_at = RunLinesAt::top;
+    Tile tile = {};  ///< of the run's own picture, as if the whole target showed it
+    bool legend = true;
+};
+
+/// The style with one colour scale for all runs: where none is given, that of the run with the largest value.
+Style with_common_scale(Style style, ShownRuns runs) {
+    if (style.scale_maximum) return style;
+    double largest = 0;
+    for (const ShownRun& run : runs) {
+        if (const auto scale = colour_scale(*run.frame, style)) largest = std::max(largest, scale->maximum);
+    }
+    if (largest > 0) style.scale_maximum = largest;
+    return style;
+}
+
 }  // namespace
 
 struct SceneRenderer::Body {
@@ -43,18 +89,23 @@ struct SceneRenderer::Body {
     std::vector<Rod> arrows, trail;
     Sketch sketch;
     ParticleBlocks blocks;
-    std::optional<KnownShape> known;  ///< of the last frame
+    std::optional<Ghosts> ghosts;                                  ///< made when first needed
+    std::array<std::optional<KnownShape>, most_shown_runs> known;  ///< of each run's last frame
 
+    void begin(const RenderTarget& target) const;
+    std::vector<Flat> draw_split(ShownRuns runs, const Style& style, const Camera& camera, const Tile& tile,
+                                 const RenderTarget& target);
+    Flat draw_run(std::size_t run, const Frame& frame, ShownRuns beside, const Style& style, const Camera& camera,
+                  const Place& place, const RenderTarget& target);
+    Bounds bodies(const Style& style, bool with_ghosts) const;
     void draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
-                    const Tile& tile, const RenderTarget& target);
+                    const RenderTarget& target, bool with_ghosts);
     void draw_grid(const Style& style, const AxesBox& box, const ViewUniforms& view);
-    void draw_flat(const Style& style, const Projection& projection, const std::optional<ColourScale>& scale,
-                   const Axes& axes, const Occupancy& taken, const Tile& tile, PictureSize part);
+    void draw_flat(const Style& style, const Flat& flat, PictureSize part);
+    void draw_borders(const Style& style, const Tile& tile, std::size_t runs, PictureSize part);
 };
 
-void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
-                                     const Tile& tile, const RenderTarget& target) {
-    const Palette& colours = palette(style.background);
+void SceneRenderer::Body::begin(const RenderTarget& target) const {
     target.bind();
     glEnable(GL_MULTISAMPLE);
     glDisable(GL_BLEND);
@@ -63,7 +114,75 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     glClear(GL_DEPTH_BUFFER_BIT);
-    ground.draw_backdrop(colours, tile, target);
+}
+
+std::vector<Flat> SceneRenderer::Body::draw_split(ShownRuns runs, const Style& given, const Camera& camera,
+                                                  const Tile& tile, const RenderTarget& target) {
+    const Style style = with_common_scale(given, runs);
+    ground.draw_backdrop(palette(style.background), tile, target.size());
+    const auto areas = split_areas(tile.whole, runs.size());
+    // The legend is that of all runs: it is drawn once, at the upper right.
+    const std::size_t in_corner = areas[1].top == 0 ? 1 : 0;
+    std::vector<Flat> flats;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto place = place_of(areas[i], tile, target.size());
+        if (!place) continue;
+        const auto& [left, top, size] = place->port;
+        const int bottom = target.size().height - top - size.height;
+        glViewport(left, bottom, size.width, size.height);
+        glScissor(left, bottom, size.width, size.height);
+        glEnable(GL_SCISSOR_TEST);  // points and lines reach beyond the viewport
+        flats.push_back(draw_run(i, *runs[i].frame, {}, style, camera, *place, target));
+        flats.back().lines = {line_of_run(runs[i], i)};
+        flats.back().lines_at = RunLinesAt::foot;  // the window's read-out stands at the top
+        flats.back().tile = {areas[i].size, tile.left - areas[i].left, tile.top - areas[i].top};
+        flats.back().legend = i == in_corner;
+    }
+    return flats;
+}
+
+/// Draws a run, and those beside it as ghosts.
+Flat SceneRenderer::Body::draw_run(std::size_t run, const Frame& frame, ShownRuns beside, const Style& style,
+                                   const Camera& camera, const Place& place, const RenderTarget& target) {
+    const auto& [tile, part, port] = place;
+    Flat flat{Projection(camera, tile.whole), colour_scale(frame, style), {}, Occupancy(tile.whole)};
+    const Projection& projection = flat.projection;
+    if (!known[run] || known[run]->shape != frame.shape) known[run].emplace(frame.shape);
+    blocks.place(frame, projection);
+    const AxesBox box = axes_box(known[run]->expected, frame.shape->spacing, blocks.bounds());
+    if (style.grid) flat.axes = axes_of(box, projection, style.pixel_scale);
+    if (style.grid) add_box_edges(flat.axes, *frame.shape, blocks.bounds());
+    mark_cross(flat.taken, tile.whole, style.pixel_scale);
+    const Shot shot{frame, *known[run], style, flat.scale, projection, tile, part};
+    if (style.springs) springs.prepare(shot, blocks);
+    particles.prepare(shot, blocks, flat.taken);
+    ensemble.prepare(shot);
+    arrows = motion_arrows(shot);
+    trail = trail_lines(shot);
+    if (!beside.empty() && !ghosts) ghosts.emplace();
+    if (!beside.empty()) ghosts->prepare(shot, beside, flat.taken);
+    const double reach = known[run]->largest_radius(Role::bullet) + (arrows.empty() ? 0 : 2 * frame.shape->spacing);
+    const ViewUniforms view(projection,
+                            drawn_bounds(bodies(style, !beside.empty()), ensemble.bounds(), reach, box, style.grid),
+                            tile, part, palette(style.background));
+    ground.draw_backdrop(palette(style.background), tile, part);
+    draw_space(style, box, flat.axes, view, target, !beside.empty());
+    return flat;
+}
+
+/// The box around particles, trails and ghosts.
+Bounds SceneRenderer::Body::bodies(const Style& style, bool with_ghosts) const {
+    Bounds bounds = blocks.bounds();
+    if (style.trails) {
+        for (const std::vector<Vec3>& places : *style.trails) bounds = joined(bounds, bounds_of(places));
+    }
+    if (with_ghosts && ghosts->bounds()) bounds = joined(bounds, *ghosts->bounds());
+    return bounds;
+}
+
+void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
+                                     const RenderTarget& target, bool with_ghosts) {
+    const Palette& colours = palette(style.background);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     // The grid is below everything: seen from above, it is behind everything.
     const bool from_above = view.projection().eye().y > box.bounds.low.y;
@@ -74,16 +193,17 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     particles.draw(view, target);
     lines.draw(arrows, view, 1.5 * style.pixel_scale);
     lines.draw(trail, view, 1.5 * style.pixel_scale);
+    if (with_ghosts) ghosts->draw_lines(view, style);
     if (style.grid) ground.draw_axes(axes, view, colours, style.pixel_scale);
     if (style.grid && !from_above) draw_grid(style, box, view);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     ensemble.draw(view, style.pixel_scale);
+    if (with_ghosts) ghosts->draw_particles(view, style.pixel_scale);
     particles.draw_rings(view, style.pixel_scale);
     glDepthMask(GL_TRUE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    target.resolve();
 }
 
 void SceneRenderer::Body::draw_grid(const Style& style, const AxesBox& box, const ViewUniforms& view) {
@@ -94,15 +214,30 @@ void SceneRenderer::Body::draw_grid(const Style& style, const AxesBox& box, cons
     glDisable(GL_BLEND);
 }
 
-void SceneRenderer::Body::draw_flat(const Style& style, const Projection& projection,
-                                    const std::optional<ColourScale>& scale, const Axes& axes, const Occupancy& taken,
-                                    const Tile& tile, PictureSize part) {
+void SceneRenderer::Body::draw_flat(const Style& style, const Flat& flat, PictureSize part) {
     const Palette& colours = palette(style.background);
-    if (!has_room(tile.whole, style.pixel_scale)) return;
+    const PictureSize size = flat.tile.whole;
+    if (!has_room(size, style.pixel_scale)) return;
+    sketch.begin(size, style.pixel_scale);
+    if (style.grid) sketch_labels(sketch, flat.axes, flat.taken, colours);
+    if (style.grid) sketch_cross(sketch, flat.projection, colours, style.pixel_scale);
+    const double lines_height = sketch_run_lines(sketch, flat.lines, flat.lines_at, size, colours, style.pixel_scale);
+    if (style.legend && flat.legend && flat.scale)
+        sketch_legend(sketch, *flat.scale, size, colours, style.pixel_scale, lines_height);
+    sketch.finish(flat.tile, part);
+}
+
+/// Lines between the pictures of the runs.
+void SceneRenderer::Body::draw_borders(const Style& style, const Tile& tile, std::size_t runs, PictureSize part) {
+    const Palette& colours = palette(style.background);
     sketch.begin(tile.whole, style.pixel_scale);
-    if (style.grid) sketch_labels(sketch, axes, taken, colours);
-    if (style.grid) sketch_cross(sketch, projection, colours, style.pixel_scale);
-    if (style.legend && scale) sketch_legend(sketch, *scale, tile.whole, colours, style.pixel_scale);
+    const std::size_t places = runs == 3 ? 4 : runs;  // one of them empty
+    for (const auto& [left, top, size] : split_areas(tile.whole, places)) {
+        const PixelPoint corner{static_cast<double>(left), static_cast<double>(top)};
+        const double width = style.pixel_scale;
+        if (left > 0) sketch.box(corner, {corner.x + width, corner.y + size.height}, colours.grid, 0.6);
+        if (top > 0) sketch.box(corner, {corner.x + size.width, corner.y + width}, colours.grid, 0.6);
+    }
     sketch.finish(tile, part);
 }
 
@@ -113,32 +248,28 @@ SceneRenderer& SceneRenderer::operator=(SceneRenderer&&) noexcept = default;
 
 void SceneRenderer::draw(const Frame& frame, const Style& style, const Camera& camera, const RenderTarget& target,
                          const std::optional<Tile>& part) {
+    const ShownRun alone{&frame};
+    draw(ShownRuns(&alone, 1), style, camera, target, part);
+}
+
+void SceneRenderer::draw(ShownRuns runs, const Style& style, const Camera& camera, const RenderTarget& target,
+                         const std::optional<Tile>& part) {
+    runs = runs.first(std::min(runs.size(), most_shown_runs));
     const Tile tile = part.value_or(Tile{target.size()});
-    const Projection projection(camera, tile.whole);
-    const auto scale = colour_scale(frame, style);
-    auto& [ground, springs, particles, ensemble, lines, arrows, trail, sketch, blocks, known] = *body_;
-    if (!known || known->shape != frame.shape) known.emplace(frame.shape);
-    blocks.place(frame, projection);
-    const AxesBox box = axes_box(known->expected, frame.shape->spacing, blocks.bounds());
-    Axes axes = style.grid ? axes_of(box, projection, style.pixel_scale) : Axes{};
-    if (style.grid) add_box_edges(axes, *frame.shape, blocks.bounds());
-    Occupancy taken(tile.whole);
-    mark_cross(taken, tile.whole, style.pixel_scale);
-    const Shot shot{frame, *known, style, scale, projection, tile, target.size()};
-    if (style.springs) springs.prepare(shot, blocks);
-    particles.prepare(shot, blocks, taken);
-    ensemble.prepare(shot);
-    arrows = motion_arrows(shot);
-    trail = trail_lines(shot);
-    const double reach = known->largest_radius(Role::bullet) + (arrows.empty() ? 0 : 2 * frame.shape->spacing);
-    Bounds bodies = blocks.bounds();
-    if (style.trails) {
-        for (const std::vector<Vec3>& places : *style.trails) bodies = joined(bodies, bounds_of(places));
+    const bool split = style.layout == RunLayout::split && runs.size() > 1;
+    body_->begin(target);
+    std::vector<Flat> flats;
+    if (split) {
+        flats = body_->draw_split(runs, style, camera, tile, target);
+    } else {
+        flats.push_back(body_->draw_run(0, *runs[0].frame, runs.subspan(1), style, camera,
+                                        {tile, target.size(), {0, 0, target.size()}}, target));
+        if (runs.size() > 1) flats[0].lines = lines_of_ghosts(runs, style);
+        flats[0].tile = tile;
     }
-    const ViewUniforms view(projection, drawn_bounds(bodies, ensemble.bounds(), reach, box, style.grid), tile,
-                            target.size(), palette(style.background));
-    body_->draw_space(style, box, axes, view, tile, target);
-    body_->draw_flat(style, projection, scale, axes, taken, tile, target.size());
+    target.resolve();
+    for (const Flat& flat : flats) body_->draw_flat(style, flat, target.size());
+    if (split) body_->draw_borders(style, tile, runs.size(), target.size());
 }
 
 }  // namespace steplab::render

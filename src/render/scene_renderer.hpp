@@ -3,6 +3,7 @@
 #include "core/frame.hpp"
 #include "render/camera.hpp"
 #include "render/render_target.hpp"
+#include "render/shown_runs.hpp"
 #include "render/style.hpp"
 
 #include <memory>
@@ -35,6 +36,10 @@ public:
 
     /// Draws a picture into the texture of the target; with `tile`, that part of a larger picture.
     void draw(const Frame& frame, const Style& style, const Camera& camera, const RenderTarget& target,
+              const std::optional<Tile>& tile = std::nullopt);
+    /// The same with up to most_shown_runs runs, the leading one first, as the style's layout says. In split layout the
+    /// camera is that of each tile (split.hpp), and a colour scale holds for all of them.
+    void draw(ShownRuns runs, const Style& style, const Camera& camera, const RenderTarget& target,
               const std::optional<Tile>& tile = std::nullopt);
 
 private:

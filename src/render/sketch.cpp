@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace steplab::render {
 namespace {
@@ -90,6 +91,23 @@ void Sketch::text_centred(PixelPoint centre, const std::string& text, Rgb colour
 
 void Sketch::line(PixelPoint from, PixelPoint to, Rgb colour, double width, double opacity) {
     body_->list.AddLine(vec(from), vec(to), packed(colour, opacity), static_cast<float>(width));
+}
+
+void Sketch::disc(PixelPoint centre, double radius, Rgb colour, double opacity) {
+    body_->list.AddCircleFilled(vec(centre), static_cast<float>(radius), packed(colour, opacity));
+}
+
+void Sketch::outline(PixelPoint centre, double radius, int corners, Rgb colour, double width) {
+    const ImU32 ink = packed(colour, 1);
+    if (corners < 3)
+        return body_->list.AddCircle(vec(centre), static_cast<float>(radius), ink, 0, static_cast<float>(width));
+    constexpr double turn = 2 * std::numbers::pi;
+    const double first = corners == 4 ? 0.375 * turn : 0.25 * turn;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = first + turn * i / corners;
+        body_->list.PathLineTo(vec({centre.x + radius * std::cos(angle), centre.y - radius * std::sin(angle)}));
+    }
+    body_->list.PathStroke(ink, ImDrawFlags_Closed, static_cast<float>(width));
 }
 
 void Sketch::box(PixelPoint top_left, PixelPoint bottom_right, Rgb colour, double opacity) {

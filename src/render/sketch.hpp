@@ -26,6 +26,9 @@ public:
     void text(PixelPoint top_left, const std::string& text, Rgb colour, double opacity = 1);
     void text_centred(PixelPoint centre, const std::string& text, Rgb colour, double opacity = 1);
     void line(PixelPoint from, PixelPoint to, Rgb colour, double width, double opacity = 1);
+    void disc(PixelPoint centre, double radius, Rgb colour, double opacity = 1);
+    /// A circle, or a regular polygon with one corner or, of four, one side at the top.
+    void outline(PixelPoint centre, double radius, int corners, Rgb colour, double width);
     void box(PixelPoint top_left, PixelPoint bottom_right, Rgb colour, double opacity = 1);
     /// A box with a colour gradient from top to bottom.
     void shaded_box(PixelPoint top_left, PixelPoint bottom_right, Rgb top, Rgb bottom);

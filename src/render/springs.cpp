@@ -81,14 +81,18 @@ glm::vec3 way_through_sides(glm::vec3 way, glm::vec3 sides) {
     return through;
 }
 
+VertexColour colour_of(const Shot& shot, const Springs::Look& look, std::size_t i) {
+    return look.colour ? *look.colour : vertex_colour(spring_colour(shot.frame, shot.style, shot.scale, i));
+}
+
 }  // namespace
 
 Springs::Springs() : round_program_("rod"), thin_program_("line") {}
 
-void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
+void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks, const Look& look) {
     const auto& [frame, known, style, scale, projection, tile, part] = shot;
     // Colours are visible only on rods that are thick enough.
-    const double thickness = style.colouring == Colouring::strain ? 2 : 1;
+    const double thickness = look.thickness * (style.colouring == Colouring::strain && !look.colour ? 2 : 1);
     radius_ = vertex_length(projection, thickness * known.sizes.spring_radius());
     const auto [least_length, full_length] = lengths_drawn(known.shape->springs.size());
     least_length_ = least_length;
@@ -100,11 +104,11 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks) {
     const auto seen = [&](std::size_t i) { return drawable(shot.frame.positions[i]); };
     const auto add = [&](glm::vec3 start, glm::vec3 end, std::size_t i) {
         if (!filter.worth_drawing(start, end) || !seen(springs[i].first) || !seen(springs[i].second)) return;
-        list_for(filter.thickness(start, end, radius_), least)
-            .push_back({start, end, vertex_colour(spring_colour(shot.frame, shot.style, shot.scale, i))});
+        list_for(filter.thickness(start, end, radius_), least).push_back({start, end, colour_of(shot, look, i)});
     };
     const glm::vec3 sides = in_vertex_lengths(projection, known.shape->box);
     for (std::size_t i = 0; i < springs.size(); ++i) {
+        if (!look.wants(springs[i])) continue;
         const glm::vec3 start = blocks.vertices()[springs[i].first], end = blocks.vertices()[springs[i].second];
         const glm::vec3 through = way_through_sides(end - start, sides);
         if (through == glm::vec3(0)) {

@@ -5,6 +5,9 @@
 #include "render/shader_program.hpp"
 #include "render/shot.hpp"
 
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace steplab::render {
@@ -13,9 +16,21 @@ namespace steplab::render {
 class Springs {
 public:
     Springs();
+    /// Another look than that of the style.
+    struct Look {
+        double thickness = 1;                ///< in that of usual springs
+        std::optional<VertexColour> colour;  ///< none: by the style
+        /// One per particle: springs between two that are 0 are left out. Empty: none is.
+        std::span<const std::uint8_t> wanted;
+
+        bool wants(const Spring& spring) const {
+            return wanted.empty() || wanted[spring.first] != 0 || wanted[spring.second] != 0;
+        }
+    };
     /// Uploads the springs that the picture shows. Springs of only a few pixels are left out, as their particles
     /// already cover them.
-    void prepare(const Shot& shot, const ParticleBlocks& blocks);
+    void prepare(const Shot& shot, const ParticleBlocks& blocks, const Look& look);
+    void prepare(const Shot& shot, const ParticleBlocks& blocks) { prepare(shot, blocks, Look{}); }
     void draw(const ViewUniforms& view, double pixel_scale) const;
 
 private:

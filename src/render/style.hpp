@@ -3,9 +3,12 @@
 #include "core/appearance.hpp"
 #include "core/vec3.hpp"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace steplab::render {
@@ -14,6 +17,12 @@ using steplab::Background;
 using steplab::background_ids;
 using steplab::Colouring;
 using steplab::colouring_ids;
+
+/// How several runs of a scene are drawn: the others as ghosts around the leading one, or each in a tile of its own.
+enum class RunLayout : std::uint8_t { ghosts, split };
+
+inline constexpr std::array<std::string_view, 2> run_layout_ids = {"ghosts", "split"};
+constexpr std::string_view id(RunLayout layout) { return run_layout_ids[static_cast<std::size_t>(layout)]; }
 
 using Trails = std::vector<std::vector<Vec3>>;
 
@@ -32,6 +41,9 @@ struct Style {
     double mass = 1;  ///< of each particle; for its kinetic energy
     /// Value at the upper end of the colour scale; none: the next nice number above the largest value of the frame.
     std::optional<double> scale_maximum = {};
+    RunLayout layout = RunLayout::ghosts;  ///< of runs beside the leading one, if there are any
+    /// Factor by which ghosts are farther from the particles of the leading run than their runs say.
+    double magnify = 1;
     double pixel_scale = 1;  ///< pixels per unit of the layout: scales text and lines
 
     friend bool operator==(const Style&, const Style&) = default;

@@ -14,7 +14,7 @@ namespace steplab::ui {
 namespace {
 
 render::PictureSize scene_size(const Context& context) {
-    const PixelRect rect = pixels(context.layout.scene);
+    const PixelRect rect = context.tile();
     return {rect.width, rect.height};
 }
 

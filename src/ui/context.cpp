@@ -1,5 +1,7 @@
 #include "ui/context.hpp"
 
+#include "render/split.hpp"
+
 #include <filesystem>
 #include <system_error>
 
@@ -18,8 +20,17 @@ const render::DrawnSizes& Context::sizes() const {
     return state.shape->sizes;
 }
 
+std::vector<PixelRect> Context::tiles() const {
+    const PixelRect scene = pixels(layout.scene);
+    std::vector<PixelRect> tiles;
+    for (const auto& [left, top, size] :
+         render::areas_of({scene.width, scene.height}, stage.style.layout, 1 + session.followers.size()))
+        tiles.push_back({scene.x + left, scene.y + top, size.width, size.height});
+    return tiles;
+}
+
 render::Projection Context::projection() const {
-    const PixelRect rect = pixels(layout.scene);
+    const PixelRect rect = tile();
     return {stage.camera, {rect.width, rect.height}};
 }
 

@@ -97,7 +97,11 @@ struct Context {
     float px(float units) const { return theme.px(units); }
     /// The sizes at which the particles of the view are drawn.
     const render::DrawnSizes& sizes() const;
-    /// The camera and the area of the scene.
+    /// The areas of the runs in that of the scene, which have the same camera: all of it, or a tile each.
+    std::vector<PixelRect> tiles() const;
+    /// The area of the leading run.
+    PixelRect tile() const { return tiles().front(); }
+    /// The camera and the area of the leading run.
     render::Projection projection() const;
     /// True in a picture of the window, which has nothing of the pointer and nothing that passes.
     bool is_saved() const { return purpose == Purpose::window_picture || purpose == Purpose::plot_picture; }

@@ -24,10 +24,10 @@ double pause_between(const RunView& a, const RunView& b) {
 
 }  // namespace
 
-void Glide::arrived(std::shared_ptr<const RunView> view, Time now) {
+void Glide::arrived(std::shared_ptr<const SessionView> view, Time now) {
     from_ = std::exchange(newest_, std::move(view));
     begin_ = now;
-    duration_ = from_ ? pause_between(*from_, *newest_) : 0;
+    duration_ = from_ ? pause_between(from_->leading, newest_->leading) : 0;
 }
 
 double Glide::fraction(Time now) const {

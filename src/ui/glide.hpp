@@ -1,6 +1,6 @@
 #pragma once
 
-#include "session/run_view.hpp"
+#include "session/session_view.hpp"
 
 #include <chrono>
 #include <memory>
@@ -14,19 +14,19 @@ class Glide {
 public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Takes a newer view of the run.
-    void arrived(std::shared_ptr<const RunView> view, Time now);
+    /// Takes a newer view of the session.
+    void arrived(std::shared_ptr<const SessionView> view, Time now);
 
     /// The view to interpolate from; null while the newest view is shown as it is.
-    std::shared_ptr<const RunView> from(Time now) const { return gliding(now) ? from_ : nullptr; }
+    std::shared_ptr<const SessionView> from(Time now) const { return gliding(now) ? from_ : nullptr; }
     /// Position between that view (0) and the newest one (1).
     double fraction(Time now) const;
     /// True while the picture changes without input.
     bool gliding(Time now) const { return fraction(now) < 1; }
 
 private:
-    std::shared_ptr<const RunView> from_;
-    std::shared_ptr<const RunView> newest_;
+    std::shared_ptr<const SessionView> from_;
+    std::shared_ptr<const SessionView> newest_;
     Time begin_{};
     double duration_ = 0;  ///< seconds; 0: no interpolation
 };

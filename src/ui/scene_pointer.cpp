@@ -4,19 +4,39 @@
 #include "render/framing.hpp"
 #include "render/picking.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace steplab::ui {
 namespace {
 
 bool went_down(int button) { return ImGui::GetIO().MouseClicked[button]; }
 
-/// The position of the pointer in the picture of the scene.
-render::PixelPoint pointer_in(const Area& scene) {
+/// The pointer in the picture of a run: in one of several tiles, or beyond the only one.
+struct Pointer {
+    std::size_t run = 0;
+    render::PixelPoint place;
+};
+
+Pointer pointer(const Context& context) {
+    const auto x = static_cast<double>(ImGui::GetIO().MousePos.x), y = static_cast<double>(ImGui::GetIO().MousePos.y);
+    const std::vector<PixelRect> tiles = context.tiles();
+    const auto is_here = [&](const PixelRect& tile) {
+        return x >= tile.x && x < tile.x + tile.width && y >= tile.y && y < tile.y + tile.height;
+    };
+    const auto found = std::find_if(tiles.begin(), tiles.end(), is_here);
+    const auto run = found != tiles.end() ? static_cast<std::size_t>(found - tiles.begin()) : 0;
+    return {run, {x - tiles[run].x, y - tiles[run].y}};
+}
+
+/// The position of the pointer in the picture of the leading run.
+render::PixelPoint pointer_in_leading(const Context& context) {
     const ImVec2 pointer = ImGui::GetIO().MousePos;
-    return {static_cast<double>(pointer.x - scene.x), static_cast<double>(pointer.y - scene.y)};
+    const PixelRect tile = context.tile();
+    return {static_cast<double>(pointer.x) - tile.x, static_cast<double>(pointer.y) - tile.y};
 }
 
 void drag(const Context& context, const render::Projection& projection) {
@@ -33,7 +53,9 @@ void drag(const Context& context, const render::Projection& projection) {
 }
 
 std::optional<std::size_t> particle_under_pointer(const Context& context, const render::Projection& projection) {
-    return render::particle_at(context.view.frame, context.sizes(), projection, pointer_in(context.layout.scene),
+    const Pointer here = pointer(context);
+    if (here.run != 0) return std::nullopt;  // particles of other runs are not the ones that are picked
+    return render::particle_at(context.view.frame, context.sizes(), projection, here.place,
                                static_cast<double>(context.px(10)));
 }
 
@@ -47,12 +69,12 @@ std::optional<std::size_t> select(const Context& context, const render::Projecti
 void zoom(const Context& context, const render::Projection& projection) {
     const double factor = std::pow(1.15, static_cast<double>(ImGui::GetIO().MouseWheel));
     context.stage.camera =
-        render::zoomed(projection, factor, pointer_in(context.layout.scene), render::zoom_limits(context.view.frame));
+        render::zoomed(projection, factor, pointer(context).place, render::zoom_limits(context.view.frame));
 }
 
 /// The point under the pointer in the plane through `place` that faces the eye.
 Vec3 under_pointer_beside(Vec3 place, const Context& context, const render::Projection& projection) {
-    const render::Ray ray = projection.ray(pointer_in(context.layout.scene));
+    const render::Ray ray = projection.ray(pointer_in_leading(context));
     const Vec3 forward = projection.forward();
     return ray.origin + (dot(place - ray.origin, forward) / dot(ray.direction, forward)) * ray.direction;
 }

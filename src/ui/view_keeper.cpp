@@ -22,14 +22,14 @@ void ViewKeeper::keep(const Context& context) {
     scene_ = id_of(view.description);
     origin_ = view.description.origin;
     shape_ = view.frame.shape;
-    place_ = pixels(context.layout.scene);
+    place_ = context.tile();
 }
 
 /// The command line may have set the camera; one that is still untouched is placed where the scene opens.
 void ViewKeeper::place_camera(const Context& context, bool first, bool other_scene, bool other_shape) {
     const bool untouched = context.stage.camera == home_.value_or(render::Camera{});
     const bool read_again = !first && !other_scene && origin_ != context.view.description.origin;
-    const bool moved_about = (other_shape && !read_again) || pixels(context.layout.scene) != place_;
+    const bool moved_about = (other_shape && !read_again) || context.tile() != place_;
     if (!(first ? untouched : other_scene || (moved_about && untouched))) return;
     reset_view(context);
     home_ = context.stage.camera;

@@ -2,6 +2,7 @@
 
 #include "core/number_text.hpp"
 #include "render/framing.hpp"
+#include "sim/run/run_variant.hpp"
 #include "ui/actions.hpp"
 
 #include <fmt/format.h>
@@ -73,6 +74,17 @@ void add_ensemble(CommandLine& line, const LiveEnsembleOptions& ensemble, const 
     }
 }
 
+void add_runs(CommandLine& line, const Context& context) {
+    if (context.session.followers.empty()) return;
+    const RunDescription& leading = context.description();
+    line.add("--run", variant_text(leading, leading));
+    for (const RunView& run : context.session.followers) line.add("--run", variant_text(run.description, leading));
+    const render::Style& style = context.stage.style;
+    const bool split = style.layout == render::RunLayout::split;
+    line.add_unless(!split, "--layout", id(style.layout));
+    line.add_unless(split || style.magnify == 1, "--magnify", number_text(style.magnify));
+}
+
 }  // namespace
 
 bool command_repeats_run(const Context& context) {
@@ -85,6 +97,7 @@ std::string window_command(const Context& context) {
     add_picture(line, context);
     add_speed(line, context.state.wanted.rate());
     add_ensemble(line, context.state.wanted.ensemble(), context.description());
+    add_runs(line, context);
     add_window(line, context);
     return line.text;
 }

@@ -89,7 +89,7 @@ void read_view(const std::vector<std::string>& words) {
     ViewOptions window;  // with the options of time and ensemble
     scene.declare(app);
     window.declare(app);
-    if (!parse(app, words)) window.request(scene.descriptions().front());
+    if (!parse(app, words)) window.request(window.runs(scene.descriptions().front()));
 }
 
 }  // namespace

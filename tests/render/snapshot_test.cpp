@@ -100,6 +100,61 @@ TEST_F(Snapshot, shows_an_ensemble_as_dots) {
               draw("bare.png", {"--ui", "on"}));
 }
 
+TEST_F(Snapshot, draws_several_runs_as_ghosts_or_split) {
+    const auto draw = [this](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"--model", "rope", "--until", "2", "--size", "640x400", "--out", "a.png"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = snapshot(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return bytes("a.png");
+    };
+    const std::vector<std::string> runs{"--run", "method=rk4,dt=0.01", "--run", "method=euler-forward,dt=0.01"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.end(), runs.begin(), runs.end());
+        return draw(more);
+    };
+    const std::string ghosts = with({});
+    EXPECT_EQ(with({}), ghosts) << "the same runs give the same bytes";
+    EXPECT_EQ(with({"--layout", "ghosts", "--magnify", "1"}), ghosts);
+    EXPECT_NE(ghosts, draw({"--method", "rk4", "--dt", "0.01"}));
+    EXPECT_NE(with({"--magnify", "3"}), ghosts);
+    EXPECT_NE(with({"--layout", "split"}), ghosts);
+    EXPECT_NE(with({"--ui", "on"}), with({"--ui", "on", "--layout", "split"}));
+}
+
+TEST_F(Snapshot, the_run_of_several_that_diverged_is_named) {
+    const Outcome outcome = snapshot({"--model", "rope", "--until", "60", "--size", "64x64", "--out", "a.png", "--run",
+                                      "method=rk4,dt=0.01", "--run", "method=euler-forward,dt=0.01"});
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("run 1: "));
+    EXPECT_THAT(bytes("a.png"), StartsWith("\x89PNG")) << "what was computed is drawn";
+}
+
+TEST_F(Snapshot, several_runs_that_cannot_be_drawn_are_wrong_usage) {
+    const std::vector<std::string> two{"--run", "method=rk4", "--run", "dt=0.05"};
+    const auto with_two = [&](std::vector<std::string> more) {
+        more.insert(more.end(), two.begin(), two.end());
+        return more;
+    };
+    const std::vector<std::vector<std::string>> wrong{
+        {"--run", "method=rk4"},
+        {"--run", "method=none", "--run", "method=rk4"},
+        {"--run", "dim=12", "--run", "dim=14"},
+        {"--layout", "split"},
+        {"--magnify", "2"},
+        with_two({"--layout", "rows"}),
+        with_two({"--magnify", "0"}),
+        with_two({"--magnify", "2", "--layout", "split"}),
+        with_two({"--dt", "-0.1", "--until", "-1"}),
+        with_two({"--run", "dt=0.1", "--run", "dt=0.2", "--run", "dt=0.3"})};
+    for (std::vector<std::string> arguments : wrong) {
+        arguments.insert(arguments.end(), {"--size", "64x64", "--out", "a.png"});
+        const Outcome outcome = snapshot(arguments);
+        EXPECT_EQ(outcome.code, 2) << arguments[0] << " " << arguments[1] << outcome.err;
+    }
+    EXPECT_TRUE(nothing_written());
+}
+
 TEST_F(Snapshot, ensembles_that_cannot_be_are_wrong_usage) {
     const std::vector<std::vector<std::string>> wrong{{"--spread", "v0=1:2"},
                                                       {"--ensemble", "0"},

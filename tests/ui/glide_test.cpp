@@ -19,17 +19,21 @@ RunView view_at(std::uint64_t step) {
     return view;
 }
 
+std::shared_ptr<const SessionView> session_of(const RunView& leading) {
+    return std::make_shared<SessionView>(SessionView{.leading = leading});
+}
+
 /// A glide that has seen two views, the second one now.
 Glide after(const RunView& before, const RunView& now) {
     Glide glide;
-    glide.arrived(std::make_shared<RunView>(before), start - milliseconds(100));
-    glide.arrived(std::make_shared<RunView>(now), start);
+    glide.arrived(session_of(before), start - milliseconds(100));
+    glide.arrived(session_of(now), start);
     return glide;
 }
 
 TEST(Glide, goes_from_step_to_step_in_the_time_between_them) {
     const Glide glide = after(view_at(4), view_at(5));
-    EXPECT_EQ(glide.from(start)->frame.step, 4u);
+    EXPECT_EQ(glide.from(start)->leading.frame.step, 4u);
     EXPECT_EQ(glide.fraction(start), 0);
     EXPECT_NEAR(glide.fraction(start + milliseconds(50)), 0.5, 1e-9);  // the clock's nanoseconds
     EXPECT_FALSE(glide.gliding(start + milliseconds(101)));
@@ -59,7 +63,7 @@ TEST(Glide, shows_the_newest_view_where_there_is_no_motion_between) {
 TEST(Glide, begins_with_the_second_view) {
     Glide glide;
     EXPECT_FALSE(glide.gliding(start));
-    glide.arrived(std::make_shared<RunView>(view_at(0)), start);
+    glide.arrived(session_of(view_at(0)), start);
     EXPECT_FALSE(glide.gliding(start));
 }
 

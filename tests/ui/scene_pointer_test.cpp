@@ -1,4 +1,5 @@
 #include "render/drawn_sizes.hpp"
+#include "render/split.hpp"
 #include "ui/desk.hpp"
 #include "ui/view_keeper.hpp"
 
@@ -43,6 +44,42 @@ TEST(scene_pointer, left_drag_orbits) {
     EXPECT_NE(desk.camera.pitch, before.pitch);
     EXPECT_EQ(desk.camera.focus, before.focus);
     EXPECT_TRUE(desk.calls().empty()) << "a drag picks nothing";
+}
+
+TEST(scene_pointer, in_split_layout_picks_in_the_part_of_the_leading_run) {
+    Desk desk;
+    desk.session.followers = {desk.view};
+    desk.style.layout = render::RunLayout::split;
+    desk.frame();
+    desk.calls();
+    const PixelRect scene = desk.interface.scene();
+    const render::PictureSize part = render::leading_size({scene.width, scene.height}, desk.style.layout, 2);
+    const auto pixel = render::Projection(desk.camera, part).pixel(desk.view.frame.seen(60)).value();
+    const Point place{static_cast<float>(scene.x + pixel.x), static_cast<float>(scene.y + pixel.y)};
+    const auto click_at = [&](float x) {
+        desk.move_to(x, place.y);
+        desk.press();
+        desk.release();
+        return desk.calls();
+    };
+    EXPECT_FALSE(click_at(place.x).empty());
+    EXPECT_EQ(desk.recorder.tracked, 60u);
+    EXPECT_TRUE(click_at(place.x + static_cast<float>(part.width)).empty()) << "a particle of the other run";
+}
+
+TEST(scene_pointer, in_split_layout_zooms_about_the_pointer_in_every_part) {
+    const auto zoomed_at = [](bool second) {
+        Desk desk;
+        desk.session.followers = {desk.view};
+        desk.style.layout = render::RunLayout::split;
+        desk.frame();
+        const PixelRect scene = desk.interface.scene();
+        const int width = render::leading_size({scene.width, scene.height}, desk.style.layout, 2).width;
+        desk.move_to(static_cast<float>(scene.x + 200 + (second ? width : 0)), static_cast<float>(scene.y + 150));
+        desk.wheel(2);
+        return desk.camera;
+    };
+    EXPECT_EQ(zoomed_at(true), zoomed_at(false));
 }
 
 TEST(scene_pointer, right_drag_and_shift_drag_pan) {

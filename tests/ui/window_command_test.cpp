@@ -44,6 +44,18 @@ TEST(window_command, names_all_that_was_chosen) {
                                 " --spread k=0.999:1.001 --size 1000x900");
 }
 
+TEST(window_command, names_the_runs_and_how_they_are_drawn) {
+    Desk desk(describe("rope", "verlet"), {1280, 800, 1});
+    RunView other = desk.view;
+    other.description.precision = Precision::float_;
+    desk.session.followers = {other};
+    desk.style.magnify = 1000;
+    const std::string runs = " --run method=verlet,dt=0.1,precision=double --run method=verlet,dt=0.1,precision=float";
+    EXPECT_THAT(copied(desk), HasSubstr(runs + " --magnify 1000"));
+    desk.style.layout = render::RunLayout::split;
+    EXPECT_THAT(copied(desk), AllOf(HasSubstr(runs + " --layout split"), Not(HasSubstr("--magnify"))));
+}
+
 // Without --view, a window keeps the camera of the first moment.
 TEST(window_command, of_a_later_moment_seen_as_usual_says_so) {
     Desk desk(describe("chain"));

@@ -63,14 +63,18 @@ void ViewOptions::declare(CLI::App& app) {
     flag_option(app, "--full-screen", full_screen_, "Open in full screen", group);
     text_option(app, "--trace", trace_, "FILE|-", "Write a line for each event in the window", group);
     ensemble_.declare(app);
+    runs_.declare(app);
 }
 
-WindowRequest ViewOptions::request(const RunDescription& description) const {
+WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs) const {
+    const RunDescription& description = runs.front();
     WindowRequest request;
+    request.followers.assign(runs.begin() + 1, runs.end());
     read_size(size_, request);
     if (const auto scale = appearance_.scale()) request.scale = static_cast<float>(*scale);
     request.view = appearance_.view(description);
     request.style = appearance_.style(description);
+    runs_.put_into(request.style);
     request.panel = appearance_.panel();
     request.steps = time_.steps(description);
     if (!speed_.empty()) request.rate = parse_speed(speed_);

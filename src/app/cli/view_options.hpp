@@ -3,12 +3,14 @@
 #include "app/cli/appearance_options.hpp"
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/shown_runs_options.hpp"
 #include "render/style.hpp"
 #include "session/run_view.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -27,8 +29,9 @@ struct WindowRequest {
     std::uint64_t steps = 0;     ///< that the run takes before anything else
     std::optional<Rate> rate;    ///< none: the usual one
     LiveEnsembleOptions ensemble;
-    std::string trace;    ///< file to which events are written; empty: none
-    bool scenes = false;  ///< the page of scenes is open
+    std::vector<RunDescription> followers = {};  ///< runs beside it
+    std::string trace;                           ///< file to which events are written; empty: none
+    bool scenes = false;                         ///< the page of scenes is open
     bool full_screen = false;
     bool playing = false;  ///< after these steps
 };
@@ -37,8 +40,10 @@ struct WindowRequest {
 class ViewOptions {
 public:
     void declare(CLI::App& app);
+    /// The runs of the scene, the leading one first. Throws UsageError.
+    std::vector<RunDescription> runs(const RunDescription& scene) const { return runs_.runs(scene); }
     /// Throws UsageError for values of another form or out of range.
-    WindowRequest request(const RunDescription& description) const;
+    WindowRequest request(const std::vector<RunDescription>& runs) const;
     /// Where the window opens beyond --until, as it takes whole steps.
     std::optional<std::string> note(const RunDescription& description) const {
         return time_.note(description, {time_.steps(description)});
@@ -48,6 +53,7 @@ private:
     TimeOptions time_{0};
     AppearanceOptions appearance_;
     EnsembleOptions ensemble_;
+    ShownRunsOptions runs_;
     std::string size_ = "1280x800";
     std::string speed_;
     std::string trace_;

@@ -4,8 +4,10 @@
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/shown_runs_options.hpp"
 #include "app/commands/snapshot_ensemble.hpp"
 #include "app/commands/snapshot_options.hpp"
+#include "app/commands/snapshot_runs.hpp"
 #include "app/png.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
@@ -16,7 +18,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <span>
 #include <unistd.h>
+#include <vector>
 
 namespace steplab {
 
@@ -35,13 +39,16 @@ public:
         scene_.declare(app);
         time_.declare(app);
         picture_.declare(app);
+        runs_.declare(app);
         ensemble_.declare(app);
     }
 
     int run() override {
-        const RunDescription description = scene_.description();
+        const std::vector<RunDescription> runs = runs_.runs(scene_.description());
+        const RunDescription& description = runs.front();
         const RunEnd end = time_.end(description);
         PictureRequest request = picture_.request(description);
+        runs_.put_into(request.style);
         catch_interruptions();
         std::optional<SnapshotEnsemble> ensemble = ensemble_of(description);
         OutputFile file(picture_.out());
@@ -50,13 +57,15 @@ public:
         simulation.end_at(end);
         compute(simulation, end.step, request);
         if (ensemble) ensemble->put_into(request.view);
+        request.followers =
+            views_at(request.view.frame.time, std::span(runs).subspan(1), followed_particle(simulation, request));
         const Picture picture = offscreen.draw(request);
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
         if (const auto note = time_.note(description, end)) fmt::print(stderr, "steplab snapshot: note: {}\n", *note);
         if (!written_directly(picture_.out())) print_result(request.view, offscreen.kind());
-        if (!simulation.divergence()) return static_cast<int>(ExitCode::done);
-        throw Error(ExitCode::diverged, simulation.divergence()->message);
+        check_ends(request.view, request.followers);
+        return static_cast<int>(ExitCode::done);
     }
 
 private:
@@ -103,6 +112,7 @@ private:
     SceneOptions scene_{SceneOptions::Time::both};
     TimeOptions time_{0, TimeOptions::Default::scene};
     SnapshotOptions picture_;
+    ShownRunsOptions runs_;
     EnsembleOptions ensemble_;
 };
 

@@ -36,7 +36,7 @@ public:
     }
 
     int run() override {
-        window_.request(scene_.description());  // a wrong command line is reported before a window opens
+        window_.request(window_.runs(scene_.description()));  // a wrong command line is reported before a window opens
         const std::filesystem::path program = beside_this_program(window_program);
         arguments_.insert(arguments_.begin(), std::string(window_program));
         std::vector<char*> argv;

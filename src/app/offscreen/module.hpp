@@ -17,8 +17,9 @@ struct PictureRequest {
     render::Style style;
     std::string camera = "default";  ///< see render::camera_of()
     render::PictureSize size;
-    bool panel = false;              ///< with the panels of the window
-    std::vector<RunView> past = {};  ///< earlier views, for the plots
+    bool panel = false;                   ///< with the panels of the window
+    std::vector<RunView> past = {};       ///< earlier views, for the plots
+    std::vector<RunView> followers = {};  ///< the runs beside it, at the same time
 };
 
 /// A picture: rows from the top, 4 bytes per pixel (red, green, blue, alpha).

@@ -1,7 +1,9 @@
 #include "app/offscreen/painter.hpp"
 
+#include "app/shown_runs.hpp"
 #include "render/framing.hpp"
 #include "render/render_target.hpp"
+#include "render/split.hpp"
 #include "ui/interface.hpp"
 
 #include <imgui.h>
@@ -50,10 +52,11 @@ Picture in_tiles(render::PictureSize size,
 }
 
 Picture paint_scene(render::SceneRenderer& scene, const PictureRequest& request) {
-    const Frame& frame = request.view.frame;
-    const render::Camera camera = render::camera_of(request.camera, frame, request.size);
+    const auto runs = shown_runs(request.view, request.followers);
+    const auto size = render::leading_size(request.size, request.style.layout, runs.size());
+    const render::Camera camera = render::camera_of(request.camera, request.view.frame, size);
     return in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
-        scene.draw(frame, request.style, camera, target, render::Tile{request.size, place.left, place.top});
+        scene.draw(runs, request.style, camera, target, render::Tile{request.size, place.left, place.top});
     });
 }
 
@@ -62,7 +65,7 @@ class Panels {
 public:
     Panels(const PictureRequest& request, render::ImguiRenderer& renderer)
         : interface_({request.size.width, request.size.height, static_cast<float>(request.style.pixel_scale)}),
-          view_{.leading = request.view, .followers = {}, .line = {}},
+          view_{.leading = request.view, .followers = request.followers, .line = {}},
           style_(request.style),
           renderer_(renderer) {
         renderer_.upload_fonts(interface_.fonts());
@@ -70,7 +73,8 @@ public:
         interface_.record(view_.leading);
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
-        camera_ = render::camera_of(request.camera, view_.leading.frame, scene_size());
+        camera_ = render::camera_of(request.camera, view_.leading.frame,
+                                    render::leading_size(scene_size(), style_.layout, 1 + view_.followers.size()));
         draw();
     }
 
@@ -78,7 +82,7 @@ public:
 
     void paint(render::SceneRenderer& scene, const Place& place, const render::RenderTarget& target) const {
         const ui::PixelRect rect = interface_.scene();
-        scene.draw(view_.leading.frame, style_, camera_, target,
+        scene.draw(shown_runs(view_.leading, view_.followers), style_, camera_, target,
                    render::Tile{scene_size(), place.left - rect.x, place.top - rect.y});
         ImDrawData data = interface_.draw_data();
         const ImVec2 scale = data.FramebufferScale;

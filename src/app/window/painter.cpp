@@ -1,5 +1,6 @@
 #include "app/window/painter.hpp"
 
+#include "app/shown_runs.hpp"
 #include "app/window/priority.hpp"
 #include "render/motion.hpp"
 #include "render/scene_renderer.hpp"
@@ -16,28 +17,43 @@ class Painting {
 public:
     std::vector<std::uint8_t> draw(const PaintJob& job) {
         if (!target_ || target_->size() != job.size) target_.emplace(job.size);
-        const Frame& frame = moment(job);
-        renderer_.draw(frame, job.style, camera_at(frame, job), *target_);
+        const std::vector<render::ShownRun> runs = moment(job);
+        renderer_.draw(runs, job.style, camera_at(*runs.front().frame, job), *target_);
         return target_->read();
     }
 
 private:
-    const Frame& moment(const PaintJob& job) {
-        if (!job.from) return job.view->frame;
-        render::between(job.from->frame, job.view->frame, job.fraction, between_);
-        return between_;
+    /// The runs at the moment of the job.
+    std::vector<render::ShownRun> moment(const PaintJob& job) {
+        const SessionView& now = *job.view;
+        std::vector<render::ShownRun> runs = shown_runs(now.leading, now.followers);
+        if (!job.from) return runs;
+        const SessionView& before = *job.from;
+        between_.resize(runs.size());
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            const RunView* const earlier = i == 0                         ? &before.leading
+                                           : i <= before.followers.size() ? &before.followers[i - 1]
+                                                                          : nullptr;
+            if (!earlier || !can_glide(earlier->frame, *runs[i].frame)) continue;
+            render::between(earlier->frame, *runs[i].frame, job.fraction, between_[i]);
+            runs[i].frame = &between_[i];
+        }
+        return runs;
     }
+
+    /// A run that was added or begun again meanwhile is shown where it is; so is one that took no step.
+    static bool can_glide(const Frame& from, const Frame& to) { return from.shape == to.shape && to.time > from.time; }
 
     /// Where the camera is when what it goes with is where it is in this frame.
     static render::Camera camera_at(const Frame& frame, const PaintJob& job) {
         render::Camera camera = job.camera;
         const auto here = render::followed_point(frame, job.following, job.style.selected);
-        const auto there = render::followed_point(job.view->frame, job.following, job.style.selected);
+        const auto there = render::followed_point(job.view->leading.frame, job.following, job.style.selected);
         if (here && there) camera.focus = camera.focus + (*here - *there);
         return camera;
     }
 
-    Frame between_;
+    std::vector<Frame> between_;  ///< by run; kept to reuse their memory
     render::SceneRenderer renderer_;
     std::optional<render::RenderTarget> target_;
 };

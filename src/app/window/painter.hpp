@@ -4,7 +4,7 @@
 #include "render/camera.hpp"
 #include "render/following.hpp"
 #include "render/style.hpp"
-#include "session/run_view.hpp"
+#include "session/session_view.hpp"
 
 #include <condition_variable>
 #include <cstdint>
@@ -21,9 +21,9 @@ class Painting;
 
 /// A request for a picture of the scene.
 struct PaintJob {
-    std::shared_ptr<const RunView> view;
-    std::shared_ptr<const RunView> from;  ///< the view to interpolate from; null: none
-    double fraction = 1;                  ///< position between `from` (0) and `view` (1)
+    std::shared_ptr<const SessionView> view;
+    std::shared_ptr<const SessionView> from;  ///< the view to interpolate from; null: none
+    double fraction = 1;                      ///< position between `from` (0) and `view` (1)
     render::Style style;
     render::Camera camera;                                     ///< for the moment of `view`
     render::Following following = render::Following::nothing;  ///< what the camera goes with until then

@@ -51,8 +51,9 @@ int run(const std::vector<std::string>& arguments) {
     } else if (keys) {
         print(ui::key_table());
     } else {
-        const RunDescription description = scene.description();
-        WindowRequest request = options.request(description);
+        const std::vector<RunDescription> runs = options.runs(scene.description());
+        const RunDescription& description = runs.front();
+        WindowRequest request = options.request(runs);
         request.scenes = !scene.any_given();
         if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);
         return open_window(description, request);

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "render/framing.hpp"
 #include "render/gl.hpp"
+#include "render/split.hpp"
 #include "ui/plot/plot_files.hpp"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ void Viewer::open(const WindowRequest& request) {
     interface_.open_with(request.panel, request.style.selected, request.scenes);
     take_news();
     place_camera(request);  // a wrong text is reported now
+    for (const RunDescription& run : request.followers) worker_->send(event::AddRun{run});
     if (request.rate) worker_->send(event::SetRate{*request.rate});
     if (request.ensemble.runs > 0) worker_->send(event::ShowEnsemble{request.ensemble});
     if (request.steps > 0) worker_->send(event::Seek{request.steps});
@@ -73,8 +75,9 @@ void Viewer::open(const WindowRequest& request) {
 
 void Viewer::place_camera(const WindowRequest& request) {
     const ui::PixelRect scene = pixels(ui::arrange(window_.display(), request.panel).scene);
-    if (!request.view.empty())
-        camera_ = render::camera_of(request.view, view_->leading.frame, {scene.width, scene.height});
+    if (request.view.empty()) return;
+    const auto size = render::leading_size({scene.width, scene.height}, style_.layout, 1 + request.followers.size());
+    camera_ = render::camera_of(request.view, view_->leading.frame, size);
 }
 
 /// Once the run is at the moment to open at, on which the camera may depend.
@@ -108,7 +111,7 @@ void Viewer::take_news() {
     if (worker_->take(*newer)) {
         view_ = std::move(newer);
         interface_.record(view_->leading);
-        glide_.arrived(leading(), Clock::now());
+        glide_.arrived(view_, Clock::now());
         begin_as_asked();
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
@@ -196,7 +199,7 @@ void Viewer::ask_for_scene(Clock::time_point now) {
     const ui::PixelRect scene = interface_.scene();
     const bool gliding = measured_.frame_seconds < slow_picture && glide_.gliding(now);
     const auto from = gliding ? glide_.from(now) : nullptr;
-    painter_.ask({leading(),
+    painter_.ask({view_,
                   from,
                   gliding ? glide_.fraction(now) : 1,
                   style_,

@@ -62,7 +62,6 @@ private:
     void save_snapshot(const ui::Request& request);
     void save_scene();
     void report();
-    std::shared_ptr<const RunView> leading() const { return {view_, &view_->leading}; }
 
     WindowSystem system_;
     Window window_;
