@@ -48,8 +48,7 @@ RunDescription with_tolerance_of_cost(const RunDescription& run, double cost) {
 /// Solving takes fewer iterations the smaller dt is.
 RunDescription with_dt_of_cost(const RunDescription& run, double cost) {
     const double guess = std::log10(run.dt);
-    return found_of_cost(run, cost, guess - 1.5, guess + 1.5,
-                         [](RunDescription& tried, double dt) { tried.dt = dt; });
+    return found_of_cost(run, cost, guess - 1.5, guess + 1.5, [](RunDescription& tried, double dt) { tried.dt = dt; });
 }
 
 /// True if the evaluations of a step are known without taking it.

@@ -1,10 +1,12 @@
 #include "core/number_text.hpp"
+#include "session/run_name.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/actions.hpp"
 #include "ui/panels/method_items.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/run_marks.hpp"
+#include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <fmt/format.h>
@@ -20,13 +22,6 @@ const RunView& run_of(const Context& context, std::size_t run) {
 }
 
 std::size_t runs_of(const Context& context) { return 1 + context.session.followers.size(); }
-
-/// "rk4, dt 0.1 s, double".
-std::string title_of(const RunDescription& run) {
-    const std::string step = chooses_its_steps(run) ? "tolerance " + rounded_text(run.method_parameters["tolerance"])
-                                                    : fmt::format("dt {} s", setting_text(run.dt));
-    return fmt::format("{}, {}, {}", run.method, step, id(run.precision));
-}
 
 const Compared* compared_of(const Context& context, std::size_t run) {
     const auto& errors = context.session.errors;
@@ -78,7 +73,8 @@ void draw_run(const Context& context, std::size_t run) {
     const std::string widget = fmt::format("run {}", run);
     const WithId id(widget);
     draw_swatch(context, run);
-    const std::string title = title_of(run == 0 ? context.description() : run_of(context, run).description);
+    const std::string title =
+        run_name(run == 0 ? context.description() : run_of(context, run).description, context.description());
     const WithFont font(run == 0 ? context.theme.fonts().strong : context.theme.fonts().body);
     const float room = ImGui::GetContentRegionAvail().x - context.px(22);
     const bool clicked = ImGui::InvisibleButton("lead", {std::max(1.0f, room), ImGui::GetTextLineHeight()});
@@ -114,6 +110,41 @@ void draw_reference(const Context& context) {
     tooltip(context, errors->how);
 }
 
+constexpr ParameterInfo magnify_info{.name = "magnify",
+                                     .unit = "",
+                                     .minimum = 1,
+                                     .maximum = 1e12,
+                                     .default_value = 1,
+                                     .what = "how many times the distances to the leading run are drawn"};
+
+void draw_magnify(const Context& context) {
+    double& factor = context.stage.style.magnify;
+    slider_row(context, {.widget = "magnify",
+                         .label = "magnify",
+                         .tooltip = "how many times as far as they are the ghosts are drawn from the leading run",
+                         .value_text = rounded_text(factor),
+                         .entry_text = typed(factor),
+                         .value = factor,
+                         .default_value = 1,
+                         .range = {1, 1e6, true, false},
+                         .style = {},
+                         .set = [&](double value) { factor = value; },
+                         .set_text = [&](std::string_view text) { factor = parse_value(magnify_info, text); }});
+}
+
+/// How the runs are shown, and at what cost they run.
+void draw_together(const Context& context) {
+    auto layout = static_cast<std::size_t>(context.stage.style.layout);
+    if (segmented(context, "layout", render::run_layout_ids, layout, context.px(150), ImGui::GetFrameHeight()))
+        context.stage.style.layout = static_cast<render::RunLayout>(layout);
+    if (context.stage.style.layout == render::RunLayout::ghosts) draw_magnify(context);
+    bool equal = context.session.equal_cost;
+    if (check_row(context, "equal cost", "equal cost", equal)) context.events.send(event::EqualCost{equal});
+    tooltip(context,
+            "each run gets the dt, or the tolerance, at which it costs as many force evaluations per simulated second "
+            "as the leading one; it begins again with it");
+}
+
 void draw_add(const Context& context) {
     std::size_t none = 0;
     std::vector<ComboItem> items{{.id = "", .name = "+ method"}};
@@ -132,13 +163,7 @@ void draw_runs_panel(const Context& context) {
         draw_errors(context, run);
     }
     draw_reference(context);
-    bool equal = context.session.equal_cost;
-    if (runs_of(context) > 1 && check_row(context, "equal cost", "equal cost", equal))
-        context.events.send(event::EqualCost{equal});
-    if (runs_of(context) > 1)
-        tooltip(context,
-                "each run gets the dt, or the tolerance, at which it costs as many force evaluations per simulated "
-                "second as the leading one; it begins again with it");
+    if (runs_of(context) > 1) draw_together(context);
     if (runs_of(context) < 4) draw_add(context);
     if (text_button(context, "twin", "twin", false, context.px(58))) perform(context, Action::twin);
     tooltip(context, help_of(Action::twin));
