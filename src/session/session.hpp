@@ -2,6 +2,7 @@
 
 #include "session/event.hpp"
 #include "session/follower_run.hpp"
+#include "session/recording.hpp"
 #include "session/session_view.hpp"
 #include "session/time_line.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
@@ -30,6 +31,15 @@ public:
 
     /// Does what an event says, at the step where the leading run stands. Throws UsageError, nothing changed.
     void handle(const Event& event);
+
+    /// Keeps from now on what happens; to be called before anything does. `with_hashes`: one with every event, each of
+    /// which takes about as long as a step of a cheap method.
+    void record(bool with_hashes);
+    /// What happened so far, and where the runs are. Empty without record().
+    std::optional<Recording> recorded() const;
+    /// Takes the leading run to a step that it has been at or can get to, without regard to its goal. Throws as
+    /// advance() does.
+    void stand_at(std::uint64_t step);
 
     const Simulation& run() const { return line_.run(); }
     const TimeLine& line() const { return line_; }
@@ -69,6 +79,7 @@ private:
     /// What undoing took back.
     using Undone = std::variant<TimeLine::Branch, Left>;
 
+    void handle_and_record(const Event& event);
     void begin(const RunDescription& description);
     void begun();
     void step(std::int64_t steps);
@@ -104,6 +115,9 @@ private:
     LiveEnsembleOptions ensemble_;
     mutable std::optional<LiveEnsemble> live_ensemble_;
     std::uint64_t number_ = 0;  ///< of the run: grows when one begins again
+    std::optional<Recording> recording_;
+    bool with_hashes_ = false;
+    std::uint64_t known_ = 0;  ///< reached when the last event was recorded
 };
 
 }  // namespace steplab
