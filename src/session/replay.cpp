@@ -10,7 +10,7 @@
 
 namespace steplab {
 
-Replay::Replay(Recording recording) : recording_(std::move(recording)), session_(recording_.start) {}
+Replay::Replay(Recording recording, Session& session) : recording_(std::move(recording)), session_(session) {}
 
 bool Replay::is_done() const { return next_ >= recording_.events.size() + (recording_.end ? 1 : 0); }
 
@@ -35,6 +35,8 @@ std::uint64_t Replay::all_steps() const {
 }
 
 bool Replay::is_due() const { return session_.run().step() == next_step() || session_.line().is_over(); }
+
+std::uint64_t Replay::ahead() const { return next_step() - std::min(next_step(), session_.run().step()); }
 
 void Replay::approach(std::uint64_t most) {
     const std::uint64_t target = next_step(), before = session_.run().step();

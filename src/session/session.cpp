@@ -62,23 +62,25 @@ void Session::handle(const Event& event) {
 void Session::handle_and_record(const Event& event) {
     RecordedEvent entry{event, line_.step(), line_.is_over()};
     const bool nothing_new = !playing_ && line_.reached() == known_;
-    if (with_hashes_ && is_seek(event)) entry.hash = run().hash();
+    if (is_seek(event)) entry.hash = event_hash();
     std::visit(Handle{*this}, event);
-    if (with_hashes_ && !is_seek(event)) entry.hash = run().hash();
+    if (!is_seek(event)) entry.hash = event_hash();
     known_ = line_.reached();
     recording_->add(std::move(entry), nothing_new);
 }
 
-void Session::record(bool with_hashes) {
+std::string Session::event_hash() const { return run().particles() <= most_hashed_ ? run().hash() : ""; }
+
+void Session::record(std::size_t most_hashed) {
     recording_ = Recording{.start = line_.changes().front().description};
-    with_hashes_ = with_hashes;
+    most_hashed_ = most_hashed;
     known_ = line_.reached();
 }
 
-std::optional<Recording> Session::recorded() const {
+std::optional<Recording> Session::recorded(bool with_end) const {
     if (!recording_) return std::nullopt;
     Recording recording = *recording_;
-    if (!recording.complete) return recording;
+    if (!recording.complete || !with_end) return recording;
     RecordedEnd end{line_.step(), line_.is_over(), {run().hash()}};
     const bool together = std::all_of(followers_.begin(), followers_.end(),
                                       [&](const FollowerRun& follower) { return follower.is_beside(line_); });

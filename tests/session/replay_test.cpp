@@ -22,7 +22,8 @@ using testing::HasSubstr;
 
 /// What a replay finds to differ; "the same" if nothing does.
 std::string replayed(Recording recording) {
-    Replay replay(std::move(recording));
+    Session session(recording.start);
+    Replay replay(std::move(recording), session);
     while (!replay.is_done()) {
         replay.approach(37);
         if (!replay.is_due()) continue;
@@ -61,7 +62,7 @@ RunDescription chain(Precision precision = Precision::double_) { return run_of("
 /// A session in which everything happens that can be recorded.
 Recording of_every_kind(const RunDescription& start) {
     Session session(start);
-    session.record(true);
+    session.record();
     const auto at = [&](std::uint64_t steps, const Event& event) {
         session.advance(steps);
         session.handle(event);
@@ -109,7 +110,7 @@ TEST(Replay, every_kind_of_event_has_the_same_hashes) {
 TEST(Replay, works_for_every_model) {
     for (const Model& model : models()) {
         Session session(small_run_of(model.info.id, "velocity-verlet", Precision::double_, 0.01));
-        session.record(true);
+        session.record();
         session.advance(10);
         session.handle(event::Do{Kick{session.run().particles() - 1, {0, 0.1, 0}}});
         session.advance(10);
@@ -133,7 +134,7 @@ RunDescription of_scene_file() {
 
 TEST(Replay, carries_a_scene_file_and_what_it_reads) {
     Session session(of_scene_file());
-    session.record(true);
+    session.record();
     session.advance(20);
     session.handle(event::Change{with(session.run().description(), "G", 1.75)});
     session.advance(20);
@@ -161,7 +162,7 @@ TEST(Replay, carries_the_values_that_a_run_starts_from) {
     start.start = {std::make_shared<const StartingValues>(values), true};
     start.scene.set("fixed", 0);
     Session session(start);
-    session.record(true);
+    session.record();
     session.advance(30);
     session.handle(event::Restart{});
     session.advance(30);
@@ -172,7 +173,7 @@ TEST(Replay, carries_the_values_that_a_run_starts_from) {
 /// there.
 Recording random_session(Precision precision, unsigned seed, int events) {
     Session session(chain(precision));
-    session.record(true);
+    session.record();
     Visitor visitor(seed);
     for (int i = 0; i < events; ++i) {
         std::uint64_t left = visitor.below(40);
@@ -216,7 +217,7 @@ TEST(Replay, says_where_a_changed_number_makes_a_difference) {
 
 TEST(Replay, finds_a_run_beside_the_first_that_differs) {
     Session session(chain());
-    session.record(true);
+    session.record();
     session.handle(event::AddRun{with(chain(), "dt", 0.05)});
     session.advance(40);
     session.finish();
@@ -228,7 +229,7 @@ TEST(Replay, finds_a_run_beside_the_first_that_differs) {
 
 TEST(Replay, of_a_run_that_diverged_goes_as_far) {
     Session session(run_of("chain", "rk4", Precision::double_, 2));
-    session.record(true);
+    session.record();
     session.handle(event::Play{true});
     session.advance(5000);
     ASSERT_TRUE(session.line().is_over());
@@ -252,7 +253,7 @@ TEST(Replay, of_a_run_that_diverged_goes_as_far) {
 
 TEST(Recording, keeps_one_event_of_a_drag) {
     Session session(chain());
-    session.record(false);
+    session.record(0);
     session.advance(100);
     for (int i = 0; i < 50; ++i) session.handle(event::Do{Pull{3, {2 + 0.01 * i, 0, 0}}});
     for (std::uint64_t step = 90; step > 50; --step) session.handle(event::Seek{step});
@@ -316,7 +317,7 @@ void expect_answer(const std::string& text) {
 
 TEST(SessionFile, truncated_anywhere_is_answered) {
     Session session(of_scene_file());
-    session.record(true);
+    session.record();
     session.advance(5);
     session.handle(event::Do{Pull{1, {1, 0.5, 0}}});
     session.handle(event::AddRun{with_method(of_scene_file(), "rk4")});

@@ -3,6 +3,7 @@
 #include "app/cli/appearance_options.hpp"
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/session_option.hpp"
 #include "render/style.hpp"
 #include "session/run_view.hpp"
 
@@ -27,6 +28,7 @@ struct WindowRequest {
     std::uint64_t steps = 0;     ///< that the run takes before anything else
     std::optional<Rate> rate;    ///< none: the usual one
     LiveEnsembleOptions ensemble;
+    GivenSession session;
     std::string trace;    ///< file to which events are written; empty: none
     bool scenes = false;  ///< the page of scenes is open
     bool full_screen = false;
@@ -38,7 +40,9 @@ class ViewOptions {
 public:
     void declare(CLI::App& app);
     /// Throws UsageError for values of another form or out of range.
-    WindowRequest request(const RunDescription& description) const;
+    WindowRequest request(const RunDescription& description, GivenSession session = {}) const;
+    /// Throws as SessionOption does.
+    GivenSession session(const SceneOptions& scene) const { return session_.session(scene); }
     /// Where the window opens beyond --until, as it takes whole steps.
     std::optional<std::string> note(const RunDescription& description) const {
         return time_.note(description, {time_.steps(description)});
@@ -48,6 +52,7 @@ private:
     TimeOptions time_{0};
     AppearanceOptions appearance_;
     EnsembleOptions ensemble_;
+    SessionOption session_;
     std::string size_ = "1280x800";
     std::string speed_;
     std::string trace_;

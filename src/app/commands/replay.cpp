@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <unistd.h>
+#include <utility>
 
 namespace steplab {
 
@@ -66,9 +67,11 @@ public:
     int run() override {
         if (file_.empty()) throw UsageError("FILE is required: the session file to replay");
         catch_interruptions();
-        Replay replay(read_session_file(file_));
+        Recording recording = read_session_file(file_);
+        Session session(recording.start);
+        Replay replay(std::move(recording), session);
         const std::optional<std::string> difference = run_to_end(replay);
-        if (!summary_.empty()) write_summary(replay, difference);
+        if (!summary_.empty()) write_summary(replay, session, difference);
         if (difference) throw Error(ExitCode::replay, fmt::format("{}: {}", shown(file_), *difference));
         print_result(replay);
         return static_cast<int>(ExitCode::done);
@@ -86,12 +89,13 @@ private:
         }
     }
 
-    void write_summary(const Replay& replay, const std::optional<std::string>& difference) const {
-        const Simulation& run = replay.session().run();
+    void write_summary(const Replay& replay, const Session& session,
+                       const std::optional<std::string>& difference) const {
+        const Simulation& run = session.run();
         nlohmann::ordered_json json{{"file", shown(file_)},
                                     {"events", replay.handled()},
                                     {"steps", replay.steps()},
-                                    {"runs", 1 + replay.session().followers().size()},
+                                    {"runs", 1 + session.followers().size()},
                                     {"status", difference ? "differs" : "ok"},
                                     {"step", run.step()},
                                     {"hash", run.hash()},

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "io/output_file.hpp"
 #include "io/scene_file.hpp"
+#include "session/session_file.hpp"
 #include "ui/plot/plot_files.hpp"
 
 #include <chrono>
@@ -56,15 +57,21 @@ void SceneFiles::open(const std::string& name) {
 }
 
 void SceneFiles::save(const RunDescription& run, const SceneView& view) {
-    post([this, run, view] {
-        attempt([&] {
-            const std::string name = ui::free_name({}, run.model, "toml");
-            OutputFile file(name);
-            file.write(scene_file_text(run, view));
-            file.commit();
-            report({.kind = News::Kind::saved, .text = name});
-        });
+    post([this, run, view] { attempt([&] { write_new(run.model, "toml", scene_file_text(run, view)); }); });
+}
+
+void SceneFiles::save_session(std::shared_future<Recording> recording) {
+    post([this, recording = std::move(recording)] {
+        attempt([&] { write_new("session", "session", session_text(recording.get())); });
     });
+}
+
+void SceneFiles::write_new(std::string_view name, std::string_view end, const std::string& text) {
+    const std::string path = ui::free_name({}, name, end);
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+    report({.kind = News::Kind::saved, .text = path});
 }
 
 void SceneFiles::watch(const RunDescription& shown) {

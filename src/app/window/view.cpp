@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -51,9 +52,11 @@ int run(const std::vector<std::string>& arguments) {
     } else if (keys) {
         print(ui::key_table());
     } else {
-        const RunDescription description = scene.description();
-        WindowRequest request = options.request(description);
-        request.scenes = !scene.any_given();
+        GivenSession session = options.session(scene);
+        const bool film = session.film.has_value();
+        const RunDescription description = film ? session.film->start : scene.description();
+        WindowRequest request = options.request(description, std::move(session));
+        request.scenes = !film && !scene.any_given();
         if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);
         return open_window(description, request);
     }

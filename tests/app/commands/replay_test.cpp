@@ -22,7 +22,7 @@ using testing::HasSubstr;
 /// Two pulls, a change and steps between them.
 std::string recorded() {
     Session session(describe("chain", "verlet"));
-    session.record(true);
+    session.record();
     session.advance(20);
     session.handle(event::Do{Pull{3, {2.5, 0.25, 0}}});
     RunDescription faster = session.run().description();
@@ -101,7 +101,7 @@ TEST_F(ReplayCommand, refuses_what_is_no_session) {
 
 TEST_F(ReplayCommand, says_that_there_was_nothing_to_compare) {
     Session session(describe("chain", "verlet"));
-    session.record(false);
+    session.record(0);
     session.advance(10);
     session.handle(event::Step{5});
     std::string text = session_text(*session.recorded());
