@@ -118,17 +118,13 @@ private:
     SceneTexts texts_;
 };
 
-std::string at(const std::string& name, toml::source_position place) {
-    return fmt::format("{}:{}:{}: ", shown(name), place.line, place.column);
-}
-
 /// Problems that only some values of the parameters have are those of the command line or of a slider.
 template <class Work>
 auto with_place(const std::string& name, const Work& work) {
     try {
         return work();
     } catch (const SceneProblem& problem) {
-        throw UsageError(at(name, problem.place()) + problem.what());
+        throw UsageError(place_text(name, problem.place()) + problem.what());
     }
 }
 
@@ -213,9 +209,9 @@ SceneOrigin origin_of(std::string text, const std::string& name, ParticleFiles f
         file->model = std::make_shared<const Model>(model_of(document, name));
         return SceneOrigin(std::move(file));
     } catch (const toml::parse_error& error) {
-        throw FileError(at(name, error.source().begin) + std::string(error.description()));
+        throw FileError(place_text(name, error.source().begin) + std::string(error.description()));
     } catch (const SceneProblem& problem) {
-        throw FileError(at(name, problem.place()) + problem.what());
+        throw FileError(place_text(name, problem.place()) + problem.what());
     }
 }
 

@@ -17,6 +17,23 @@ bool before(toml::source_position a, toml::source_position b) { return a < b; }
 
 void fail_at(const toml::node& node, const std::string& message) { throw SceneProblem(node.source().begin, message); }
 
+std::string place_text(const std::string& file, toml::source_position place) {
+    return fmt::format("{}:{}:{}: ", shown(file), place.line, place.column);
+}
+
+std::string toml_string(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+            result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            result += c;
+        }
+    }
+    return result + '"';
+}
+
 void read_keys(const toml::table& table, std::string_view what, const std::vector<KeyHandler>& handlers,
                const std::function<void(const std::string&, const toml::node&)>& other) {
     std::vector<std::pair<const toml::key*, const toml::node*>> entries;

@@ -26,6 +26,12 @@ private:
 
 [[noreturn]] void fail_at(const toml::node& node, const std::string& message);
 
+/// "FILE:LINE:COLUMN: ", with which a message about a file begins.
+std::string place_text(const std::string& file, toml::source_position place);
+
+/// A text in quotation marks, on one line.
+std::string toml_string(std::string_view text);
+
 /// A key of a table and what is to be done with its value.
 struct KeyHandler {
     std::string_view name;

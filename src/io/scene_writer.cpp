@@ -2,6 +2,7 @@
 
 #include "core/expression.hpp"
 #include "core/number_text.hpp"
+#include "io/scene_toml.hpp"
 #include "io/starting_values_file.hpp"
 
 #include <fmt/format.h>
@@ -14,19 +15,6 @@
 namespace steplab {
 
 namespace {
-
-std::string toml_string(std::string_view text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-            result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-        } else {
-            result += c;
-        }
-    }
-    return result + '"';
-}
 
 std::string list_of(const std::vector<std::string>& texts) {
     std::string list;

@@ -25,7 +25,8 @@ double rms_distance(const Field<double>& a, const Field<double>& b, const Shape&
 }  // namespace
 
 std::uint64_t step_at(double time, double dt) {
-    return static_cast<std::uint64_t>(std::max(0.0, std::floor(time / dt + 1e-6)));
+    constexpr double most = 9007199254740992.0;  // steps that a double can count
+    return static_cast<std::uint64_t>(std::clamp(std::floor(time / dt + 1e-6), 0.0, most));
 }
 
 RunMoment moment_of(const Simulation& run, Vec3 start) {

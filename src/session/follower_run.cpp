@@ -61,11 +61,22 @@ void FollowerRun::take(const SegmentBegin& before, const SegmentBegin& change) {
         return;
     }
     RunDescription description = line_.run().description();
+    take_scene(before, change, description);
+    line_.change(description);
+}
+
+void FollowerRun::take_scene(const SegmentBegin& before, const SegmentBegin& change, RunDescription& description) {
     for (const ParameterInfo& info : description.scene.infos()) {
         const double value = change.description.scene[info.name];
         if (value != before.description.scene[info.name]) description.scene.set(info.name, value);
     }
-    line_.change(description);
+}
+
+RunDescription FollowerRun::description_at(const TimeLine& leading) const {
+    RunDescription description = description_;
+    const auto past = leading.past();
+    for (std::size_t i = 1; i < past.size(); ++i) take_scene(past[i - 1], past[i], description);
+    return description;
 }
 
 }  // namespace steplab

@@ -19,6 +19,8 @@ public:
     /// As it began; a change of scene since then is in run().description().
     const RunDescription& description() const { return description_; }
     const Simulation& run() const { return line_.run(); }
+    /// With all that was changed of the scene until where the leading run stands, whether it is there or not.
+    RunDescription description_at(const TimeLine& leading) const;
     TimeLine& line() { return line_; }
     const TimeLine& line() const { return line_; }
 
@@ -32,6 +34,7 @@ private:
     bool follows(std::span<const SegmentBegin> changes) const;
     bool go_to(double time, const std::function<bool()>& enough);
     void take(const SegmentBegin& before, const SegmentBegin& change);
+    static void take_scene(const SegmentBegin& before, const SegmentBegin& change, RunDescription& description);
 
     RunDescription description_;
     std::size_t bytes_;

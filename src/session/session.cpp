@@ -60,7 +60,47 @@ struct Session::Handle {
     void operator()(const event::TakeBranch& take) const { session.take_branch(take.branch); }
 };
 
-void Session::handle(const Event& event) { std::visit(Handle{*this}, event); }
+void Session::handle(const Event& event) {
+    if (recording_ && is_recorded(event)) return handle_and_record(event);
+    std::visit(Handle{*this}, event);
+}
+
+/// What is refused changes nothing and is not recorded.
+void Session::handle_and_record(const Event& event) {
+    RecordedEvent entry{event, line_.step(), line_.is_over()};
+    const bool nothing_new = !playing_ && line_.reached() == known_;
+    if (is_seek(event)) entry.hash = event_hash();
+    std::visit(Handle{*this}, event);
+    if (!is_seek(event)) entry.hash = event_hash();
+    known_ = line_.reached();
+    recording_->add(std::move(entry), nothing_new);
+}
+
+std::string Session::event_hash() const { return run().particles() <= most_hashed_ ? run().hash() : ""; }
+
+void Session::record(std::size_t most_hashed) {
+    recording_ = Recording{.start = line_.changes().front().description};
+    most_hashed_ = most_hashed;
+    known_ = line_.reached();
+}
+
+std::optional<Recording> Session::recorded(bool with_end) const {
+    if (!recording_) return std::nullopt;
+    Recording recording = *recording_;
+    if (!recording.complete || !with_end) return recording;
+    RecordedEnd end{line_.step(), line_.is_over(), {run().hash()}};
+    const bool together = std::all_of(followers_.begin(), followers_.end(),
+                                      [&](const FollowerRun& follower) { return follower.is_beside(line_); });
+    for (std::size_t i = 0; together && i < followers_.size(); ++i) end.hashes.push_back(followers_[i].run().hash());
+    recording.end = std::move(end);
+    return recording;
+}
+
+void Session::stand_at(std::uint64_t step) {
+    goal_.reset();
+    line_.turn_to(step);
+    line_.advance(step - std::min(step, line_.step()));
+}
 
 /// The place of a run that does not lead. Throws UsageError.
 std::size_t Session::check_follower(std::size_t run) const {
@@ -137,6 +177,7 @@ void Session::seek(std::uint64_t step) {
     goal_.reset();
     if (step == line_.step()) return;
     line_.turn_to(step);
+    line_.advance(0);  // what was done at the step reached
     if (line_.step() != step) goal_ = step;
 }
 
@@ -157,7 +198,7 @@ void Session::begin(const RunDescription& description) {
     std::vector<FollowerRun> followers;
     const bool same_scene = !restarts(run().description(), description);
     if (same_scene) {
-        for (const FollowerRun& each : followers_) followers.push_back(FollowerRun(each.run().description(), bytes_));
+        for (const FollowerRun& each : followers_) followers.push_back(FollowerRun(each.description_at(line_), bytes_));
     }
     changed();
     left_.push_back(
@@ -259,6 +300,7 @@ void Session::lead(std::size_t number) {
     const RunDescription led = run().description();
     FollowerRun& next = followers_[number];
     line_ = std::move(next.line());
+    line_.forget_ahead();  // how far it had gone there depends on when it was made to follow
     next = follower(led);
     branches_.clear();
     bookmarks_.clear();

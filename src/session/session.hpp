@@ -2,6 +2,7 @@
 
 #include "session/event.hpp"
 #include "session/follower_run.hpp"
+#include "session/recording.hpp"
 #include "session/session_view.hpp"
 #include "session/time_line.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -31,6 +33,15 @@ public:
     /// Does what an event says, at the step where the leading run stands. Throws UsageError, nothing changed.
     void handle(const Event& event);
 
+    /// Keeps from now on what happens; to be called before anything does. Every event gets a hash while the scene has
+    /// no more particles than this, as a hash takes about as long as a step of a cheap method.
+    void record(std::size_t most_hashed = std::numeric_limits<std::size_t>::max());
+    /// What happened so far, and where the runs are, unless that is not to be asked. Empty without record().
+    std::optional<Recording> recorded(bool with_end = true) const;
+    /// Takes the leading run to a step that it has been at or can get to, without regard to its goal. Throws as
+    /// advance() does.
+    void stand_at(std::uint64_t step);
+
     const Simulation& run() const { return line_.run(); }
     const TimeLine& line() const { return line_; }
     const std::vector<FollowerRun>& followers() const { return followers_; }
@@ -50,6 +61,8 @@ public:
     void finish();
     /// Pauses where the leading run stands.
     void stop();
+    /// Plays on where an event that is played again has paused.
+    void keep_playing() { playing_ = !line_.is_over(); }
     /// Where memory ran out.
     void give_up_ensemble() { show_ensemble({}); }
     /// Keeps the present moment, unless one is near.
@@ -73,6 +86,8 @@ private:
     /// What undoing took back.
     using Undone = std::variant<TimeLine::Branch, Left>;
 
+    void handle_and_record(const Event& event);
+    std::string event_hash() const;
     void begin(const RunDescription& description);
     void begun();
     void step(std::int64_t steps);
@@ -112,6 +127,9 @@ private:
     LiveEnsembleOptions ensemble_;
     mutable std::optional<LiveEnsemble> live_ensemble_;
     std::uint64_t number_ = 0;  ///< of the run: grows when one begins again
+    std::optional<Recording> recording_;
+    std::size_t most_hashed_ = 0;
+    std::uint64_t known_ = 0;  ///< reached when the last event was recorded
 };
 
 }  // namespace steplab

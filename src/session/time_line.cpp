@@ -31,10 +31,15 @@ void TimeLine::advance(std::uint64_t steps) {
         run_.advance(next - run_.advanced().step);
         take_due_changes();
     }
-    if (run_.advanced().step > reached_) {
-        reached_ = run_.advanced().step;
-        reached_time_ = time_of(reached_);
-    }
+    note_reached();
+}
+
+/// Behind the last good step of a run that diverged lies nothing, however far it had got before that was found.
+void TimeLine::note_reached() {
+    const auto [step, evaluations, over] = run_.advanced();
+    if (step <= reached_ && !(over && step < reached_)) return;
+    reached_ = step;
+    reached_time_ = time_of(step);
 }
 
 /// Those of the present step.
@@ -137,6 +142,7 @@ void TimeLine::stand_at(std::uint64_t step, std::size_t changes) {
 
 /// Forgets what lies behind this step and more changes than these.
 std::optional<TimeLine::Branch> TimeLine::cut(std::uint64_t step, std::size_t kept) {
+    note_reached();
     const bool nothing = changes_.size() == kept && reached_ <= step;
     Branch branch{changes_, moments_.cut(step, kept), step, reached_, reached_time_};
     changes_.resize(kept);

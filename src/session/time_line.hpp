@@ -44,6 +44,8 @@ public:
     /// Takes it to where it can go on to this step by advance(): the nearest moment before it that is kept, or stays
     /// where that is nearer. True if it was taken back.
     bool turn_to(std::uint64_t step);
+    /// Forgets what lies ahead, as if it had not been there.
+    void forget_ahead() { cut(run_.step(), taken_); }
     /// Keeps the present moment, unless one is near.
     void keep_moment() { moments_.offer(run_, taken_); }
 
@@ -78,6 +80,7 @@ public:
 private:
     void take_effect(SegmentBegin& change);
     void take_due_changes();
+    void note_reached();
     void stand_at(std::uint64_t step, std::size_t changes);
     std::optional<Branch> cut(std::uint64_t step, std::size_t kept);
     std::optional<Branch> append(SegmentBegin change);

@@ -6,7 +6,11 @@
 
 namespace steplab {
 
-Worker::Worker(const RunDescription& description) : body_(std::make_unique<Body>(description)) {}
+Worker::Worker(const RunDescription& description, std::size_t hashed)
+    : body_(std::make_unique<Body>(description, hashed, std::nullopt)) {}
+
+Worker::Worker(Recording film, std::size_t hashed)
+    : body_(std::make_unique<Body>(film.start, hashed, std::optional(film))) {}
 
 Worker::~Worker() {
     {
@@ -25,6 +29,16 @@ void Worker::send(const Event& event) {
         events.push_back(event);
     }
     body_->changed.notify_one();
+}
+
+std::future<Recording> Worker::recording() {
+    std::future<Recording> recording;
+    {
+        const std::lock_guard lock(body_->mutex);
+        recording = body_->asked.emplace_back().get_future();
+    }
+    body_->changed.notify_one();
+    return recording;
 }
 
 bool Worker::take(SessionView& view) {

@@ -1,5 +1,6 @@
 #include "session/worker_body.hpp"
 
+#include "core/error.hpp"
 #include "core/interruption.hpp"
 
 #include <algorithm>
@@ -30,14 +31,16 @@ bool changes_speed(const Event& event) {
 }  // namespace
 
 void Worker::Body::loop() {
-    const InterruptibleBy asked(stopping);
+    const InterruptibleBy interruptible(stopping);
     while (true) {
         wait_for_work();
         {
             const std::lock_guard lock(mutex);
-            if (stopping) return;
+            if (stopping) break;
         }
         bool to_show = handle_events();
+        answer(true);
+        if (film && film_plays && !doubtful) to_show = show_film() || to_show;
         const std::uint64_t before = session.run().advanced().step;
         const bool doubted = doubtful, behind = !doubted && session.is_behind();
         if (behind) catch_up(slice);
@@ -49,14 +52,50 @@ void Worker::Body::loop() {
         const auto [step, evaluations, diverged] = session.run().advanced();
         if (to_show || ((behind || step != before || diverged) && affordable())) publish(to_show, well);
     }
+    answer(false);  // the step under way may have been given up
+}
+
+/// Those who asked what happened.
+void Worker::Body::answer(bool with_end) {
+    std::vector<std::promise<Recording>> waiting;
+    {
+        const std::lock_guard lock(mutex);
+        waiting.swap(asked);
+    }
+    for (std::promise<Recording>& promise : waiting) promise.set_value(session.recorded(with_end).value());
+}
+
+void Worker::Body::end_film() {
+    film.reset();
+    session.stop();
+}
+
+/// Has the next event of the film happen if the run stands there; true if something did.
+bool Worker::Body::show_film() {
+    const auto now = Clock::now();
+    if (now < film_due || session.is_behind()) return false;
+    film->approach(0);  // back, where it lies behind
+    if (!film->is_due()) return false;
+    const bool well = went_well([this] {
+        const auto difference = film->perform();
+        if (difference) throw UsageError("this is not as it was recorded: " + *difference);
+    });
+    film_due = now + between_film_events;
+    session.keep_playing();
+    if (!well || film->is_done()) end_film();
+    pace.forget_speed();
+    pace.begin(Clock::now());
+    return true;
 }
 
 void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
     if (doubtful || session.goal() || session.is_behind()) return;
-    const auto called = [this] { return stopping || !events.empty() || compared; };
-    if (!session.playing()) return changed.wait(lock, called);
-    const auto now = Clock::now(), due = pace.next_due(now, session.rate(), session.run().dt());
+    const auto called = [this] { return stopping || !events.empty() || !asked.empty() || compared; };
+    const bool film_waits = film && film_plays && film->is_due();
+    if (!session.playing() && !film_waits) return changed.wait(lock, called);
+    const auto now = Clock::now();
+    const auto due = film_waits ? film_due : pace.next_due(now, session.rate(), session.run().dt());
     if (due > now) changed.wait_until(lock, due, called);  // what is over at once would still ask the system
 }
 
@@ -77,6 +116,11 @@ bool Worker::Body::handle_events() {
 
 void Worker::Body::handle(const Event& event) {
     if (session.playing() && session.run().divergence()) session.stop();  // before it begins something new
+    if (const auto* const play = std::get_if<event::Play>(&event)) {
+        film_plays = play->on;
+    } else if (is_recorded(event)) {
+        film.reset();
+    }
     session.handle(event);
     if (is_any<event::Track, event::ShowForces, event::Bookmark>(event)) return;
     if (changes_speed(event)) pace.forget_speed();
@@ -100,6 +144,7 @@ void Worker::Body::take_steps() {
     std::uint64_t due = pace.steps_due(begin, wanted_rate, run.dt(), slice);
     if (const auto goal = session.goal()) due = std::min(due, *goal - std::min(*goal, run.step()));
     const auto before = run.advanced();
+    if (film) due = std::min(due, film->ahead());
     session.advance(due);
     if (run.step() > before.step) session.catch_up([] { return false; });
     const auto after = run.advanced();

@@ -2,6 +2,7 @@
 
 #include "session/live_errors.hpp"
 #include "session/pace.hpp"
+#include "session/replay.hpp"
 #include "session/session.hpp"
 #include "session/share.hpp"
 #include "session/worker.hpp"
@@ -11,11 +12,13 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace steplab {
 
@@ -27,14 +30,17 @@ struct Worker::Body {
     static constexpr double part_for_views = 0.02, part_for_history = 0.01;
     /// But a picture that moves less often than this is of no use to who watches.
     static constexpr std::chrono::milliseconds longest_without_view{500};
+    /// An event of a film is seen before the next one comes.
+    static constexpr std::chrono::milliseconds between_film_events{40};
 
     // shared between the threads
     std::mutex mutex;
     std::condition_variable changed;
     std::deque<Event> events;
-    std::atomic<bool> stopping = false;  // also in the middle of a long step
-    bool fresh = false;                  // `ready` has not been taken yet
-    bool compared = false;               // there are errors that no view has
+    std::vector<std::promise<Recording>> asked;  // for what happened so far
+    std::atomic<bool> stopping = false;          // also in the middle of a long step
+    bool fresh = false;                          // `ready` has not been taken yet
+    bool compared = false;                       // there are errors that no view has
     SessionView ready;
     std::optional<Doubt> doubt;  // told while `doubtful` lasts
     void (*wake)() = nullptr;
@@ -42,8 +48,11 @@ struct Worker::Body {
     // the worker's own
     Session session;
     Pace pace;
-    bool doubtful = false;       // the energy is impossible, and the check that decides about it has not come yet
-    std::optional<Doubt> found;  // where `doubtful` began
+    std::optional<Replay> film;  // until it has ended
+    bool film_plays = false;
+    Clock::time_point film_due{};  // its next event, if the run is there
+    bool doubtful = false;         // the energy is impossible, and the check that decides about it has not come yet
+    std::optional<Doubt> found;    // where `doubtful` began
     std::string error;
     std::uint64_t failures = 0;
     SessionView view;
@@ -52,7 +61,11 @@ struct Worker::Body {
     LiveErrors errors{[this] { errors_came(); }};
     std::thread thread;
 
-    explicit Body(const RunDescription& description) : session(description) {
+    Body(const RunDescription& description, std::size_t hashed, std::optional<Recording> recorded)
+        : session(description) {
+        session.record(hashed);
+        if (recorded) film.emplace(std::move(*recorded), session);
+        if (film && film->is_done()) film.reset();  // nothing happened
         see();
         std::swap(view, ready);
         fresh = true;
@@ -77,6 +90,9 @@ struct Worker::Body {
     void wait_for_work();
     bool handle_events();
     void handle(const Event& event);
+    void answer(bool with_end);
+    bool show_film();
+    void end_film();
     void take_steps();
     void step_to_check();
     void tell_doubt();

@@ -39,7 +39,7 @@ struct Measured {
 
 /// A request that the program carries out, not the interface.
 struct Request {
-    enum class Kind { save_snapshot, copy_text, open_scene, save_scene, full_screen, quit };
+    enum class Kind { save_snapshot, copy_text, open_scene, save_scene, save_session, full_screen, quit };
     Kind kind = Kind::quit;
     std::string text =
         {};  ///< copy_text: the text for the clipboard; open_scene: a path, or the name of a shipped scene

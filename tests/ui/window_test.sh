@@ -360,6 +360,30 @@ files_that_a_scene_reads_are_watched() {
     close_window
 }
 
+session_is_recorded_saved_and_played() {
+    start_display 1280x800
+    open_window --model chain --session a.session
+    xdotool key Right; expect 'step 1'
+    xdotool key Right; expect 'step 2'
+    xdotool key space; expect 'step [1-9][0-9]'
+    xdotool key space; expect 'playing false'
+    choose menu 'save session'; expect 'saved steplab-session-1.session'
+    close_window
+    grep -qx 'steplab-session = 1' "$folder/a.session" || fail "no session was recorded"
+    local steplab file last
+    steplab=$(dirname "$program")/steplab
+    for file in a.session steplab-session-1.session; do
+        "$steplab" replay "$folder/$file" >"$folder/errors" 2>&1 || fail "$file does not repeat the session"
+    done
+    rm "$folder/trace"
+    cp "$folder/a.session" "$folder/before"
+    open_window --session a.session
+    last=$(sed -n '/^.end/,$s/^step = //p' "$folder/a.session")
+    grep -qx "step $last" "$folder/said" || expect "step $last"
+    close_window
+    cmp "$folder/before" "$folder/a.session" || fail "the session that was played was changed"
+}
+
 saved_scene_opens_the_same_again() {
     start_display 1280x800
     open_window --model chain --set n=7 --method pefrl --dt 0.02 --view 10,20,30,1,2,3 --colour speed

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <utility>
 
 namespace steplab {
 namespace {
@@ -61,12 +62,13 @@ void ViewOptions::declare(CLI::App& app) {
     text_option(app, "--speed", speed_, "X|unlimited", "Simulated seconds per second of real time (default 1)", group);
     flag_option(app, "--play", playing_, "Start playing at once, after --steps or --until", group);
     flag_option(app, "--full-screen", full_screen_, "Open in full screen", group);
+    session_.declare(app);
     text_option(app, "--trace", trace_, "FILE|-", "Write a line for each event in the window", group);
     ensemble_.declare(app);
     runs_.declare(app);
 }
 
-WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs) const {
+WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, GivenSession session) const {
     const RunDescription& description = runs.front();
     WindowRequest request;
     request.followers.assign(runs.begin() + 1, runs.end());
@@ -82,7 +84,10 @@ WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs) cons
         request.ensemble = nearest_live_ensemble(description, ensemble_.count(), ensemble_.ranges(description));
     request.trace = trace_;
     request.full_screen = full_screen_;
-    request.playing = playing_;
+    request.playing = playing_ || session.film;
+    if (session.film && request.steps > 0)
+        throw UsageError("--steps and --until are of a new run: a session that is played begins at its start");
+    request.session = std::move(session);
     return request;
 }
 

@@ -3,6 +3,7 @@
 #include "app/cli/appearance_options.hpp"
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/session_option.hpp"
 #include "app/cli/shown_runs_options.hpp"
 #include "render/style.hpp"
 #include "session/run_view.hpp"
@@ -30,8 +31,9 @@ struct WindowRequest {
     std::optional<Rate> rate;    ///< none: the usual one
     LiveEnsembleOptions ensemble;
     std::vector<RunDescription> followers = {};  ///< runs beside it
-    std::string trace;                           ///< file to which events are written; empty: none
-    bool scenes = false;                         ///< the page of scenes is open
+    GivenSession session;
+    std::string trace;    ///< file to which events are written; empty: none
+    bool scenes = false;  ///< the page of scenes is open
     bool full_screen = false;
     bool playing = false;  ///< after these steps
 };
@@ -43,7 +45,9 @@ public:
     /// The runs of the scene, the leading one first. Throws UsageError.
     std::vector<RunDescription> runs(const RunDescription& scene) const { return runs_.runs(scene); }
     /// Throws UsageError for values of another form or out of range.
-    WindowRequest request(const std::vector<RunDescription>& runs) const;
+    WindowRequest request(const std::vector<RunDescription>& runs, GivenSession session = {}) const;
+    /// Throws as SessionOption does.
+    GivenSession session(const SceneOptions& scene) const { return session_.session(scene); }
     /// Where the window opens beyond --until, as it takes whole steps.
     std::optional<std::string> note(const RunDescription& description) const {
         return time_.note(description, {time_.steps(description)});
@@ -54,6 +58,7 @@ private:
     AppearanceOptions appearance_;
     EnsembleOptions ensemble_;
     ShownRunsOptions runs_;
+    SessionOption session_;
     std::string size_ = "1280x800";
     std::string speed_;
     std::string trace_;

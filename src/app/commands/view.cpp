@@ -36,7 +36,8 @@ public:
     }
 
     int run() override {
-        window_.request(window_.runs(scene_.description()));  // a wrong command line is reported before a window opens
+        const GivenSession session = window_.session(scene_);  // what is wrong is reported before a window opens
+        window_.request(session.film ? std::vector{session.film->start} : window_.runs(scene_.description()), session);
         const std::filesystem::path program = beside_this_program(window_program);
         arguments_.insert(arguments_.begin(), std::string(window_program));
         std::vector<char*> argv;

@@ -1,9 +1,11 @@
 #include "app/window/scene_files.hpp"
 
 #include "core/error.hpp"
+#include "io/output_file.hpp"
 #include "io/scene_export.hpp"
 #include "io/scene_file.hpp"
 #include "io/starting_values_file.hpp"
+#include "session/session_file.hpp"
 #include "ui/plot/plot_files.hpp"
 
 #include <chrono>
@@ -69,6 +71,20 @@ void SceneFiles::save(const RunDescription& run, const SceneView& view) {
             report({.kind = News::Kind::saved, .text = name});
         });
     });
+}
+
+void SceneFiles::save_session(std::shared_future<Recording> recording) {
+    post([this, recording = std::move(recording)] {
+        attempt([&] { write_new("session", "session", session_text(recording.get())); });
+    });
+}
+
+void SceneFiles::write_new(std::string_view name, std::string_view end, const std::string& text) {
+    const std::string path = ui::free_name({}, name, end);
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+    report({.kind = News::Kind::saved, .text = path});
 }
 
 void SceneFiles::watch(const RunDescription& shown) {

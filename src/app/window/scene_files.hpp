@@ -2,22 +2,25 @@
 
 #include "io/file_watch.hpp"
 #include "io/scene_writer.hpp"
+#include "session/recording.hpp"
 #include "sim/run/run_description.hpp"
 
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
 namespace steplab {
 
-/// Reads and writes scene files on a thread of its own, because large ones take long, and watches the file of the scene
-/// that is shown and the files that it reads. Every call returns at once.
+/// Reads and writes scene files, and writes sessions, on a thread of its own, because large ones take long, and watches
+/// the file of the scene that is shown and the files that it reads. Every call returns at once.
 class SceneFiles {
 public:
     /// What a job came to.
@@ -38,6 +41,8 @@ public:
     void open(const std::string& name);
     /// Writes the scene of a run to a new file in the current folder.
     void save(const RunDescription& run, const SceneView& view);
+    /// Writes a session to a new file there, once it is known.
+    void save_session(std::shared_future<Recording> recording);
     /// The scene that is shown: its file, if it is one, is read again when it has changed since this scene was read
     /// from it.
     void watch(const RunDescription& shown);
@@ -50,6 +55,7 @@ private:
     void work();
     void watch_files();
     void read_again();
+    void write_new(std::string_view name, std::string_view end, const std::string& text);
     void report(News news);
     template <class Work>
     void attempt(const Work& work);

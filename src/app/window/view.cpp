@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -51,10 +52,13 @@ int run(const std::vector<std::string>& arguments) {
     } else if (keys) {
         print(ui::key_table());
     } else {
-        const std::vector<RunDescription> runs = options.runs(scene.description());
+        GivenSession session = options.session(scene);
+        const bool film = session.film.has_value();
+        const std::vector<RunDescription> runs =
+            film ? std::vector{session.film->start} : options.runs(scene.description());
         const RunDescription& description = runs.front();
-        WindowRequest request = options.request(runs);
-        request.scenes = !scene.any_given();
+        WindowRequest request = options.request(runs, std::move(session));
+        request.scenes = !film && !scene.any_given();
         if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);
         return open_window(description, request);
     }

@@ -6,10 +6,12 @@
 #include "render/framing.hpp"
 #include "render/gl.hpp"
 #include "render/split.hpp"
+#include "session/session_file.hpp"
 #include "ui/plot/plot_files.hpp"
 
 #include <algorithm>
 #include <future>
+#include <limits>
 #include <utility>
 
 namespace steplab {
@@ -25,11 +27,14 @@ constexpr double slow_picture = 0.05;
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 /// The thread of the run inherits the priority of the thread that starts it.
-std::unique_ptr<Worker> start_worker(const RunDescription& description) {
+std::unique_ptr<Worker> start_worker(const RunDescription& description, const GivenSession& session) {
+    const std::size_t hashed =
+        session.record_to.empty() ? Worker::most_hashed : std::numeric_limits<std::size_t>::max();
     return std::async(std::launch::async,
                       [&] {
                           lower_priority();
-                          return std::make_unique<Worker>(description);
+                          return session.film ? std::make_unique<Worker>(*session.film, hashed)
+                                              : std::make_unique<Worker>(description, hashed);
                       })
         .get();
 }
@@ -50,7 +55,8 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
       painter_(&Window::wake),
       trace_(request.trace),
       files_(&Window::wake),
-      worker_(start_worker(description)) {
+      worker_(start_worker(description, request.session)) {
+    if (!request.session.record_to.empty()) session_file_.emplace(request.session.record_to);
     panels_.upload_fonts(interface_.fonts());
     window_.listen(interface_.input());
     interface_.use_clipboard({[this] { return window_.pasted(); }, [this](const auto& text) { window_.copy(text); }});
@@ -69,6 +75,8 @@ void Viewer::open(const WindowRequest& request) {
     if (request.rate) worker_->send(event::SetRate{*request.rate});
     if (request.ensemble.runs > 0) worker_->send(event::ShowEnsemble{request.ensemble});
     if (request.steps > 0) worker_->send(event::Seek{request.steps});
+    if (request.session.film)
+        interface_.notify("a recorded session: Space pauses it, and what you change takes its place");
     opening_ = request;
     begin_as_asked();
 }
@@ -103,6 +111,16 @@ void Viewer::run() {
             wait();
         }
     }
+    save_session();
+}
+
+/// What happened, to the file that was named. A long step under way is given up.
+void Viewer::save_session() {
+    if (!session_file_) return;
+    std::future<Recording> recording = worker_->recording();
+    if (recording.wait_for(std::chrono::seconds(1)) != std::future_status::ready) worker_.reset();
+    session_file_->write(session_text(recording.get()));
+    session_file_->commit();
 }
 
 /// Takes newer views of the run and pictures of the scene; each requires a frame.
@@ -228,6 +246,8 @@ void Viewer::carry_out(const ui::Request& request) {
             return files_.open(request.text);
         case ui::Request::Kind::save_scene:
             return save_scene();
+        case ui::Request::Kind::save_session:
+            return files_.save_session(worker_->recording());
         case ui::Request::Kind::full_screen:
             return window_.toggle_full_screen();
         case ui::Request::Kind::quit:

@@ -7,6 +7,7 @@
 #include "app/window/scene_files.hpp"
 #include "app/window/trace.hpp"
 #include "app/window/window.hpp"
+#include "io/output_file.hpp"
 #include "render/imgui_renderer.hpp"
 #include "session/worker.hpp"
 #include "ui/glide.hpp"
@@ -61,6 +62,7 @@ private:
     void carry_out(const ui::Request& request);
     void save_snapshot(const ui::Request& request);
     void save_scene();
+    void save_session();
     void report();
 
     WindowSystem system_;
@@ -74,7 +76,8 @@ private:
     Trace trace_;
     GalleryLoader gallery_;
     SceneFiles files_;
-    SceneOrigin watched_;  ///< the scene whose file is watched
+    SceneOrigin watched_;                     ///< the scene whose file is watched
+    std::optional<OutputFile> session_file_;  ///< to which what happens is written at the end
     ViewPool pool_;
     std::unique_ptr<Worker> worker_;
     std::shared_ptr<SessionView> view_;

@@ -38,6 +38,7 @@ void draw_menu_items(const Context& context) {
     ImGui::Separator();
     action_item(context, "menu/open scene", "Scenes ...", Action::open_scene);
     action_item(context, "menu/save scene", "Save scene", Action::save_scene);
+    if (menu_item(context, "menu/save session", "Save session")) context.request({.kind = Request::Kind::save_session});
     action_item(context, "menu/snapshot", "Save snapshot", Action::snapshot);
     action_item(context, "menu/reset view", "Reset view", Action::reset_view);
     action_item(context, "menu/zoom to fit", "Zoom to fit", Action::zoom_to_fit);

@@ -141,5 +141,14 @@ TEST(scenes_page, saving_a_scene_is_asked_of_the_program) {
     EXPECT_EQ(requests.front().kind, Request::Kind::save_scene);
 }
 
+TEST(menu, saving_a_session_is_asked_of_the_program) {
+    Desk desk(describe("chain"));
+    desk.click("menu");
+    desk.click("menu/save session");
+    const auto requests = desk.interface.take_requests();
+    ASSERT_THAT(requests, SizeIs(1));
+    EXPECT_EQ(requests.front().kind, Request::Kind::save_session);
+}
+
 }  // namespace
 }  // namespace steplab::ui

@@ -1,0 +1,47 @@
+#include "session/recording.hpp"
+
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+template <class... Kinds>
+bool is_any(const Event& event) {
+    return (std::holds_alternative<Kinds>(event) || ...);
+}
+
+const Pull* pull_of(const Event& event) {
+    const auto* const act = std::get_if<event::Do>(&event);
+    return act ? std::get_if<Pull>(&act->act) : nullptr;
+}
+
+/// Pulls of one particle at one step leave the last one (TimeLine).
+bool is_same_pull(const RecordedEvent& last, const RecordedEvent& next) {
+    const Pull *const before = pull_of(last.event), *const now = pull_of(next.event);
+    return before && now && before->particle == now->particle && last.step == next.step;
+}
+
+}  // namespace
+
+bool is_seek(const Event& event) { return is_any<event::Seek, event::SeekTime>(event); }
+
+bool is_recorded(const Event& event) {
+    return !is_any<event::SetRate, event::Track, event::ShowEnsemble, event::ShowForces>(event);
+}
+
+void Recording::add(RecordedEvent next, bool nothing_new) {
+    if (!events.empty() && complete) {
+        RecordedEvent& last = events.back();
+        const bool dragged = nothing_new && !next.diverged && is_seek(last.event) && is_seek(next.event);
+        if (dragged || is_same_pull(last, next)) {
+            last.event = std::move(next.event);
+            if (!dragged) last.hash = std::move(next.hash);
+            return;
+        }
+    }
+    complete = complete && events.size() < most_events;
+    if (complete) events.push_back(std::move(next));
+}
+
+}  // namespace steplab

@@ -1,0 +1,283 @@
+#include "core/error.hpp"
+#include "core/shown.hpp"
+#include "core/text.hpp"
+#include "io/input_file.hpp"
+#include "io/scene_file.hpp"
+#include "io/scene_toml.hpp"
+#include "io/starting_values_file.hpp"
+#include "session/event_words.hpp"
+#include "session/session.hpp"
+#include "session/session_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
+
+double number_of(const toml::node& node) {
+    const auto* const integer = node.as_integer();
+    const auto* const real = node.as_floating_point();
+    if (!integer && !real) fail_at(node, "must be a number");
+    const double number = integer ? static_cast<double>(integer->get()) : real->get();
+    if (!std::isfinite(number)) fail_at(node, "must be a finite number");
+    return number;
+}
+
+std::int64_t integer_of(const toml::node& node) {
+    constexpr std::int64_t most = std::int64_t{1} << 53;
+    const auto* const integer = node.as_integer();
+    if (integer && integer->get() >= -most && integer->get() <= most) return integer->get();
+    fail_at(node, fmt::format("must be an integer from {} to {}", -most, most));
+}
+
+std::uint64_t count_of(const toml::node& node) {
+    const std::int64_t integer = integer_of(node);
+    if (integer < 0) fail_at(node, "must be an integer >= 0");
+    return static_cast<std::uint64_t>(integer);
+}
+
+Vec3 vector_of(const toml::node& node) {
+    const auto elements = elements_of(node, "three numbers, [x, y, z]", 3, 3);
+    return {number_of(*elements[0]), number_of(*elements[1]), number_of(*elements[2])};
+}
+
+std::string hash_of(const toml::node& node) {
+    std::string text = text_of(node);
+    if (text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos) return text;
+    fail_at(node, "a hash must be 16 hexadecimal digits");
+}
+
+/// What a key of a table must have. Throws SceneProblem.
+const toml::node& needed(const toml::table& table, std::string_view what, std::string_view key) {
+    if (const toml::node* const node = table.get(key)) return *node;
+    fail_at(table, fmt::format("{} needs '{}'", what, key));
+}
+
+/// Calls `work`, whose refusals are problems of this place.
+template <class Work>
+auto placed(const toml::node& node, const Work& work) {
+    try {
+        return work();
+    } catch (const Error& error) {
+        fail_at(node, error.what());
+    }
+}
+
+/// The keys of a table are among these.
+void check_keys(const toml::table& table, std::string_view what, std::span<const std::string_view> keys) {
+    std::vector<KeyHandler> handlers;
+    for (const std::string_view key : keys) handlers.push_back({key, [](const toml::node&) {}});
+    read_keys(table, what, handlers);
+}
+
+void set_parameters(const toml::node& node, std::string_view of, ParameterValues& values) {
+    std::vector<std::string_view> known;
+    for (const ParameterInfo& info : values.infos()) known.push_back(info.name);
+    for (const auto& [key, value] : table_of(node, "parameters")) {
+        const std::string name(key.str());
+        if (!values.contains(name)) fail_at(value, unknown_word("parameter", name, known, std::string(of)));
+        placed(value, [&, &given = value] {
+            if (given.is_string()) return values.set_text(name, text_of(given));
+            values.set(name, number_of(given));
+        });
+    }
+}
+
+/// The runs of a file, with the scenes and starting values that they share.
+class Runs {
+public:
+    explicit Runs(const toml::table& root) {
+        each_table(root, "scenes", [this](const toml::table& table) { add_scene(table); });
+        each_table(root, "starts", [this](const toml::table& table) { add_start(table); });
+    }
+
+    RunDescription run(const toml::node& node, std::string_view what) const {
+        const toml::table& table = table_of(node, what);
+        constexpr std::array<std::string_view, 9> keys{
+            "model", "scene", "parameters", "method", "method-parameters", "precision", "dt", "from", "reverse"};
+        check_keys(table, what, keys);
+        RunDescription run = of_scene(table, what);
+        const toml::node& method = needed(table, what, "method");
+        run = placed(method, [&] { return with_method(run, text_of(method)); });
+        set_parameters(needed(table, what, "parameters"), run.model, run.scene);
+        if (const auto* const values = table.get("method-parameters"))
+            set_parameters(*values, run.method, run.method_parameters);
+        run.precision = *parse_precision(word_of(needed(table, what, "precision"), "precision", {"float", "double"}));
+        run.dt = number_of(needed(table, what, "dt"));
+        if (const auto* const from = table.get("from")) run.start.from = chosen(*from, starts_, "starts");
+        if (const auto* const reverse = table.get("reverse")) run.start.reverse = flag_of(*reverse);
+        placed(node, [&] { check_values(run); });
+        return run;
+    }
+
+private:
+    template <class Shared>
+    static const Shared& chosen(const toml::node& node, const std::vector<Shared>& all, std::string_view name) {
+        const std::uint64_t number = count_of(node);
+        if (number < all.size()) return all[number];
+        fail_at(node, fmt::format("the file has {} [[{}]], counted from 0", all.size(), name));
+    }
+
+    RunDescription of_scene(const toml::table& table, std::string_view what) const {
+        const toml::node* const scene = table.get("scene");
+        if (scene) return placed(*scene, [&] { return describe(chosen(*scene, scenes_, "scenes")); });
+        const toml::node& model = needed(table, what, "model");
+        return placed(model, [&] { return describe(text_of(model)); });
+    }
+
+    void add_scene(const toml::table& table) {
+        constexpr std::array<std::string_view, 2> keys{"name", "files"}, file_keys{"name", "content"};
+        check_keys(table, "[[scenes]]", keys);
+        std::vector<SceneFile::Part> parts;
+        needed(table, "a scene", "files");
+        each_table(table, "files", [&](const toml::table& file) {
+            check_keys(file, "[[scenes.files]]", file_keys);
+            parts.push_back({text_of(needed(file, "a file", "name")), text_of(needed(file, "a file", "content"))});
+        });
+        if (parts.empty()) fail_at(table, "a scene needs [[scenes.files]]");
+        const std::string name = text_of(needed(table, "a scene", "name"));
+        scenes_.push_back(placed(table, [&] { return scene_from(std::move(parts), name); }));
+    }
+
+    void add_start(const toml::table& table) {
+        constexpr std::array<std::string_view, 2> keys{"name", "content"};
+        check_keys(table, "[[starts]]", keys);
+        const std::string name = text_of(needed(table, "a start", "name"));
+        const auto content = std::make_shared<const std::string>(text_of(needed(table, "a start", "content")));
+        StartingValues values = placed(table, [&] { return starting_values(TextInput(name, content), {}); });
+        values.given = name;
+        starts_.push_back(std::make_shared<const StartingValues>(std::move(values)));
+    }
+
+    std::vector<SceneOrigin> scenes_;
+    std::vector<std::shared_ptr<const StartingValues>> starts_;
+};
+
+/// An event of a file: its table, and the runs that it may name.
+struct Given {
+    const toml::table& table;
+    std::string_view word;
+    const Runs& runs;
+
+    const toml::node& operator[](std::string_view key) const { return needed(table, fmt::format("'{}'", word), key); }
+    RunDescription run() const { return runs.run((*this)["run"], "the run of an event"); }
+    std::size_t number() const { return count_of((*this)["number"]); }
+};
+
+/// A word, the keys that go with it, and the event that they make.
+struct EventKind {
+    std::string_view word;
+    std::vector<std::string_view> keys;
+    Event (*read)(const Given&);
+};
+
+const std::vector<EventKind>& event_kinds() {
+    static const std::vector<EventKind> kinds{
+        {"play", {}, [](const Given&) -> Event { return event::Play{true}; }},
+        {"pause", {}, [](const Given&) -> Event { return event::Play{false}; }},
+        {"step", {"steps"}, [](const Given& given) -> Event { return event::Step{integer_of(given["steps"])}; }},
+        {"seek", {"to"}, [](const Given& given) -> Event { return event::Seek{count_of(given["to"])}; }},
+        {"seek-time", {"time"}, [](const Given& given) -> Event { return event::SeekTime{number_of(given["time"])}; }},
+        {"restart", {}, [](const Given&) -> Event { return event::Restart{}; }},
+        {"change", {"run"}, [](const Given& given) -> Event { return event::Change{given.run()}; }},
+        {"pull",
+         {"particle", "position"},
+         [](const Given& given) -> Event {
+             return event::Do{Pull{count_of(given["particle"]), vector_of(given["position"])}};
+         }},
+        {"kick",
+         {"particle", "velocity"},
+         [](const Given& given) -> Event {
+             return event::Do{Kick{count_of(given["particle"]), vector_of(given["velocity"])}};
+         }},
+        {"turn-round", {}, [](const Given&) -> Event { return event::Do{TurnRound{}}; }},
+        {"undo", {}, [](const Given&) -> Event { return event::Undo{}; }},
+        {"redo", {}, [](const Given&) -> Event { return event::Redo{}; }},
+        {"add-run", {"run"}, [](const Given& given) -> Event { return event::AddRun{given.run()}; }},
+        {"change-run",
+         {"number", "run"},
+         [](const Given& given) -> Event {
+             return event::ChangeRun{given.number(), given.run()};
+         }},
+        {"remove-run", {"number"}, [](const Given& given) -> Event { return event::RemoveRun{given.number()}; }},
+        {"lead", {"number"}, [](const Given& given) -> Event { return event::Lead{given.number()}; }},
+        {"bookmark", {"text"}, [](const Given& given) -> Event { return event::Bookmark{text_of(given["text"])}; }},
+        {"take-branch", {"number"}, [](const Given& given) -> Event { return event::TakeBranch{given.number()}; }}};
+    return kinds;
+}
+
+RecordedEvent event_of(const toml::table& table, const Runs& runs) {
+    const auto& kinds = event_kinds();
+    std::vector<std::string_view> words(kinds.size());
+    std::transform(kinds.begin(), kinds.end(), words.begin(), [](const EventKind& kind) { return kind.word; });
+    const std::string word = word_of(needed(table, "[[events]]", "do"), "event", words);
+    const auto kind = std::find(words.begin(), words.end(), word) - words.begin();
+    const EventKind& found = kinds[static_cast<std::size_t>(kind)];
+    std::vector<std::string_view> keys{"step", "diverged", "do", "hash"};
+    keys.insert(keys.end(), found.keys.begin(), found.keys.end());
+    check_keys(table, fmt::format("'{}'", word), keys);
+    RecordedEvent entry{found.read({table, word, runs}), count_of(needed(table, "[[events]]", "step"))};
+    if (const auto* const diverged = table.get("diverged")) entry.diverged = flag_of(*diverged);
+    if (const auto* const hash = table.get("hash")) entry.hash = hash_of(*hash);
+    return entry;
+}
+
+RecordedEnd end_of(const toml::node& node) {
+    const toml::table& table = table_of(node, "[end]");
+    RecordedEnd end;
+    read_keys(table, "[end]",
+              {{"step", [&](const toml::node& given) { end.step = count_of(given); }},
+               {"diverged", [&](const toml::node& given) { end.diverged = flag_of(given); }},
+               {"hashes", [&](const toml::node& given) {
+                    const auto hashes = elements_of(given, "the hash of each run", 0, Session::most_runs);
+                    for (const toml::node* const hash : hashes) end.hashes.push_back(hash_of(*hash));
+                }}});
+    needed(table, "[end]", "step");
+    return end;
+}
+
+Recording recording_of(const toml::table& root) {
+    const toml::node* const version = root.get("steplab-session");
+    if (!version) throw SceneProblem({1, 1}, "a session file begins with its version: steplab-session = 1");
+    if (integer_of(*version) != 1) fail_at(*version, "this program reads version 1: steplab-session = 1");
+    constexpr std::array<std::string_view, 7> keys{"steplab-session", "program", "scenes", "starts",
+                                                   "start",           "events",  "end"};
+    check_keys(root, "a session file", keys);
+    const Runs runs(root);
+    const toml::node& start = needed(root, "a session file", "start");
+    Recording recording{.start = runs.run(start, "[start]")};
+    placed(start, [&] { check(recording.start); });
+    each_table(root, "events", [&](const toml::table& table) { recording.events.push_back(event_of(table, runs)); });
+    if (const toml::node* const end = root.get("end")) recording.end = end_of(*end);
+    return recording;
+}
+
+}  // namespace
+
+Recording parse_session(const std::string& text, const std::string& name) {
+    try {
+        return recording_of(toml::parse(text, name));
+    } catch (const toml::parse_error& error) {
+        throw FileError(place_text(name, error.source().begin) + std::string(error.description()));
+    } catch (const SceneProblem& problem) {
+        throw FileError(place_text(name, problem.place()) + problem.what());
+    }
+}
+
+Recording read_session_file(const std::string& path) {
+    const InputFile file(path);
+    if (file.size() > largest_file) throw FileError(fmt::format("'{}': a session file has at most 1 GB", shown(path)));
+    return parse_session(file.read(0, file.size()), path);
+}
+
+}  // namespace steplab

@@ -1,0 +1,348 @@
+#include "session/replay.hpp"
+
+#include "core/error.hpp"
+#include "io/scene_file.hpp"
+#include "session/random_events.hpp"
+#include "session/session_file.hpp"
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// What a replay finds to differ; "the same" if nothing does.
+std::string replayed(Recording recording) {
+    Session session(recording.start);
+    Replay replay(std::move(recording), session);
+    while (!replay.is_done()) {
+        replay.approach(37);
+        if (!replay.is_due()) continue;
+        if (const auto difference = replay.perform()) return *difference;
+    }
+    return replay.compared() ? "the same" : "nothing was compared";
+}
+
+/// The same of the recording as a file has it, which has to have it without loss.
+std::string replayed_from_text(const Recording& recording) {
+    const std::string text = session_text(recording);
+    const Recording read = parse_session(text, "a.session");
+    EXPECT_EQ(session_text(read), text);
+    EXPECT_EQ(read.start, recording.start);
+    EXPECT_EQ(read.events.size(), recording.events.size());
+    return replayed(read);
+}
+
+std::string refusal_of(const std::string& text) {
+    try {
+        parse_session(text, "a.session");
+        return "read";
+    } catch (const FileError& error) {
+        return error.what();
+    }
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from << " in " << text;
+    return place == std::string::npos ? text : text.replace(place, from.size(), to);
+}
+
+RunDescription chain(Precision precision = Precision::double_) { return run_of("chain", "verlet", precision, 0.1); }
+
+/// A session in which everything happens that can be recorded.
+Recording of_every_kind(const RunDescription& start) {
+    Session session(start);
+    session.record();
+    const auto at = [&](std::uint64_t steps, const Event& event) {
+        session.advance(steps);
+        session.handle(event);
+    };
+    at(0, event::Play{true});
+    at(20, event::Do{Pull{3, {2.5, 0.25, -0.0}}});
+    at(10, event::Do{Kick{4, {0, 0.1, 0.2}}});
+    at(7, event::Play{false});
+    at(0, event::Step{3});
+    at(0, event::Step{-15});
+    session.handle(event::Change{with(session.run().description(), "k", 1.25)});
+    at(11, event::Do{TurnRound{}});
+    session.handle(event::AddRun{with(start, "dt", 0.05)});
+    session.handle(event::AddRun{with_method(start, "dopri5")});
+    at(11, event::Bookmark{"a \"mark\"\nof two lines"});
+    at(5, event::Undo{});
+    session.handle(event::Redo{});
+    at(4, event::ChangeRun{2, with_method(start, "rk4")});
+    session.handle(event::SeekTime{1.5});
+    session.finish();
+    session.handle(event::Do{Kick{2, {0.01, 0, 0}}});
+    at(3, event::TakeBranch{0});
+    session.handle(event::Seek{30});
+    session.finish();
+    at(2, event::Lead{1});
+    at(9, event::Do{Pull{5, {4.5, 0.5, 0}}});
+    at(9, event::RemoveRun{1});
+    at(9, event::Restart{});
+    at(12, event::Change{with_method(start, "rk4")});
+    session.advance(5);
+    session.finish();
+    return *session.recorded();
+}
+
+TEST(Replay, every_kind_of_event_has_the_same_hashes) {
+    for (const Precision precision : precisions) {
+        const Recording recording = of_every_kind(chain(precision));
+        EXPECT_EQ(recording.events.size(), 23u);
+        ASSERT_TRUE(recording.end);
+        EXPECT_EQ(recording.end->hashes.size(), 2u);
+        EXPECT_EQ(replayed_from_text(recording), "the same");
+    }
+}
+
+TEST(Replay, works_for_every_model) {
+    for (const Model& model : models()) {
+        Session session(small_run_of(model.info.id, "velocity-verlet", Precision::double_, 0.01));
+        session.record();
+        session.advance(10);
+        session.handle(event::Do{Kick{session.run().particles() - 1, {0, 0.1, 0}}});
+        session.advance(10);
+        session.handle(event::Change{with(session.run().description(), "dt", 0.005)});
+        session.advance(10);
+        EXPECT_EQ(replayed_from_text(*session.recorded()), "the same") << model.info.id;
+    }
+}
+
+constexpr const char* scene_text =
+    "steplab = 1\ntitle = \"of a file\"  # \\ and \"\"\" in it\r\n[parameters]\nG = 1.5\n[[particles]]\nfile = "
+    "\"a.xyz\"\n"
+    "[[pairs]]\npotential = \"gravity\"\nG = \"G\"\nsoftening = 0.1\n";
+constexpr const char* particles_text =
+    "3\nProperties=species:S:1:pos:R:3:velo:R:3 Time=0 Step=0\nX 0 0 0 0 0 0\nX 1 0 0 0 1 0\nX -2 0 0.5 0 -1 0\n";
+
+RunDescription of_scene_file() {
+    return describe(scene_from({{.name = "", .content = scene_text}, {.name = "a.xyz", .content = particles_text}},
+                               "folder/a.toml"));
+}
+
+TEST(Replay, carries_a_scene_file_and_what_it_reads) {
+    Session session(of_scene_file());
+    session.record();
+    session.advance(20);
+    session.handle(event::Change{with(session.run().description(), "G", 1.75)});
+    session.advance(20);
+    session.handle(event::Change{chain()});
+    session.advance(20);
+    session.handle(event::Undo{});
+    session.advance(20);
+    const Recording recording = *session.recorded();
+    EXPECT_EQ(replayed_from_text(recording), "the same");
+    const std::string text = session_text(recording);
+    EXPECT_EQ(text.find("[[scenes]]"), text.rfind("[[scenes]]")) << "the scene is there once";
+    const Recording read = parse_session(text, "a.session");
+    EXPECT_EQ(read.start.origin->parts, recording.start.origin->parts);
+    EXPECT_EQ(read.start.origin->given, "folder/a.toml");
+}
+
+TEST(Replay, carries_the_values_that_a_run_starts_from) {
+    RunDescription start = chain();
+    StartingValues values;
+    for (int i = 0; i < 10; ++i) {
+        values.positions.push_back({1.01 * i, 0.1 * i, 0});
+        values.velocities.push_back({0, 0.3, -1e-17});
+    }
+    values.given = "start.csv:12";
+    start.start = {std::make_shared<const StartingValues>(values), true};
+    start.scene.set("fixed", 0);
+    Session session(start);
+    session.record();
+    session.advance(30);
+    session.handle(event::Restart{});
+    session.advance(30);
+    EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
+}
+
+/// As a person and a worker do it: what is gone to is not always reached, and what goes beside the run not always
+/// there.
+Recording random_session(Precision precision, unsigned seed, int events) {
+    Session session(chain(precision));
+    session.record();
+    Visitor visitor(seed);
+    for (int i = 0; i < events; ++i) {
+        std::uint64_t left = visitor.below(40);
+        if (session.goal()) left = std::min(left, *session.goal() - std::min(*session.goal(), session.run().step()));
+        if (session.playing() || session.goal()) session.advance(left);
+        if (visitor.below(2) == 0) {
+            std::uint64_t pieces = visitor.below(4);
+            session.catch_up([&] { return pieces-- == 0; });
+        }
+        try {
+            session.handle(visitor.any_of_all(session));
+        } catch (const UsageError&) {  // of what is not there
+        }
+    }
+    session.finish();
+    return *session.recorded();
+}
+
+TEST(Replay, five_hundred_random_events_have_the_same_hashes) {
+    for (const Precision precision : precisions) {
+        for (const unsigned seed : {1u, 2u, 3u}) {
+            const Recording recording = random_session(precision, seed, 500);
+            EXPECT_GT(recording.events.size(), 300u);
+            EXPECT_EQ(replayed_from_text(recording), "the same") << "seed " << seed;
+        }
+    }
+}
+
+TEST(Replay, says_where_a_changed_number_makes_a_difference) {
+    const std::string text = session_text(of_every_kind(chain()));
+    const auto found = [&](const std::string& from, const std::string& to) {
+        return replayed(parse_session(replaced(text, from, to), "a.session"));
+    };
+    EXPECT_THAT(found("position = [2.5, ", "position = [2.5000001, "),
+                HasSubstr("event 2 (pull) at step 20: the hash"));
+    EXPECT_THAT(found("velocity = [0.0, 0.1, ", "velocity = [0.0, 0.11, "), HasSubstr("event 3 (kick) at step 30: "));
+    EXPECT_THAT(found("steps = -15", "steps = -16"), HasSubstr("event 6 (step) at step 40: "));
+    EXPECT_THAT(found("dt = 0.1", "dt = 0.2"), HasSubstr("event 2 (pull) at step 20: "));
+    EXPECT_THAT(found("do = \"lead\"\nnumber = 1", "do = \"lead\"\nnumber = 3"), HasSubstr("it is refused: "));
+}
+
+TEST(Replay, finds_a_run_beside_the_first_that_differs) {
+    Session session(chain());
+    session.record();
+    session.handle(event::AddRun{with(chain(), "dt", 0.05)});
+    session.advance(40);
+    session.finish();
+    const std::string text = session_text(*session.recorded());
+    const std::string added = text.substr(text.find("add-run"));
+    const std::string changed = replaced(text, added, replaced(added, "dt = 0.05", "dt = 0.04"));
+    EXPECT_THAT(replayed(parse_session(changed, "a.session")), HasSubstr("the end at step 40: the hash of run 1 is "));
+}
+
+TEST(Replay, of_a_run_that_diverged_goes_as_far) {
+    Session session(run_of("chain", "rk4", Precision::double_, 2));
+    session.record();
+    session.handle(event::Play{true});
+    session.advance(5000);
+    ASSERT_TRUE(session.line().is_over());
+    const std::uint64_t last = session.run().step();
+    session.handle(event::Step{5});
+    session.handle(event::Change{with(session.run().description(), "dt", 0.1)});
+    session.advance(50);
+    session.handle(event::Seek{last / 2});
+    session.finish();
+    session.handle(event::Do{Kick{5, {0.1, 0, 0}}});
+    session.advance(5000);
+    const Recording recording = *session.recorded();
+    EXPECT_TRUE(recording.events[1].diverged);
+    EXPECT_EQ(recording.events[1].step, last);
+    EXPECT_EQ(replayed_from_text(recording), "the same");
+    Recording later = recording;
+    later.events[1].diverged = false;
+    later.events[1].step += 2000;
+    EXPECT_THAT(replayed(later), HasSubstr("the run diverged after step"));
+}
+
+TEST(Recording, keeps_one_event_of_a_drag) {
+    Session session(chain());
+    session.record(0);
+    session.advance(100);
+    for (int i = 0; i < 50; ++i) session.handle(event::Do{Pull{3, {2 + 0.01 * i, 0, 0}}});
+    for (std::uint64_t step = 90; step > 50; --step) session.handle(event::Seek{step});
+    const Recording recording = *session.recorded();
+    ASSERT_EQ(recording.events.size(), 2u);
+    EXPECT_EQ(std::get<event::Seek>(recording.events[1].event).step, 51u);
+    EXPECT_EQ(recording.events[0].hash, "") << "no hashes were asked for";
+    session.finish();
+    EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
+}
+
+TEST(Recording, is_bounded) {
+    Recording recording{.start = chain()};
+    for (std::size_t i = 0; i < Recording::most_events + 10; ++i) recording.add({event::Step{1}, i}, false);
+    EXPECT_EQ(recording.events.size(), Recording::most_events);
+    EXPECT_FALSE(recording.complete);
+}
+
+TEST(SessionFile, says_what_is_wrong_and_where) {
+    const std::string head =
+        "steplab-session = 1\n[start]\nmodel = \"chain\"\nparameters = {}\nmethod = \"rk4\"\n"
+        "precision = \"double\"\ndt = 0.1\n";
+    EXPECT_EQ(refusal_of(head), "read");
+    const auto refuses = [&](const std::string& text, const std::string& message) {
+        EXPECT_THAT(refusal_of(text), HasSubstr(message));
+    };
+    refuses("", "a.session:1:1: a session file begins with its version: steplab-session = 1");
+    refuses("steplab-session = 2\n", "a.session:1:19: this program reads version 1");
+    refuses("steplab-session = 1\n", "needs 'start'");
+    refuses(head + "dt = 0.2\n", "a.session:8:");
+    refuses(replaced(head, "0.1", "0.0"), "a.session:2:1: dt must be");
+    refuses(replaced(head, "\"chain\"", "\"chian\""), "a.session:3:9: unknown model 'chian' (did you mean 'chain'?)");
+    refuses(replaced(head, "{}", "{ m = 0 }"), "a.session:4:20: ");
+    refuses(replaced(head, "{}", "{ fixd = 1 }"), "unknown parameter 'fixd' of chain (did you mean 'fixed'?)");
+    refuses(replaced(head, "[start]", "[strat]"), "unknown key 'strat' of a session file (did you mean 'start'?)");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"pul\"\n",
+            "a.session:10:6: unknown event 'pul' (did you mean 'pull'?)");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"pull\"\nparticle = 1\n", "a.session:8:1: 'pull' needs 'position'");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"undo\"\nto = 3\n", "a.session:11:1: unknown key 'to' of 'undo'");
+    refuses(head + "[[events]]\nstep = -1\ndo = \"undo\"\n", "a.session:9:8: must be an integer >= 0");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"undo\"\nhash = \"abc\"\n", "a hash must be 16 hexadecimal digits");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"seek-time\"\ntime = nan\n", "must be a finite number");
+    refuses(head + "[end]\nhashes = []\n", "[end] needs 'step'");
+    refuses(replaced(head, "model = \"chain\"", "scene = 0"), "a.session:3:9: the file has 0 [[scenes]]");
+    refuses("[[scenes]]\nname = \"a\"\n[[scenes.files]]\nname = \"\"\ncontent = \"steplab = 1\"\n",
+            "begins with its version");
+    refuses(
+        "steplab-session = 1\n[[scenes]]\nname = \"a\"\n[[scenes.files]]\nname = \"\"\ncontent = \"steplab = 1\"\n" +
+            head.substr(20),
+        "a:1:1: a scene needs [[particles]]");
+}
+
+/// Nothing that a file holds ends in a crash: it is refused, or something else is computed.
+void expect_answer(const std::string& text) {
+    try {
+        replayed(parse_session(text, "a.session"));
+    } catch (const FileError&) {
+    } catch (const UsageError&) {
+    }
+}
+
+TEST(SessionFile, truncated_anywhere_is_answered) {
+    Session session(of_scene_file());
+    session.record();
+    session.advance(5);
+    session.handle(event::Do{Pull{1, {1, 0.5, 0}}});
+    session.handle(event::AddRun{with_method(of_scene_file(), "rk4")});
+    session.advance(5);
+    session.finish();
+    const std::string text = session_text(*session.recorded());
+    for (std::size_t size = 0; size < text.size(); ++size) expect_answer(text.substr(0, size));
+}
+
+TEST(SessionFile, with_changed_bytes_is_answered) {
+    const std::string text = session_text(of_every_kind(chain()));
+    std::mt19937 random(7);
+    for (int i = 0; i < 600; ++i) {
+        std::string changed = text;
+        const std::size_t changes = 1 + random() % 3;
+        for (std::size_t k = 0; k < changes; ++k) {
+            // as often what a number or a name is made of as any byte
+            const bool any = random() % 2 == 0;
+            const std::string_view likely = "0123456789.-e\"[]{}=,ab";
+            changed[random() % text.size()] =
+                any ? static_cast<char>(random() % 256) : likely[random() % likely.size()];
+        }
+        expect_answer(changed);
+    }
+}
+
+}  // namespace
+}  // namespace steplab::test
