@@ -22,6 +22,7 @@ struct EventWord {
     std::string_view operator()(const event::Redo&) const { return "redo"; }
     std::string_view operator()(const event::AddRun&) const { return "add-run"; }
     std::string_view operator()(const event::ChangeRun&) const { return "change-run"; }
+    std::string_view operator()(const event::EqualCost& cost) const { return cost.on ? "equal-cost" : "own-cost"; }
     std::string_view operator()(const event::RemoveRun&) const { return "remove-run"; }
     std::string_view operator()(const event::Lead&) const { return "lead"; }
     std::string_view operator()(const event::Bookmark&) const { return "bookmark"; }

@@ -209,6 +209,8 @@ const std::vector<EventKind>& event_kinds() {
          [](const Given& given) -> Event {
              return event::ChangeRun{given.number(), given.run()};
          }},
+        {"equal-cost", {}, [](const Given&) -> Event { return event::EqualCost{true}; }},
+        {"own-cost", {}, [](const Given&) -> Event { return event::EqualCost{false}; }},
         {"remove-run", {"number"}, [](const Given& given) -> Event { return event::RemoveRun{given.number()}; }},
         {"lead", {"number"}, [](const Given& given) -> Event { return event::Lead{given.number()}; }},
         {"bookmark", {"text"}, [](const Given& given) -> Event { return event::Bookmark{text_of(given["text"])}; }},
