@@ -17,24 +17,30 @@ FollowerRun::FollowerRun(const RunDescription& description, std::size_t bytes)
 
 /// Where the leading run has gone another way than this one, this one begins again.
 bool FollowerRun::follow(const TimeLine& leading, const std::function<bool()>& enough) {
-    if (!follows(leading.changes())) {
+    if (!follows(leading.changes()) || is_beyond(leading)) {
         line_ = TimeLine(description_, bytes_);
         followed_.clear();
+        taken_at_.clear();
     }
-    if (followed_.empty()) followed_.push_back(leading.changes().front());
+    if (followed_.empty()) {
+        followed_.push_back(leading.changes().front());
+        taken_at_.push_back(0);
+    }
     while (followed_.size() < leading.past().size()) {
         const SegmentBegin& next = leading.changes()[followed_.size()];
         if (!go_to(next.time, enough)) return false;
         take(followed_.back(), next);
         followed_.push_back(next);
+        taken_at_.push_back(line_.step());
     }
     return go_to(leading.time(), enough);
 }
 
 bool FollowerRun::is_beside(const TimeLine& leading) const {
     const auto [step, evaluations, over] = line_.run().advanced();
-    return followed_.size() >= leading.past().size() && follows(leading.changes()) &&
-           (step == line_.step_at(leading.time()) || over);
+    const std::uint64_t wanted = line_.step_at(leading.time());
+    return followed_.size() >= leading.past().size() && follows(leading.changes()) && !is_beyond(leading) &&
+           (step == wanted || (over && !line_.ended_beyond(wanted)));
 }
 
 /// True if what happened to it is the beginning of these changes.
@@ -42,9 +48,16 @@ bool FollowerRun::follows(std::span<const SegmentBegin> changes) const {
     return followed_.size() <= changes.size() && std::equal(followed_.begin(), followed_.end(), changes.begin());
 }
 
+/// True if the step at which it is to be shown has something that is done to the leading run only later, as steps of
+/// this run are longer.
+bool FollowerRun::is_beyond(const TimeLine& leading) const {
+    const std::size_t due = leading.past().size();
+    return followed_.size() > due && taken_at_[due] <= line_.step_at(leading.time());
+}
+
 bool FollowerRun::go_to(double time, const std::function<bool()>& enough) {
     const std::uint64_t step = line_.step_at(time);
-    if (line_.run().advanced().step > step) line_.turn_to(step);
+    if (line_.run().advanced().step > step || line_.ended_beyond(step)) line_.turn_to_any(step);
     while (line_.run().advanced().step < step && !line_.run().advanced().diverged) {
         if (enough()) return false;
         line_.advance(std::min(piece, step - line_.run().advanced().step));

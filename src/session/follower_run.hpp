@@ -3,6 +3,7 @@
 #include "session/time_line.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -32,6 +33,7 @@ public:
 
 private:
     bool follows(std::span<const SegmentBegin> changes) const;
+    bool is_beyond(const TimeLine& leading) const;
     bool go_to(double time, const std::function<bool()>& enough);
     void take(const SegmentBegin& before, const SegmentBegin& change);
     static void take_scene(const SegmentBegin& before, const SegmentBegin& change, RunDescription& description);
@@ -39,7 +41,8 @@ private:
     RunDescription description_;
     std::size_t bytes_;
     TimeLine line_;
-    std::vector<SegmentBegin> followed_;  ///< the leading run's changes that are changes of its line, the start first
+    std::vector<SegmentBegin> followed_;   ///< the leading run's changes that are changes of its line, the start first
+    std::vector<std::uint64_t> taken_at_;  ///< the steps of this run at which they were
 };
 
 }  // namespace steplab

@@ -40,6 +40,7 @@ void Moments::keep_within(const Simulation& simulation, std::size_t changes, std
         const Moment& last = *std::prev(place);
         if (last.changes == changes && step < last.step + spacing) return;
     }
+    if (!simulation.is_plausible()) return;
     const auto added = moments_.insert(place, {step, changes, simulation.save()});
     used_ += added->state.bytes();
     keep_to_memory();

@@ -9,7 +9,8 @@
 namespace steplab {
 
 /// Moments of a run to come back to: any other is reached by stepping again from the nearest one. They grow sparser
-/// when the memory allowed is full, the first after each change of the run always being kept.
+/// when the memory allowed is full, the first after each change of the run always being kept. None is of a moment whose
+/// energy is impossible: from there, another step would be found to be the last good one.
 class Moments {
 public:
     struct Moment {

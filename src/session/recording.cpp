@@ -31,12 +31,12 @@ bool is_recorded(const Event& event) {
 }
 
 void Recording::add(RecordedEvent next, bool nothing_new) {
-    if (!events.empty() && complete) {
-        RecordedEvent& last = events.back();
-        const bool dragged = nothing_new && !next.diverged && is_seek(last.event) && is_seek(next.event);
-        if (dragged || is_same_pull(last, next)) {
-            last.event = std::move(next.event);
-            if (!dragged) last.hash = std::move(next.hash);
+    RecordedEvent* const last = events.empty() ? nullptr : &events.back();
+    if (complete && last && !last->diverged && !next.diverged) {
+        const bool dragged = nothing_new && is_seek(last->event) && is_seek(next.event);
+        if (dragged || is_same_pull(*last, next)) {
+            last->event = std::move(next.event);
+            if (!dragged) last->hash = std::move(next.hash);
             return;
         }
     }

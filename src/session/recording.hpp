@@ -43,9 +43,9 @@ struct Recording {
     std::optional<RecordedEnd> end = {};
     bool complete = true;
 
-    /// Adds an event. Where it leaves nothing of the last one it takes that one's place: a particle that is dragged
-    /// while the run stands, and, if `nothing_new`, the time line: the session stood, and was at no step since then
-    /// that it had not been at before.
+    /// Adds an event. Where it leaves nothing of the last one it takes that one's place, unless the run has diverged: a
+    /// particle that is dragged while the run stands, and, if `nothing_new`, the time line: the session stood, and was
+    /// at no step since then that it had not been at before.
     void add(RecordedEvent next, bool nothing_new);
 };
 

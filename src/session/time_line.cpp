@@ -25,6 +25,7 @@ TimeLine::TimeLine(const RunDescription& description, std::size_t bytes)
 
 void TimeLine::advance(std::uint64_t steps) {
     const std::uint64_t target = run_.advanced().step + steps;
+    if (!run_.advanced().diverged) asked_ = target;
     take_due_changes();
     while (run_.advanced().step < target && !run_.advanced().diverged) {
         const std::uint64_t next = taken_ < changes_.size() ? std::min(target, changes_[taken_].step) : target;
@@ -38,6 +39,7 @@ void TimeLine::advance(std::uint64_t steps) {
 void TimeLine::note_reached() {
     const auto [step, evaluations, over] = run_.advanced();
     if (step <= reached_ && !(over && step < reached_)) return;
+    if (over) moments_.cut(step, taken_);
     reached_ = step;
     reached_time_ = time_of(step);
 }
@@ -60,11 +62,25 @@ void TimeLine::take_effect(SegmentBegin& change) {
     }
 }
 
+/// What is found when the numbers of a step are read.
+void TimeLine::settle() {
+    if (is_over()) note_reached();
+}
+
 bool TimeLine::turn_to(std::uint64_t step) {
+    settle();
+    return turn_to(step, run_.step() <= step);
+}
+
+void TimeLine::turn_to_any(std::uint64_t step) {
+    settle();
+    turn_to(step, run_.step() <= step && !ended_beyond(step));
+}
+
+bool TimeLine::turn_to(std::uint64_t step, bool can_go_on) {
     const auto due = static_cast<std::size_t>(std::count_if(
         changes_.begin(), changes_.end(), [&](const SegmentBegin& change) { return change.step <= step; }));
     const Moments::Moment* const nearest = moments_.before(step, due);
-    const bool can_go_on = run_.step() <= step;
     if (can_go_on && (!nearest || nearest->step <= run_.step())) return false;
     const bool back = !can_go_on;
     if (nearest) {
@@ -74,6 +90,7 @@ bool TimeLine::turn_to(std::uint64_t step) {
         run_.begin(changes_.front().description);
         taken_ = 1;
     }
+    asked_ = run_.step();
     return back;
 }
 
@@ -142,7 +159,7 @@ void TimeLine::stand_at(std::uint64_t step, std::size_t changes) {
 
 /// Forgets what lies behind this step and more changes than these.
 std::optional<TimeLine::Branch> TimeLine::cut(std::uint64_t step, std::size_t kept) {
-    note_reached();
+    settle();
     const bool nothing = changes_.size() == kept && reached_ <= step;
     Branch branch{changes_, moments_.cut(step, kept), step, reached_, reached_time_};
     changes_.resize(kept);

@@ -44,6 +44,11 @@ public:
     /// Takes it to where it can go on to this step by advance(): the nearest moment before it that is kept, or stays
     /// where that is nearer. True if it was taken back.
     bool turn_to(std::uint64_t step);
+    /// The same, also where the run ended on the way to a later step: whether it has ended then depends on the step
+    /// alone, not on where it was before.
+    void turn_to_any(std::uint64_t step);
+    /// True if the run ended, and may not have ended yet at this step.
+    bool ended_beyond(std::uint64_t step) const { return is_over() && step < asked_; }
     /// Forgets what lies ahead, as if it had not been there.
     void forget_ahead() { cut(run_.step(), taken_); }
     /// Keeps the present moment, unless one is near.
@@ -81,6 +86,8 @@ private:
     void take_effect(SegmentBegin& change);
     void take_due_changes();
     void note_reached();
+    void settle();
+    bool turn_to(std::uint64_t step, bool can_go_on);
     void stand_at(std::uint64_t step, std::size_t changes);
     std::optional<Branch> cut(std::uint64_t step, std::size_t kept);
     std::optional<Branch> append(SegmentBegin change);
@@ -89,7 +96,8 @@ private:
     Simulation run_;
     Moments moments_;
     std::vector<SegmentBegin> changes_;
-    std::size_t taken_ = 1;  ///< how many have taken effect
+    std::size_t taken_ = 1;    ///< how many have taken effect
+    std::uint64_t asked_ = 0;  ///< the step that it was last taken to; where the run ended, it was found on the way
     std::uint64_t reached_ = 0;
     double reached_time_ = 0;
     Vec3 start_momentum_;

@@ -50,14 +50,14 @@ public:
                 return event::Step{static_cast<std::int64_t>(below(100))};
         }
     }
-    /// Also those of several runs.
+    /// Also those of several runs, and some that make them diverge.
     Event any_of_all(const Session& session) {
         const RunDescription& run = session.run().description();
         switch (below(20)) {
             case 0:
                 return event::AddRun{with_method(run, below(2) == 0 ? "rk4" : "verlet")};
             case 1:
-                return event::ChangeRun{1 + below(3), with(run, "dt", 0.02 + 0.1 * number())};
+                return event::ChangeRun{1 + below(3), with(run, "dt", below(3) == 0 ? 2.5 : 0.02 + 0.1 * number())};
             case 2:
                 return below(3) == 0 ? Event(event::Lead{1 + below(3)}) : Event(event::RemoveRun{below(4)});
             case 3:
@@ -71,6 +71,8 @@ public:
                 return event::SeekTime{number() * session.line().reached_time()};
             case 8:
                 return event::Seek{session.line().reached() + below(50)};
+            case 9:
+                return event::Change{with(run, "dt", 2.5)};
             default:
                 return any(session);
         }
