@@ -102,6 +102,12 @@ using Event = std::variant<event::Play, event::Step, event::Seek, event::SeekTim
                            event::ShowForces, event::ShowErrors, event::AddRun, event::ChangeRun, event::EqualCost,
                            event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
 
+/// True if it is one of these.
+template <class... Kinds>
+bool is_any(const Event& event) {
+    return (std::holds_alternative<Kinds>(event) || ...);
+}
+
 /// True if the second event leaves nothing of the first, which it follows: a slider or the time line is dragged.
 bool overtakes(const Event& earlier, const Event& later);
 

@@ -6,11 +6,6 @@ namespace steplab {
 
 namespace {
 
-template <class... Kinds>
-bool is_any(const Event& event) {
-    return (std::holds_alternative<Kinds>(event) || ...);
-}
-
 const Pull* pull_of(const Event& event) {
     const auto* const act = std::get_if<event::Do>(&event);
     return act ? std::get_if<Pull>(&act->act) : nullptr;

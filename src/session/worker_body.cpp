@@ -17,11 +17,6 @@ constexpr Pace::Duration patience{0.004};
 /// A view that was not taken is replaced by a newer one after this time.
 constexpr Pace::Duration stale{0.05};
 
-template <class... Kinds>
-bool is_any(const Event& event) {
-    return (std::holds_alternative<Kinds>(event) || ...);
-}
-
 /// True if a step takes another time after it.
 bool changes_speed(const Event& event) {
     return is_any<event::Change, event::ChangeRun, event::AddRun, event::RemoveRun, event::EqualCost, event::Lead,

@@ -77,6 +77,7 @@ Recording of_every_kind(const RunDescription& start) {
     at(11, event::Do{TurnRound{}});
     session.handle(event::AddRun{with(start, "dt", 0.05)});
     session.handle(event::AddRun{with_method(start, "dopri5")});
+    session.handle(event::EqualCost{true});
     at(11, event::Bookmark{"a \"mark\"\nof two lines"});
     at(5, event::Undo{});
     session.handle(event::Redo{});
