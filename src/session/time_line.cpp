@@ -44,9 +44,9 @@ void TimeLine::note_reached() {
     reached_time_ = time_of(step);
 }
 
-/// Those of the present step.
+/// Those of the present step; of a run that has diverged, what was done where it stands, from which it goes on.
 void TimeLine::take_due_changes() {
-    while (taken_ < changes_.size() && !run_.advanced().diverged && changes_[taken_].step == run_.advanced().step) {
+    while (taken_ < changes_.size() && changes_[taken_].step == run_.advanced().step) {
         take_effect(changes_[taken_]);
         ++taken_;
         keep_moment();

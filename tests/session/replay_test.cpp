@@ -101,7 +101,7 @@ Recording of_every_kind(const RunDescription& start) {
 TEST(Replay, every_kind_of_event_has_the_same_hashes) {
     for (const Precision precision : precisions) {
         const Recording recording = of_every_kind(chain(precision));
-        EXPECT_EQ(recording.events.size(), 23u);
+        EXPECT_EQ(recording.events.size(), 24u);
         ASSERT_TRUE(recording.end);
         EXPECT_EQ(recording.end->hashes.size(), 2u);
         EXPECT_EQ(replayed_from_text(recording), "the same");

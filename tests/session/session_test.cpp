@@ -250,6 +250,25 @@ TEST(Session, a_run_that_diverges_stays_behind_and_the_others_go_on) {
     EXPECT_FALSE(view.leading.divergence);
 }
 
+TEST(Session, a_run_that_diverged_goes_on_with_another_dt) {
+    Session session(with(chain("rk4"), "dt", 2));
+    session.handle(event::Step{6000});
+    ASSERT_TRUE(session.run().divergence());
+    const std::uint64_t last_good = session.run().step();
+    session.handle(event::Change{with(chain("rk4"), "dt", 0.1)});
+    EXPECT_FALSE(session.run().divergence());
+    EXPECT_EQ(session.run().description().dt, 0.1);
+    session.handle(event::Step{10});
+    EXPECT_EQ(session.run().step(), last_good + 10);
+    const std::string there = session.run().hash();
+    go_to(session, 0);
+    go_to(session, last_good + 10);
+    EXPECT_EQ(session.run().hash(), there);
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.run().description().dt, 2);
+    EXPECT_EQ(session.run().step(), last_good);
+}
+
 TEST(Session, time_runs_back_without_drag) {
     Session session(chain("velocity-verlet"));
     session.handle(event::Step{100});

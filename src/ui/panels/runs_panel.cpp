@@ -1,5 +1,6 @@
 #include "core/number_text.hpp"
 #include "session/run_name.hpp"
+#include "session/session.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/actions.hpp"
 #include "ui/panels/method_items.hpp"
@@ -86,21 +87,18 @@ void draw_run(const Context& context, std::size_t run) {
             offset_text(context, run) + (run == 0 ? "the leading run: settings and time line are its own"
                                                   : "click to make it the leading run, whose settings are shown"));
     if (clicked && run > 0) context.events.send(event::Lead{run});
-    if (runs_of(context) > 1) {
-        ImGui::SameLine(0, context.px(4));
-        if (cross_button(context, widget + ".remove")) context.events.send(event::RemoveRun{run});
-    }
+    ImGui::SameLine(0, context.px(4));
+    if (cross_button(context, widget + ".remove")) context.events.send(event::RemoveRun{run});
 }
 
 void draw_errors(const Context& context, std::size_t run) {
-    if (runs_of(context) == 1) return;  // they are in the scene
     explanation(context, errors_text(context, run));
     if (const Compared* const compared = compared_of(context, run)) tooltip(context, more_errors_text(*compared));
 }
 
 void draw_reference(const Context& context) {
     const auto& errors = context.session.errors;
-    if (!errors || runs_of(context) == 1) return;
+    if (!errors) return;
     std::string text = errors->exact ? "against the exact solution" : "against a reference run";
     if (errors->time < context.view.frame.time - 1e-9)
         text += fmt::format(", which is at t = {} s", typed(errors->time, 4));
@@ -154,17 +152,9 @@ void draw_add(const Context& context) {
     ImGui::SameLine(0, context.px(6));
 }
 
-}  // namespace
-
-void draw_runs_panel(const Context& context) {
-    heading(context, "RUNS");
-    for (std::size_t run = 0; run < runs_of(context); ++run) {
-        draw_run(context, run);
-        draw_errors(context, run);
-    }
-    draw_reference(context);
-    if (runs_of(context) > 1) draw_together(context);
-    if (runs_of(context) < 4) draw_add(context);
+/// What makes several runs of one, and what all of them do.
+void draw_buttons(const Context& context) {
+    if (runs_of(context) < Session::most_runs) draw_add(context);
     if (text_button(context, "twin", "twin", false, context.px(58))) perform(context, Action::twin);
     tooltip(context, help_of(Action::twin));
     ImGui::SameLine(0, context.px(6));
@@ -172,6 +162,22 @@ void draw_runs_panel(const Context& context) {
     tooltip(context, has_drag(context.view.description)
                          ? "all velocities are turned round; with drag the motion does not return"
                          : help_of(Action::turn_round));
+}
+
+}  // namespace
+
+/// A run alone needs no list: the sections below are its settings.
+void draw_runs_panel(const Context& context) {
+    ImGui::Dummy({0, context.px(2)});
+    if (runs_of(context) == 1) return draw_buttons(context);
+    heading(context, "RUNS");
+    for (std::size_t run = 0; run < runs_of(context); ++run) {
+        draw_run(context, run);
+        draw_errors(context, run);
+    }
+    draw_reference(context);
+    draw_together(context);
+    draw_buttons(context);
 }
 
 }  // namespace steplab::ui
