@@ -47,10 +47,15 @@ void TimeLine::note_reached() {
 /// Those of the present step.
 void TimeLine::take_due_changes() {
     while (taken_ < changes_.size() && !run_.advanced().diverged && changes_[taken_].step == run_.advanced().step) {
-        take_effect(changes_[taken_]);
-        ++taken_;
-        keep_moment();
+        take_next_change();
     }
+}
+
+void TimeLine::take_next_change() {
+    take_effect(changes_[taken_]);
+    ++taken_;
+    asked_ = run_.step();
+    keep_moment();
 }
 
 void TimeLine::take_effect(SegmentBegin& change) {
@@ -140,7 +145,7 @@ std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change) {
         moments_.keep(run_, taken_);  // what may be taken back is often taken back at once
     }
     changes_.push_back(std::move(change));
-    take_due_changes();
+    take_next_change();  // also of a run that diverged: it continues from its last good step
     return left;
 }
 
