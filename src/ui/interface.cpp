@@ -67,6 +67,7 @@ void draw_panels(const Context& context) {
     draw_side_panel(context);
     draw_plots_panel(context);
     draw_time_line(context);
+    draw_run_buttons(context);
     draw_top_bar(context);
     draw_pointed(context);
     draw_read_out(context);

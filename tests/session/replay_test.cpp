@@ -266,21 +266,25 @@ TEST(Recording, keeps_one_event_of_a_drag) {
     EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
 }
 
-// A diverged run does not take what is done to it, so that each of these leaves its own mark.
-TEST(Recording, keeps_all_that_is_done_to_a_run_that_diverged) {
+TEST(Replay, takes_what_is_done_to_a_run_that_diverged) {
     Session session(run_of("chain", "rk4", Precision::double_, 2));
     session.record();
     session.advance(5000);
     ASSERT_TRUE(session.line().is_over());
+    const std::uint64_t last = session.run().step();
     for (int i = 0; i < 3; ++i) session.handle(event::Do{Pull{3, {2 + 0.01 * i, 0, 0}}});
-    session.handle(event::Seek{1});
+    session.handle(event::Change{with(session.run().description(), "dt", 0.1)});
+    EXPECT_FALSE(session.run().divergence());
+    EXPECT_EQ(session.run().dt(), 0.1);
+    session.advance(10);
+    EXPECT_EQ(session.run().step(), last + 10);
+    const std::string there = session.run().hash();
+    session.handle(event::Seek{0});
     session.finish();
-    session.handle(event::Seek{2});
+    session.handle(event::Seek{last + 10});
     session.finish();
-    session.handle(event::TakeBranch{1});
-    const Recording recording = *session.recorded();
-    EXPECT_EQ(recording.events.size(), 6u);
-    EXPECT_EQ(replayed_from_text(recording), "the same");
+    EXPECT_EQ(session.run().hash(), there);
+    EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
 }
 
 TEST(Recording, is_bounded) {

@@ -60,7 +60,8 @@ void Trace::report(const RunView& view) {
 void Trace::report(const SessionView& session) {
     report(session.leading);
     const auto text = [](const RunView& run) {
-        return fmt::format("{} {}", run.description.method, id(run.description.precision));
+        const RunDescription& of = run.description;
+        return fmt::format("{} {} {}", of.method, id(of.precision), number_text(of.dt));
     };
     std::string runs = text(session.leading);
     for (const RunView& run : session.followers) runs += ", " + text(run);

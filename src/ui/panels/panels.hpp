@@ -31,7 +31,9 @@ void draw_lost_card(const Context& context);
 void draw_read_out(const Context& context);
 void draw_notices(const Context& context);
 void draw_time_line(const Context& context);
+/// The list of runs, if there are several, and the buttons beside the time line.
 void draw_runs_panel(const Context& context);
+void draw_run_buttons(const Context& context);
 void draw_divergence_card(const Context& context);
 void draw_help(const Context& context);
 

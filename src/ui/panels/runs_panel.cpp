@@ -147,7 +147,7 @@ void draw_add(const Context& context) {
     std::size_t none = 0;
     std::vector<ComboItem> items{{.id = "", .name = "+ method"}};
     for (ComboItem& item : method_items()) items.push_back(std::move(item));
-    if (combo(context, "add run", items, none, context.px(106)))
+    if (combo(context, "add run", items, none, context.px(104)))
         context.events.send(event::AddRun{with_method(context.description(), items[none].id)});
     ImGui::SameLine(0, context.px(6));
 }
@@ -166,10 +166,16 @@ void draw_buttons(const Context& context) {
 
 }  // namespace
 
+void draw_run_buttons(const Context& context) {
+    const Area& area = context.layout.run_buttons;
+    if (area.empty()) return;
+    const StripWindow strip(context, "run buttons", area);
+    draw_buttons(context);
+}
+
 /// A run alone needs no list: the sections below are its settings.
 void draw_runs_panel(const Context& context) {
-    ImGui::Dummy({0, context.px(2)});
-    if (runs_of(context) == 1) return draw_buttons(context);
+    if (runs_of(context) == 1) return;
     heading(context, "RUNS");
     for (std::size_t run = 0; run < runs_of(context); ++run) {
         draw_run(context, run);
@@ -177,7 +183,6 @@ void draw_runs_panel(const Context& context) {
     }
     draw_reference(context);
     draw_together(context);
-    draw_buttons(context);
 }
 
 }  // namespace steplab::ui

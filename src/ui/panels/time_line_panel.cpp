@@ -120,12 +120,7 @@ void end_scrubbing(const Context& context) {
 void draw_time_line(const Context& context) {
     const Area& area = context.layout.time_line;
     if (area.empty()) return;
-    ImGui::SetNextWindowPos({area.x, area.y});
-    ImGui::SetNextWindowSize({area.width, area.height});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(5)});
-    ImGui::Begin("time line", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    const StripWindow strip(context, "time line", area);
     const double now = context.view.frame.time, end = std::max(now, context.session.line.reached_time);
     slider_row(context,
                {.widget = "time",
@@ -148,8 +143,6 @@ void draw_time_line(const Context& context) {
         draw_bookmarks(context, track);
     }
     end_scrubbing(context);
-    ImGui::End();
-    ImGui::PopStyleVar();
 }
 
 }  // namespace steplab::ui

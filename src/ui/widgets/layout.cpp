@@ -14,6 +14,8 @@ constexpr float lowest_with_plots = 460;
 constexpr float narrowest_plot = 240;
 constexpr float time_line_height = 34;
 constexpr float lowest_with_time_line = 240;
+constexpr float run_buttons_width = 292;
+constexpr float narrowest_with_run_buttons = 600;
 
 float plots_height(float height) { return std::clamp(0.285f * height, 150.0f, 380.0f); }
 
@@ -42,6 +44,11 @@ Layout arrange(const Display& display, std::optional<bool> panel) {
     if (height >= px(lowest_with_time_line) && layout.scene.width >= px(narrowest_plot)) {
         layout.scene.height -= px(time_line_height);
         layout.time_line = {layout.scene.x, layout.scene.bottom(), layout.scene.width, px(time_line_height)};
+        if (layout.scene.width >= px(narrowest_with_run_buttons)) {
+            layout.time_line.width -= px(run_buttons_width);
+            layout.run_buttons = {layout.time_line.right(), layout.time_line.y, px(run_buttons_width),
+                                  layout.time_line.height};
+        }
     }
     layout.bar_has_title = width >= px(1120);
     layout.bar_has_speed = width >= px(820);

@@ -23,6 +23,7 @@ struct Layout {
     Area bar;            ///< along the top
     Area panel;          ///< at the left
     Area time_line;      ///< below the scene
+    Area run_buttons;    ///< beside it, where there is room
     Area plots;          ///< at the bottom
     Area scene;          ///< the rest
     int plot_count = 0;  ///< number of plots that fit next to each other

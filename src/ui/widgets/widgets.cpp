@@ -1,6 +1,7 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steplab::ui {
 namespace {
@@ -126,6 +127,21 @@ bool segmented(const Context& context, std::string_view widget, std::span<const 
         text_left(0.5f * (from.x + to.x - text_size(choices[i]).x), 0.5f * (from.y + to.y), choices[i], ink);
     }
     return changed;
+}
+
+StripWindow::StripWindow(const Context& context, const char* name, const Area& area) {
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.width, area.height});
+    const float above = std::max(0.0f, std::floor(0.5f * (area.height - ImGui::GetFrameHeight())));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), above});
+    ImGui::Begin(name, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+}
+
+StripWindow::~StripWindow() {
+    ImGui::End();
+    ImGui::PopStyleVar();
 }
 
 bool cross_button(const Context& context, std::string_view widget) {

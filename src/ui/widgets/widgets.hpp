@@ -75,6 +75,15 @@ bool choice_box(const Context& context, std::string_view widget, std::string_vie
 /// How ImGui carries the name of an OpenGL texture.
 ImTextureID texture_id(std::uint32_t name);
 
+/// A window without frame that fills an area, until the end of the block.
+class StripWindow {
+public:
+    StripWindow(const Context& context, const char* name, const Area& area);
+    ~StripWindow();
+    StripWindow(const StripWindow&) = delete;
+    StripWindow& operator=(const StripWindow&) = delete;
+};
+
 /// A cross that takes away what it stands beside. True when clicked.
 bool cross_button(const Context& context, std::string_view widget);
 

@@ -12,7 +12,7 @@ bool overlap(const Area& a, const Area& b) {
 }
 
 void expect_tiling(const Layout& layout, const Display& display) {
-    const Area areas[] = {layout.bar, layout.panel, layout.plots, layout.time_line, layout.scene};
+    const Area areas[] = {layout.bar, layout.panel, layout.plots, layout.time_line, layout.run_buttons, layout.scene};
     float covered = 0;
     for (const Area& a : areas) {
         if (!a.empty()) covered += a.width * a.height;
