@@ -44,18 +44,13 @@ void TimeLine::note_reached() {
     reached_time_ = time_of(step);
 }
 
-/// Those of the present step.
+/// Those of the present step; of a run that has diverged, what was done where it stands, from which it goes on.
 void TimeLine::take_due_changes() {
-    while (taken_ < changes_.size() && !run_.advanced().diverged && changes_[taken_].step == run_.advanced().step) {
-        take_next_change();
+    while (taken_ < changes_.size() && changes_[taken_].step == run_.advanced().step) {
+        take_effect(changes_[taken_]);
+        ++taken_;
+        keep_moment();
     }
-}
-
-void TimeLine::take_next_change() {
-    take_effect(changes_[taken_]);
-    ++taken_;
-    asked_ = run_.step();
-    keep_moment();
 }
 
 void TimeLine::take_effect(SegmentBegin& change) {
@@ -145,7 +140,7 @@ std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change) {
         moments_.keep(run_, taken_);  // what may be taken back is often taken back at once
     }
     changes_.push_back(std::move(change));
-    take_next_change();  // also of a run that diverged: it continues from its last good step
+    take_due_changes();
     return left;
 }
 

@@ -85,7 +85,6 @@ public:
 private:
     void take_effect(SegmentBegin& change);
     void take_due_changes();
-    void take_next_change();
     void note_reached();
     void settle();
     bool turn_to(std::uint64_t step, bool can_go_on);

@@ -1,63 +1,17 @@
-#include "session/replay.hpp"
+#include "session/replay_test.hpp"
 
-#include "core/error.hpp"
-#include "io/scene_file.hpp"
 #include "session/random_events.hpp"
-#include "session/session_file.hpp"
-#include "support/runs.hpp"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <functional>
-#include <optional>
+#include <memory>
 #include <random>
-#include <string>
-#include <vector>
+#include <string_view>
 
 namespace steplab::test {
 namespace {
 
 using testing::HasSubstr;
-
-/// What a replay finds to differ; "the same" if nothing does.
-std::string replayed(Recording recording) {
-    Session session(recording.start);
-    Replay replay(std::move(recording), session);
-    while (!replay.is_done()) {
-        replay.approach(37);
-        if (!replay.is_due()) continue;
-        if (const auto difference = replay.perform()) return *difference;
-    }
-    return replay.compared() ? "the same" : "nothing was compared";
-}
-
-/// The same of the recording as a file has it, which has to have it without loss.
-std::string replayed_from_text(const Recording& recording) {
-    const std::string text = session_text(recording);
-    const Recording read = parse_session(text, "a.session");
-    EXPECT_EQ(session_text(read), text);
-    EXPECT_EQ(read.start, recording.start);
-    EXPECT_EQ(read.events.size(), recording.events.size());
-    return replayed(read);
-}
-
-std::string refusal_of(const std::string& text) {
-    try {
-        parse_session(text, "a.session");
-        return "read";
-    } catch (const FileError& error) {
-        return error.what();
-    }
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t place = text.find(from);
-    EXPECT_NE(place, std::string::npos) << from << " in " << text;
-    return place == std::string::npos ? text : text.replace(place, from.size(), to);
-}
-
-RunDescription chain(Precision precision = Precision::double_) { return run_of("chain", "verlet", precision, 0.1); }
 
 /// A session in which everything happens that can be recorded.
 Recording of_every_kind(const RunDescription& start) {
@@ -119,18 +73,6 @@ TEST(Replay, works_for_every_model) {
         session.advance(10);
         EXPECT_EQ(replayed_from_text(*session.recorded()), "the same") << model.info.id;
     }
-}
-
-constexpr const char* scene_text =
-    "steplab = 1\ntitle = \"of a file\"  # \\ and \"\"\" in it\r\n[parameters]\nG = 1.5\n[[particles]]\nfile = "
-    "\"a.xyz\"\n"
-    "[[pairs]]\npotential = \"gravity\"\nG = \"G\"\nsoftening = 0.1\n";
-constexpr const char* particles_text =
-    "3\nProperties=species:S:1:pos:R:3:velo:R:3 Time=0 Step=0\nX 0 0 0 0 0 0\nX 1 0 0 0 1 0\nX -2 0 0.5 0 -1 0\n";
-
-RunDescription of_scene_file() {
-    return describe(scene_from({{.name = "", .content = scene_text}, {.name = "a.xyz", .content = particles_text}},
-                               "folder/a.toml"));
 }
 
 TEST(Replay, carries_a_scene_file_and_what_it_reads) {
@@ -252,20 +194,6 @@ TEST(Replay, of_a_run_that_diverged_goes_as_far) {
     EXPECT_THAT(replayed(later), HasSubstr("the run diverged after step"));
 }
 
-TEST(Recording, keeps_one_event_of_a_drag) {
-    Session session(chain());
-    session.record(0);
-    session.advance(100);
-    for (int i = 0; i < 50; ++i) session.handle(event::Do{Pull{3, {2 + 0.01 * i, 0, 0}}});
-    for (std::uint64_t step = 90; step > 50; --step) session.handle(event::Seek{step});
-    const Recording recording = *session.recorded();
-    ASSERT_EQ(recording.events.size(), 2u);
-    EXPECT_EQ(std::get<event::Seek>(recording.events[1].event).step, 51u);
-    EXPECT_EQ(recording.events[0].hash, "") << "no hashes were asked for";
-    session.finish();
-    EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
-}
-
 TEST(Replay, takes_what_is_done_to_a_run_that_diverged) {
     Session session(run_of("chain", "rk4", Precision::double_, 2));
     session.record();
@@ -285,68 +213,6 @@ TEST(Replay, takes_what_is_done_to_a_run_that_diverged) {
     session.finish();
     EXPECT_EQ(session.run().hash(), there);
     EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
-}
-
-TEST(Recording, is_bounded) {
-    Recording recording{.start = chain()};
-    for (std::size_t i = 0; i < Recording::most_events + 10; ++i) recording.add({event::Step{1}, i}, false);
-    EXPECT_EQ(recording.events.size(), Recording::most_events);
-    EXPECT_FALSE(recording.complete);
-}
-
-TEST(SessionFile, says_what_is_wrong_and_where) {
-    const std::string head =
-        "steplab-session = 1\n[start]\nmodel = \"chain\"\nparameters = {}\nmethod = \"rk4\"\n"
-        "precision = \"double\"\ndt = 0.1\n";
-    EXPECT_EQ(refusal_of(head), "read");
-    const auto refuses = [&](const std::string& text, const std::string& message) {
-        EXPECT_THAT(refusal_of(text), HasSubstr(message));
-    };
-    refuses("", "a.session:1:1: a session file begins with its version: steplab-session = 1");
-    refuses("steplab-session = 2\n", "a.session:1:19: this program reads version 1");
-    refuses("steplab-session = 1\n", "needs 'start'");
-    refuses(head + "dt = 0.2\n", "a.session:8:");
-    refuses(replaced(head, "0.1", "0.0"), "a.session:2:1: dt must be");
-    refuses(replaced(head, "\"chain\"", "\"chian\""), "a.session:3:9: unknown model 'chian' (did you mean 'chain'?)");
-    refuses(replaced(head, "{}", "{ m = 0 }"), "a.session:4:20: ");
-    refuses(replaced(head, "{}", "{ fixd = 1 }"), "unknown parameter 'fixd' of chain (did you mean 'fixed'?)");
-    refuses(replaced(head, "[start]", "[strat]"), "unknown key 'strat' of a session file (did you mean 'start'?)");
-    refuses(head + "[[events]]\nstep = 1\ndo = \"pul\"\n",
-            "a.session:10:6: unknown event 'pul' (did you mean 'pull'?)");
-    refuses(head + "[[events]]\nstep = 1\ndo = \"pull\"\nparticle = 1\n", "a.session:8:1: 'pull' needs 'position'");
-    refuses(head + "[[events]]\nstep = 1\ndo = \"undo\"\nto = 3\n", "a.session:11:1: unknown key 'to' of 'undo'");
-    refuses(head + "[[events]]\nstep = -1\ndo = \"undo\"\n", "a.session:9:8: must be an integer >= 0");
-    refuses(head + "[[events]]\nstep = 1\ndo = \"undo\"\nhash = \"abc\"\n", "a hash must be 16 hexadecimal digits");
-    refuses(head + "[[events]]\nstep = 1\ndo = \"seek-time\"\ntime = nan\n", "must be a finite number");
-    refuses(head + "[end]\nhashes = []\n", "[end] needs 'step'");
-    refuses(replaced(head, "model = \"chain\"", "scene = 0"), "a.session:3:9: the file has 0 [[scenes]]");
-    refuses("[[scenes]]\nname = \"a\"\n[[scenes.files]]\nname = \"\"\ncontent = \"steplab = 1\"\n",
-            "begins with its version");
-    refuses(
-        "steplab-session = 1\n[[scenes]]\nname = \"a\"\n[[scenes.files]]\nname = \"\"\ncontent = \"steplab = 1\"\n" +
-            head.substr(20),
-        "a:1:1: a scene needs [[particles]]");
-}
-
-/// Nothing that a file holds ends in a crash: it is refused, or something else is computed.
-void expect_answer(const std::string& text) {
-    try {
-        replayed(parse_session(text, "a.session"));
-    } catch (const FileError&) {
-    } catch (const UsageError&) {
-    }
-}
-
-TEST(SessionFile, truncated_anywhere_is_answered) {
-    Session session(of_scene_file());
-    session.record();
-    session.advance(5);
-    session.handle(event::Do{Pull{1, {1, 0.5, 0}}});
-    session.handle(event::AddRun{with_method(of_scene_file(), "rk4")});
-    session.advance(5);
-    session.finish();
-    const std::string text = session_text(*session.recorded());
-    for (std::size_t size = 0; size < text.size(); ++size) expect_answer(text.substr(0, size));
 }
 
 TEST(SessionFile, with_changed_bytes_is_answered) {

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "core/error.hpp"
+#include "io/scene_file.hpp"
+#include "session/replay.hpp"
+#include "session/session_file.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+namespace steplab::test {
+
+/// What a replay finds to differ; "the same" if nothing does.
+inline std::string replayed(Recording recording) {
+    Session session(recording.start);
+    Replay replay(std::move(recording), session);
+    while (!replay.is_done()) {
+        replay.approach(37);
+        if (!replay.is_due()) continue;
+        if (const auto difference = replay.perform()) return *difference;
+    }
+    return replay.compared() ? "the same" : "nothing was compared";
+}
+
+/// The same of the recording as a file has it, which has to have it without loss.
+inline std::string replayed_from_text(const Recording& recording) {
+    const std::string text = session_text(recording);
+    const Recording read = parse_session(text, "a.session");
+    EXPECT_EQ(session_text(read), text);
+    EXPECT_EQ(read.start, recording.start);
+    EXPECT_EQ(read.events.size(), recording.events.size());
+    return replayed(read);
+}
+
+/// Nothing that a file holds ends in a crash: it is refused, or something else is computed.
+inline void expect_answer(const std::string& text) {
+    try {
+        replayed(parse_session(text, "a.session"));
+    } catch (const FileError&) {
+    } catch (const UsageError&) {
+    }
+}
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t place = text.find(from);
+    EXPECT_NE(place, std::string::npos) << from << " in " << text;
+    return place == std::string::npos ? text : text.replace(place, from.size(), to);
+}
+
+inline RunDescription chain(Precision precision = Precision::double_) {
+    return run_of("chain", "verlet", precision, 0.1);
+}
+
+inline constexpr const char* scene_text =
+    "steplab = 1\ntitle = \"of a file\"  # \\ and \"\"\" in it\r\n[parameters]\nG = 1.5\n[[particles]]\nfile = "
+    "\"a.xyz\"\n"
+    "[[pairs]]\npotential = \"gravity\"\nG = \"G\"\nsoftening = 0.1\n";
+inline constexpr const char* particles_text =
+    "3\nProperties=species:S:1:pos:R:3:velo:R:3 Time=0 Step=0\nX 0 0 0 0 0 0\nX 1 0 0 0 1 0\nX -2 0 0.5 0 -1 0\n";
+
+inline RunDescription of_scene_file() {
+    return describe(scene_from({{.name = "", .content = scene_text}, {.name = "a.xyz", .content = particles_text}},
+                               "folder/a.toml"));
+}
+
+}  // namespace steplab::test

@@ -1,0 +1,89 @@
+#include "session/replay_test.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdint>
+
+namespace steplab::test {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal_of(const std::string& text) {
+    try {
+        parse_session(text, "a.session");
+        return "read";
+    } catch (const FileError& error) {
+        return error.what();
+    }
+}
+
+TEST(Recording, keeps_one_event_of_a_drag) {
+    Session session(chain());
+    session.record(0);
+    session.advance(100);
+    for (int i = 0; i < 50; ++i) session.handle(event::Do{Pull{3, {2 + 0.01 * i, 0, 0}}});
+    for (std::uint64_t step = 90; step > 50; --step) session.handle(event::Seek{step});
+    const Recording recording = *session.recorded();
+    ASSERT_EQ(recording.events.size(), 2u);
+    EXPECT_EQ(std::get<event::Seek>(recording.events[1].event).step, 51u);
+    EXPECT_EQ(recording.events[0].hash, "") << "no hashes were asked for";
+    session.finish();
+    EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
+}
+
+TEST(Recording, is_bounded) {
+    Recording recording{.start = chain()};
+    for (std::size_t i = 0; i < Recording::most_events + 10; ++i) recording.add({event::Step{1}, i}, false);
+    EXPECT_EQ(recording.events.size(), Recording::most_events);
+    EXPECT_FALSE(recording.complete);
+}
+
+TEST(SessionFile, says_what_is_wrong_and_where) {
+    const std::string head =
+        "steplab-session = 1\n[start]\nmodel = \"chain\"\nparameters = {}\nmethod = \"rk4\"\n"
+        "precision = \"double\"\ndt = 0.1\n";
+    EXPECT_EQ(refusal_of(head), "read");
+    const auto refuses = [&](const std::string& text, const std::string& message) {
+        EXPECT_THAT(refusal_of(text), HasSubstr(message));
+    };
+    refuses("", "a.session:1:1: a session file begins with its version: steplab-session = 1");
+    refuses("steplab-session = 2\n", "a.session:1:19: this program reads version 1");
+    refuses("steplab-session = 1\n", "needs 'start'");
+    refuses(head + "dt = 0.2\n", "a.session:8:");
+    refuses(replaced(head, "0.1", "0.0"), "a.session:2:1: dt must be");
+    refuses(replaced(head, "\"chain\"", "\"chian\""), "a.session:3:9: unknown model 'chian' (did you mean 'chain'?)");
+    refuses(replaced(head, "{}", "{ m = 0 }"), "a.session:4:20: ");
+    refuses(replaced(head, "{}", "{ fixd = 1 }"), "unknown parameter 'fixd' of chain (did you mean 'fixed'?)");
+    refuses(replaced(head, "[start]", "[strat]"), "unknown key 'strat' of a session file (did you mean 'start'?)");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"pul\"\n",
+            "a.session:10:6: unknown event 'pul' (did you mean 'pull'?)");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"pull\"\nparticle = 1\n", "a.session:8:1: 'pull' needs 'position'");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"undo\"\nto = 3\n", "a.session:11:1: unknown key 'to' of 'undo'");
+    refuses(head + "[[events]]\nstep = -1\ndo = \"undo\"\n", "a.session:9:8: must be an integer >= 0");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"undo\"\nhash = \"abc\"\n", "a hash must be 16 hexadecimal digits");
+    refuses(head + "[[events]]\nstep = 1\ndo = \"seek-time\"\ntime = nan\n", "must be a finite number");
+    refuses(head + "[end]\nhashes = []\n", "[end] needs 'step'");
+    refuses(replaced(head, "model = \"chain\"", "scene = 0"), "a.session:3:9: the file has 0 [[scenes]]");
+    refuses("[[scenes]]\nname = \"a\"\n[[scenes.files]]\nname = \"\"\ncontent = \"steplab = 1\"\n",
+            "begins with its version");
+    refuses(
+        "steplab-session = 1\n[[scenes]]\nname = \"a\"\n[[scenes.files]]\nname = \"\"\ncontent = \"steplab = 1\"\n" +
+            head.substr(20),
+        "a:1:1: a scene needs [[particles]]");
+}
+
+TEST(SessionFile, truncated_anywhere_is_answered) {
+    Session session(of_scene_file());
+    session.record();
+    session.advance(5);
+    session.handle(event::Do{Pull{1, {1, 0.5, 0}}});
+    session.handle(event::AddRun{with_method(of_scene_file(), "rk4")});
+    session.advance(5);
+    session.finish();
+    const std::string text = session_text(*session.recorded());
+    for (std::size_t size = 0; size < text.size(); ++size) expect_answer(text.substr(0, size));
+}
+
+}  // namespace
+}  // namespace steplab::test
