@@ -65,6 +65,7 @@ public:
             case 4:
                 return below(3) == 0 ? Event(event::Restart{}) : Event(event::Bookmark{"here"});
             case 5:
+                return event::EqualCost{below(2) > 0};
             case 6:
                 return event::Play{below(3) > 0};
             case 7:

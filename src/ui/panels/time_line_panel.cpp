@@ -100,6 +100,19 @@ void draw_branches(const Context& context, const Track& track) {
     }
 }
 
+/// Before the slider, as what is drawn first is what the pointer is over.
+void draw_marks(const Context& context, double end) {
+    const RowPlaces places = row_places(context);
+    const ImVec2 cursor = ImGui::GetCursorScreenPos();
+    const float left = ImGui::GetWindowPos().x;
+    const Track track(context, {left + places.control, cursor.y, left + places.value, cursor.y + row_height(context)},
+                      end);
+    draw_changes(context, track);
+    draw_branches(context, track);
+    draw_bookmarks(context, track);
+    ImGui::SetCursorScreenPos(cursor);
+}
+
 /// A drag takes the session along; it plays on where the button is released if it played before.
 void seek(const Context& context, double time) {
     auto& resume = context.state.plays_after_scrubbing;
@@ -122,6 +135,7 @@ void draw_time_line(const Context& context) {
     if (area.empty()) return;
     const StripWindow strip(context, "time line", area);
     const double now = context.view.frame.time, end = std::max(now, context.session.line.reached_time);
+    draw_marks(context, end);
     slider_row(context,
                {.widget = "time",
                 .label = "time line",
@@ -135,13 +149,6 @@ void draw_time_line(const Context& context) {
                 .style = {},
                 .set = [&](double time) { seek(context, time); },
                 .set_text = [&](std::string_view typed) { go_to(context, typed); }});
-    const auto place = context.widgets.find("time");
-    if (place != context.widgets.end()) {
-        const Track track(context, place->second, end);
-        draw_changes(context, track);
-        draw_branches(context, track);
-        draw_bookmarks(context, track);
-    }
     end_scrubbing(context);
 }
 
