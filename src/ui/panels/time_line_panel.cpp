@@ -19,6 +19,10 @@ constexpr ParameterInfo time_info{.name = "t", .unit = "s", .minimum = 0, .what 
 constexpr ParameterInfo step_info{
     .name = "step", .kind = ParameterInfo::Kind::integer, .unit = "", .minimum = 0, .maximum = 9e15, .what = "step"};
 
+constexpr std::string_view time_line_help =
+    "drag to go back and forth in time; what lies ahead is kept until something else is done\n"
+    "click on the time to type one, or \"step 120\"";
+
 /// "12.5", or "step 120".
 void go_to(const Context& context, std::string_view typed) {
     constexpr std::string_view word = "step ";
@@ -49,7 +53,8 @@ private:
 };
 
 /// What was done: a tick below the track for each change, with what it was.
-void draw_changes(const Context& context, const Track& track) {
+bool draw_changes(const Context& context, const Track& track) {
+    bool pointed = false;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 pointer = ImGui::GetIO().MousePos;
     for (const Mark& change : context.session.line.changes) {
@@ -57,13 +62,16 @@ void draw_changes(const Context& context, const Track& track) {
         list.AddLine({x, from}, {x, to}, colour::caution, context.px(2));
         const bool near = std::abs(pointer.x - x) < context.px(4) && pointer.y > from - context.px(2) &&
                           pointer.y < to + context.px(3);
-        if (near && !context.is_saved())
-            tooltip_beside(context, {x, from, x, to}, fmt::format("step {}: {}", change.step, change.text));
+        if (!near || context.is_saved()) continue;
+        tooltip_beside(context, {x, from, x, to}, fmt::format("step {}: {}", change.step, change.text));
+        pointed = true;
     }
+    return pointed;
 }
 
 /// Marked moments: a diamond above the track; a click goes there.
-void draw_bookmarks(const Context& context, const Track& track) {
+bool draw_bookmarks(const Context& context, const Track& track) {
+    bool pointed = false;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float half = context.px(4), y = track.y() - context.px(8);
     std::size_t number = 0;
@@ -77,11 +85,14 @@ void draw_bookmarks(const Context& context, const Track& track) {
         tooltip(context, fmt::format("step {}{}{}", mark.step, mark.text.empty() ? "" : ": ", mark.text));
         list.AddQuadFilled({x, y - half}, {x + half, y}, {x, y + half}, {x - half, y},
                            ImGui::IsItemHovered() ? colour::bright : colour::accent);
+        pointed = pointed || ImGui::IsItemHovered();
     }
+    return pointed;
 }
 
 /// Ways that were left: lines below the track from where they leave it; a click takes one.
-void draw_branches(const Context& context, const Track& track) {
+bool draw_branches(const Context& context, const Track& track) {
+    bool pointed = false;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto& branches = context.session.line.branches;
     float y = track.y() + context.px(12);
@@ -97,20 +108,22 @@ void draw_branches(const Context& context, const Track& track) {
         const ImU32 ink = ImGui::IsItemHovered() ? colour::bright : colour::text_faint;
         list.AddLine({from, track.y() + context.px(3)}, {from, y}, ink, context.theme.scale());
         list.AddLine({from, y}, {to, y}, ink, context.px(2));
+        pointed = pointed || ImGui::IsItemHovered();
     }
+    return pointed;
 }
 
-/// Before the slider, as what is drawn first is what the pointer is over.
-void draw_marks(const Context& context, double end) {
+/// Before the slider, as what is drawn first is what the pointer is over. True if it is over a mark.
+bool draw_marks(const Context& context, double end) {
     const RowPlaces places = row_places(context);
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetWindowPos().x;
     const Track track(context, {left + places.control, cursor.y, left + places.value, cursor.y + row_height(context)},
                       end);
-    draw_changes(context, track);
-    draw_branches(context, track);
-    draw_bookmarks(context, track);
+    const bool change = draw_changes(context, track), branch = draw_branches(context, track),
+               bookmark = draw_bookmarks(context, track);
     ImGui::SetCursorScreenPos(cursor);
+    return change || branch || bookmark;
 }
 
 /// A drag takes the session along; it plays on where the button is released if it played before.
@@ -135,20 +148,18 @@ void draw_time_line(const Context& context) {
     if (area.empty()) return;
     const StripWindow strip(context, "time line", area);
     const double now = context.view.frame.time, end = std::max(now, context.session.line.reached_time);
-    draw_marks(context, end);
-    slider_row(context,
-               {.widget = "time",
-                .label = "time line",
-                .tooltip = "drag to go back and forth in time; what lies ahead is kept until something else is done\n"
-                           "click on the time to type one, or \"step 120\"",
-                .value_text = with_unit(time_text(now, context.view.dt), "s"),
-                .entry_text = typed(now),
-                .value = now,
-                .default_value = end,
-                .range = {0, end, false, false},
-                .style = {},
-                .set = [&](double time) { seek(context, time); },
-                .set_text = [&](std::string_view typed) { go_to(context, typed); }});
+    const bool over_mark = draw_marks(context, end);
+    slider_row(context, {.widget = "time",
+                         .label = "time line",
+                         .tooltip = over_mark ? "" : time_line_help,
+                         .value_text = with_unit(time_text(now, context.view.dt), "s"),
+                         .entry_text = typed(now),
+                         .value = now,
+                         .default_value = end,
+                         .range = {0, end, false, false},
+                         .style = {},
+                         .set = [&](double time) { seek(context, time); },
+                         .set_text = [&](std::string_view typed) { go_to(context, typed); }});
     end_scrubbing(context);
 }
 
