@@ -102,7 +102,8 @@ bool Worker::Body::handle_events() {
         taken.swap(events);
         came = std::exchange(compared, false);
     }
-    if (taken.empty()) return came && !under_way();
+    errors_alone = came && taken.empty() && !under_way();
+    if (taken.empty()) return errors_alone;
     error.clear();
     doubtful = false;  // of what was before
     for (const Event& event : taken) went_well([&] { handle(event); });
@@ -184,6 +185,10 @@ void Worker::Body::keep_moment() {
 void Worker::Body::compare() {
     view.errors.reset();
     if (!session.wants_errors()) return errors.forget();
+    if (errors_alone) {  // a question asked again would be answered again, for ever
+        view.errors = errors.newest(Pace::Duration(0));
+        return;
+    }
     const auto shown = [](const TimeLine& line) {
         return LiveErrors::Shown{
             moment_of(line.run(), line.start_momentum()), {line.past().begin(), line.past().end()}, line.is_over()};

@@ -51,6 +51,7 @@ struct Worker::Body {
     std::optional<Replay> film;  // until it has ended
     bool film_plays = false;
     Clock::time_point film_due{};  // its next event, if the run is there
+    bool errors_alone = false;     // nothing but errors has come since the last view
     bool doubtful = false;         // the energy is impossible, and the check that decides about it has not come yet
     std::optional<Doubt> found;    // where `doubtful` began
     std::string error;

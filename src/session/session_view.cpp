@@ -1,0 +1,40 @@
+#include "session/session_view.hpp"
+
+#include "session/change_text.hpp"
+#include "session/session.hpp"
+
+namespace steplab {
+
+void Session::observe(SessionView& view) const {
+    RunView& leading = view.leading;
+    steplab::observe(run(), tracked_, leading);
+    if (with_forces_) run().forces(leading.frame.forces);
+    leading.playing = playing_ && !leading.divergence;
+    leading.goal = goal_;
+    leading.ensemble = ensemble_;
+    leading.ensemble_spread = {.step = live_ensemble_ ? live_ensemble_->step() : 0};
+    if (live_ensemble_ && live_ensemble_->are_at(line_.step(), line_.past()))
+        leading.ensemble_spread = live_ensemble_->observe(leading.frame);
+    leading.can_step_back = run().step() > 0;
+    leading.rate = rate_;
+    leading.run = number_;
+    view.followers.resize(followers_.size());
+    for (std::size_t i = 0; i < followers_.size(); ++i)
+        steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
+    view.line = line_view();
+    view.equal_cost = equal_cost_;
+}
+
+TimeLineView Session::line_view() const {
+    TimeLineView view{.reached = line_.reached(), .reached_time = line_.reached_time(), .bookmarks = bookmarks_};
+    const auto changes = line_.changes();
+    for (std::size_t i = 1; i < changes.size(); ++i)
+        view.changes.push_back({changes[i].step, changes[i].time, text_of(changes[i - 1], changes[i])});
+    for (const TimeLine::Branch& branch : branches_)
+        view.branches.push_back({line_.time_of(branch.fork), branch.reached_time});
+    view.can_undo = line_.past().size() > 1 || !left_.empty();
+    view.can_redo = !undone_.empty();
+    return view;
+}
+
+}  // namespace steplab
