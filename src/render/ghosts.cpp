@@ -11,7 +11,7 @@ constexpr std::uint8_t spring_alpha = 220, link_alpha = 170;
 constexpr double link_width = 1, outline_width = 1.6;  // pixels
 constexpr double dash = 4;                             // pixels, as long as the gap behind it
 constexpr double most_dashes = 100;                    // of a line; longer ones have longer dashes
-constexpr double least_radius = 1.5;                   // pixels
+constexpr double least_ghost_radius = 1.5;             // pixels
 constexpr float filled = 0.26F;                        // opacity within the outline
 // Ghosts nearer to their twins, in radii of the particle, are hidden in them.
 constexpr double hidden = 0.2;
@@ -140,7 +140,7 @@ void Ghosts::draw_particles(const ViewUniforms& view, double pixel_scale) const 
     for (std::size_t i = 0; i < count_; ++i) {
         view.apply(program_);
         program_.set("u_radius", radius_);
-        program_.set("u_least_radius", static_cast<float>(least_radius * pixel_scale));
+        program_.set("u_least_radius", static_cast<float>(least_ghost_radius * pixel_scale));
         program_.set("u_width", static_cast<float>(outline_width * pixel_scale));
         program_.set("u_filled", filled);
         program_.set("u_outline", static_cast<float>(i));

@@ -5,7 +5,7 @@
 
 namespace steplab {
 
-Comparison::Comparison(const std::vector<RunDescription>& runs, double duration, std::uint64_t samples)
+RunComparison::RunComparison(const std::vector<RunDescription>& runs, double duration, std::uint64_t samples)
     : duration_(duration), samples_(samples) {
     for (const RunDescription& description : runs) {
         Simulation simulation(sampled(description));
@@ -18,13 +18,13 @@ Comparison::Comparison(const std::vector<RunDescription>& runs, double duration,
 
 /// The steps of some methods hang on their tolerance alone: dt is the distance of the times at which they are
 /// evaluated.
-RunDescription Comparison::sampled(RunDescription description) const {
+RunDescription RunComparison::sampled(RunDescription description) const {
     if (chooses_its_steps(description)) description.dt = duration_ / static_cast<double>(samples_);
     return description;
 }
 
 /// In double, whatever the precision of the run: that of float is one of the errors to be seen.
-std::size_t Comparison::reference_of(RunDescription description) {
+std::size_t RunComparison::reference_of(RunDescription description) {
     description.precision = Precision::double_;
     const auto same = [&](const Reference& known) { return known.of.scene == description.scene; };
     const auto found = std::find_if(references_.begin(), references_.end(), same);
@@ -33,11 +33,11 @@ std::size_t Comparison::reference_of(RunDescription description) {
     return references_.size() - 1;
 }
 
-double Comparison::time(std::uint64_t sample) const {
+double RunComparison::time(std::uint64_t sample) const {
     return duration_ * static_cast<double>(sample) / static_cast<double>(samples_);
 }
 
-std::vector<std::optional<Compared>> Comparison::at(std::uint64_t sample) {
+std::vector<std::optional<Compared>> RunComparison::at(std::uint64_t sample) {
     std::vector<Run*> moved;
     for (Run& run : runs_) {
         const std::uint64_t step = step_at(time(sample), run.simulation.dt());

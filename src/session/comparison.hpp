@@ -15,12 +15,12 @@ namespace steplab {
 
 /// Runs of a scene taken to the same times and compared with its motion there: each with that of its own parameters,
 /// which the runs that have the same ones share.
-class Comparison {
+class RunComparison {
 public:
     static constexpr std::size_t most_runs = 4;
 
     /// Of a duration > 0, over which so many samples are taken, equally far apart. Throws UsageError.
-    Comparison(const std::vector<RunDescription>& runs, double duration, std::uint64_t samples);
+    RunComparison(const std::vector<RunDescription>& runs, double duration, std::uint64_t samples);
 
     std::size_t runs() const { return runs_.size(); }
     const Simulation& run(std::size_t i) const { return runs_[i].simulation; }

@@ -63,7 +63,7 @@ std::string parameters(const ParameterValues& values) {
 }
 
 /// Writes runs, and notes the scenes and starting values that they share.
-class Runs {
+class WrittenRuns {
 public:
     Lines lines(const RunDescription& run) {
         Lines lines;
@@ -118,7 +118,7 @@ private:
 
 /// What an event has besides its word.
 struct EventLines {
-    Runs& runs;
+    WrittenRuns& runs;
 
     Lines operator()(const event::Step& step) const { return {{"steps", std::to_string(step.steps)}}; }
     Lines operator()(const event::Seek& seek) const { return {{"to", std::to_string(seek.step)}}; }
@@ -145,7 +145,7 @@ struct EventLines {
     }
 };
 
-std::string text_of(const RecordedEvent& entry, Runs& runs) {
+std::string text_of(const RecordedEvent& entry, WrittenRuns& runs) {
     std::string text = fmt::format("\n[[events]]\nstep = {}\n", entry.step);
     if (entry.diverged) text += "diverged = true\n";
     text += fmt::format("do = {}\n", toml_string(word_of(entry.event)));
@@ -175,7 +175,7 @@ void check_readable(const std::string& text) {
 }  // namespace
 
 std::string session_text(const Recording& recording) {
-    Runs runs;
+    WrittenRuns runs;
     std::string events = "[start]\n" + joined(runs.lines(recording.start), "\n") + '\n';
     for (const RecordedEvent& entry : recording.events) events += text_of(entry, runs);
     if (recording.end) events += text_of(*recording.end);

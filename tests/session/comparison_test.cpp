@@ -32,9 +32,9 @@ TEST(StepAt, is_the_last_step_that_does_not_lie_after_the_time) {
     EXPECT_EQ(step_at(1000, 0.1), 10000u) << "although 10000 * 0.1 is rounded";
 }
 
-TEST(Comparison, shows_every_run_at_its_last_step_before_the_time) {
-    Comparison comparison(variants(scene_of("chain"), {"dt=0.1", "dt=0.3,method=verlet", "dt=0.25,precision=float"}), 6,
-                          60);
+TEST(RunComparison, shows_every_run_at_its_last_step_before_the_time) {
+    RunComparison comparison(variants(scene_of("chain"), {"dt=0.1", "dt=0.3,method=verlet", "dt=0.25,precision=float"}),
+                             6, 60);
     for (std::uint64_t sample = 0; sample <= 60; ++sample) {
         const auto all = comparison.at(sample);
         ASSERT_EQ(all.size(), 3u);
@@ -50,9 +50,9 @@ TEST(Comparison, shows_every_run_at_its_last_step_before_the_time) {
 }
 
 // The steps of such a method do not hang on dt: it is evaluated where the others are sampled.
-TEST(Comparison, evaluates_methods_of_own_steps_at_the_time_itself) {
-    Comparison comparison(variants(scene_of("mesh", {{"dim", 5}}), {"method=dopri5,dt=0.7", "method=ias15,dt=3"}), 6,
-                          60);
+TEST(RunComparison, evaluates_methods_of_own_steps_at_the_time_itself) {
+    RunComparison comparison(variants(scene_of("mesh", {{"dim", 5}}), {"method=dopri5,dt=0.7", "method=ias15,dt=3"}), 6,
+                             60);
     for (const std::uint64_t sample : {0, 1, 17, 60}) {
         for (const auto& compared : comparison.at(sample)) {
             ASSERT_TRUE(compared);
@@ -61,10 +61,10 @@ TEST(Comparison, evaluates_methods_of_own_steps_at_the_time_itself) {
     }
 }
 
-TEST(Comparison, of_a_scene_with_a_closed_form_has_its_error) {
+TEST(RunComparison, of_a_scene_with_a_closed_form_has_its_error) {
     for (const Precision precision : precisions) {
         RunDescription run = run_of("chain", "rk4", precision, 0.25);
-        Comparison comparison({run, run}, 50, 10);
+        RunComparison comparison({run, run}, 50, 10);
         Simulation alone(run);
         for (std::uint64_t sample = 0; sample <= 10; ++sample) {
             const auto all = comparison.at(sample);
@@ -84,12 +84,12 @@ TEST(Comparison, of_a_scene_with_a_closed_form_has_its_error) {
 }
 
 // The lab's reference is of the same family with other steps.
-TEST(Comparison, agrees_with_measurements_of_the_lab) {
+TEST(RunComparison, agrees_with_measurements_of_the_lab) {
     for (const auto& [scene, time] : {std::pair(scene_of("mesh", {{"dim", 5}}), 10.0), std::pair(scene_of("rope"), 3.0),
                                       std::pair(scene_of("morse", {{"spacing", 0.3}}), 1.0)}) {
         const auto runs = variants(scene, {"method=velocity-verlet,dt=0.01", "method=rk4,dt=0.01",
                                            "method=midpoint,dt=0.01", "method=rk4,dt=0.01,precision=float"});
-        Comparison comparison(runs, time, 4);
+        RunComparison comparison(runs, time, 4);
         const auto end = comparison.at(4);
         const Reference right = reference(scene, std::vector<double>{time});
         for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -104,9 +104,9 @@ TEST(Comparison, agrees_with_measurements_of_the_lab) {
     }
 }
 
-TEST(Comparison, knows_what_a_scene_lets_a_method_keep) {
+TEST(RunComparison, knows_what_a_scene_lets_a_method_keep) {
     const auto one = [](const RunDescription& scene) {
-        Comparison comparison({scene, scene}, 1, 4);
+        RunComparison comparison({scene, scene}, 1, 4);
         return *comparison.at(4)[0];
     };
     EXPECT_FALSE(one(scene_of("chain")).momentum_error) << "its first particle is fixed";
@@ -117,8 +117,8 @@ TEST(Comparison, knows_what_a_scene_lets_a_method_keep) {
     EXPECT_FALSE(one(variant_of(scene_of("rope"), "method=ias15")).energy_error);
 }
 
-TEST(Comparison, goes_on_without_a_run_that_diverged) {
-    Comparison comparison(variants(scene_of("chain"), {"method=rk4,dt=2", "method=rk4,dt=0.1"}), 600, 300);
+TEST(RunComparison, goes_on_without_a_run_that_diverged) {
+    RunComparison comparison(variants(scene_of("chain"), {"method=rk4,dt=2", "method=rk4,dt=0.1"}), 600, 300);
     const std::uint64_t last_good = [&] {
         std::uint64_t last = 0;
         for (std::uint64_t sample = 0; sample <= 300; ++sample) {
@@ -134,8 +134,8 @@ TEST(Comparison, goes_on_without_a_run_that_diverged) {
 }
 
 // Runs of other parameters are compared with other motions, or the difference would be that of the parameters.
-TEST(Comparison, takes_the_motion_of_each_runs_own_parameters) {
-    Comparison comparison(variants(scene_of("chain"), {"dt=0.01", "dt=0.01,k=1.5"}), 10, 4);
+TEST(RunComparison, takes_the_motion_of_each_runs_own_parameters) {
+    RunComparison comparison(variants(scene_of("chain"), {"dt=0.01", "dt=0.01,k=1.5"}), 10, 4);
     for (const auto& compared : comparison.at(4)) EXPECT_LT(compared->error, 1e-8);
 }
 

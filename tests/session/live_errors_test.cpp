@@ -49,7 +49,7 @@ TEST_F(LiveErrorsTest, are_those_of_the_command_compare) {
         step = target;
         ASSERT_TRUE(errors_at(step));
         ASSERT_EQ(session.errors->runs.size(), 3u);
-        Comparison comparison(runs, session.errors->time, 1);
+        RunComparison comparison(runs, session.errors->time, 1);
         const auto right = comparison.at(1);
         for (std::size_t i = 0; i < 3; ++i) {
             ASSERT_TRUE(session.errors->runs[i] && right[i]);

@@ -78,7 +78,7 @@ public:
         const auto samples = static_cast<std::uint64_t>(parse_value(samples_info, samples_));
         catch_interruptions();
         OutputFile file(out_, compression_of(out_));
-        Comparison comparison(runs, duration, samples);
+        RunComparison comparison(runs, duration, samples);
         for (std::size_t i = 0; i < runs.size(); ++i)
             fmt::print(stderr, "run {}: {}\n", i, variant_text(runs[i], base));
         const std::vector<Worst> worst = write(comparison, samples, file);
@@ -89,7 +89,7 @@ public:
 
 private:
     /// All rows, as they are computed: for each sample those of all runs that got so far.
-    std::vector<Worst> write(Comparison& comparison, std::uint64_t samples, OutputFile& file) const {
+    std::vector<Worst> write(RunComparison& comparison, std::uint64_t samples, OutputFile& file) const {
         std::vector<Worst> worst(comparison.runs());
         const bool rows_on_terminal = out_ == "-" && isatty(STDOUT_FILENO) != 0;
         Progress progress(samples, isatty(STDERR_FILENO) != 0 && !rows_on_terminal, "steplab compare");
@@ -113,7 +113,7 @@ private:
     }
 
     /// For people: on standard error where the rows are on standard output.
-    void print_summary(const Comparison& comparison, const std::vector<Worst>& worst) const {
+    void print_summary(const RunComparison& comparison, const std::vector<Worst>& worst) const {
         std::vector<Row> rows{{"RUN", "LARGEST ERROR [m]", "ENERGY ERROR [J]", "EVALUATIONS", "REFERENCE"}};
         for (std::size_t i = 0; i < worst.size(); ++i) {
             const auto& last = worst[i].last;
@@ -129,7 +129,7 @@ private:
         }
     }
 
-    static int check_ends(const Comparison& comparison) {
+    static int check_ends(const RunComparison& comparison) {
         std::string messages;
         for (std::size_t i = 0; i < comparison.runs(); ++i) {
             const auto& divergence = comparison.run(i).divergence();
