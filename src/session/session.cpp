@@ -15,6 +15,15 @@ namespace {
 
 constexpr auto never = [] { return false; };
 
+/// Of the moments that they keep.
+std::size_t bytes_of(const std::vector<TimeLine::Branch>& branches) {
+    std::size_t sum = 0;
+    for (const TimeLine::Branch& branch : branches) {
+        for (const Moments::Moment& moment : branch.moments) sum += moment.state.bytes();
+    }
+    return sum;
+}
+
 }  // namespace
 
 Session::Session(const RunDescription& description, std::size_t bytes) : bytes_(bytes), line_(description, bytes) {}
@@ -110,7 +119,7 @@ std::size_t Session::check_follower(std::size_t run) const {
 FollowerRun Session::follower(const RunDescription& description) const {
     if (description.model != run().description().model || description.origin != run().description().origin)
         throw UsageError("runs beside each other are of one scene");
-    FollowerRun added(description, bytes_);
+    FollowerRun added(description, bytes_ / most_runs);
     if (added.run().particles() != run().particles())
         throw UsageError("runs beside each other have the same particles");
     return added;
@@ -184,6 +193,10 @@ void Session::seek(std::uint64_t step) {
 void Session::keep(std::optional<TimeLine::Branch> left) {
     if (left) branches_.push_back(std::move(*left));
     if (branches_.size() > most_branches) branches_.erase(branches_.begin());
+    for (TimeLine::Branch& oldest : branches_) {
+        if (bytes_of(branches_) <= bytes_ / 2) break;
+        oldest.moments = {};
+    }
 }
 
 /// Something was done: what was undone before is no more to be done again.
@@ -197,11 +210,14 @@ void Session::begin(const RunDescription& description) {
     std::vector<FollowerRun> followers;
     const bool same_scene = !restarts(run().description(), description);
     if (same_scene) {
-        for (const FollowerRun& each : followers_) followers.push_back(FollowerRun(each.description_at(line_), bytes_));
+        for (const FollowerRun& each : followers_)
+            followers.push_back(FollowerRun(each.description_at(line_), bytes_ / most_runs));
     }
     changed();
     left_.push_back(
         {std::exchange(line_, std::move(next)), std::exchange(branches_, {}), std::exchange(bookmarks_, {})});
+    left_.back().line.forget_moments();
+    for (TimeLine::Branch& branch : left_.back().branches) branch.moments = {};
     if (left_.size() > most_left) left_.erase(left_.begin());
     followers_ = std::move(followers);
     begun();

@@ -51,6 +51,8 @@ public:
     bool ended_beyond(std::uint64_t step) const { return is_over() && step < asked_; }
     /// Forgets what lies ahead, as if it had not been there.
     void forget_ahead() { cut(run_.step(), taken_); }
+    /// Gives its memory back; what is gone to afterwards is computed from the start.
+    void forget_moments() { moments_.clear(); }
     /// Keeps the present moment, unless one is near.
     void keep_moment() { moments_.offer(run_, taken_); }
 
