@@ -106,7 +106,7 @@ RunDescription description_of(const Row& row, std::string_view method, Precision
 
 void pull_sideways(Simulation& simulation) {
     const std::size_t last = simulation.particles() - 1;
-    simulation.pull(last, simulation.frame().positions[last] + Vec3{0, 1, 0.5});
+    simulation.act(Pull{last, simulation.frame().positions[last] + Vec3{0, 1, 0.5}});
 }
 
 Contestant ourselves(const RunDescription& description, std::size_t threads, bool sideways = false) {

@@ -16,7 +16,7 @@ RunComparison::RunComparison(const std::vector<RunDescription>& runs, double dur
     }
 }
 
-/// The steps of some methods hang on their tolerance alone: dt is the distance of the times at which they are
+/// The steps of some methods depend on their tolerance alone: dt is the distance of the times at which they are
 /// evaluated.
 RunDescription RunComparison::sampled(RunDescription description) const {
     if (chooses_its_steps(description)) description.dt = duration_ / static_cast<double>(samples_);

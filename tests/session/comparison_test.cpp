@@ -49,7 +49,7 @@ TEST(RunComparison, shows_every_run_at_its_last_step_before_the_time) {
     }
 }
 
-// The steps of such a method do not hang on dt: it is evaluated where the others are sampled.
+// The steps of such a method do not depend on dt: it is evaluated where the others are sampled.
 TEST(RunComparison, evaluates_methods_of_own_steps_at_the_time_itself) {
     RunComparison comparison(variants(scene_of("mesh", {{"dim", 5}}), {"method=dopri5,dt=0.7", "method=ias15,dt=3"}), 6,
                              60);
