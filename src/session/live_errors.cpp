@@ -57,7 +57,7 @@ struct LiveErrors::Body {
         }
     }
 
-    /// None if it was interrupted, or the scene has no reference.
+    /// None if it was interrupted; without errors, but with the reason, if the reference cannot be computed.
     std::optional<SessionErrors> errors_of(const Question& of) {
         try {
             SessionErrors errors{.time = of.time, .runs = {}, .how = {}};
@@ -66,9 +66,11 @@ struct LiveErrors::Body {
             if (!motions.empty()) errors.how = motions.front().how();
             errors.exact = !motions.empty() && motions.front().is_exact();
             return errors;
-        } catch (const std::exception&) {
-            motions.clear();
+        } catch (const Interrupted&) {
             return std::nullopt;
+        } catch (const std::exception& problem) {  // as a rule because there is no memory left
+            motions.clear();
+            return SessionErrors{.time = of.time, .runs = {}, .how = problem.what()};
         }
     }
 

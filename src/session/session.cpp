@@ -242,12 +242,16 @@ RunDescription Session::at_cost(const RunDescription& description) const {
     return equal_cost_ ? at_equal_cost(description, run().description()) : description;
 }
 
-/// Those whose cost changes begin again.
+/// Those whose cost changes begin again; one that cannot have it stays as it is, as the event is carried out already.
 void Session::equalise_cost() {
     if (!equal_cost_) return;
     for (FollowerRun& each : followers_) {
-        const RunDescription wanted = at_cost(each.description());
-        if (!(wanted == each.description())) each = follower(wanted);
+        try {
+            const RunDescription wanted = at_cost(each.description());
+            if (!(wanted == each.description())) each = follower(wanted);
+        } catch (const UsageError&) {
+            continue;
+        }
     }
 }
 

@@ -67,9 +67,9 @@ void TimeLine::settle() {
     if (is_over()) note_reached();
 }
 
-bool TimeLine::turn_to(std::uint64_t step) {
+void TimeLine::turn_to(std::uint64_t step) {
     settle();
-    return turn_to(step, run_.step() <= step);
+    turn_to(step, run_.step() <= step);
 }
 
 void TimeLine::turn_to_any(std::uint64_t step) {
@@ -77,21 +77,24 @@ void TimeLine::turn_to_any(std::uint64_t step) {
     turn_to(step, run_.step() <= step && !ended_beyond(step));
 }
 
-bool TimeLine::turn_to(std::uint64_t step, bool can_go_on) {
+void TimeLine::turn_to(std::uint64_t step, bool can_go_on) {
     const auto due = static_cast<std::size_t>(std::count_if(
         changes_.begin(), changes_.end(), [&](const SegmentBegin& change) { return change.step <= step; }));
     const Moments::Moment* const nearest = moments_.before(step, due);
-    if (can_go_on && (!nearest || nearest->step <= run_.step())) return false;
-    const bool back = !can_go_on;
-    if (nearest) {
-        run_.restore(nearest->state);
-        taken_ = nearest->changes;
+    if (can_go_on && (!nearest || nearest->step <= run_.step())) return;
+    go_back_to(nearest);
+    asked_ = run_.step();
+}
+
+/// A moment that was kept; null: the start.
+void TimeLine::go_back_to(const Moments::Moment* moment) {
+    if (moment) {
+        run_.restore(moment->state);
+        taken_ = moment->changes;
     } else {
         run_.begin(changes_.front().description);
         taken_ = 1;
     }
-    asked_ = run_.step();
-    return back;
 }
 
 std::uint64_t TimeLine::step_at(double time) const {
@@ -146,14 +149,7 @@ std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change) {
 
 /// The run as it was at a step before later changes of that step.
 void TimeLine::stand_at(std::uint64_t step, std::size_t changes) {
-    const Moments::Moment* const nearest = moments_.before(step, changes);
-    if (nearest) {
-        run_.restore(nearest->state);
-        taken_ = nearest->changes;
-    } else {
-        run_.begin(changes_.front().description);
-        taken_ = 1;
-    }
+    go_back_to(moments_.before(step, changes));
     advance(step - run_.step());
 }
 

@@ -42,8 +42,8 @@ public:
     /// Takes steps, and on the way what lies ahead. Throws Interrupted.
     void advance(std::uint64_t steps);
     /// Takes it to where it can go on to this step by advance(): the nearest moment before it that is kept, or stays
-    /// where that is nearer. True if it was taken back.
-    bool turn_to(std::uint64_t step);
+    /// where that is nearer.
+    void turn_to(std::uint64_t step);
     /// The same, also where the run ended on the way to a later step: whether it has ended then depends on the step
     /// alone, not on where it was before.
     void turn_to_any(std::uint64_t step);
@@ -89,7 +89,8 @@ private:
     void take_due_changes();
     void note_reached();
     void settle();
-    bool turn_to(std::uint64_t step, bool can_go_on);
+    void turn_to(std::uint64_t step, bool can_go_on);
+    void go_back_to(const Moments::Moment* moment);
     void stand_at(std::uint64_t step, std::size_t changes);
     std::optional<Branch> cut(std::uint64_t step, std::size_t kept);
     std::optional<Branch> append(SegmentBegin change);

@@ -14,13 +14,10 @@ using test::bare;
 using test::difference;
 using test::differing_pixels;
 using test::Image;
-
-const PictureSize size{320, 180};
-const Camera straight{{0, 0, 0}, 4, 0, 0};
-/// Clearly not the background.
-constexpr int something = 20;
-
-PixelPoint place_of(Vec3 point) { return *Projection(straight, size).pixel(point); }
+using test::place_of;
+using test::small_size;
+using test::something;
+using test::straight;
 
 /// A ball in the middle, and an ensemble in which it is elsewhere.
 class LiveEnsembles : public test::Studio {
@@ -45,7 +42,7 @@ TEST_F(LiveEnsembles, are_seen_where_they_are_and_nowhere_else) {
         // A dot is smaller than the ball.
         const Frame ball = test::particles_at({{0, 0, 0}});
         const double radius =
-            DrawnSizes(*ball.shape).radius(Role::moving) * Projection(straight, size).pixels_per_unit(4);
+            DrawnSizes(*ball.shape).radius(Role::moving) * Projection(straight, small_size).pixels_per_unit(4);
         EXPECT_LT(differing_pixels(with, without), 3.14 * radius * radius / 2);
     }
 }
@@ -79,8 +76,8 @@ TEST_F(LiveEnsembles, of_a_periodic_scene_are_seen_in_its_box) {
 
 TEST_F(LiveEnsembles, are_cut_where_the_picture_ends) {
     // The middle of the dot is half a pixel beyond the edge: the part of it that reaches into the picture is there.
-    const Projection projection(straight, size);
-    const double edge = (0.5 * size.width + 0.5) / projection.pixels_per_unit(4);
+    const Projection projection(straight, small_size);
+    const double edge = (0.5 * small_size.width + 0.5) / projection.pixels_per_unit(4);
     EXPECT_GT(changed({{edge, 0, 0}}), 0);
     EXPECT_EQ(changed({{1.2 * edge, 0, 0}}), 0);
 }

@@ -18,17 +18,14 @@ using test::difference;
 using test::differing_pixels;
 using test::Image;
 using test::particles_at;
-
-const PictureSize size{320, 180};
-const Camera straight{{0, 0, 0}, 4, 0, 0};
-/// Clearly not the background.
-constexpr int something = 20;
-
-PixelPoint place_of(Vec3 point) { return *Projection(straight, size).pixel(point); }
+using test::place_of;
+using test::small_size;
+using test::something;
+using test::straight;
 
 class Runs : public test::Studio {
 protected:
-    static Image picture(const std::vector<Frame>& frames, const Style& style = bare(), PictureSize of = size,
+    static Image picture(const std::vector<Frame>& frames, const Style& style = bare(), PictureSize of = small_size,
                          const std::optional<Tile>& tile = std::nullopt) {
         std::vector<ShownRun> runs;
         for (const Frame& frame : frames) runs.push_back({&frame, "rk4, dt 0.1 s, double"});
@@ -90,8 +87,8 @@ TEST_F(Runs, magnification_is_written_in_the_picture) {
     EXPECT_EQ(picture({frame}, style).rgba, picture({frame}).rgba) << "without other runs";
     const Image usual = picture({frame, frame}), magnified = picture({frame, frame}, style);
     EXPECT_GT(differing_pixels(usual, magnified), 50);
-    for (int y = 40; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) ASSERT_EQ(usual.at(x, y), magnified.at(x, y)) << "below the text";
+    for (int y = 40; y < small_size.height; ++y) {
+        for (int x = 0; x < small_size.width; ++x) ASSERT_EQ(usual.at(x, y), magnified.at(x, y)) << "below the text";
     }
 }
 
@@ -186,7 +183,7 @@ TEST_F(Runs, in_split_layout_each_part_shows_what_a_picture_of_the_run_shows) {
     style.layout = RunLayout::split;
     const std::vector<Frame> frames = four_runs();
     const Image whole = picture(frames, style);
-    const auto areas = split_areas(size, 4);
+    const auto areas = split_areas(small_size, 4);
     for (std::size_t i = 0; i < 4; ++i) {
         const Image alone = draw(frames[i], straight, {}, areas[i].size);
         // The line between the parts is one pixel; outlines may round to another of the 4 samples of a pixel.
@@ -214,7 +211,7 @@ TEST_F(Runs, a_split_picture_drawn_in_tiles_is_the_whole_one) {
     const std::vector<Frame> frames = four_runs();
     const Image whole = picture(frames, style);
     const PictureArea part{100, 50, {90, 80}};  // of all four
-    const Image tile = picture(frames, style, part.size, Tile{size, part.left, part.top});
+    const Image tile = picture(frames, style, part.size, Tile{small_size, part.left, part.top});
     EXPECT_LE(differing_pixels(cut(whole, part), tile, 64), 90 * 80 / 200);  // outlines round differently
 }
 

@@ -79,4 +79,13 @@ inline render::Style bare() {
     return style;
 }
 
+// A small picture, looked at straight on: for what is compared pixel by pixel.
+
+inline const render::PictureSize small_size{320, 180};
+inline const render::Camera straight{{0, 0, 0}, 4, 0, 0};
+/// A difference that is clearly not of the background.
+inline constexpr int something = 20;
+/// Where a point of the scene is in that picture.
+inline render::PixelPoint place_of(Vec3 point) { return *render::Projection(straight, small_size).pixel(point); }
+
 }  // namespace steplab::test

@@ -47,5 +47,14 @@ TEST(Session, keeps_all_runs_at_equal_cost_while_that_is_wanted) {
     EXPECT_EQ(session.followers()[0].description().dt, 0.05);
 }
 
+TEST(Session, changes_also_where_a_run_beside_it_cannot_have_its_cost) {
+    Session session(run_of("chain", "rk4", Precision::double_, 0.1));
+    session.handle(event::AddRun{run_of("chain", "euler", Precision::float_, 0.1)});
+    session.handle(event::EqualCost{true});
+    session.handle(event::Change{run_of("chain", "rk4", Precision::double_, 1e300)});  // beyond any float
+    EXPECT_EQ(session.run().description().dt, 1e300);
+    EXPECT_EQ(session.followers()[0].description().dt, 0.025);
+}
+
 }  // namespace
 }  // namespace steplab::test

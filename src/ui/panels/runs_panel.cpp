@@ -34,6 +34,8 @@ std::string errors_text(const Context& context, std::size_t run) {
     const RunView& view = run_of(context, run);
     if (view.divergence) return fmt::format("diverged at t = {} s", typed(view.divergence->time, 4));
     const Compared* const compared = compared_of(context, run);
+    const auto& errors = context.session.errors;
+    if (!compared && errors && errors->runs.empty()) return "error unknown: " + errors->how;
     if (!compared) return "computing the reference";
     std::string text = fmt::format("error\u00a0{}\u00a0m", rounded_text(compared->error));
     if (compared->energy_error) text += fmt::format(" · energy\u00a0{}\u00a0J", rounded_text(*compared->energy_error));
@@ -98,7 +100,7 @@ void draw_errors(const Context& context, std::size_t run) {
 
 void draw_reference(const Context& context) {
     const auto& errors = context.session.errors;
-    if (!errors) return;
+    if (!errors || errors->runs.empty()) return;
     std::string text = errors->exact ? "against the exact solution" : "against a reference run";
     if (errors->time < context.view.frame.time - 1e-9)
         text += fmt::format(", which is at t = {} s", typed(errors->time, 4));
