@@ -15,23 +15,15 @@ constexpr std::uint64_t piece = 64;
 FollowerRun::FollowerRun(const RunDescription& description, std::size_t bytes)
     : description_(description), bytes_(bytes), line_(description, bytes) {}
 
-/// Where the leading run has gone another way than this one, this one begins again.
+/// Where the leading run has gone another way than this one, this one goes back to where they part.
 bool FollowerRun::follow(const TimeLine& leading, const std::function<bool()>& enough) {
-    if (!follows(leading.changes()) || is_beyond(leading)) {
-        line_ = TimeLine(description_, bytes_);
-        followed_.clear();
-        taken_at_.clear();
-    }
-    if (followed_.empty()) {
-        followed_.push_back(leading.changes().front());
-        taken_at_.push_back(0);
-    }
+    go_back(shared(leading));
+    if (followed_.empty()) followed_.push_back({leading.changes().front()});
     while (followed_.size() < leading.past().size()) {
         const SegmentBegin& next = leading.changes()[followed_.size()];
         if (!go_to(next.time, enough)) return false;
-        take(followed_.back(), next);
-        followed_.push_back(next);
-        taken_at_.push_back(line_.step());
+        take(followed_.back().change, next);
+        followed_.push_back({next, line_.step(), line_.changes().size()});
     }
     return go_to(leading.time(), enough);
 }
@@ -39,20 +31,32 @@ bool FollowerRun::follow(const TimeLine& leading, const std::function<bool()>& e
 bool FollowerRun::is_beside(const TimeLine& leading) const {
     const auto [step, evaluations, over] = line_.run().advanced();
     const std::uint64_t wanted = line_.step_at(leading.time());
-    return followed_.size() >= leading.past().size() && follows(leading.changes()) && !is_beyond(leading) &&
+    return followed_.size() >= leading.past().size() && shared(leading) == followed_.size() &&
            (step == wanted || (over && !line_.ended_beyond(wanted)));
 }
 
-/// True if what happened to it is the beginning of these changes.
-bool FollowerRun::follows(std::span<const SegmentBegin> changes) const {
-    return followed_.size() <= changes.size() && std::equal(followed_.begin(), followed_.end(), changes.begin());
+/// How much of what happened to it belongs to where the leading run stands: its changes up to there, and later ones of
+/// the same way unless they were done at the step at which this run is to be shown now, as its steps are longer.
+std::size_t FollowerRun::shared(const TimeLine& leading) const {
+    const auto changes = leading.changes();
+    const std::size_t due = leading.past().size();
+    const std::uint64_t wanted = line_.step_at(leading.time());
+    std::size_t same = 0;
+    while (same < std::min(followed_.size(), changes.size()) && followed_[same].change == changes[same] &&
+           (same < due || followed_[same].at > wanted))
+        ++same;
+    return same;
 }
 
-/// True if the step at which it is to be shown has something that is done to the leading run only later, as steps of
-/// this run are longer.
-bool FollowerRun::is_beyond(const TimeLine& leading) const {
-    const std::size_t due = leading.past().size();
-    return followed_.size() > due && taken_at_[due] <= line_.step_at(leading.time());
+/// To before the first of these that is not kept.
+void FollowerRun::go_back(std::size_t kept) {
+    if (kept == followed_.size()) return;
+    if (kept == 0) {
+        line_ = TimeLine(description_, bytes_);
+    } else {
+        line_.keep_changes(followed_[kept - 1].changes);
+    }
+    followed_.resize(kept);
 }
 
 bool FollowerRun::go_to(double time, const std::function<bool()>& enough) {

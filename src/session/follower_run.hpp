@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 namespace steplab {
@@ -32,8 +31,15 @@ public:
     bool is_beside(const TimeLine& leading) const;
 
 private:
-    bool follows(std::span<const SegmentBegin> changes) const;
-    bool is_beyond(const TimeLine& leading) const;
+    /// A change of the leading run, or its start, that happened here.
+    struct Followed {
+        SegmentBegin change;
+        std::uint64_t at = 0;     ///< the step of this run
+        std::size_t changes = 1;  ///< of its line, with it
+    };
+
+    std::size_t shared(const TimeLine& leading) const;
+    void go_back(std::size_t kept);
     bool go_to(double time, const std::function<bool()>& enough);
     void take(const SegmentBegin& before, const SegmentBegin& change);
     static void take_scene(const SegmentBegin& before, const SegmentBegin& change, RunDescription& description);
@@ -41,8 +47,7 @@ private:
     RunDescription description_;
     std::size_t bytes_;
     TimeLine line_;
-    std::vector<SegmentBegin> followed_;   ///< the leading run's changes that are changes of its line, the start first
-    std::vector<std::uint64_t> taken_at_;  ///< the steps of this run at which they were
+    std::vector<Followed> followed_;
 };
 
 }  // namespace steplab

@@ -28,6 +28,11 @@ auto after(Moments& moments, std::uint64_t step, std::size_t changes) {
 
 }  // namespace
 
+void Moments::allow(std::size_t bytes) {
+    allowed_ = bytes;
+    keep_to_memory();
+}
+
 void Moments::offer(const Simulation& simulation, std::size_t changes) { keep_within(simulation, changes, spacing_); }
 
 void Moments::keep(const Simulation& simulation, std::size_t changes) { keep_within(simulation, changes, 1); }

@@ -22,6 +22,8 @@ public:
     /// `bytes`: memory that the kept states may take; two moments are kept however large they are.
     explicit Moments(std::size_t bytes) : allowed_(bytes) {}
 
+    /// From now on they may take so much memory.
+    void allow(std::size_t bytes);
     /// Keeps the present moment of the run, up to which so many changes have taken effect, unless one is near.
     void offer(const Simulation& simulation, std::size_t changes);
     /// Keeps it unless that same one is kept.

@@ -1,12 +1,10 @@
 #include "session/session.hpp"
 
 #include "core/error.hpp"
-#include "session/equal_cost.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace steplab {
@@ -14,15 +12,6 @@ namespace steplab {
 namespace {
 
 constexpr auto never = [] { return false; };
-
-/// Of the moments that they keep.
-std::size_t bytes_of(const std::vector<TimeLine::Branch>& branches) {
-    std::size_t sum = 0;
-    for (const TimeLine::Branch& branch : branches) {
-        for (const Moments::Moment& moment : branch.moments) sum += moment.state.bytes();
-    }
-    return sum;
-}
 
 }  // namespace
 
@@ -49,19 +38,9 @@ struct Session::Handle {
     void operator()(const event::ShowEnsemble& show) const { session.show_ensemble(show.ensemble); }
     void operator()(const event::ShowForces& show) const { session.with_forces_ = show.on; }
     void operator()(const event::ShowErrors& show) const { session.with_errors_ = show.on; }
-    void operator()(const event::AddRun& add) const {
-        if (session.followers_.size() + 1 == most_runs)
-            throw UsageError(fmt::format("at most {} runs go beside each other", most_runs));
-        session.followers_.push_back(session.follower(session.at_cost(add.description)));
-    }
-    void operator()(const event::ChangeRun& change) const {
-        session.followers_.at(session.check_follower(change.run)) =
-            session.follower(session.at_cost(change.description));
-    }
-    void operator()(const event::EqualCost& cost) const {
-        session.equal_cost_ = cost.on;
-        session.equalise_cost();
-    }
+    void operator()(const event::AddRun& added) const { session.add(added.description); }
+    void operator()(const event::ChangeRun& change) const { session.change_run(change.run, change.description); }
+    void operator()(const event::EqualCost& cost) const { session.set_equal_cost(cost.on); }
     void operator()(const event::RemoveRun& remove) const { session.remove(remove.run); }
     void operator()(const event::Lead& lead) const { session.lead(session.check_follower(lead.run)); }
     void operator()(const event::Bookmark& mark) const { session.bookmark(mark.text); }
@@ -108,21 +87,6 @@ void Session::stand_at(std::uint64_t step) {
     goal_.reset();
     line_.turn_to(step);
     line_.advance(step - std::min(step, line_.step()));
-}
-
-/// The place of a run that does not lead. Throws UsageError.
-std::size_t Session::check_follower(std::size_t run) const {
-    if (run == 0 || run > followers_.size()) throw UsageError(fmt::format("there is no run {} beside the first", run));
-    return run - 1;
-}
-
-FollowerRun Session::follower(const RunDescription& description) const {
-    if (description.model != run().description().model || description.origin != run().description().origin)
-        throw UsageError("runs beside each other are of one scene");
-    FollowerRun added(description, bytes_ / most_runs);
-    if (added.run().particles() != run().particles())
-        throw UsageError("runs beside each other have the same particles");
-    return added;
 }
 
 void Session::advance(std::uint64_t steps) {
@@ -189,119 +153,6 @@ void Session::seek(std::uint64_t step) {
     if (line_.step() != step) goal_ = step;
 }
 
-/// What the present way left is kept for coming back to.
-void Session::keep(std::optional<TimeLine::Branch> left) {
-    if (left) branches_.push_back(std::move(*left));
-    if (branches_.size() > most_branches) branches_.erase(branches_.begin());
-    for (TimeLine::Branch& oldest : branches_) {
-        if (bytes_of(branches_) <= bytes_ / 2) break;
-        oldest.moments = {};
-    }
-}
-
-/// Something was done: what was undone before is no more to be done again.
-void Session::changed() {
-    goal_.reset();
-    undone_.clear();
-}
-
-void Session::begin(const RunDescription& description) {
-    TimeLine next(description, bytes_);
-    std::vector<FollowerRun> followers;
-    const bool same_scene = !restarts(run().description(), description);
-    if (same_scene) {
-        for (const FollowerRun& each : followers_)
-            followers.push_back(FollowerRun(each.description_at(line_), bytes_ / most_runs));
-    }
-    changed();
-    left_.push_back(
-        {std::exchange(line_, std::move(next)), std::exchange(branches_, {}), std::exchange(bookmarks_, {})});
-    left_.back().line.forget_moments();
-    for (TimeLine::Branch& branch : left_.back().branches) branch.moments = {};
-    if (left_.size() > most_left) left_.erase(left_.begin());
-    followers_ = std::move(followers);
-    begun();
-}
-
-/// Another run is at its start.
-void Session::begun() {
-    ++number_;
-    show_ensemble(ensemble_);
-}
-
-void Session::change(const RunDescription& description) {
-    if (description == run().description()) return;
-    if (restarts(run().description(), description)) return begin(description);
-    keep(line_.change(description));
-    changed();
-    equalise_cost();
-}
-
-/// As it is to run beside the leading one.
-RunDescription Session::at_cost(const RunDescription& description) const {
-    return equal_cost_ ? at_equal_cost(description, run().description()) : description;
-}
-
-/// Those whose cost changes begin again; one that cannot have it stays as it is, as the event is carried out already.
-void Session::equalise_cost() {
-    if (!equal_cost_) return;
-    for (FollowerRun& each : followers_) {
-        try {
-            const RunDescription wanted = at_cost(each.description());
-            if (!(wanted == each.description())) each = follower(wanted);
-        } catch (const UsageError&) {
-            continue;
-        }
-    }
-}
-
-void Session::act(const Act& act) {
-    if (!acts(act, *run().shape())) return;
-    keep(line_.act(act));
-    changed();
-}
-
-void Session::undo() {
-    goal_.reset();
-    if (auto branch = line_.undo()) {
-        undone_.emplace_back(std::move(*branch));
-    } else if (!left_.empty()) {
-        Left before = std::move(left_.back());
-        left_.pop_back();
-        undone_.emplace_back(exchange(std::move(before)));
-    }
-}
-
-void Session::redo() {
-    goal_.reset();
-    if (undone_.empty()) return;
-    Undone last = std::move(undone_.back());
-    undone_.pop_back();
-    if (auto* const branch = std::get_if<TimeLine::Branch>(&last)) {
-        line_.take(std::move(*branch));
-    } else {
-        left_.push_back(exchange(std::move(std::get<Left>(last))));
-    }
-}
-
-/// Puts another line in place of the present one, which is returned.
-Session::Left Session::exchange(Left other) {
-    Left now{std::exchange(line_, std::move(other.line)), std::exchange(branches_, std::move(other.branches)),
-             std::exchange(bookmarks_, std::move(other.bookmarks))};
-    const bool same_scene = !restarts(now.line.run().description(), run().description());
-    if (!same_scene) followers_.clear();
-    begun();
-    return now;
-}
-
-void Session::take_branch(std::size_t number) {
-    if (number >= branches_.size()) throw UsageError(fmt::format("there is no branch {}", number));
-    TimeLine::Branch branch = std::move(branches_[number]);
-    branches_.erase(branches_.begin() + static_cast<std::ptrdiff_t>(number));
-    changed();
-    keep(line_.take(std::move(branch)));
-}
-
 void Session::bookmark(const std::string& text) {
     const auto here =
         std::find_if(bookmarks_.begin(), bookmarks_.end(), [&](const Mark& mark) { return mark.step == line_.step(); });
@@ -311,30 +162,6 @@ void Session::bookmark(const std::string& text) {
     }
     bookmarks_.push_back({line_.step(), line_.time(), text});
     std::sort(bookmarks_.begin(), bookmarks_.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
-}
-
-/// Both are at one time. The run that led begins again beside the other; steps of branches and marks were its steps.
-void Session::lead(std::size_t number) {
-    catch_up(never);
-    const RunDescription led = run().description();
-    FollowerRun& next = followers_[number];
-    line_ = std::move(next.line());
-    line_.forget_ahead();  // how far it had gone there depends on when it was made to follow
-    next = follower(led);
-    branches_.clear();
-    bookmarks_.clear();
-    left_.clear();
-    changed();
-    begun();
-}
-
-void Session::remove(std::size_t run) {
-    if (run == 0) {
-        if (followers_.empty()) throw UsageError("the only run cannot be removed");
-        lead(0);
-        run = 1;
-    }
-    followers_.erase(followers_.begin() + static_cast<std::ptrdiff_t>(check_follower(run)));
 }
 
 /// The ensemble begins where the run began.

@@ -77,36 +77,62 @@ public:
 
 private:
     struct Handle;
-    /// All that a restart leaves behind.
+    /// What goes beside the leading run.
+    struct Beside {
+        std::vector<RunDescription> runs;
+        bool equal_cost = false;
+        friend bool operator==(const Beside&, const Beside&) = default;
+    };
+    /// All that a restart, another scene or another leading run leaves behind.
     struct Left {
         TimeLine line;
         std::vector<TimeLine::Branch> branches;
         std::vector<Mark> bookmarks;
+        Beside beside;
     };
-    /// What undoing took back.
-    using Undone = std::variant<TimeLine::Branch, Left>;
+    /// A change or act on the time line, which knows it.
+    struct Acted {};
+    /// What can be taken back, by what there was before; and what undoing took back.
+    using Done = std::variant<Acted, Beside, Left>;
+    using Undone = std::variant<TimeLine::Branch, Beside, Left>;
 
     void handle_and_record(const Event& event);
     std::string event_hash() const;
+    void step(std::int64_t steps);
+    void seek(std::uint64_t step);
+    void bookmark(const std::string& text);
+    TimeLineView line_view() const;
+    void show_ensemble(const LiveEnsembleOptions& asked);
+
+    // what is done to the leading run
     void begin(const RunDescription& description);
     void begun();
-    void step(std::int64_t steps);
     void change(const RunDescription& description);
     void act(const Act& act);
     void undo();
     void redo();
-    void seek(std::uint64_t step);
     void keep(std::optional<TimeLine::Branch> left);
-    void changed();
+    void note(Done before);
+    void acted(std::size_t changes_before);
+    bool can_undo() const;
+    bool can_undo_on_line() const;
+    void count_acted(std::size_t changes_before);
+    void forget_oldest_left();
     void take_branch(std::size_t number);
-    void bookmark(const std::string& text);
+    void leave(TimeLine next, Beside beside);
+    Left exchange(Left other);
+
+    // what goes beside it
+    void add(const RunDescription& description);
+    void change_run(std::size_t run, const RunDescription& description);
+    void set_equal_cost(bool on);
     void lead(std::size_t follower);
     void remove(std::size_t run);
     std::size_t check_follower(std::size_t run) const;
-    Left exchange(Left other);
-    TimeLineView line_view() const;
-    void show_ensemble(const LiveEnsembleOptions& asked);
+    Beside beside() const;
+    void put_beside(const Beside& wanted);
     FollowerRun follower(const RunDescription& description) const;
+    RunDescription from_the_start(RunDescription description) const;
     RunDescription at_cost(const RunDescription& description) const;
     void equalise_cost();
 
@@ -114,7 +140,7 @@ private:
     TimeLine line_;  ///< of the leading run
     std::vector<FollowerRun> followers_;
     std::vector<TimeLine::Branch> branches_;
-    std::vector<Left> left_;
+    std::vector<Done> done_;  ///< the last one can be taken back first
     std::vector<Undone> undone_;
     std::vector<Mark> bookmarks_;
     bool playing_ = false;

@@ -32,7 +32,7 @@ TimeLineView Session::line_view() const {
         view.changes.push_back({changes[i].step, changes[i].time, text_of(changes[i - 1], changes[i])});
     for (const TimeLine::Branch& branch : branches_)
         view.branches.push_back({line_.time_of(branch.fork), branch.reached_time});
-    view.can_undo = line_.past().size() > 1 || !left_.empty();
+    view.can_undo = can_undo();
     view.can_redo = !undone_.empty();
     return view;
 }

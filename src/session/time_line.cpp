@@ -173,6 +173,14 @@ std::optional<TimeLine::Branch> TimeLine::undo() {
     return left;
 }
 
+void TimeLine::keep_changes(std::size_t count) {
+    if (count >= changes_.size()) return;
+    const std::uint64_t step = changes_[count].step;
+    const bool beyond = taken_ > count;
+    cut(step, count);
+    if (beyond) stand_at(step, count);
+}
+
 std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {
     const auto [here, there] =
         std::mismatch(changes_.begin(), changes_.end(), branch.changes.begin(), branch.changes.end(),

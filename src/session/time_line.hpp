@@ -51,6 +51,8 @@ public:
     bool ended_beyond(std::uint64_t step) const { return is_over() && step < asked_; }
     /// Forgets what lies ahead, as if it had not been there.
     void forget_ahead() { cut(run_.step(), taken_); }
+    /// Memory for moments from now on.
+    void allow(std::size_t bytes) { moments_.allow(bytes); }
     /// Gives its memory back; what is gone to afterwards is computed from the start.
     void forget_moments() { moments_.clear(); }
     /// Keeps the present moment, unless one is near.
@@ -78,6 +80,9 @@ public:
     std::optional<Branch> act(const Act& act);
     /// Takes back the last change that has taken effect, if it is not the start: the run then stands before it.
     std::optional<Branch> undo();
+    /// Forgets all changes but the first so many, and what lies behind the first of them; the run then stands there, if
+    /// it was beyond.
+    void keep_changes(std::size_t count);
     /// Goes over to that way: the run stands where the two part, behind the branch's change there. What is left is
     /// returned.
     std::optional<Branch> take(Branch branch);

@@ -59,5 +59,29 @@ TEST(FollowerRun, of_a_run_that_diverged_is_the_same_from_both_sides) {
     }
 }
 
+TEST(FollowerRun, goes_back_to_where_the_leading_run_went_another_way_and_no_further) {
+    TimeLine leading(chain(0.1));
+    FollowerRun follower(chain(0.01), TimeLine::usual_bytes);
+    leading.advance(1000);
+    leading.act(Kick{5, {0.1, 0, 0}});
+    for (int i = 0; i < 10; ++i) {
+        leading.advance(100);
+        follower.follow(leading, never);
+    }
+    int pieces = 0;
+    const auto count = [&] { return ++pieces, false; };
+    go_to(leading, 1990);
+    leading.act(Kick{5, {0, 0.1, 0}});
+    leading.advance(20);
+    follower.follow(leading, count);
+    EXPECT_EQ(follower.run().hash(), hash_beside(leading, chain(0.01)));
+    leading.undo();
+    leading.undo();
+    leading.advance(20);
+    follower.follow(leading, count);
+    EXPECT_EQ(follower.run().hash(), hash_beside(leading, chain(0.01)));
+    EXPECT_LT(pieces, 40) << "of 64 steps; from the start there would be over 300";
+}
+
 }  // namespace
 }  // namespace steplab::test

@@ -1,12 +1,14 @@
 #include "session/session.hpp"
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "session/compared.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -214,10 +216,85 @@ TEST(Session, adds_a_run_to_which_all_that_was_done_happens_too) {
     session.handle(event::AddRun{chain("rk4")});
     session.finish();
     EXPECT_EQ(session.followers()[0].run().hash(), session.run().hash());
+    session.handle(event::Change{with(chain("rk4"), "k", 2)});
+    session.handle(event::Step{10});
+    session.handle(event::AddRun{session.run().description()});
+    session.finish();
+    EXPECT_EQ(session.followers()[1].run().hash(), session.run().hash()) << "it begins with the k of the start";
+    session.handle(event::Undo{});
     session.handle(event::Undo{});
     session.handle(event::Step{10});
     session.finish();
+    EXPECT_EQ(session.followers().size(), 1u);
     EXPECT_EQ(session.followers()[0].run().hash(), session.run().hash());
+}
+
+TEST(Session, takes_back_what_is_done_to_its_runs_in_the_order_in_which_it_was_done) {
+    Session session(chain("rk4"));
+    session.handle(event::AddRun{with(chain("verlet"), "dt", 0.05)});
+    session.handle(event::Step{10});
+    session.handle(event::Do{Kick{5, {0.1, 0, 0}}});
+    session.handle(event::Step{10});
+    session.handle(event::Bookmark{"here"});
+    const auto all = [&] {
+        session.finish();
+        std::vector<std::string> runs{session.run().description().method + session.run().hash()};
+        for (const FollowerRun& each : session.followers())
+            runs.push_back(each.description().method + number_text(each.description().dt) + each.run().hash());
+        return runs;
+    };
+    const Event events[] = {event::AddRun{chain("euler-forward")},
+                            event::ChangeRun{2, with(chain("verlet"), "dt", 0.02)},
+                            event::EqualCost{true},
+                            event::Lead{1},
+                            event::RemoveRun{2},
+                            event::RemoveRun{0},
+                            event::Do{Kick{3, {0, 0.1, 0}}},
+                            event::Restart{}};
+    std::vector<std::vector<std::string>> before{all()};
+    for (const Event& event : events) {
+        session.handle(event);
+        before.push_back(all());
+    }
+    for (std::size_t i = std::size(events); i-- > 0;) {
+        session.handle(event::Undo{});
+        EXPECT_EQ(all(), before[i]) << "of event " << i;
+    }
+    SessionView view;
+    session.observe(view);
+    EXPECT_EQ(view.line.bookmarks.size(), 1u) << "another leading run had none";
+    for (std::size_t i = 0; i < std::size(events); ++i) {
+        session.handle(event::Redo{});
+        EXPECT_EQ(all(), before[i + 1]) << "of event " << i;
+    }
+}
+
+TEST(Session, keeps_the_branches_of_a_run_that_led_for_undo) {
+    Session session(chain("rk4"));
+    session.handle(event::Step{20});
+    session.handle(event::Step{-10});
+    session.handle(event::Do{Kick{5, {0.1, 0, 0}}});
+    session.handle(event::AddRun{chain("verlet")});
+    SessionView view;
+    session.handle(event::Lead{1});
+    session.observe(view);
+    EXPECT_TRUE(view.line.branches.empty()) << "they are those of the other run";
+    session.handle(event::Undo{});
+    session.observe(view);
+    EXPECT_EQ(view.line.branches.size(), 1u);
+    EXPECT_EQ(session.followers().size(), 1u);
+}
+
+TEST(Session, lets_the_run_that_led_begin_again_as_it_began) {
+    Session session(chain("rk4"));
+    session.handle(event::AddRun{chain("verlet")});
+    session.handle(event::Step{10});
+    session.handle(event::Change{with(chain("rk4"), "k", 2)});
+    session.handle(event::Step{10});
+    const std::string led = session.run().hash();
+    session.handle(event::Lead{1});
+    session.finish();
+    EXPECT_EQ(session.followers()[0].run().hash(), led);
 }
 
 TEST(Session, another_run_takes_the_lead_at_the_same_time) {

@@ -1,0 +1,176 @@
+// What is done to the leading run, taken back and done again.
+
+#include "core/error.hpp"
+#include "session/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// Of the moments that they keep.
+std::size_t bytes_of(const std::vector<TimeLine::Branch>& branches) {
+    std::size_t sum = 0;
+    for (const TimeLine::Branch& branch : branches) {
+        for (const Moments::Moment& moment : branch.moments) sum += moment.state.bytes();
+    }
+    return sum;
+}
+
+}  // namespace
+
+/// What the present way left is kept for coming back to.
+void Session::keep(std::optional<TimeLine::Branch> left) {
+    if (left) branches_.push_back(std::move(*left));
+    if (branches_.size() > most_branches) branches_.erase(branches_.begin());
+    for (TimeLine::Branch& oldest : branches_) {
+        if (bytes_of(branches_) <= bytes_ / 2) break;
+        oldest.moments = {};
+    }
+}
+
+/// Something was done: what was undone before is no more to be done again.
+void Session::note(Done before) {
+    goal_.reset();
+    undone_.clear();
+    done_.push_back(std::move(before));
+    forget_oldest_left();
+}
+
+/// What a change or an act of the time line leaves to be undone: nothing where it took the place of the one before it.
+void Session::acted(std::size_t changes_before) {
+    goal_.reset();
+    undone_.clear();
+    if (line_.past().size() > changes_before) note(Acted{});
+}
+
+/// With all that was done before it.
+void Session::forget_oldest_left() {
+    const auto is_left = [](const Done& done) { return std::holds_alternative<Left>(done); };
+    if (std::count_if(done_.begin(), done_.end(), is_left) <= static_cast<std::ptrdiff_t>(most_left)) return;
+    done_.erase(done_.begin(), std::next(std::find_if(done_.begin(), done_.end(), is_left)));
+}
+
+/// Puts another run in place of the leading one, which can be taken back; `beside` is what went beside it.
+void Session::leave(TimeLine next, Beside beside) {
+    Left left{std::exchange(line_, std::move(next)), std::exchange(branches_, {}), std::exchange(bookmarks_, {}),
+              std::move(beside)};
+    left.line.forget_moments();
+    for (TimeLine::Branch& branch : left.branches) branch.moments = {};
+    note(std::move(left));
+}
+
+void Session::begin(const RunDescription& description) {
+    TimeLine next(description, bytes_);
+    std::vector<FollowerRun> followers;
+    const bool same_scene = !restarts(run().description(), description);
+    if (same_scene) {
+        for (const FollowerRun& each : followers_)
+            followers.push_back(FollowerRun(each.description_at(line_), bytes_ / most_runs));
+    }
+    leave(std::move(next), beside());
+    followers_ = std::move(followers);
+    begun();
+}
+
+/// Another run is at its start.
+void Session::begun() {
+    ++number_;
+    show_ensemble(ensemble_);
+}
+
+void Session::change(const RunDescription& description) {
+    if (description == run().description()) return;
+    if (restarts(run().description(), description)) return begin(description);
+    const std::size_t before = line_.past().size();
+    keep(line_.change(description));
+    acted(before);
+    equalise_cost();
+}
+
+void Session::act(const Act& act) {
+    if (!acts(act, *run().shape())) return;
+    const std::size_t before = line_.past().size();
+    keep(line_.act(act));
+    acted(before);
+}
+
+/// True if the last thing done is one of the time line, which has some behind the present step.
+bool Session::can_undo_on_line() const {
+    return line_.past().size() > 1 && (done_.empty() || std::holds_alternative<Acted>(done_.back()));
+}
+
+/// After the time line has gone another way by itself.
+void Session::count_acted(std::size_t changes_before) {
+    const auto acted_last = [&] { return !done_.empty() && std::holds_alternative<Acted>(done_.back()); };
+    for (std::size_t i = changes_before; i < line_.past().size(); ++i) done_.emplace_back(Acted{});
+    for (std::size_t i = line_.past().size(); i < changes_before && acted_last(); ++i) done_.pop_back();
+}
+
+bool Session::can_undo() const {
+    const auto is_acted = [](const Done& done) { return std::holds_alternative<Acted>(done); };
+    return line_.past().size() > 1 || !std::all_of(done_.begin(), done_.end(), is_acted);
+}
+
+void Session::undo() {
+    goal_.reset();
+    if (can_undo_on_line()) {
+        const std::size_t before = line_.past().size();
+        undone_.emplace_back(line_.undo().value());
+        return count_acted(before);
+    }
+    while (!done_.empty() && std::holds_alternative<Acted>(done_.back())) done_.pop_back();  // they lie ahead
+    if (done_.empty()) return;
+    Done last = std::move(done_.back());
+    done_.pop_back();
+    if (auto* const left = std::get_if<Left>(&last)) {
+        undone_.emplace_back(exchange(std::move(*left)));
+    } else {
+        undone_.emplace_back(beside());
+        put_beside(std::get<Beside>(last));
+    }
+}
+
+void Session::redo() {
+    goal_.reset();
+    if (undone_.empty()) return;
+    Undone last = std::move(undone_.back());
+    undone_.pop_back();
+    if (auto* const branch = std::get_if<TimeLine::Branch>(&last)) {
+        const std::size_t before = line_.past().size();
+        line_.take(std::move(*branch));
+        count_acted(before);
+    } else if (auto* const left = std::get_if<Left>(&last)) {
+        done_.emplace_back(exchange(std::move(*left)));
+    } else {
+        done_.emplace_back(beside());
+        put_beside(std::get<Beside>(last));
+    }
+}
+
+/// Puts another line in place of the present one, which is returned.
+Session::Left Session::exchange(Left other) {
+    Left now{std::exchange(line_, std::move(other.line)), std::exchange(branches_, std::move(other.branches)),
+             std::exchange(bookmarks_, std::move(other.bookmarks)), beside()};
+    put_beside(other.beside);
+    begun();
+    return now;
+}
+
+void Session::take_branch(std::size_t number) {
+    if (number >= branches_.size()) throw UsageError(fmt::format("there is no branch {}", number));
+    TimeLine::Branch branch = std::move(branches_[number]);
+    branches_.erase(branches_.begin() + static_cast<std::ptrdiff_t>(number));
+    goal_.reset();
+    undone_.clear();
+    const std::size_t before = line_.past().size();
+    keep(line_.take(std::move(branch)));
+    count_acted(before);
+}
+
+}  // namespace steplab

@@ -1,0 +1,129 @@
+// What goes beside the leading run, and which one leads.
+
+#include "core/error.hpp"
+#include "session/equal_cost.hpp"
+#include "session/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace steplab {
+
+/// The place of a run that does not lead. Throws UsageError.
+std::size_t Session::check_follower(std::size_t run) const {
+    if (run == 0 || run > followers_.size()) throw UsageError(fmt::format("there is no run {} beside the first", run));
+    return run - 1;
+}
+
+/// It begins as the leading run did: what was changed of the scene since then happens to it when it gets there.
+RunDescription Session::from_the_start(RunDescription description) const {
+    const ParameterValues &now = run().description().scene, &start = line_.changes().front().description.scene;
+    for (const ParameterInfo& info : start.infos()) {
+        const bool is_there = description.scene.contains(info.name);
+        if (is_there && description.scene[info.name] == now[info.name])
+            description.scene.set(info.name, start[info.name]);
+    }
+    return description;
+}
+
+FollowerRun Session::follower(const RunDescription& description) const {
+    if (description.model != run().description().model || description.origin != run().description().origin)
+        throw UsageError("runs beside each other are of one scene");
+    FollowerRun added(description, bytes_ / most_runs);
+    if (added.run().particles() != run().particles())
+        throw UsageError("runs beside each other have the same particles");
+    return added;
+}
+
+Session::Beside Session::beside() const {
+    Beside now{{}, equal_cost_};
+    for (const FollowerRun& each : followers_) now.runs.push_back(each.description());
+    return now;
+}
+
+/// Runs that are there already stay as they are.
+void Session::put_beside(const Beside& wanted) {
+    std::vector<FollowerRun> there = std::exchange(followers_, {});
+    for (const RunDescription& description : wanted.runs) {
+        const auto same = std::find_if(there.begin(), there.end(),
+                                       [&](const FollowerRun& each) { return each.description() == description; });
+        if (same != there.end()) {
+            followers_.push_back(std::move(*same));
+            there.erase(same);
+        } else {
+            followers_.push_back(follower(description));
+        }
+    }
+    equal_cost_ = wanted.equal_cost;
+}
+
+void Session::add(const RunDescription& description) {
+    if (followers_.size() + 1 == most_runs)
+        throw UsageError(fmt::format("at most {} runs go beside each other", most_runs));
+    FollowerRun added = follower(at_cost(from_the_start(description)));
+    note(beside());
+    followers_.push_back(std::move(added));
+}
+
+void Session::change_run(std::size_t run, const RunDescription& description) {
+    FollowerRun& changed = followers_[check_follower(run)];
+    FollowerRun next = follower(at_cost(from_the_start(description)));
+    note(beside());
+    changed = std::move(next);
+}
+
+void Session::set_equal_cost(bool on) {
+    if (on == equal_cost_) return;
+    note(beside());
+    equal_cost_ = on;
+    equalise_cost();
+}
+
+/// As it is to run beside the leading one.
+RunDescription Session::at_cost(const RunDescription& description) const {
+    return equal_cost_ ? at_equal_cost(description, run().description()) : description;
+}
+
+/// Those whose cost changes begin again; one that cannot have it stays as it is, as the event is carried out already.
+void Session::equalise_cost() {
+    if (!equal_cost_) return;
+    for (FollowerRun& each : followers_) {
+        try {
+            const RunDescription wanted = at_cost(each.description());
+            if (!(wanted == each.description())) each = follower(wanted);
+        } catch (const UsageError&) {
+            continue;
+        }
+    }
+}
+
+/// Both are at one time. The run that led begins again beside the other, with its present method and dt.
+void Session::lead(std::size_t number) {
+    catch_up([] { return false; });
+    Beside before = beside();
+    RunDescription led = run().description();
+    led.scene = line_.changes().front().description.scene;
+    TimeLine next = std::move(followers_[number].line());
+    next.forget_ahead();  // how far it had gone there depends on when it was made to follow
+    next.allow(bytes_);
+    leave(std::move(next), std::move(before));
+    followers_[number] = follower(led);
+    begun();
+}
+
+void Session::remove(std::size_t run) {
+    if (run > 0) {
+        const std::size_t place = check_follower(run);
+        note(beside());
+        followers_.erase(followers_.begin() + static_cast<std::ptrdiff_t>(place));
+        return;
+    }
+    if (followers_.empty()) throw UsageError("the only run cannot be removed");
+    lead(0);
+    followers_.erase(followers_.begin());
+}
+
+}  // namespace steplab
