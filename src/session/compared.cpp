@@ -22,6 +22,16 @@ double rms_distance(const Field<double>& a, const Field<double>& b, const Shape&
     return moving > 0 ? std::sqrt(squares / moving) : 0;
 }
 
+std::optional<double> phase_error_of(const Field<double>& run, const State<double>& motion) {
+    double along = 0, square = 0;
+    for (std::size_t i = 0; i < run.count(); ++i) {
+        const Vec3 velocity = motion.velocity.at(i);
+        along += dot(run.at(i) - motion.displacement.at(i), velocity);
+        square += dot(velocity, velocity);
+    }
+    return square > 0 ? std::optional(along / square) : std::nullopt;
+}
+
 }  // namespace
 
 std::uint64_t step_at(double time, double dt) {
@@ -53,6 +63,7 @@ Compared compared(const RunMoment& run, const ReferenceMoment& reference, bool e
             .rms_error = rms_distance(there, run.displacement, *run.shape),
             .energy_error = run.energy_error,
             .momentum_error = run.momentum_error,
+            .phase_error = phase_error_of(run.displacement, reference.state),
             .reference_error = exact ? 0 : reference.error,
             .evaluations = run.evaluations};
 }

@@ -35,6 +35,9 @@ struct Compared {
     double error = 0;        ///< largest distance of a particle from the reference at that time
     double rms_error = 0;    ///< root of the mean squared distance of moving particles
     std::optional<double> energy_error, momentum_error;
+    /// The time [s] by which the run is ahead of the motion, as far as its distance from it lies along the motion's
+    /// velocities: <d, v> / <v, v> over all particles. None where nothing moves.
+    std::optional<double> phase_error = {};
     double reference_error = 0;  ///< estimated; 0 of an exact solution
     std::uint64_t evaluations = 0;
 };

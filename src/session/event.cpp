@@ -15,7 +15,7 @@ bool overtakes(const Event& earlier, const Event& later) {
            std::holds_alternative<event::SeekTime>(later) || std::holds_alternative<event::SetRate>(later) ||
            std::holds_alternative<event::Track>(later) || std::holds_alternative<event::ShowEnsemble>(later) ||
            std::holds_alternative<event::ShowForces>(later) || std::holds_alternative<event::ShowErrors>(later) ||
-           std::holds_alternative<event::Play>(later);
+           std::holds_alternative<event::Play>(later) || std::holds_alternative<event::Loop>(later);
 }
 
 }  // namespace steplab

@@ -13,11 +13,22 @@
 
 namespace steplab {
 
+/// From one step to a later one.
+struct StepRange {
+    std::uint64_t first = 0, last = 0;
+    friend bool operator==(const StepRange&, const StepRange&) = default;
+};
+
 /// What a person can do in a session, as data.
 namespace event {
 
 struct Play {
     bool on = true;
+    bool backwards = false;  ///< through the moments that the leading run was at
+};
+/// While the session plays, the leading run goes from the last of these steps to the first, or the other way round.
+struct Loop {
+    std::optional<StepRange> steps;  ///< none: no longer
 };
 /// Steps of the leading run on, or back where negative; the session then stands.
 struct Step {
@@ -97,15 +108,21 @@ struct TakeBranch {
 
 }  // namespace event
 
-using Event = std::variant<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change,
-                           event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
-                           event::ShowForces, event::ShowErrors, event::AddRun, event::ChangeRun, event::EqualCost,
-                           event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
+using Event = std::variant<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart,
+                           event::Change, event::SetRate, event::Track, event::Do, event::Undo, event::Redo,
+                           event::ShowEnsemble, event::ShowForces, event::ShowErrors, event::AddRun, event::ChangeRun,
+                           event::EqualCost, event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
 
 /// True if it is one of these.
 template <class... Kinds>
 bool is_any(const Event& event) {
     return (std::holds_alternative<Kinds>(event) || ...);
+}
+
+/// True if an event changes what the runs of a session compute or where they stand; the others change what is shown.
+inline bool is_recorded(const Event& event) {
+    return !is_any<event::SetRate, event::Loop, event::Track, event::ShowEnsemble, event::ShowForces,
+                   event::ShowErrors>(event);
 }
 
 /// True if the second event leaves nothing of the first, which it follows: a slider or the time line is dragged.

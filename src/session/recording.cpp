@@ -21,10 +21,6 @@ bool is_same_pull(const RecordedEvent& last, const RecordedEvent& next) {
 
 bool is_seek(const Event& event) { return is_any<event::Seek, event::SeekTime>(event); }
 
-bool is_recorded(const Event& event) {
-    return !is_any<event::SetRate, event::Track, event::ShowEnsemble, event::ShowForces, event::ShowErrors>(event);
-}
-
 void Recording::add(RecordedEvent next, bool nothing_new) {
     RecordedEvent* const last = events.empty() ? nullptr : &events.back();
     if (complete && last && !last->diverged && !next.diverged) {

@@ -13,8 +13,6 @@ namespace steplab {
 
 /// True if an event goes to a step or time, on the way to which others may come.
 bool is_seek(const Event& event);
-/// True if an event changes what the runs of a session compute or where they stand; the others change what is shown.
-bool is_recorded(const Event& event);
 
 /// An event and where the leading run was when it was handled.
 struct RecordedEvent {

@@ -12,6 +12,7 @@ std::string run_name(const RunDescription& run, const RunDescription& leading) {
                                    own_steps ? "tolerance " + typed(run.method_parameters["tolerance"], 3)
                                              : fmt::format("dt {} s", short_number(run.dt)),
                                    id(run.precision));
+    if (run.model != leading.model || run.origin != leading.origin) return name;
     for (const ParameterInfo& info : run.scene.infos()) {
         if (run.scene[info.name] != leading.scene[info.name])
             name += fmt::format(", {} {}", info.name, format_value(info, run.scene[info.name]));

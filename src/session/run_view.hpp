@@ -64,6 +64,7 @@ struct RunView {
     /// Measured; none in still pictures.
     std::optional<double> steps_per_second;
     std::optional<double> evaluations_per_second;
+    std::optional<double> cost;  ///< seconds of computing per simulated second
     std::string error;           ///< message of a command that was refused; empty if none
     std::uint64_t failures = 0;  ///< how many commands were refused so far
 };

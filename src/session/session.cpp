@@ -21,10 +21,8 @@ Session::Session(const RunDescription& description, std::size_t bytes) : bytes_(
 struct Session::Handle {
     Session& session;
 
-    void operator()(const event::Play& play) const {
-        session.playing_ = play.on && !session.line_.is_over();
-        session.goal_.reset();
-    }
+    void operator()(const event::Play& play) const { session.play(play); }
+    void operator()(const event::Loop& loop) const { session.loop(loop.steps); }
     void operator()(const event::Step& step) const { session.step(step.steps); }
     void operator()(const event::Seek& seek) const { session.seek(seek.step); }
     void operator()(const event::SeekTime& seek) const { session.seek(session.line_.step_at(seek.time)); }
@@ -95,6 +93,33 @@ void Session::advance(std::uint64_t steps) {
     if (goal_ && line_.step() >= *goal_) goal_.reset();
 }
 
+void Session::play(const event::Play& play) {
+    playing_ = play.on && (play.backwards ? line_.step() > 0 : !line_.is_over() || loop_);
+    backwards_ = play.backwards;
+    goal_.reset();
+}
+
+void Session::loop(const std::optional<StepRange>& steps) {
+    if (steps && steps->first >= steps->last) throw UsageError("a loop ends at a later step than it begins");
+    loop_ = steps;
+}
+
+void Session::play_on(std::uint64_t steps) {
+    if (goal_) return advance(steps);
+    const std::uint64_t now = line_.step(), first = loop_ && now > loop_->first ? loop_->first : 0;
+    if (backwards_) {
+        line_.step_back(std::min(steps, now - first));
+        if (line_.step() > first) return;
+        if (!loop_) return stop();
+        return seek(loop_->last);
+    }
+    const bool ahead = loop_ && now < loop_->last;
+    advance(ahead ? std::min(steps, loop_->last - now) : steps);
+    if (!loop_ || (line_.step() < loop_->last && !line_.is_over())) return;
+    playing_ = true;  // also where the run ended before the loop does
+    seek(loop_->first);
+}
+
 bool Session::is_behind() const {
     if (live_ensemble_ && !live_ensemble_->are_at(line_.step(), line_.past())) return true;
     return std::any_of(followers_.begin(), followers_.end(),
@@ -133,11 +158,11 @@ void Session::stop() {
 void Session::step(std::int64_t steps) {
     playing_ = false;
     goal_.reset();
-    const std::uint64_t now = line_.step();
-    const auto size = static_cast<std::uint64_t>(steps < 0 ? -steps : steps);
-    const std::uint64_t target = steps < 0 ? now - std::min(now, size) : now + size;
-    line_.turn_to(target);
-    line_.advance(target - line_.step());
+    if (steps < 0) {
+        line_.step_back(static_cast<std::uint64_t>(-steps));
+    } else {
+        line_.advance(static_cast<std::uint64_t>(steps));
+    }
 }
 
 void Session::finish() {

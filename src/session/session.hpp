@@ -46,12 +46,15 @@ public:
     const TimeLine& line() const { return line_; }
     const std::vector<FollowerRun>& followers() const { return followers_; }
     bool playing() const { return playing_; }
+    bool plays_backwards() const { return playing_ && backwards_; }
     Rate rate() const { return rate_; }
     /// The step that the leading run is on its way to.
     std::optional<std::uint64_t> goal() const { return goal_; }
 
     /// Takes steps of the leading run, and those of the others if they are beside it. Throws Interrupted.
     void advance(std::uint64_t steps);
+    /// The same in the direction in which the session plays; at the end of its loop it goes to the other end.
+    void play_on(std::uint64_t steps);
     /// True while what goes beside the leading run is not there yet, as it began later or went back.
     bool is_behind() const;
     /// Brings it nearer, until it is there or `enough` says so. Throws Interrupted; what cannot follow is given up, and
@@ -62,7 +65,10 @@ public:
     /// Pauses where the leading run stands.
     void stop();
     /// Plays on where an event that is played again has paused.
-    void keep_playing() { playing_ = !line_.is_over(); }
+    void keep_playing() {
+        playing_ = !line_.is_over();
+        backwards_ = false;
+    }
     /// Where memory ran out.
     void give_up_ensemble() { show_ensemble({}); }
     /// Keeps the present moment, unless one is near.
@@ -98,6 +104,8 @@ private:
 
     void handle_and_record(const Event& event);
     std::string event_hash() const;
+    void play(const event::Play& play);
+    void loop(const std::optional<StepRange>& steps);
     void step(std::int64_t steps);
     void seek(std::uint64_t step);
     void bookmark(const std::string& text);
@@ -144,6 +152,8 @@ private:
     std::vector<Undone> undone_;
     std::vector<Mark> bookmarks_;
     bool playing_ = false;
+    bool backwards_ = false;         ///< the way it plays
+    std::optional<StepRange> loop_;  ///< in which it plays
     Rate rate_;
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;

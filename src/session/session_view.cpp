@@ -9,7 +9,7 @@ void Session::observe(SessionView& view) const {
     RunView& leading = view.leading;
     steplab::observe(run(), tracked_, leading);
     if (with_forces_) run().forces(leading.frame.forces);
-    leading.playing = playing_ && !leading.divergence;
+    leading.playing = playing_ && (backwards_ || !leading.divergence);
     leading.goal = goal_;
     leading.ensemble = ensemble_;
     leading.ensemble_spread = {.step = live_ensemble_ ? live_ensemble_->step() : 0};
@@ -34,6 +34,8 @@ TimeLineView Session::line_view() const {
         view.branches.push_back({line_.time_of(branch.fork), branch.reached_time});
     view.can_undo = can_undo();
     view.can_redo = !undone_.empty();
+    view.backwards = plays_backwards();
+    if (loop_) view.loop = {line_.time_of(loop_->first), line_.time_of(loop_->last)};
     return view;
 }
 

@@ -32,6 +32,12 @@ struct TimeLineView {
     };
     std::vector<Branch> branches = {};
     bool can_undo = false, can_redo = false;
+    bool backwards = false;  ///< the session plays that way
+    struct Loop {
+        double from = 0, to = 0;  ///< times of its steps
+        friend bool operator==(const Loop&, const Loop&) = default;
+    };
+    std::optional<Loop> loop = {};
 };
 
 /// How far the runs of a session are from the motion of their scene at one time.

@@ -5,11 +5,18 @@
 #include "session/compared.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace steplab {
 
 namespace {
+
+/// Measured costs older than this fade.
+constexpr double memory_seconds = 0.25;
+/// Steps that are computed again rather than kept.
+constexpr std::uint64_t nearby = 8;
 
 /// Steps of dt from the beginning of a segment on that do not end after a time.
 std::uint64_t steps_within(double time, const RunDescription& description) {
@@ -29,10 +36,38 @@ void TimeLine::advance(std::uint64_t steps) {
     take_due_changes();
     while (run_.advanced().step < target && !run_.advanced().diverged) {
         const std::uint64_t next = taken_ < changes_.size() ? std::min(target, changes_[taken_].step) : target;
-        run_.advance(next - run_.advanced().step);
+        take_steps(next - run_.advanced().step);
         take_due_changes();
     }
     note_reached();
+}
+
+void TimeLine::take_steps(std::uint64_t steps) {
+    using Clock = std::chrono::steady_clock;
+    const std::uint64_t before = run_.advanced().step;
+    const auto begin = Clock::now();
+    run_.advance(steps);
+    const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
+    const double fading = std::exp(-spent / memory_seconds),
+                 taken = static_cast<double>(run_.advanced().step) - static_cast<double>(before);
+    spent_ = spent_ * fading + spent;
+    simulated_ = simulated_ * fading + taken * std::abs(run_.dt());
+}
+
+std::optional<double> TimeLine::cost() const {
+    return simulated_ > 0 ? std::optional(spent_ / simulated_) : std::nullopt;
+}
+
+/// In halves: what is between two moments is computed again once for each of its halvings, however it is gone through.
+void TimeLine::step_back(std::uint64_t steps) {
+    settle();
+    const std::uint64_t target = run_.step() - std::min(run_.step(), steps);
+    turn_to(target);
+    while (target - run_.step() > nearby && !run_.advanced().diverged) {
+        advance((target - run_.step()) / 2);
+        moments_.keep(run_, taken_);
+    }
+    advance(target - run_.step());
 }
 
 /// Behind the last good step of a run that diverged lies nothing, however far it had got before that was found.
@@ -55,6 +90,7 @@ void TimeLine::take_due_changes() {
 
 void TimeLine::take_effect(SegmentBegin& change) {
     change.time = run_.time();
+    if (!change.act) spent_ = simulated_ = 0;
     if (change.act) {
         run_.act(*change.act);
     } else {

@@ -41,6 +41,8 @@ public:
 
     /// Takes steps, and on the way what lies ahead. Throws Interrupted.
     void advance(std::uint64_t steps);
+    /// So many steps back, to the start at most. Moments are kept on the way, so that going on back costs little.
+    void step_back(std::uint64_t steps);
     /// Takes it to where it can go on to this step by advance(): the nearest moment before it that is kept, or stays
     /// where that is nearer.
     void turn_to(std::uint64_t step);
@@ -88,8 +90,11 @@ public:
     std::optional<Branch> take(Branch branch);
 
     std::size_t bytes() const { return moments_.bytes(); }
+    /// Seconds that its steps took lately, per simulated second; none before there were some.
+    std::optional<double> cost() const;
 
 private:
+    void take_steps(std::uint64_t steps);
     void take_effect(SegmentBegin& change);
     void take_due_changes();
     void note_reached();
@@ -109,6 +114,7 @@ private:
     std::uint64_t reached_ = 0;
     double reached_time_ = 0;
     Vec3 start_momentum_;
+    double spent_ = 0, simulated_ = 0;  ///< seconds; what is long past fades
 };
 
 }  // namespace steplab

@@ -111,7 +111,8 @@ bool Worker::Body::handle_events() {
 }
 
 void Worker::Body::handle(const Event& event) {
-    if (session.playing() && session.run().divergence()) session.stop();  // before it begins something new
+    if (session.playing() && !session.plays_backwards() && session.run().divergence())
+        session.stop();  // before it begins something new
     if (const auto* const play = std::get_if<event::Play>(&event)) {
         film_plays = play->on;
     } else if (is_recorded(event)) {
@@ -141,10 +142,10 @@ void Worker::Body::take_steps() {
     if (const auto goal = session.goal()) due = std::min(due, *goal - std::min(*goal, run.step()));
     const auto before = run.advanced();
     if (film) due = std::min(due, film->ahead());
-    session.advance(due);
-    if (run.step() > before.step) session.catch_up([] { return false; });
+    film ? session.advance(due) : session.play_on(due);
+    if (run.step() != before.step) session.catch_up([] { return false; });
     const auto after = run.advanced();
-    const std::uint64_t taken = std::max(after.step, before.step) - before.step;
+    const std::uint64_t taken = after.step > before.step ? after.step - before.step : before.step - after.step;
     pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
               static_cast<double>(taken) * run.dt(), begin, Clock::now(), wanted_rate);
     keep_moment();
@@ -220,11 +221,14 @@ void Worker::Body::see() {
     session.observe(view);
     compare();
     RunView& leading = view.leading;
-    if (leading.divergence) session.stop();
+    if (leading.divergence && !session.plays_backwards()) session.stop();
     leading.error = error;
     leading.failures = failures;
     leading.steps_per_second = pace.steps_per_second();
     leading.evaluations_per_second = pace.evaluations_per_second();
+    leading.cost = session.line().cost();
+    for (std::size_t i = 0; i < view.followers.size(); ++i)
+        view.followers[i].cost = session.followers()[i].line().cost();
 }
 
 /// Hands over a view of the present moment, unless the last one is still waiting and has not grown stale. A moment

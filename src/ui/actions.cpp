@@ -63,6 +63,27 @@ void toggle_twin(const Context& context) {
     context.events.send(event::RemoveRun{1 + static_cast<std::size_t>(there - followers.begin())});
 }
 
+void play_back(const Context& context) {
+    Wanted& wanted = context.state.wanted;
+    const bool on = !(wanted.playing() && context.session.line.backwards);
+    wanted.play(on, context.events, on);
+}
+
+/// Between the marks before and behind the present moment; without them, from the start or to the last step.
+void toggle_loop(const Context& context) {
+    const TimeLineView& line = context.session.line;
+    if (line.loop) return context.events.send(event::Loop{});
+    const std::uint64_t now = context.view.frame.step;
+    StepRange steps{0, line.reached};
+    for (const Mark& mark : line.bookmarks) {
+        if (mark.step <= now) steps.first = mark.step;
+    }
+    for (auto mark = line.bookmarks.rbegin(); mark != line.bookmarks.rend(); ++mark) {
+        if (mark->step > now) steps.last = mark->step;
+    }
+    context.events.send(event::Loop{steps});
+}
+
 void toggle_panel(const Context& context) { context.state.panel = context.layout.panel.empty(); }
 
 }  // namespace
@@ -97,6 +118,10 @@ void perform(const Context& context, Action action) {
     switch (action) {
         case Action::pause:
             return wanted.play(!wanted.playing(), events);
+        case Action::play_back:
+            return play_back(context);
+        case Action::loop:
+            return toggle_loop(context);
         case Action::step_forward:
             return events.send(event::Step{1});
         case Action::step_back:

@@ -41,6 +41,8 @@ constexpr KeyName editing_keys[] = {
     {Key::r, ImGuiKey_R},
     {Key::t, ImGuiKey_T},
     {Key::y, ImGuiKey_Y},
+    {Key::j, ImGuiKey_J},
+    {Key::l, ImGuiKey_L},
     {Key::equal, ImGuiKey_Equal},
     {Key::minus, ImGuiKey_Minus},
     {Key::bracket_left, ImGuiKey_LeftBracket},

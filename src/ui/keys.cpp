@@ -6,8 +6,10 @@
 namespace steplab::ui {
 namespace {
 
-constexpr std::array<KeyBinding, 23> keys = {{
+constexpr std::array<KeyBinding, 25> keys = {{
     {Action::pause, Key::space, false, "Space", "play or pause"},
+    {Action::play_back, Key::j, false, "J", "play backwards, or pause"},
+    {Action::loop, Key::l, false, "L", "repeat between the marks around this moment, or all"},
     {Action::step_forward, Key::right, false, "Right", "one step forward"},
     {Action::step_back, Key::left, false, "Left", "one step back"},
     {Action::restart, Key::backspace, false, "Backspace", "restart the run"},

@@ -10,6 +10,8 @@ namespace steplab::ui {
 /// What a key or a button does to the run, the view or the window.
 enum class Action {
     pause,
+    play_back,
+    loop,
     step_forward,
     step_back,
     restart,
@@ -69,6 +71,8 @@ enum class Key {
     r,
     t,
     y,
+    j,
+    l,
     count
 };
 

@@ -30,9 +30,9 @@ void Wanted::ask(const RunDescription& description, EventSink& events) {
     events.send(event::Change{description});
 }
 
-void Wanted::play(bool on, EventSink& events) {
+void Wanted::play(bool on, EventSink& events, bool backwards) {
     playing_.ask(on);
-    events.send(event::Play{on});
+    events.send(event::Play{on, backwards});
 }
 
 void Wanted::set_rate(Rate rate, EventSink& events) {

@@ -23,7 +23,7 @@ public:
     bool playing() const { return playing_.shown(); }
     Rate rate() const { return rate_.shown(); }
     const LiveEnsembleOptions& ensemble() const { return ensemble_.shown(); }
-    void play(bool on, EventSink& events);
+    void play(bool on, EventSink& events, bool backwards = false);
     void set_rate(Rate rate, EventSink& events);
     void show_ensemble(const LiveEnsembleOptions& ensemble, EventSink& events);
     /// Shows why an entry was refused.

@@ -84,6 +84,28 @@ TEST(RunComparison, of_a_scene_with_a_closed_form_has_its_error) {
 }
 
 // The lab's reference is of the same family with other steps.
+// Of one frequency, methods of order 2 turn at another: the phase they have won or lost grows with time.
+TEST(RunComparison, knows_by_how_much_a_run_is_ahead_of_the_motion) {
+    constexpr double dt = 0.1, until = 40;
+    for (const Precision precision : {Precision::float_, Precision::double_}) {
+        const auto oscillator = [&](std::string_view method) {
+            return run_of("oscillator", method, precision, dt, {{"k", 1}, {"m", 1}, {"c", 0}, {"v0", 1}});
+        };
+        RunComparison comparison({oscillator("velocity-verlet"), oscillator("implicit-midpoint")}, until, 20);
+        for (int sample = 1; sample <= 20; ++sample) {
+            const auto runs = comparison.at(static_cast<std::uint64_t>(sample));
+            const double time = runs[0]->time;
+            const double verlet = (2 / dt * std::asin(dt / 2) - 1) * time,
+                         midpoint = (2 / dt * std::atan(dt / 2) - 1) * time;
+            // what the amplitude is off, (omega dt)^2 / 8, counts as phase by x / v; so does the square of the shift
+            const double slope = std::abs(std::tan(time)), second = dt * dt / 8 + midpoint * midpoint;
+            const double tolerance = 2e-3 * std::abs(midpoint) + second * (1 + slope);
+            EXPECT_NEAR(runs[0]->phase_error.value(), verlet, tolerance) << time;
+            EXPECT_NEAR(runs[1]->phase_error.value(), midpoint, tolerance) << time;
+        }
+    }
+}
+
 TEST(RunComparison, agrees_with_measurements_of_the_lab) {
     for (const auto& [scene, time] : {std::pair(scene_of("mesh", {{"dim", 5}}), 10.0), std::pair(scene_of("rope"), 3.0),
                                       std::pair(scene_of("morse", {{"spacing", 0.3}}), 1.0)}) {

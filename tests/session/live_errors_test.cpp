@@ -34,6 +34,7 @@ void expect_equal(const Compared& live, const Compared& right) {
     EXPECT_EQ(live.energy_error, right.energy_error);
     EXPECT_EQ(live.momentum_error, right.momentum_error);
     EXPECT_EQ(live.reference_error, right.reference_error);
+    EXPECT_EQ(live.phase_error, right.phase_error);
     EXPECT_EQ(live.evaluations, right.evaluations);
 }
 

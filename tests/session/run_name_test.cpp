@@ -14,6 +14,7 @@ TEST(RunName, is_of_what_runs_beside_each_other_differ_in) {
     EXPECT_EQ(name("method=euler,dt=0.025,precision=float"), "euler, dt 0.025 s, float");
     EXPECT_EQ(name("method=dopri5,tolerance=1e-9"), "dopri5, tolerance 1e-9, double");
     EXPECT_EQ(name("k=150"), "rk4, dt 0.1 s, double, k 150");
+    EXPECT_EQ(run_name(run, describe("free", "rk4")), "rk4, dt 0.1 s, double") << "another scene was asked for";
 }
 
 }  // namespace

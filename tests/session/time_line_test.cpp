@@ -74,6 +74,23 @@ TEST_P(TimeLineOf, every_step_has_the_same_bits_whenever_it_is_gone_to) {
     EXPECT_EQ(line.changes().size(), 6u);
 }
 
+TEST_P(TimeLineOf, going_back_step_by_step_has_the_bits_of_going_on) {
+    const RunDescription run = run_of("chain", GetParam().id(), GetParam().precision, 0.1);
+    TimeLine line(run);
+    Hashes hashes;
+    record(line, hashes, 150);
+    line.act(Kick{6, {0, 0.1, 0.1}});
+    record(line, hashes, 90);
+    for (std::uint64_t step = line.step(); step > 0;) {
+        const std::uint64_t back = 1 + step % 3;
+        line.step_back(back);
+        step -= std::min(step, back);
+        ASSERT_EQ(line.step(), step);
+        ASSERT_EQ(line.run().hash(), hashes.at(step)) << "step " << step;
+    }
+    EXPECT_EQ(line.reached(), 240u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, TimeLineOf, testing::ValuesIn(all_methods()), case_name);
 
 TEST(TimeLine, keeps_to_its_memory_and_still_reaches_every_step) {

@@ -72,6 +72,19 @@ TEST_F(WorkerTest, shows_its_way_to_a_step_and_takes_other_commands_on_it) {
     EXPECT_TRUE(see([](const RunView& v) { return v.goal == far && v.rate.seconds_per_second == 2; }));
 }
 
+TEST_F(WorkerTest, plays_backwards_until_the_start_also_from_where_the_run_diverged) {
+    worker.send(event::SetRate{{true}});
+    worker.send(event::Change{run_of("chain", "rk4", Precision::double_, 2)});
+    worker.send(event::Play{true});
+    ASSERT_TRUE(see([](const RunView& v) { return v.divergence.has_value(); }));
+    worker.send(event::SetRate{{false, 20}});
+    worker.send(event::Play{true, true});
+    ASSERT_TRUE(see([](const RunView& v) { return v.playing && !v.divergence; }));
+    EXPECT_TRUE(session.line.backwards);
+    worker.send(event::SetRate{{true}});
+    ASSERT_TRUE(see([](const RunView& v) { return !v.playing && v.frame.step == 0; }));
+}
+
 TEST_F(WorkerTest, plays_until_it_is_paused) {
     worker.send(event::SetRate{{true, 1}});
     worker.send(event::Play{true});

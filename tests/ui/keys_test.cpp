@@ -140,6 +140,8 @@ TEST(keys, home_resets_the_view_and_f_zooms_to_fit) {
 TEST(keys, every_key_has_a_button_or_menu_entry) {
     // Widgets in the bar, in the menu, and gestures of the panel that do what a key does.
     const std::map<Action, std::string> places = {{Action::pause, "play"},
+                                                  {Action::play_back, "play back"},
+                                                  {Action::loop, "loop"},
                                                   {Action::step_forward, "step"},
                                                   {Action::step_back, "step back"},
                                                   {Action::restart, "restart"},

@@ -49,6 +49,8 @@ constexpr Pair pairs[] = {
     {GLFW_KEY_R, Key::r, 'r'},
     {GLFW_KEY_T, Key::t, 't'},
     {GLFW_KEY_Y, Key::y, 'y'},
+    {GLFW_KEY_J, Key::j, 'j'},
+    {GLFW_KEY_L, Key::l, 'l'},
     {GLFW_KEY_EQUAL, Key::equal, '='},
     {GLFW_KEY_EQUAL, Key::equal, '+'},
     {GLFW_KEY_MINUS, Key::minus, '-'},

@@ -47,6 +47,8 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/redo", "Redo", Action::redo);
     action_item(context, "menu/bookmark", "Mark this moment", Action::bookmark);
     ImGui::Separator();
+    action_item(context, "menu/play back", "Play backwards", Action::play_back);
+    action_item(context, "menu/loop", "Repeat", Action::loop);
     action_item(context, "menu/faster", "Play faster", Action::faster);
     action_item(context, "menu/slower", "Play slower", Action::slower);
     action_item(context, "menu/previous scene", "Previous scene", Action::previous_scene);

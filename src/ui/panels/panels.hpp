@@ -10,9 +10,11 @@ namespace steplab::ui {
 void draw_top_bar(const Context& context);
 /// The menu button at the cursor of the bar and, if open, the menu.
 void draw_menu(const Context& context);
-/// The sections below, one below the other, with a scroll bar if the window is too low for them.
+/// All of `sections`, with a scroll bar if the window is too low for them.
 void draw_side_panel(const Context& context);
 void draw_scene_panel(const Context& context);
+/// The list of runs, if there are several.
+void draw_runs_panel(const Context& context);
 void draw_method_panel(const Context& context);
 void draw_step_panel(const Context& context);
 void draw_show_panel(const Context& context);
@@ -20,6 +22,11 @@ void draw_show_panel(const Context& context);
 void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
 void draw_plots_panel(const Context& context);
+
+/// The sections of the side panel from top to bottom.
+using Section = void (*)(const Context& context);
+inline constexpr Section sections[] = {draw_scene_panel, draw_runs_panel, draw_method_panel,
+                                       draw_step_panel,  draw_show_panel, draw_energy_panel};
 
 /// In place of all of these and the scene: pictures of scenes to choose from.
 void draw_scenes_page(const Context& context);
@@ -31,8 +38,7 @@ void draw_lost_card(const Context& context);
 void draw_read_out(const Context& context);
 void draw_notices(const Context& context);
 void draw_time_line(const Context& context);
-/// The list of runs, if there are several, and the buttons beside the time line.
-void draw_runs_panel(const Context& context);
+/// The buttons beside the time line.
 void draw_run_buttons(const Context& context);
 void draw_divergence_card(const Context& context);
 void draw_help(const Context& context);

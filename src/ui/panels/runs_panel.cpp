@@ -6,12 +6,15 @@
 #include "ui/panels/method_items.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
+#include "ui/widgets/icons.hpp"
 #include "ui/widgets/run_marks.hpp"
 #include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,15 +46,21 @@ std::string errors_text(const Context& context, std::size_t run) {
 }
 
 /// The rest of what is known of them.
-std::string more_errors_text(const Compared& compared) {
+std::string more_errors_text(const Compared& compared, const std::optional<double>& cost) {
     std::string text =
         fmt::format("largest error of a position {}, root mean square {}", with_unit(rounded_text(compared.error), "m"),
                     with_unit(rounded_text(compared.rms_error), "m"));
     if (compared.energy_error) text += "\nenergy error " + with_unit(rounded_text(*compared.energy_error), "J");
     if (compared.momentum_error)
         text += "\nmomentum error " + with_unit(rounded_text(*compared.momentum_error), "kg m/s");
+    if (compared.phase_error) {
+        text += fmt::format("\nphase error {}, {} the motion",
+                            with_unit(rounded_text(std::abs(*compared.phase_error)), "s"),
+                            *compared.phase_error < 0 ? "behind" : "ahead of");
+    }
     const double rate = static_cast<double>(compared.evaluations) / compared.time;
     if (compared.time > 0) text += fmt::format("\n{} force evaluations per simulated second", rounded_text(rate));
+    if (cost) text += fmt::format("\n{} ns of computing per simulated second", rounded_text(1e9 * *cost));
     return text;
 }
 
@@ -77,7 +86,7 @@ void draw_run(const Context& context, std::size_t run) {
     const WithId id(widget);
     draw_swatch(context, run);
     const std::string title =
-        run_name(run == 0 ? context.description() : run_of(context, run).description, context.description());
+        run_name(run == 0 ? context.description() : run_of(context, run).description, context.view.description);
     const WithFont font(run == 0 ? context.theme.fonts().strong : context.theme.fonts().body);
     const float room = ImGui::GetContentRegionAvail().x - context.px(22);
     const bool clicked = ImGui::InvisibleButton("lead", {std::max(1.0f, room), ImGui::GetTextLineHeight()});
@@ -95,7 +104,8 @@ void draw_run(const Context& context, std::size_t run) {
 
 void draw_errors(const Context& context, std::size_t run) {
     explanation(context, errors_text(context, run));
-    if (const Compared* const compared = compared_of(context, run)) tooltip(context, more_errors_text(*compared));
+    if (const Compared* const compared = compared_of(context, run))
+        tooltip(context, more_errors_text(*compared, run_of(context, run).cost));
 }
 
 void draw_reference(const Context& context) {
@@ -156,6 +166,14 @@ void draw_add(const Context& context) {
 
 /// What makes several runs of one, and what all of them do.
 void draw_buttons(const Context& context) {
+    const bool backwards = context.state.wanted.playing() && context.session.line.backwards;
+    if (icon_button(context, "play back", backwards ? Icon::pause : Icon::play_back, help_of(Action::play_back)))
+        perform(context, Action::play_back);
+    ImGui::SameLine(0, context.px(4));
+    if (icon_button(context, "loop", Icon::loop, help_of(Action::loop),
+                    context.session.line.loop ? ButtonStyle::accent : ButtonStyle::plain))
+        perform(context, Action::loop);
+    ImGui::SameLine(0, context.px(8));
     if (runs_of(context) < Session::most_runs) draw_add(context);
     if (text_button(context, "twin", "twin", false, context.px(58))) perform(context, Action::twin);
     tooltip(context, help_of(Action::twin));

@@ -62,15 +62,6 @@ private:
     float height_ = 0;
 };
 
-void draw_sections(const Context& context) {
-    draw_scene_panel(context);
-    draw_runs_panel(context);
-    draw_method_panel(context);
-    draw_step_panel(context);
-    draw_show_panel(context);
-    draw_energy_panel(context);
-}
-
 }  // namespace
 
 void draw_side_panel(const Context& context) {
@@ -83,7 +74,7 @@ void draw_side_panel(const Context& context) {
     const Footer footer(context);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(6)});
     ImGui::BeginChild("sections", {0, area.height - footer.height()}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    draw_sections(context);
+    for (const Section section : sections) section(context);
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
     footer.draw();

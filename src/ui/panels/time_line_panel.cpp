@@ -113,6 +113,16 @@ bool draw_branches(const Context& context, const Track& track) {
     return pointed;
 }
 
+/// The part that is repeated: a line above the track.
+void draw_loop(const Context& context, const Track& track) {
+    const auto& loop = context.session.line.loop;
+    if (!loop) return;
+    const float from = track.x(loop->from), to = track.x(loop->to), y = track.y() - context.px(12);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddLine({from, y}, {to, y}, colour::accent, context.px(2));
+    for (const float x : {from, to}) list.AddLine({x, y}, {x, y + context.px(5)}, colour::accent, context.px(2));
+}
+
 /// Before the slider, as what is drawn first is what the pointer is over. True if it is over a mark.
 bool draw_marks(const Context& context, double end) {
     const RowPlaces places = row_places(context);
@@ -120,6 +130,7 @@ bool draw_marks(const Context& context, double end) {
     const float left = ImGui::GetWindowPos().x;
     const Track track(context, {left + places.control, cursor.y, left + places.value, cursor.y + row_height(context)},
                       end);
+    draw_loop(context, track);
     const bool change = draw_changes(context, track), branch = draw_branches(context, track),
                bookmark = draw_bookmarks(context, track);
     ImGui::SetCursorScreenPos(cursor);

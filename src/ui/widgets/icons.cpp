@@ -20,6 +20,11 @@ struct Pen {
     void left_triangle(float base, float tip) const {
         list.AddTriangleFilled(at(base, -0.8f), at(base, 0.8f), at(tip, 0), ink);
     }
+    void circle_with_tip() const {
+        list.PathArcTo(centre, 0.7f * half, -0.9f, 4.6f, 20);
+        list.PathStroke(ink, 0, 0.25f * half);
+        list.AddTriangleFilled(at(-0.15f, -1.1f), at(0.45f, -0.65f), at(-0.15f, -0.2f), ink);
+    }
     void lines() const {
         for (const float y : {-0.6f, 0.0f, 0.6f}) {
             list.AddRectFilled(at(-0.85f, y - 0.12f), at(0.85f, y + 0.12f), ink);
@@ -59,6 +64,10 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 ink
             return pen.left_triangle(0.35f, -0.8f);
         case Icon::play:
             return pen.right_triangle(-0.55f, 0.8f);
+        case Icon::play_back:
+            return pen.left_triangle(0.55f, -0.8f);
+        case Icon::loop:
+            return pen.circle_with_tip();
         case Icon::pause:
             pen.bar(-0.7f, -0.2f);
             return pen.bar(0.2f, 0.7f);

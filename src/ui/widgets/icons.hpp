@@ -6,7 +6,7 @@
 namespace steplab::ui {
 
 /// The icons of the buttons, drawn as shapes: sharp at every scale and independent of fonts.
-enum class Icon { restart, step_back, play, pause, step_forward, menu, save };
+enum class Icon { restart, step_back, play, play_back, loop, pause, step_forward, menu, save };
 
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 ink);
 

@@ -14,8 +14,8 @@ constexpr float lowest_with_plots = 460;
 constexpr float narrowest_plot = 240;
 constexpr float time_line_height = 34;
 constexpr float lowest_with_time_line = 240;
-constexpr float run_buttons_width = 292;
-constexpr float narrowest_with_run_buttons = 600;
+constexpr float run_buttons_width = 360;
+constexpr float narrowest_with_run_buttons = 640;
 
 float plots_height(float height) { return std::clamp(0.285f * height, 150.0f, 380.0f); }
 
