@@ -136,11 +136,15 @@ time_line_leads_back_and_forth() {
     xdotool key ctrl+z; expect 'dt 0.1' 'changes 0'
     xdotool key ctrl+y; expect 'dt 0.2' 'changes 1'
     xdotool key Right Right; expect 'step 3'
-    click 'branch 0'; expect 'dt 0.1' 'step 1' 'reached 4' 'widget bookmark 0 51[0-9] .*' # a quarter of the way
+    click 'branch 0'; expect 'dt 0.1' 'step 1' 'reached 4' 'widget bookmark 0 50[0-9] .*' # a quarter of the way
     click 'bookmark 0'; xdotool key b; expect 'bookmarks 0'
     xdotool key Right; expect 'step 2'
     xdotool key BackSpace; expect 'step 0'
     xdotool key ctrl+z; expect 'step 2'
+    xdotool key Right Right Right Right; expect 'step 6'
+    xdotool key j; expect 'playing true' 'playing false' 'step 0'
+    xdotool key l; expect 'loop true'
+    click loop; expect 'loop false'
     close_window
 }
 

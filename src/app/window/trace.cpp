@@ -70,6 +70,7 @@ void Trace::report(const SessionView& session) {
     report("reached", std::to_string(session.line.reached));
     report("changes", std::to_string(session.line.changes.size()));
     report("branches", std::to_string(session.line.branches.size()));
+    report("loop", session.line.loop ? "true" : "false");
     report("bookmarks", std::to_string(session.line.bookmarks.size()));
 }
 

@@ -20,10 +20,11 @@ struct Pen {
     void left_triangle(float base, float tip) const {
         list.AddTriangleFilled(at(base, -0.8f), at(base, 0.8f), at(tip, 0), ink);
     }
-    void circle_with_tip() const {
-        list.PathArcTo(centre, 0.7f * half, -0.9f, 4.6f, 20);
-        list.PathStroke(ink, 0, 0.25f * half);
-        list.AddTriangleFilled(at(-0.15f, -1.1f), at(0.45f, -0.65f), at(-0.15f, -0.2f), ink);
+    void arrows_to_and_fro() const {
+        list.AddRectFilled(at(-0.85f, -0.57f), at(0.4f, -0.33f), ink);
+        list.AddTriangleFilled(at(0.3f, -0.9f), at(0.95f, -0.45f), at(0.3f, 0), ink);
+        list.AddRectFilled(at(-0.4f, 0.33f), at(0.85f, 0.57f), ink);
+        list.AddTriangleFilled(at(-0.3f, 0.9f), at(-0.95f, 0.45f), at(-0.3f, 0), ink);
     }
     void lines() const {
         for (const float y : {-0.6f, 0.0f, 0.6f}) {
@@ -67,7 +68,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 ink
         case Icon::play_back:
             return pen.left_triangle(0.55f, -0.8f);
         case Icon::loop:
-            return pen.circle_with_tip();
+            return pen.arrows_to_and_fro();
         case Icon::pause:
             pen.bar(-0.7f, -0.2f);
             return pen.bar(0.2f, 0.7f);
