@@ -13,6 +13,8 @@ namespace steplab {
 
 namespace {
 
+/// Of so many steps at once, moments are kept at the ends of its parts.
+constexpr std::uint64_t long_way = 4096, parts_of_long_way = 64;
 /// Measured costs older than this fade.
 constexpr double memory_seconds = 0.25;
 /// Steps that are computed again rather than kept.
@@ -33,11 +35,14 @@ TimeLine::TimeLine(const RunDescription& description, std::size_t bytes)
 void TimeLine::advance(std::uint64_t steps) {
     const std::uint64_t target = run_.advanced().step + steps;
     if (!run_.advanced().diverged) asked_ = target;
+    const std::uint64_t stretch = steps < long_way ? steps : steps / parts_of_long_way;
     take_due_changes();
     while (run_.advanced().step < target && !run_.advanced().diverged) {
-        const std::uint64_t next = taken_ < changes_.size() ? std::min(target, changes_[taken_].step) : target;
+        std::uint64_t next = std::min(target, run_.advanced().step + stretch);
+        if (taken_ < changes_.size()) next = std::min(next, changes_[taken_].step);
         take_steps(next - run_.advanced().step);
         take_due_changes();
+        if (steps >= long_way) keep_moment();
     }
     note_reached();
 }
