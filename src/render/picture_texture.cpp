@@ -5,6 +5,7 @@ namespace steplab::render {
 void PictureTexture::reserve(PictureSize size) {
     if (size_ == size) return;
     glBindTexture(GL_TEXTURE_2D, texture_.id());
+    // In the byte order that windows have: a picture is then copied into one as it is.
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_BGRA, GL_UNSIGNED_BYTE, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
