@@ -39,12 +39,9 @@ void ImguiRenderer::upload_fonts(ImFontAtlas& fonts) {
     int width = 0;
     int height = 0;
     fonts.GetTexDataAsRGBA32(&pixels, &width, &height);
-    glBindTexture(GL_TEXTURE_2D, font_texture_.id());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-    fonts.SetTexID(texture_id(font_texture_.id()));
+    font_texture_.upload({width, height},
+                         {pixels, 4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)});
+    fonts.SetTexID(texture_id(font_texture_.name()));
 }
 
 void ImguiRenderer::draw(const ImDrawData& data) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/picture_texture.hpp"
 #include "render/shader_program.hpp"
 
 struct ImDrawCmd;
@@ -29,7 +30,7 @@ private:
     ShaderProgram program_;
     VertexArray vertex_array_;
     Buffer vertices_, indices_;
-    Texture font_texture_;
+    PictureTexture font_texture_;
 };
 
 }  // namespace steplab::render

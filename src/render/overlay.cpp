@@ -43,6 +43,12 @@ void mark_cross(Occupancy& taken, PictureSize size, double pixel_scale) {
     taken.mark(cross_centre(size, pixel_scale), (cross_reach + 14) * pixel_scale);
 }
 
+PictureArea cross_area(PictureSize size, double pixel_scale) {
+    const PixelPoint centre = cross_centre(size, pixel_scale);
+    const auto reach = static_cast<int>((cross_reach + 16) * pixel_scale);
+    return {static_cast<int>(centre.x) - reach, static_cast<int>(centre.y) - reach, {2 * reach, 2 * reach}};
+}
+
 void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& palette, double pixel_scale) {
     const double reach = cross_reach * pixel_scale;
     const PixelPoint centre = cross_centre(projection.size(), pixel_scale);

@@ -4,6 +4,7 @@
 #include "render/colouring.hpp"
 #include "render/occupancy.hpp"
 #include "render/sketch.hpp"
+#include "render/split.hpp"
 
 namespace steplab::render {
 
@@ -13,6 +14,8 @@ namespace steplab::render {
 void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, const Palette& palette);
 /// The small xyz cross at the lower left, and its mark that keeps labels away.
 void mark_cross(Occupancy& taken, PictureSize size, double pixel_scale);
+/// The part of the picture in which the cross is.
+PictureArea cross_area(PictureSize size, double pixel_scale);
 void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& palette, double pixel_scale);
 /// The colour scale with title and numbers at the upper right, `lower` by some pixels where texts are above it.
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,

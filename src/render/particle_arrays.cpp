@@ -1,8 +1,23 @@
 #include "render/particle_arrays.hpp"
 
+#include <algorithm>
+#include <random>
 #include <vector>
 
 namespace steplab::render {
+namespace {
+
+// A software renderer does the work of other contexts, the panels' among them, between two such portions.
+constexpr std::size_t most_at_once = 1 << 15;
+
+/// Adds one of `one_of` numbers from `begin` to `end`.
+void pick(std::vector<GLuint>& picked, std::size_t begin, std::size_t end, std::size_t one_of) {
+    std::minstd_rand random(static_cast<std::minstd_rand::result_type>(begin + 1));
+    for (std::size_t i = begin + random() % one_of; i < end; i += 1 + random() % (2 * one_of - 1))
+        picked.push_back(static_cast<GLuint>(i));
+}
+
+}  // namespace
 
 ParticleArrays::ParticleArrays() {
     glBindVertexArray(quads_.id());
@@ -37,14 +52,26 @@ void ParticleArrays::bind(const VertexArray& vertex_array, std::size_t first) co
 
 void ParticleArrays::draw_points(std::span<const IndexRange> ranges) const {
     if (ranges.empty()) return;
-    std::vector<GLint> firsts;
-    std::vector<GLsizei> counts;
-    for (const IndexRange& range : ranges) {
-        firsts.push_back(static_cast<GLint>(range.first));
-        counts.push_back(static_cast<GLsizei>(range.count));
+    bind(points_, 0);
+    for (const auto& [first, count] : ranges) {
+        for (std::size_t begin = first; begin < first + count; begin += most_at_once) {
+            const std::size_t size = std::min(most_at_once, first + count - begin);
+            glDrawArrays(GL_POINTS, static_cast<GLint>(begin), static_cast<GLsizei>(size));
+            if (size == most_at_once) glFlush();
+        }
+    }
+}
+
+void ParticleArrays::draw_some_points(std::span<const IndexRange> ranges, std::size_t one_of) const {
+    std::vector<GLuint> some;
+    for (const auto& [first, count] : ranges) {
+        // Blocks begin at the same places in every picture, so that the same particles are drawn.
+        for (std::size_t block = first; block < first + count; block += ParticleBlocks::block_size)
+            pick(some, block, std::min(block + ParticleBlocks::block_size, first + count), one_of);
     }
     bind(points_, 0);
-    glMultiDrawArrays(GL_POINTS, firsts.data(), counts.data(), static_cast<GLsizei>(ranges.size()));
+    render::upload(some_, GL_ELEMENT_ARRAY_BUFFER, std::span<const GLuint>(some));
+    glDrawElements(GL_POINTS, static_cast<GLsizei>(some.size()), GL_UNSIGNED_INT, nullptr);
 }
 
 void ParticleArrays::draw_quads(std::span<const IndexRange> ranges) const {

@@ -23,12 +23,14 @@ public:
     void colour(VertexColour colour);
 
     void draw_points(std::span<const IndexRange> ranges) const;
+    /// Draws one of `one_of` particles, at uneven distances: even ones would make stripes of a grid.
+    void draw_some_points(std::span<const IndexRange> ranges, std::size_t one_of) const;
     void draw_quads(std::span<const IndexRange> ranges) const;
 
 private:
     void bind(const VertexArray& vertex_array, std::size_t first) const;
 
-    Buffer centres_, colours_;
+    Buffer centres_, colours_, some_;
     VertexArray points_, quads_;
     bool one_colour_ = true;
     VertexColour colour_{};

@@ -113,15 +113,15 @@ std::array<std::vector<IndexRange>, details> ParticleBlocks::choose(const Projec
 }
 
 void ParticleBlocks::mark(const Projection& projection, std::span<const IndexRange> ranges, double radius,
-                          Occupancy& taken) const {
+                          Occupancy& taken, std::size_t one_of) const {
     const glm::vec3 eye = vertex(projection, projection.eye()), forward = in_float(projection.forward());
     const glm::vec3 right = in_float(projection.right()), up = in_float(projection.up());
     const auto pixels = static_cast<float>(projection.pixels_per_unit(1));
     const PictureSize size = projection.size();
     const auto drawn = static_cast<double>(vertex_length(projection, radius));
     for (const IndexRange& range : ranges) {
-        for (const glm::vec3& place : std::span(vertices_).subspan(range.first, range.count)) {
-            const glm::vec3 seen = place - eye;
+        for (std::size_t i = range.first; i < range.first + range.count; i += one_of) {
+            const glm::vec3 seen = vertices_[i] - eye;
             const float scale = pixels / glm::dot(seen, forward);
             if (!(scale > 0)) continue;
             const PixelPoint pixel{0.5 * size.width + static_cast<double>(scale * glm::dot(seen, right)),

@@ -49,8 +49,9 @@ public:
     /// determines the level of the whole block.
     std::array<std::vector<IndexRange>, details> choose(const Projection& projection, const Tile& tile,
                                                         PictureSize part, double radius) const;
-    /// Marks the parts of the picture that balls of `radius` of these particles cover.
-    void mark(const Projection& projection, std::span<const IndexRange> ranges, double radius, Occupancy& taken) const;
+    /// Marks the parts of the picture that balls of `radius` of these particles cover, or of one of `one_of` of them.
+    void mark(const Projection& projection, std::span<const IndexRange> ranges, double radius, Occupancy& taken,
+              std::size_t one_of = 1) const;
 
 private:
     struct Box {

@@ -57,7 +57,9 @@ void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& tak
     const double radius = shot.known.largest_radius(Role::moving);
     for (const std::uint32_t i : shot.known.special) blocks.hide(i);
     chosen_ = blocks.choose(shot.projection, shot.tile, shot.part, radius);
-    for (const auto& ranges : chosen_) blocks.mark(shot.projection, ranges, radius, taken);
+    const auto one_of = static_cast<std::size_t>(shot.style.enlarged * shot.style.enlarged);
+    for (const Detail detail : {Detail::dot, Detail::point, Detail::body})
+        blocks.mark(shot.projection, chosen_[index(detail)], radius, taken, detail == Detail::dot ? one_of : 1);
     moving_.upload(blocks.vertices());
     colour_moving(shot);
     gather_special(shot, taken);
@@ -123,7 +125,7 @@ void Particles::prepare_rings(const Shot& shot) {
     selected_ring_.upload(std::span<const Dot>(selected));
 }
 
-void Particles::draw(const ViewUniforms& view, const RenderTarget& target) const {
+void Particles::draw(const ViewUniforms& view, const RenderTarget& target, const Style& style) const {
     const bool sampled = target.samples() > 1;
     // The alpha of outlines determines the covered samples; the picture itself is opaque.
     const float least_coverage = sampled ? 0.0F : 0.5F;
@@ -147,7 +149,9 @@ void Particles::draw(const ViewUniforms& view, const RenderTarget& target) const
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     use(dot_, view, radius, least_coverage);
-    moving_.draw_points(chosen_[index(Detail::dot)]);
+    const auto& dots = chosen_[index(Detail::dot)];
+    if (style.enlarged == 1) return moving_.draw_points(dots);
+    moving_.draw_some_points(dots, static_cast<std::size_t>(style.enlarged * style.enlarged));
 }
 
 void Particles::draw_rings(const ViewUniforms& view, double pixel_scale) const {

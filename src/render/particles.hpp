@@ -22,7 +22,7 @@ public:
     /// Uploads the particles, chooses those that the picture shows, and marks what they cover in `taken`.
     void prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& taken);
     /// Draws the particles.
-    void draw(const ViewUniforms& view, const RenderTarget& target) const;
+    void draw(const ViewUniforms& view, const RenderTarget& target, const Style& style) const;
     /// Draws the rings; blended, so after everything opaque.
     void draw_rings(const ViewUniforms& view, double pixel_scale) const;
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace steplab::render {
 namespace {
@@ -20,17 +21,6 @@ int integer(GLenum name) {
 void make_storage(const Renderbuffer& buffer, GLenum format, int samples, PictureSize size) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.width, size.height);
-}
-
-void make_colour_texture(const Texture& texture, const Framebuffer& framebuffer, PictureSize size) {
-    glBindTexture(GL_TEXTURE_2D, texture.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width, size.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
 }
 
 void require_complete(PictureSize size) {
@@ -59,8 +49,19 @@ RenderTarget::RenderTarget(PictureSize size) : size_(size) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour_.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
     require_complete(size);
-    make_colour_texture(texture_, framebuffer_, size);
+    attach_texture();
     require_complete(size);
+}
+
+void RenderTarget::attach_texture() {
+    texture_.reserve(size_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+}
+
+void RenderTarget::exchange(PictureTexture& texture) {
+    std::swap(texture_, texture);
+    attach_texture();
 }
 
 void RenderTarget::bind() const {

@@ -2,6 +2,7 @@
 
 #include "render/camera.hpp"
 #include "render/gl_objects.hpp"
+#include "render/picture_texture.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -22,17 +23,22 @@ public:
     void bind() const;
     /// Averages the samples into texture() and binds that, for drawing without multisampling (text).
     void resolve() const;
-    /// The finished picture, bottom row first.
-    GLuint texture() const { return texture_.id(); }
+    /// The framebuffer of texture(), which is the finished picture, bottom row first.
+    GLuint framebuffer() const { return framebuffer_.id(); }
+    GLuint texture() const { return texture_.name(); }
+    /// Gives the finished picture away and draws into the other texture from now on, whose content is lost.
+    void exchange(PictureTexture& texture);
     /// The finished picture as bytes: rows from the top, 4 bytes per pixel (red, green, blue, alpha).
     std::vector<std::uint8_t> read() const;
 
 private:
+    void attach_texture();
+
     PictureSize size_;
     int samples_;
     Renderbuffer colour_, depth_;
     Framebuffer multisampled_;
-    Texture texture_;
+    PictureTexture texture_;
     Framebuffer framebuffer_;
 };
 

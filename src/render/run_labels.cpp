@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace steplab::render {
 namespace {
@@ -12,6 +14,8 @@ namespace {
 // In pixels at scale 1.
 constexpr double line_height = 20, outer_edge = 10, right_edge = 20, mark_radius = 5, number_place = 18,
                  name_place = 33, padding = 6;
+constexpr double narrowest_with_both = 700;  // a picture with room for read-out and lines at its top
+constexpr double cross_room = 104, narrowest_with_cross = 300;
 constexpr double veil = 0.9;  // opacity of the ground of a text
 
 /// The outline that the particles of a run have (shaders/ghost.frag); a filled disc for the leading run.
@@ -33,6 +37,17 @@ void sketch_line(Sketch& sketch, const RunLine& line, PixelPoint middle, const P
     sketch.text({middle.x + name_place * pixel_scale, y}, line.text, palette.text);
 }
 
+/// The text, or as much of its beginning as fits.
+std::string cut_to(const Sketch& sketch, std::string text, double width) {
+    if (sketch.text_size(text).x <= width) return text;
+    const auto continues = [&] { return !text.empty() && (text.back() & 0xC0) == 0x80; };  // a byte within a letter
+    while (!text.empty() && sketch.text_size(text + "...").x > width) {
+        while (continues()) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return text + "...";
+}
+
 }  // namespace
 
 std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style) {
@@ -44,26 +59,37 @@ std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style) {
 
 RunLine line_of_run(const ShownRun& run, std::size_t number) { return {run.name, number}; }
 
-double sketch_run_lines(Sketch& sketch, const std::vector<RunLine>& lines, RunLinesAt place, PictureSize size,
-                        const Palette& palette, double pixel_scale) {
-    if (lines.empty()) return 0;
+PictureArea run_lines_area(PictureSize picture, RunLayout layout, std::size_t lines, double pixel_scale) {
+    const auto pixels = [&](double units) { return static_cast<int>(std::lround(units * pixel_scale)); };
+    const int height = pixels(line_height * static_cast<double>(lines));
+    const bool beside_read_out = layout == RunLayout::ghosts && picture.width >= pixels(narrowest_with_both);
+    const bool beside_cross = picture.width >= pixels(narrowest_with_cross);
+    const int left = pixels(beside_read_out ? read_out_room : beside_cross ? cross_room : padding);
+    const int top = beside_read_out ? pixels(outer_edge) : picture.height - pixels(outer_edge) - height;
+    return {left, top, {picture.width - left, height}};
+}
+
+PictureArea sketch_run_lines(Sketch& sketch, const std::vector<RunLine>& lines, const PictureArea& area,
+                             const Palette& palette, double pixel_scale) {
+    if (lines.empty()) return {0, 0, {0, 0}};
+    const double edge = padding * pixel_scale;
+    const double room = area.size.width - 2 * edge;
+    std::vector<RunLine> shown = lines;
     double widest = 0;
-    for (const RunLine& line : lines) {
+    for (RunLine& line : shown) {
         const double indent = line.run ? name_place * pixel_scale : 0;
+        line.text = cut_to(sketch, line.text, room - indent);
         widest = std::max(widest, indent + sketch.text_size(line.text).x);
     }
-    const double edge = padding * pixel_scale, margin = outer_edge * pixel_scale;
-    const double right = size.width - right_edge * pixel_scale;
-    // A name too long for the picture is cut off at its end.
-    const double left = std::max(right - widest, 2 * edge), step = line_height * pixel_scale;
-    const double height = step * static_cast<double>(lines.size());
-    const double top = place == RunLinesAt::top ? margin : size.height - margin - height;
-    sketch.box({left - edge, top}, {right + edge, top + height}, palette.bottom, veil);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const double middle = top + (static_cast<double>(i) + 0.5) * step;
-        sketch_line(sketch, lines[i], {left, middle}, palette, pixel_scale);
-    }
-    return place == RunLinesAt::top ? height : 0;
+    const double end = area.left + area.size.width;
+    const double right = std::max(end - right_edge * pixel_scale, std::min(area.left + edge + widest, end - edge));
+    const double left = right - widest, step = line_height * pixel_scale;
+    sketch.box({left - edge, static_cast<double>(area.top)},
+               {right + edge, static_cast<double>(area.top + area.size.height)}, palette.bottom, veil);
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        sketch_line(sketch, shown[i], {left, area.top + (static_cast<double>(i) + 0.5) * step}, palette, pixel_scale);
+    const int begin = static_cast<int>(left - edge);
+    return {begin, area.top, {area.left + area.size.width - begin, area.size.height}};
 }
 
 }  // namespace steplab::render

@@ -3,10 +3,10 @@
 #include "render/palette.hpp"
 #include "render/shown_runs.hpp"
 #include "render/sketch.hpp"
+#include "render/split.hpp"
 #include "render/style.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,11 +24,15 @@ std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style);
 /// The name of a run, after its mark and its number.
 RunLine line_of_run(const ShownRun& run, std::size_t number);
 
-/// The right end of a picture at which lines stand.
-enum class RunLinesAt : std::uint8_t { top, foot };
+/// The part of a run's picture that lines about runs keep to, longer ones being cut off at their end: at its upper
+/// right, or, beside the cross of the axes, at its foot, where the picture is too narrow for the window's read-out
+/// beside them or shows one of several runs.
+PictureArea run_lines_area(PictureSize picture, RunLayout layout, std::size_t lines, double pixel_scale);
+/// Units of the layout from the left of a picture that the window's read-out keeps to, beside lines at the top.
+inline constexpr double read_out_room = 430;
 
-/// Adds the lines to a picture, and returns the height that they take at its top.
-double sketch_run_lines(Sketch& sketch, const std::vector<RunLine>& lines, RunLinesAt place, PictureSize size,
-                        const Palette& palette, double pixel_scale);
+/// Adds the lines, and returns what of the area they take.
+PictureArea sketch_run_lines(Sketch& sketch, const std::vector<RunLine>& lines, const PictureArea& area,
+                             const Palette& palette, double pixel_scale);
 
 }  // namespace steplab::render

@@ -26,6 +26,10 @@ bool has_room(PictureSize size, double pixel_scale) {
     return size.width >= 160 * pixel_scale && size.height >= 120 * pixel_scale;
 }
 
+bool has_room_for_lines(PictureSize size, double pixel_scale) {
+    return size.width >= 100 * pixel_scale && size.height >= 50 * pixel_scale;
+}
+
 /// The box around everything that is drawn, for the near and far planes.
 Bounds drawn_bounds(Bounds positions, const std::optional<Bounds>& ensemble, double margin, const AxesBox& box,
                     bool grid) {
@@ -62,7 +66,7 @@ struct Flat {
     Axes axes;
     Occupancy taken;
     std::vector<RunLine> lines = {};
-    RunLinesAt lines_at = RunLinesAt::top;
+    RunLayout layout = RunLayout::ghosts;
     Tile tile = {};  ///< of the run's own picture, as if the whole target showed it
     bool legend = true;
 };
@@ -134,7 +138,7 @@ std::vector<Flat> SceneRenderer::Body::draw_split(ShownRuns runs, const Style& g
         glEnable(GL_SCISSOR_TEST);  // points and lines reach beyond the viewport
         flats.push_back(draw_run(i, *runs[i].frame, {}, style, camera, *place, target));
         flats.back().lines = {line_of_run(runs[i], i)};
-        flats.back().lines_at = RunLinesAt::foot;  // the window's read-out stands at the top
+        flats.back().layout = RunLayout::split;
         flats.back().tile = {areas[i].size, tile.left - areas[i].left, tile.top - areas[i].top};
         flats.back().legend = i == in_corner;
     }
@@ -190,7 +194,7 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     if (style.springs) springs.draw(view, style.pixel_scale);
-    particles.draw(view, target);
+    particles.draw(view, target, style);
     lines.draw(arrows, view, 1.5 * style.pixel_scale);
     lines.draw(trail, view, 1.5 * style.pixel_scale);
     if (with_ghosts) ghosts->draw_lines(view, style);
@@ -217,13 +221,17 @@ void SceneRenderer::Body::draw_grid(const Style& style, const AxesBox& box, cons
 void SceneRenderer::Body::draw_flat(const Style& style, const Flat& flat, PictureSize part) {
     const Palette& colours = palette(style.background);
     const PictureSize size = flat.tile.whole;
-    if (!has_room(size, style.pixel_scale)) return;
+    if (!has_room_for_lines(size, style.pixel_scale)) return;
     sketch.begin(size, style.pixel_scale);
-    if (style.grid) sketch_labels(sketch, flat.axes, flat.taken, colours);
-    if (style.grid) sketch_cross(sketch, flat.projection, colours, style.pixel_scale);
-    const double lines_height = sketch_run_lines(sketch, flat.lines, flat.lines_at, size, colours, style.pixel_scale);
-    if (style.legend && flat.legend && flat.scale)
-        sketch_legend(sketch, *flat.scale, size, colours, style.pixel_scale, lines_height);
+    const bool in_full = has_room(size, style.pixel_scale);
+    if (in_full && style.grid) sketch_labels(sketch, flat.axes, flat.taken, colours);
+    const PictureArea room = run_lines_area(size, flat.layout, flat.lines.size(), style.pixel_scale);
+    const PictureArea texts = sketch_run_lines(sketch, flat.lines, room, colours, style.pixel_scale);
+    const bool over_cross = !flat.lines.empty() && shared_part(room, cross_area(size, style.pixel_scale));
+    if (in_full && style.grid && !over_cross) sketch_cross(sketch, flat.projection, colours, style.pixel_scale);
+    const bool above = texts.top < size.height / 2;
+    if (in_full && style.legend && flat.legend && flat.scale)
+        sketch_legend(sketch, *flat.scale, size, colours, style.pixel_scale, above ? texts.size.height : 0);
     sketch.finish(flat.tile, part);
 }
 

@@ -81,6 +81,16 @@ glm::vec3 way_through_sides(glm::vec3 way, glm::vec3 sides) {
     return through;
 }
 
+/// True for a coarse picture all particles of which are but dots: to find out of each spring that it is too short to be
+/// drawn would take as long as the rest of the picture.
+bool are_between_dots(const Shot& shot, const ParticleBlocks& blocks) {
+    if (shot.style.enlarged == 1) return false;
+    const double radius = shot.known.largest_radius(Role::moving);
+    const auto chosen = blocks.choose(shot.projection, shot.tile, shot.part, radius);
+    return chosen[static_cast<std::size_t>(Detail::point)].empty() &&
+           chosen[static_cast<std::size_t>(Detail::body)].empty();
+}
+
 VertexColour colour_of(const Shot& shot, const Springs::Look& look, std::size_t i) {
     return look.colour ? *look.colour : vertex_colour(spring_colour(shot.frame, shot.style, shot.scale, i));
 }
@@ -100,7 +110,8 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks, const Look
     const RodFilter filter(projection, radius_, least_length);
     for (Rods* rods : {&round_, &thin_, &thinnest_}) rods->listed.clear();
     const float least = least_width * static_cast<float>(style.pixel_scale);
-    const std::span<const Spring> springs = known.shape->springs;
+    const std::span<const Spring> springs =
+        are_between_dots(shot, blocks) ? std::span<const Spring>() : known.shape->springs;
     const auto seen = [&](std::size_t i) { return drawable(shot.frame.positions[i]); };
     const auto add = [&](glm::vec3 start, glm::vec3 end, std::size_t i) {
         if (!filter.worth_drawing(start, end) || !seen(springs[i].first) || !seen(springs[i].second)) return;

@@ -77,12 +77,6 @@ void draw_panels(const Context& context) {
     draw_messages(context);
 }
 
-/// Draws the newest picture of the scene, stretched to its area until one of the right size is available.
-void draw_scene_picture(const Area& scene, std::uint32_t texture) {
-    if (texture == 0) return;
-    ImGui::GetBackgroundDrawList()->AddImage(texture_id(texture), {scene.x, scene.y}, {scene.right(), scene.bottom()});
-}
-
 void set_style(render::Style& style, const RunView& view, const Display& display) {
     style.mass = view.frame.mass;
     style.selected = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
@@ -105,7 +99,6 @@ struct Interface::Body {
     Trails trails;
     Layout layout;
     WidgetMap widgets;
-    std::uint32_t scene_texture = 0;
     std::optional<double> frame_seconds;  ///< as measured for the last frame
     bool new_view = true;
     bool input_left = false;
@@ -135,8 +128,6 @@ bool Interface::show_doubt(const std::optional<Doubt>& doubt) {
     body_->state.doubt = doubt;
     return true;
 }
-
-void Interface::show_scene(std::uint32_t texture) { body_->scene_texture = texture; }
 
 void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes) {
     body_->state.panel = panel;
@@ -219,7 +210,6 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     }
     set_style(stage.style, view.leading, body.display);
     stage.style.trails = body.state.trail ? body.trails.places() : nullptr;
-    draw_scene_picture(body.layout.scene, body.scene_texture);
     draw_panels(context);
     ImGui::Render();
     body.unsettled = body.widgets != before;

@@ -6,7 +6,6 @@
 #include "ui/gallery.hpp"
 #include "ui/input.hpp"
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -47,10 +46,6 @@ public:
     /// Says that the run's energy is impossible and where that is decided, in place of a card about the divergence.
     /// True if that is news.
     bool show_doubt(const std::optional<Doubt>& doubt);
-    /// The OpenGL name of the texture with the newest picture of the scene, top row first, which becomes part of the
-    /// draw data. 0: the scene is not part of the draw data.
-    void show_scene(std::uint32_t texture);
-
     /// Before the first frame: whether the panel is shown, and the particle that is selected; none: as usual. `scenes`:
     /// the page of scenes is open.
     void open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes = false);

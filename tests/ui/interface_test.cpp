@@ -123,23 +123,6 @@ TEST(interface, fonts_are_rebuilt_only_for_another_scale) {
     EXPECT_TRUE(desk.has("play"));
 }
 
-TEST(interface, the_scenes_picture_is_part_of_what_is_drawn) {
-    Desk desk;
-    const auto uses = [&](std::intptr_t texture) {
-        const ImDrawData& data = desk.interface.draw_data();
-        for (int i = 0; i < data.CmdListsCount; ++i) {
-            for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) {
-                if (reinterpret_cast<std::intptr_t>(command.GetTexID()) == texture) return true;
-            }
-        }
-        return false;
-    };
-    EXPECT_FALSE(uses(77));
-    desk.interface.show_scene(77);
-    desk.frame();
-    EXPECT_TRUE(uses(77));
-}
-
 TEST(fonts, letters_that_the_interface_needs_are_there) {
     ImFontAtlas atlas;
     const Fonts fonts = load_fonts(atlas, 1, render::find_font_files());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/png.hpp"
-#include "app/window/picture_texture.hpp"
+#include "render/picture_texture.hpp"
 #include "ui/gallery.hpp"
 
 #include <future>
@@ -26,7 +26,7 @@ private:
     };
     static Read read();
 
-    std::vector<PictureTexture> textures_;
+    std::vector<render::PictureTexture> textures_;
     bool begun_ = false;
     std::mutex mutex_;
     std::optional<Read> ready_;

@@ -15,11 +15,17 @@ using Clock = std::chrono::steady_clock;
 /// The objects in the painter's context: the renderer and its target.
 class Painting {
 public:
-    std::vector<std::uint8_t> draw(const PaintJob& job) {
+    /// Returns when the picture is complete: one that is shown unfinished would hold up the panels.
+    void draw(const PaintJob& job) {
         if (!target_ || target_->size() != job.size) target_.emplace(job.size);
         const std::vector<render::ShownRun> runs = moment(job);
         renderer_.draw(runs, job.style, camera_at(*runs.front().frame, job), *target_);
-        return target_->read();
+        render::Fence::after_commands().wait();
+    }
+    /// Puts the picture in the place of another one, and draws over that once it is not shown any more.
+    void hand_over(Painted& picture) {
+        std::exchange(picture.shown, {}).delay_commands();
+        target_->exchange(picture.texture);
     }
 
 private:
@@ -58,7 +64,7 @@ private:
     std::optional<render::RenderTarget> target_;
 };
 
-ScenePainter::ScenePainter(void (*wake)()) : wake_(wake) {
+ScenePainter::ScenePainter(const Window& window, void (*wake)()) : context_(window), wake_(wake) {
     thread_ = std::thread([this] { work(); });
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return started_ || failure_; });
@@ -90,6 +96,7 @@ bool ScenePainter::take(Painted& picture) {
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
     if (!fresh_) return false;
+    picture.shown = render::Fence::after_commands();
     std::swap(picture, ready_);
     fresh_ = false;
     return true;
@@ -119,9 +126,8 @@ void ScenePainter::work() {
 void ScenePainter::draw_jobs(Painting& painting) {
     while (const auto job = next_job()) {
         const auto begin = Clock::now();
-        Painted picture{painting.draw(*job), job->size, 0};
-        picture.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-        finish(picture);
+        painting.draw(*job);
+        finish(painting, *job, std::chrono::duration<double>(Clock::now() - begin).count());
     }
 }
 
@@ -133,10 +139,12 @@ std::optional<PaintJob> ScenePainter::next_job() {
     return std::exchange(asked_, std::nullopt);
 }
 
-void ScenePainter::finish(Painted& picture) {
+void ScenePainter::finish(Painting& painting, const PaintJob& job, double seconds) {
     {
         const std::lock_guard lock(mutex_);
-        std::swap(ready_, picture);
+        painting.hand_over(ready_);
+        ready_.seconds = seconds;
+        ready_.enlarged = job.style.enlarged;
         fresh_ = true;
     }
     wake_();

@@ -2,18 +2,18 @@
 
 #include "app/window/window.hpp"
 #include "render/camera.hpp"
+#include "render/fence.hpp"
 #include "render/following.hpp"
+#include "render/picture_texture.hpp"
 #include "render/style.hpp"
 #include "session/session_view.hpp"
 
 #include <condition_variable>
-#include <cstdint>
 #include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <vector>
 
 namespace steplab {
 
@@ -31,31 +31,36 @@ struct PaintJob {
     friend bool operator==(const PaintJob&, const PaintJob&) = default;
 };
 
-/// A finished picture.
+/// A finished picture. Its texture belongs to the contexts of the window and of the painter alike.
 struct Painted {
-    std::vector<std::uint8_t> bytes;  ///< rows from the top, 4 bytes per pixel
-    render::PictureSize size;
-    double seconds = 0;  ///< time to draw it
+    render::PictureTexture texture;
+    render::Fence shown = {};  ///< after all that the window has drawn with it
+    double seconds = 0;        ///< time to draw it
+    int enlarged = 1;          ///< as its style said
 };
 
 /// Draws the scene on its own thread and in its own OpenGL context, so that a slow picture never delays the panels.
-/// Only the newest job is drawn.
+/// Only the newest job is drawn. The picture stays where it was drawn: one texture is shown, one is finished, and one
+/// is drawn, and they change places.
 class ScenePainter {
 public:
-    /// `wake` is called on the thread of the painter when a picture is finished. Throws the errors of the renderer.
-    explicit ScenePainter(void (*wake)());
+    /// To be made and used while the context of the window is current. `wake` is called on the thread of the painter
+    /// when a picture is finished. Throws the errors of the renderer.
+    ScenePainter(const Window& window, void (*wake)());
     ~ScenePainter();
 
     /// Requests a picture, unless it equals the last request.
     void ask(const PaintJob& job);
-    /// Swaps the newest picture into `picture` if it was not taken yet. Throws the error that drawing it caused.
+    /// Swaps the newest picture into `picture` if it was not taken yet; what was there is drawn over once the window
+    /// has done with it. The new picture is complete: showing it waits for nothing. Throws the error that drawing it
+    /// caused.
     bool take(Painted& picture);
 
 private:
     void work();
     void draw_jobs(Painting& painting);
     std::optional<PaintJob> next_job();
-    void finish(Painted& picture);
+    void finish(Painting& painting, const PaintJob& job, double seconds);
 
     DrawingContext context_;
     void (*wake_)();

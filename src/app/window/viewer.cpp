@@ -1,6 +1,5 @@
 #include "app/window/viewer.hpp"
 
-#include "app/window/picture.hpp"
 #include "app/window/priority.hpp"
 #include "core/error.hpp"
 #include "render/framing.hpp"
@@ -23,6 +22,8 @@ constexpr std::chrono::duration<double> frame_time{1.0 / 60};
 constexpr int frames_after_input = 3;
 // Interpolated pictures between two steps are drawn only if a picture takes less than this.
 constexpr double slow_picture = 0.05;
+// A camera that has not moved for so long is at rest.
+constexpr std::chrono::duration<double> time_to_rest{0.3};
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -52,12 +53,12 @@ Viewer::OpenGl::OpenGl() { render::load_opengl(); }
 Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
     : window_(request.width, request.height, request.scale),
       interface_(window_.display()),
-      painter_(&Window::wake),
+      painter_(window_, &Window::wake),
       trace_(request.trace),
       files_(&Window::wake),
       worker_(start_worker(description, request.session)) {
     if (!request.session.record_to.empty()) session_file_.emplace(request.session.record_to);
-    panels_.upload_fonts(interface_.fonts());
+    picture_.upload_fonts(interface_.fonts());
     window_.listen(interface_.input());
     interface_.use_clipboard({[this] { return window_.pasted(); }, [this](const auto& text) { window_.copy(text); }});
     worker_->on_view(&Window::wake);
@@ -137,9 +138,10 @@ void Viewer::take_news() {
     take_files();
     take_gallery();
     if (painter_.take(painted_)) {
-        scene_.upload(painted_.size, painted_.bytes);
-        interface_.show_scene(scene_.name());
         measured_.frame_seconds = painted_.seconds;
+        coarseness_.took(painted_.enlarged, painted_.seconds);
+        if (painted_.enlarged > 1) moved_ = Clock::now();  // a moment for the next movement
+        if (delayed_) save_snapshot(*std::exchange(delayed_, std::nullopt));
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
 }
@@ -199,16 +201,17 @@ void Viewer::draw_frame() {
     const ui::Display display = window_.display();
     trace_.report("size", std::to_string(display.width) + "x" + std::to_string(display.height));
     if (display.width <= 0 || display.height <= 0) return;  // minimised
-    if (interface_.resize(display)) panels_.upload_fonts(interface_.fonts());
+    if (interface_.resize(display)) picture_.upload_fonts(interface_.fonts());
     interface_.draw(*view_, *worker_, {camera_, style_}, measured_);
     ask_for_scene(now);
-    draw_panels(display);
+    picture_.draw(painted_.texture, interface_.scene(), interface_.draw_data());
     for (const ui::Request& request : interface_.take_requests()) carry_out(request);
     window_.show_picture();
     const double still = interface_.seconds_until_change();
     if (still <= 0) frames_wanted_ = frames_after_input;
     change_ = still < 1e6 ? now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(still))
                           : Clock::time_point::max();
+    change_ = std::min(change_, rest_);
     report();
 }
 
@@ -217,22 +220,30 @@ void Viewer::ask_for_scene(Clock::time_point now) {
     const ui::PixelRect scene = interface_.scene();
     const bool gliding = measured_.frame_seconds < slow_picture && glide_.gliding(now);
     const auto from = gliding ? glide_.from(now) : nullptr;
-    painter_.ask({view_,
-                  from,
-                  gliding ? glide_.fraction(now) : 1,
-                  style_,
-                  camera_,
-                  interface_.following(),
-                  {scene.width, scene.height}});
+    PaintJob job{.view = view_,
+                 .from = from,
+                 .fraction = gliding ? glide_.fraction(now) : 1,
+                 .style = style_,
+                 .camera = camera_,
+                 .following = interface_.following(),
+                 .size = {}};
+    job.style.enlarged = enlarged(now, scene);
+    job.style.pixel_scale /= job.style.enlarged;
+    const auto pixels = [&](int length) { return (length + job.style.enlarged - 1) / job.style.enlarged; };
+    job.size = {pixels(scene.width), pixels(scene.height)};
+    painter_.ask(job);
     if (gliding) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
-void Viewer::draw_panels(const ui::Display& display) {
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, display.width, display.height);
-    glClearColor(0, 0, 0, 1);  // the panels and the scene cover all of it
-    glClear(GL_COLOR_BUFFER_BIT);
-    panels_.draw(interface_.draw_data());
+/// Where the picture is a coarse one, it is drawn again once the camera has come to rest.
+int Viewer::enlarged(Clock::time_point now, const ui::PixelRect& scene) {
+    const bool moved = std::exchange(asked_camera_, camera_) != camera_;
+    const bool same_place = std::exchange(asked_scene_, scene) == scene;  // else the camera was moved to suit it
+    if (moved && same_place) moved_ = now;
+    const Clock::time_point rest = moved_ + std::chrono::duration_cast<Clock::duration>(time_to_rest);
+    const int enlarged = coarseness_.next(now < rest);
+    rest_ = enlarged > 1 ? rest : Clock::time_point::max();
+    return enlarged;
 }
 
 void Viewer::carry_out(const ui::Request& request) {
@@ -257,12 +268,17 @@ void Viewer::carry_out(const ui::Request& request) {
 
 /// Draws the frame again off-screen: the buffer of the window lacks the parts that other windows cover.
 void Viewer::save_snapshot(const ui::Request& request) {
+    if (painted_.enlarged > 1) {  // of the picture in full, which is drawn now
+        moved_ = {};
+        delayed_ = request;
+        frames_wanted_ = std::max(frames_wanted_, 1);
+        return;
+    }
     const std::string name =
         request.file.empty() ? ui::free_name({}, view_->leading.description.model, "png") : request.file;
-    const ui::Display display = window_.display();
     interface_.draw_picture(*view_, {camera_, style_}, request.part.width > 0);
     try {
-        write_panels(panels_, interface_.draw_data(), {display.width, display.height}, request.part, name);
+        picture_.save(painted_.texture, interface_.scene(), interface_.draw_data(), request.part, name);
         interface_.notify_saved(name);
     } catch (const Error& error) {
         interface_.report_error(error.what());

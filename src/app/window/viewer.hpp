@@ -3,13 +3,13 @@
 #include "app/cli/view_options.hpp"
 #include "app/window/gallery_loader.hpp"
 #include "app/window/painter.hpp"
-#include "app/window/picture_texture.hpp"
 #include "app/window/scene_files.hpp"
 #include "app/window/trace.hpp"
 #include "app/window/window.hpp"
+#include "app/window/window_picture.hpp"
 #include "io/output_file.hpp"
-#include "render/imgui_renderer.hpp"
 #include "session/worker.hpp"
+#include "ui/coarseness.hpp"
 #include "ui/glide.hpp"
 #include "ui/interface.hpp"
 
@@ -58,7 +58,7 @@ private:
     void wait();
     void draw_frame();
     void ask_for_scene(Clock::time_point now);
-    void draw_panels(const ui::Display& display);
+    int enlarged(Clock::time_point now, const ui::PixelRect& scene);
     void carry_out(const ui::Request& request);
     void save_snapshot(const ui::Request& request);
     void save_scene();
@@ -69,8 +69,7 @@ private:
     Window window_;
     OpenGl opengl_;
     ui::Interface interface_;
-    render::ImguiRenderer panels_;
-    PictureTexture scene_;
+    WindowPicture picture_;
     Painted painted_;
     ScenePainter painter_;
     Trace trace_;
@@ -87,6 +86,12 @@ private:
     std::optional<WindowRequest> opening_;  ///< until the run has reached the step to open at
     bool under_way_ = false;                ///< to that step
     ui::Measured measured_;
+    ui::Coarseness coarseness_;
+    render::Camera asked_camera_;                          ///< of the last picture
+    ui::PixelRect asked_scene_;                            ///< its place
+    std::optional<ui::Request> delayed_;                   ///< to save a picture, once the scene is drawn in full
+    Clock::time_point rest_ = Clock::time_point::max();    ///< when the picture is due to be drawn in full
+    Clock::time_point moved_{};                            ///< when the camera was last seen to be another one
     Clock::time_point drawn_ = Clock::now();               ///< when the last frame began
     Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes without input
     int frames_wanted_ = 3;

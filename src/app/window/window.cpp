@@ -4,7 +4,6 @@
 #include "app/window/display_loss.hpp"
 #include "app/window/icon.hpp"
 #include "app/window/keys.hpp"
-#include "app/window/priority.hpp"
 #include "core/error.hpp"
 
 #include <GLFW/glfw3.h>
@@ -189,16 +188,11 @@ std::string Window::pasted() const {
     return text ? text : "";
 }
 
-DrawingContext::DrawingContext() : window_(nullptr) {
-    const LowPriorityThreads rasterisers;
-    for (const int way : {GLFW_EGL_CONTEXT_API, GLFW_NATIVE_CONTEXT_API}) {
-        hint_core_profile();
-        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-        glfwWindowHint(GLFW_CONTEXT_CREATION_API, way);
-        window_ = glfwCreateWindow(16, 16, "steplab drawing", nullptr, nullptr);
-        if (window_) return;
-    }
-    throw GraphicsError(fmt::format("cannot create a second OpenGL context ({})", last_error()));
+DrawingContext::DrawingContext(const Window& window) : window_(nullptr) {
+    hint_core_profile();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    window_ = glfwCreateWindow(16, 16, "steplab drawing", nullptr, window.handle());
+    if (!window_) throw GraphicsError(fmt::format("cannot create a second OpenGL context ({})", last_error()));
 }
 
 DrawingContext::~DrawingContext() { glfwDestroyWindow(window_); }

@@ -72,12 +72,12 @@ private:
     Place windowed_;  ///< place to restore after full screen
 };
 
-/// An OpenGL 3.3 context without a window, for drawing on another thread. It shares nothing with the context of the
-/// window. In a software renderer, contexts on the same screen of a driver wait for each other, so this one is created
-/// through another interface (EGL) if possible.
+/// An OpenGL 3.3 context for drawing on another thread. It shares textures and fences with the context of a window, but
+/// not framebuffers and vertex arrays.
 class DrawingContext {
 public:
-    DrawingContext();
+    /// Throws GraphicsError if there is no such context.
+    explicit DrawingContext(const Window& window);
     ~DrawingContext();
     DrawingContext(const DrawingContext&) = delete;
     DrawingContext& operator=(const DrawingContext&) = delete;

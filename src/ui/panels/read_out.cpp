@@ -1,10 +1,14 @@
 #include "core/number_text.hpp"
+#include "render/run_labels.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cfloat>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace steplab::ui {
@@ -61,33 +65,68 @@ std::vector<Line> lines_of(const Context& context) {
     return lines;
 }
 
+ImFont* font_of(const Context& context, const Line& line) {
+    return line.strong ? context.theme.fonts().strong : context.theme.fonts().small;
+}
+
+/// The part of the scene that the read-out may take: the tile of the leading run, but for the lines about the runs.
+Area room_for_read_out(const Context& context) {
+    const auto [x, y, width, height] = context.tile();
+    Area room{static_cast<float>(x), static_cast<float>(y), static_cast<float>(width), static_cast<float>(height)};
+    const render::Style& style = context.stage.style;
+    const std::size_t runs = 1 + context.session.followers.size();
+    if (runs == 1) return room;
+    const bool split = style.layout == render::RunLayout::split;
+    const std::size_t lines = split ? 1 : runs + (style.magnify != 1 ? 1 : 0);
+    const auto taken = render::run_lines_area({width, height}, style.layout, lines, style.pixel_scale);
+    if (2 * taken.top > height) {
+        room.height = static_cast<float>(taken.top);
+    } else {
+        room.width = static_cast<float>(taken.left);
+    }
+    return room;
+}
+
+/// A line where it is drawn, in pixels from the top left of all of them.
+struct Place {
+    float y = 0, width = 0, height = 0;
+};
+
+/// As many lines as fit, the first one in any case; longer ones are wrapped.
+std::vector<Place> places_of(const Context& context, const std::vector<Line>& lines, float width, float height) {
+    std::vector<Place> places;
+    float y = 0;
+    for (const Line& line : lines) {
+        const ImFont* const font = font_of(context, line);
+        const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, width, line.text.c_str());
+        if (!places.empty() && y + size.y > height) break;
+        places.push_back({y, size.x, size.y});
+        y += size.y + context.px(3);
+    }
+    return places;
+}
+
 }  // namespace
 
 void draw_read_out(const Context& context) {
-    const Area& scene = context.layout.scene;
+    const Area room = room_for_read_out(context);
     auto lines = lines_of(context);
-    const auto font_of = [&](const Line& line) {
-        return line.strong ? context.theme.fonts().strong : context.theme.fonts().small;
-    };
-    const bool small = scene.width < context.px(300) || scene.height < context.px(200);
+    const bool small = room.width < context.px(300) || room.height < context.px(110);
     if (small) lines.resize(1);
-    const float padding = context.px(11);
-    const float gap = context.px(3);
-    float width = 0;
-    float height = 2 * padding - gap;
-    for (const Line& line : lines) {
-        const ImFont* font = font_of(line);
-        width = std::max(width, font->CalcTextSizeA(font->FontSize, 1e9f, 0, line.text.c_str()).x);
-        height += font->FontSize + gap;
-    }
-    const ImVec2 corner{scene.x + context.px(small ? 6 : 16), scene.y + context.px(small ? 6 : 14)};
+    const float padding = context.px(small ? 6 : 11), margin = context.px(small ? 4 : 14);
+    const ImVec2 corner{room.x + context.px(small ? 4 : 16), room.y + margin};
+    const float width = std::min(room.right() - corner.x - 2 * padding - context.px(4), context.px(380));
+    const auto places = places_of(context, lines, width, room.height - margin - 2 * padding - context.px(4));
+    float widest = 0;
+    for (const Place& place : places) widest = std::max(widest, place.width);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled(corner, {corner.x + width + 2 * padding, corner.y + height}, colour::card, context.px(6));
-    float y = corner.y + padding;
-    for (const Line& line : lines) {
-        ImFont* font = font_of(line);
-        list.AddText(font, font->FontSize, {corner.x + padding, y}, line.ink, line.text.c_str());
-        y += font->FontSize + gap;
+    list.AddRectFilled(
+        corner, {corner.x + widest + 2 * padding, corner.y + places.back().y + places.back().height + 2 * padding},
+        colour::card, context.px(6));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        ImFont* const font = font_of(context, lines[i]);
+        list.AddText(font, font->FontSize, {corner.x + padding, corner.y + padding + places[i].y}, lines[i].ink,
+                     lines[i].text.c_str(), nullptr, width);
     }
 }
 
