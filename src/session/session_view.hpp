@@ -42,6 +42,16 @@ struct SessionErrors {
     std::string how = {};                            ///< the reference of the leading run, in words
 };
 
+/// What is known of a trajectory file that is played in place of a session.
+struct PlaybackView {
+    std::string file = {};
+    std::uint64_t frame = 0;   ///< that is shown, counted from 0
+    std::uint64_t frames = 1;  ///< all that can be read
+    bool complete = true;      ///< false: the file is truncated or damaged behind them
+    /// The file holds all particles of its scene: energies and forces are known, and it can be continued.
+    bool measured = true;
+};
+
 /// What the interface sees of a session: one consistent moment of all its runs. Plain data.
 struct SessionView {
     RunView leading = {};
@@ -49,6 +59,7 @@ struct SessionView {
     TimeLineView line = {};
     bool equal_cost = false;
     std::optional<SessionErrors> errors = {};  ///< if they are wanted; of this moment, or of one before it
+    std::optional<PlaybackView> playback = {};  ///< if a trajectory is played
 };
 
 }  // namespace steplab

@@ -70,6 +70,8 @@ void Trace::report(const SessionView& session) {
     report("reached", std::to_string(session.line.reached));
     report("changes", std::to_string(session.line.changes.size()));
     report("branches", std::to_string(session.line.branches.size()));
+    const auto& playback = session.playback;
+    report("playback", playback ? fmt::format("{} {}", playback->frame, playback->frames) : "none");
     report("bookmarks", std::to_string(session.line.bookmarks.size()));
 }
 

@@ -13,6 +13,8 @@ void draw_menu(const Context& context);
 /// The sections below, one below the other, with a scroll bar if the window is too low for them.
 void draw_side_panel(const Context& context);
 void draw_scene_panel(const Context& context);
+/// Of a trajectory, in place of those of a run.
+void draw_playback_panel(const Context& context);
 void draw_method_panel(const Context& context);
 void draw_step_panel(const Context& context);
 void draw_show_panel(const Context& context);

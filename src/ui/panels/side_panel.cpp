@@ -64,9 +64,13 @@ private:
 
 void draw_sections(const Context& context) {
     draw_scene_panel(context);
-    draw_runs_panel(context);
-    draw_method_panel(context);
-    draw_step_panel(context);
+    if (context.session.playback) {
+        draw_playback_panel(context);
+    } else {
+        draw_runs_panel(context);
+        draw_method_panel(context);
+        draw_step_panel(context);
+    }
     draw_show_panel(context);
     draw_energy_panel(context);
 }
