@@ -43,8 +43,7 @@ std::shared_ptr<const Shape> shape_of_rows(const Frame& first) {
 
 }  // namespace
 
-Playback::Playback(const std::string& file)
-    : file_(file), reader_(InputFile(file)), run_(reader_.run()) {
+Playback::Playback(const std::string& file) : file_(file), reader_(InputFile(file)), run_(reader_.run()) {
     if (frames() == 0) refuse_file(file_, "it holds no whole frame");
     const FrameBlock::Moment last = reader_.moment(frames() - 1);
     first_time_ = reader_.moment(0).time;
@@ -66,7 +65,8 @@ struct Playback::Handle {
     void operator()(const event::Play& play) const { of.play(play.on); }
     void operator()(const event::Step& step) const {
         of.stop();
-        const auto size = step.steps < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(step.steps) : static_cast<std::uint64_t>(step.steps);
+        const auto size = step.steps < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(step.steps)
+                                         : static_cast<std::uint64_t>(step.steps);
         of.go_to(step.steps < 0 ? of.number_ - std::min(of.number_, size)
                                 : of.number_ + std::min(of.frames() - 1 - of.number_, size));
     }
@@ -227,8 +227,7 @@ Tracked Playback::tracked(std::size_t particle) const {
     Tracked tracked{particle, frame_.positions[particle] - rest, std::nullopt};
     const ExactSolution* const exact = meter_ ? meter_->exact() : nullptr;
     if (exact && frame_.time <= exact->valid_until())
-        tracked.exact_displacement =
-            frame_.reference.at(particle) + exact->displacement(particle, frame_.time) - rest;
+        tracked.exact_displacement = frame_.reference.at(particle) + exact->displacement(particle, frame_.time) - rest;
     return tracked;
 }
 

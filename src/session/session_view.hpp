@@ -58,7 +58,7 @@ struct SessionView {
     std::vector<RunView> followers = {};  ///< at the same time, by the rule of step_at()
     TimeLineView line = {};
     bool equal_cost = false;
-    std::optional<SessionErrors> errors = {};  ///< if they are wanted; of this moment, or of one before it
+    std::optional<SessionErrors> errors = {};   ///< if they are wanted; of this moment, or of one before it
     std::optional<PlaybackView> playback = {};  ///< if a trajectory is played
 };
 

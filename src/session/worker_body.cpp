@@ -103,7 +103,8 @@ void Worker::Body::wait_for_work() {
     if (!session->playing() && !film_waits) return changed.wait(lock, [this] { return called(); });
     const auto now = Clock::now();
     const auto due = film_waits ? film_due : pace.next_due(now, session->rate(), session->run().dt());
-    if (due > now) changed.wait_until(lock, due, [this] { return called(); });  // what is over at once would still ask the system
+    if (due > now)
+        changed.wait_until(lock, due, [this] { return called(); });  // what is over at once would still ask the system
 }
 
 bool Worker::Body::handle_events() {

@@ -50,7 +50,7 @@ struct Worker::Body {
     void (*wake)() = nullptr;
 
     // the worker's own
-    std::unique_ptr<Session> session;    // one of these two
+    std::unique_ptr<Session> session;  // one of these two
     std::unique_ptr<Playback> playback;
     Pace pace;
     std::optional<Replay> film;  // until it has ended
@@ -61,7 +61,8 @@ struct Worker::Body {
     std::optional<Doubt> found;    // where `doubtful` began
     std::size_t hashed;
     std::uint64_t runs_before = 0, newest_run = 0;  // runs have other numbers than those of what was played before
-    std::array<Event, 3> kept_events{event::SetRate{}, event::Track{}, event::ShowForces{false}};  // what stays from then
+    std::array<Event, 3> kept_events{event::SetRate{}, event::Track{},
+                                     event::ShowForces{false}};  // what stays from then
     /// The wall clock of frames that are played: when it showed so many seconds behind the first one.
     struct Since {
         Clock::time_point now{};

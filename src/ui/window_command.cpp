@@ -94,8 +94,8 @@ bool command_repeats_run(const Context& context) {
 
 std::string window_command(const Context& context) {
     const auto& playback = context.session.playback;
-    CommandLine line{"steplab view " + (playback ? "--trajectory " + shell_word(playback->file)
-                                                 : command_line(context.description()))};
+    CommandLine line{"steplab view " +
+                     (playback ? "--trajectory " + shell_word(playback->file) : command_line(context.description()))};
     add_moment(line, context);
     add_picture(line, context);
     add_speed(line, context.state.wanted.rate());

@@ -193,27 +193,13 @@ TEST(Playback, plays_in_simulated_time_and_stops_at_the_last_frame) {
 /// One of each kind.
 std::map<std::size_t, Event> events_of_all_kinds() {
     const RunDescription other = chain(0.05);
-    const std::vector<Event> all{event::Play{true},
-                                 event::Step{1},
-                                 event::Seek{4},
-                                 event::SeekTime{0.8},
-                                 event::Restart{},
-                                 event::Change{other},
-                                 event::SetRate{},
-                                 event::Track{3},
-                                 event::Do{TurnRound{}},
-                                 event::Undo{},
-                                 event::Redo{},
-                                 event::ShowEnsemble{{.runs = 16}},
-                                 event::ShowForces{true},
-                                 event::ShowErrors{true},
-                                 event::AddRun{other},
-                                 event::ChangeRun{1, other},
-                                 event::EqualCost{true},
-                                 event::RemoveRun{1},
-                                 event::Lead{1},
-                                 event::Bookmark{},
-                                 event::TakeBranch{0}};
+    const std::vector<Event> all{
+        event::Play{true},       event::Step{1},          event::Seek{4},       event::SeekTime{0.8},
+        event::Restart{},        event::Change{other},    event::SetRate{},     event::Track{3},
+        event::Do{TurnRound{}},  event::Undo{},           event::Redo{},        event::ShowEnsemble{{.runs = 16}},
+        event::ShowForces{true}, event::ShowErrors{true}, event::AddRun{other}, event::ChangeRun{1, other},
+        event::EqualCost{true},  event::RemoveRun{1},     event::Lead{1},       event::Bookmark{},
+        event::TakeBranch{0}};
     std::map<std::size_t, Event> events;
     for (const Event& event : all) events.emplace(event.index(), event);
     return events;
@@ -275,8 +261,7 @@ TEST(Playback, of_some_particles_shows_them_alone) {
     Playback playback(path);
     playback.handle(event::Step{2});
     SessionView view = view_of(playback);
-    EXPECT_EQ(view.leading.frame.positions,
-              (std::vector<Vec3>{frames[2].positions[2], frames[2].positions[5]}));
+    EXPECT_EQ(view.leading.frame.positions, (std::vector<Vec3>{frames[2].positions[2], frames[2].positions[5]}));
     EXPECT_FALSE(view.playback->measured);
     EXPECT_EQ(view.leading.frame.shape->rest.size(), 2u);
     EXPECT_TRUE(view.leading.frame.shape->springs.empty());
@@ -293,7 +278,7 @@ TEST(Playback, cut_anywhere_shows_the_frames_before_or_is_refused) {
         try {
             Playback playback(cut.name());
             const SessionView view = view_of(playback);
-            EXPECT_FALSE(view.playback->complete);
+            EXPECT_TRUE(!view.playback->complete || playback.frames() == 8) << "cut behind the index";
             most = std::max<std::size_t>(most, playback.frames());
             for (std::size_t i = 0; i < playback.frames(); ++i) {
                 go_to(playback, i);
@@ -355,7 +340,9 @@ TEST(Playback, is_continued_by_a_run_from_the_frame_that_is_shown) {
         EXPECT_EQ(run.frame().positions, written.frames[6].positions);
         EXPECT_EQ(run.frame().velocities, written.frames[6].velocities);
         run.advance(2);
-        EXPECT_EQ(run.frame().positions, written.frames[7].positions) << "verlet needs nothing but both";
+        const double rounding = precision == Precision::float_ ? 1e-5 : 1e-14;  // of half steps, in places up to 10 m
+        EXPECT_LE(distance(run.frame(), written.frames[7]), rounding);
+        EXPECT_GT(distance(run.frame(), written.frames[6]), 100 * rounding);
         EXPECT_EQ(run.description().start.from->given, written.path + ":12");
     }
 }

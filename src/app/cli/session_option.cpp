@@ -36,7 +36,8 @@ GivenSession SessionOption::session(const SceneOptions& scene) const {
 GivenSession SessionOption::trajectory(const SceneOptions& scene) const {
     if (!file_.empty()) throw UsageError("--trajectory plays a file: nothing happens that --session could record");
     if (scene.any_given())
-        throw UsageError(fmt::format("the frames of '{}' are played: the scene is that of its run", shown(trajectory_)));
+        throw UsageError(
+            fmt::format("the frames of '{}' are played: the scene is that of its run", shown(trajectory_)));
     return {.trajectory = trajectory_, .played_run = Playback(trajectory_).run()};
 }
 

@@ -84,9 +84,7 @@ SceneFiles::~SceneFiles() {
 }
 
 void SceneFiles::open(const std::string& name) {
-    post([this, name = in_own_folder(name)] {
-        attempt([&] { report(opened(name)); });
-    });
+    post([this, name = in_own_folder(name)] { attempt([&] { report(opened(name)); }); });
 }
 
 void SceneFiles::save(const RunDescription& run, const SceneView& view) {

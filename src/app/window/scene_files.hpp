@@ -40,7 +40,8 @@ public:
     SceneFiles(const SceneFiles&) = delete;
     SceneFiles& operator=(const SceneFiles&) = delete;
 
-    /// Reads the file of a scene, a session or a trajectory, or a shipped scene by its name. `~/` at the front is the user's own folder.
+    /// Reads the file of a scene, a session or a trajectory, or a shipped scene by its name. `~/` at the front is the
+    /// user's own folder.
     void open(const std::string& name);
     /// Writes the scene of a run to a new file in the current folder.
     void save(const RunDescription& run, const SceneView& view);

@@ -96,8 +96,8 @@ void Viewer::place_camera(const WindowRequest& request) {
 void Viewer::begin_as_asked() {
     if (!opening_) return;
     const bool was_under_way = std::exchange(under_way_, view_->leading.goal.has_value());
-    const bool at_goal =
-        view_->playback || view_->leading.frame.step >= opening_->steps || view_->leading.divergence || !view_->leading.error.empty();
+    const bool at_goal = view_->playback || view_->leading.frame.step >= opening_->steps || view_->leading.divergence ||
+                         !view_->leading.error.empty();
     if (!at_goal && !was_under_way) return;                // it has not set out yet
     if (!at_goal && !under_way_) return opening_.reset();  // a person wanted something else
     if (!at_goal) return;

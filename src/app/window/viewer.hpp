@@ -79,7 +79,7 @@ private:
     Trace trace_;
     GalleryLoader gallery_;
     SceneFiles files_;
-    SceneOrigin watched_;                     ///< the scene whose file is watched
+    SceneOrigin watched_;                       ///< the scene whose file is watched
     std::shared_ptr<OutputFile> session_file_;  ///< to which what happens is written at the end; null: none
     ViewPool pool_;
     std::unique_ptr<Worker> worker_;

@@ -22,7 +22,10 @@ Diagnostics StateMeter::measure(const Frame& frame) {
     }
     ParticleSums particle_sums(scene_, *shape_, meter_.pieces());
     const Energy energy = meter_.energy(
-        1, [&](const PortionSink& sink) { sink({0, particles(), state_}); },
+        1,
+        [&](const PortionSink& sink) {
+            sink({0, particles(), state_});
+        },
         [&](const Piece& piece) { particle_sums.add(piece); });
     Diagnostics sums = particle_sums.result();
     sums.kinetic = energy.kinetic;
