@@ -2,6 +2,8 @@
 
 #include "core/error.hpp"
 #include "core/shown.hpp"
+#include "io/indexed_text.hpp"
+#include "io/text_trajectory.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +45,24 @@ std::shared_ptr<const Shape> shape_of_rows(const Frame& first) {
 
 }  // namespace
 
-Playback::Playback(const std::string& file) : file_(file), reader_(InputFile(file)), run_(reader_.run()) {
+Playback::Source Playback::open(const std::string& file) {
+    InputFile input(file);
+    if (!TrajectoryReader::reads(input)) {
+        IndexedText text = indexed(std::move(input));
+        return {std::move(text.frames), std::move(text.fault), true};
+    }
+    TrajectoryReader frames(std::move(input));
+    const bool whole = frames.complete();
+    return {std::move(frames), whole ? "" : "the file is truncated or damaged after these", false};
+}
+
+Playback::Playback(const std::string& file) : Playback(file, open(file)) {}
+
+Playback::Playback(const std::string& file, Source source)
+    : file_(file),
+      reader_(std::move(source.frames)),
+      fault_(std::move(source.fault)),
+      run_(source.is_text ? unknown_run(file) : reader_.run()) {
     if (frames() == 0) refuse_file(file_, "it holds no whole frame");
     const FrameBlock::Moment last = reader_.moment(frames() - 1);
     first_time_ = reader_.moment(0).time;
@@ -53,7 +72,8 @@ Playback::Playback(const std::string& file) : file_(file), reader_(InputFile(fil
     reader_.frame(0, frame_);
     if (frame_.positions.size() != reader_.rows() || frame_.positions.empty())
         refuse_file(file_, "it holds no positions");
-    if (static_cast<double>(reader_.rows()) == model_of(run_).particles(as_held(run_).scene)) meter_.emplace(run_);
+    if (!source.is_text && static_cast<double>(reader_.rows()) == model_of(run_).particles(as_held(run_).scene))
+        meter_.emplace(run_);
     shape_ = meter_ ? meter_->shape() : shape_of_rows(frame_);
     arrive();
 }
@@ -197,7 +217,7 @@ void Playback::observe(SessionView& view) {
     view.errors.reset();
     view.equal_cost = false;
     view.line = {.reached = last_step_, .reached_time = last_time_, .bookmarks = bookmarks_};
-    view.playback = PlaybackView{file_, number_, frames(), reader_.complete(), is_measured()};
+    view.playback = PlaybackView{file_, number_, frames(), fault_, is_measured()};
     observe(view.leading);
 }
 
@@ -218,7 +238,7 @@ void Playback::observe(RunView& view) {
     view.playing = playing_;
     view.can_step_back = number_ > 0;
     view.rate = rate_;
-    view.dt = rounded_to(run_.precision, run_.dt);
+    view.dt = run_.origin && !is_measured() ? spacing() : rounded_to(run_.precision, run_.dt);
     view.opening_dt = view.dt;
 }
 
@@ -229,6 +249,16 @@ Tracked Playback::tracked(std::size_t particle) const {
     if (exact && frame_.time <= exact->valid_until())
         tracked.exact_displacement = frame_.reference.at(particle) + exact->displacement(particle, frame_.time) - rest;
     return tracked;
+}
+
+RunDescription played_run(const std::string& file) {
+    InputFile input(file);
+    if (TrajectoryReader::reads(input)) return Playback(file).run();
+    FrameBlock first;
+    const auto text = TextTrajectory::open(TextInput(std::move(input)), TextTrajectory::From::any_program);
+    text->require({Column::x, Column::y, Column::z});
+    if (!text->next(first)) refuse_file(file, "it holds no frame");
+    return unknown_run(file);
 }
 
 RunDescription continued(const SessionView& view) {

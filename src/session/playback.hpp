@@ -14,20 +14,20 @@
 
 namespace steplab {
 
-/// Plays the frames of a trajectory file in place of a session: the same time line, to whose events it answers in the
-/// same way. Each frame is read when it is gone to; memory is that of one frame and the index, however many there are.
-/// It has neither a thread nor a clock of its own.
+/// Plays the frames of a trajectory, CSV or XYZ file in place of a session: the same time line, to whose events it
+/// answers in the same way. Each frame is read when it is gone to; memory is that of one frame and the index, however
+/// many there are. It has neither a thread nor a clock of its own.
 class Playback {
 public:
-    /// Stands at the first frame. Throws FileError if the file cannot be read, is no trajectory or holds no frame;
-    /// UsageError if its run does not fit into memory.
+    /// Stands at the first frame. A text is read as a whole before. Throws FileError if the file cannot be read, has no
+    /// rows or holds no frame; UsageError if its run does not fit into memory; Interrupted.
     explicit Playback(const std::string& file);
 
     /// Does what an event says. Throws UsageError for what cannot be done to frames of a file, FileError if a frame is
     /// damaged; nothing has changed then.
     void handle(const Event& event);
 
-    /// The description of the run that wrote the file.
+    /// The description of the run that wrote the file; of a text, unknown_run().
     const RunDescription& run() const { return run_; }
     std::uint64_t frames() const { return reader_.frames(); }
     /// The number of the frame at which it stands, counted from 0.
@@ -52,6 +52,13 @@ public:
 
 private:
     struct Handle;
+    /// Where the frames come from.
+    struct Source {
+        TrajectoryReader frames;
+        std::string fault;
+        bool is_text;
+    };
+    static Source open(const std::string& file);
 
     void go_to(std::uint64_t frame);
     void arrive();
@@ -62,6 +69,7 @@ private:
     std::uint64_t last_frame(std::uint64_t guess, const Reached& reached);
     double elapsed_at(double time) const { return backward_ ? first_time_ - time : time - first_time_; }
     double spacing() const;
+    explicit Playback(const std::string& file, Source source);
     bool is_measured() const { return meter_.has_value(); }
     void bookmark(const std::string& text);
     void find_next();
@@ -70,6 +78,7 @@ private:
 
     std::string file_;
     TrajectoryReader reader_;
+    std::string fault_;  ///< why the file holds no more frames; empty if it is whole
     RunDescription run_;
     std::optional<StateMeter> meter_;  ///< none where rows of some particles alone are in the file
     std::shared_ptr<const Shape> shape_;
@@ -87,6 +96,10 @@ private:
     bool with_forces_ = false;
     std::vector<Mark> bookmarks_;
 };
+
+/// The description of the run that wrote a file, without reading all of it. Throws FileError if its first frame cannot
+/// be played.
+RunDescription played_run(const std::string& file);
 
 /// A run from the moment of a trajectory that is shown, of the scene and with the method of the file.
 /// Throws UsageError if the file does not hold all of its scene.

@@ -47,7 +47,7 @@ struct PlaybackView {
     std::string file = {};
     std::uint64_t frame = 0;   ///< that is shown, counted from 0
     std::uint64_t frames = 1;  ///< all that can be read
-    bool complete = true;      ///< false: the file is truncated or damaged behind them
+    std::string fault = {};    ///< why there are no more; empty if the file is whole
     /// The file holds all particles of its scene: energies and forces are known, and it can be continued.
     bool measured = true;
 };

@@ -88,7 +88,7 @@ TEST_P(EveryModel, has_the_shape_and_the_description_of_its_run) {
     EXPECT_EQ(seen.springs.size(), ran.springs.size());
     EXPECT_EQ(seen.box, ran.box);
     EXPECT_EQ(view.leading.description, written.run);
-    EXPECT_TRUE(view.playback && view.playback->measured && view.playback->complete);
+    EXPECT_TRUE(view.playback && view.playback->measured && view.playback->fault.empty());
 }
 
 std::vector<std::pair<const Model*, Precision>> every_model() {
@@ -269,6 +269,59 @@ TEST(Playback, of_some_particles_shows_them_alone) {
     EXPECT_THROW(continued(view), UsageError);
 }
 
+/// A file of text with these frames.
+std::string text_file(const TemporaryFolder& folder, const Written& from, const char* name) {
+    OutputFile file(folder.file(name), compression_of(name));
+    TrajectoryWriter writer(file, trajectory_format_of(name), from.run);
+    for (const Frame& frame : from.frames) writer.add(frame);
+    writer.finish();
+    file.commit();
+    return folder.file(name);
+}
+
+TEST(Playback, of_text_shows_the_same_numbers_without_a_scene) {
+    for (const Precision precision : precisions) {
+        const Written from(run_of("chain", "rk4", precision, 0.1));
+        for (const char* const name : {"a.csv", "a.xyz", "a.extxyz", "a.csv.gz", "a.xyz.zst"}) {
+            const TemporaryFolder folder;
+            Playback playback(text_file(folder, from, name));
+            ASSERT_EQ(playback.frames(), from.frames.size()) << name;
+            for (const std::size_t i : {23u, 0u, 12u, 1u}) {
+                go_to(playback, i);
+                EXPECT_EQ(playback.frame().positions, from.frames[i].positions) << name;
+                EXPECT_EQ(playback.frame().velocities, from.frames[i].velocities) << name;
+                EXPECT_EQ(playback.frame().step, from.frames[i].step) << name;
+                EXPECT_EQ(playback.frame().time, from.frames[i].time) << name;
+            }
+            const SessionView view = view_of(playback);
+            EXPECT_FALSE(view.playback->measured);
+            EXPECT_EQ(view.playback->fault, "");
+            if (std::string_view(name).starts_with("a.csv")) continue;
+            EXPECT_EQ(view.leading.frame.shape->roles, from.frames[0].shape->roles) << name;
+        }
+    }
+}
+
+TEST(Playback, of_text_of_another_program_has_a_frame_a_second) {
+    const Kept file("1\nfirst\nH 1 2 3\n1\nsecond\nH 2 3 4\n1\nthird\nH 3 4 5\n");
+    Playback playback(file.name());
+    playback.handle(event::SeekTime{2});
+    EXPECT_EQ(playback.frame().positions.front(), (Vec3{3, 4, 5}));
+    EXPECT_EQ(playback.frame().time, 2);
+}
+
+TEST(Playback, of_damaged_text_shows_the_frames_before_and_says_why) {
+    const Kept file("1\n\nH 1 2 3\n1\n\nH 2 3 4\n1\n\nH 3 x 5\n");
+    Playback playback(file.name());
+    EXPECT_EQ(playback.frames(), 2u);
+    EXPECT_THAT(view_of(playback).playback->fault, HasSubstr("x"));
+    const Kept uneven("1\n\nH 1 2 3\n2\n\nH 2 3 4\nH 3 4 5\n");
+    Playback first(uneven.name());
+    EXPECT_THAT(view_of(first).playback->fault, HasSubstr("has 2 rows"));
+    EXPECT_THROW(Playback{Kept("nonsense").name()}, FileError);
+    EXPECT_THROW(Playback{Kept("step,time,particle,x,y,z\n").name()}, FileError);
+}
+
 TEST(Playback, cut_anywhere_shows_the_frames_before_or_is_refused) {
     const Written written(chain(), 8);
     const std::string bytes = text_of(written.path);
@@ -278,7 +331,7 @@ TEST(Playback, cut_anywhere_shows_the_frames_before_or_is_refused) {
         try {
             Playback playback(cut.name());
             const SessionView view = view_of(playback);
-            EXPECT_TRUE(!view.playback->complete || playback.frames() == 8) << "cut behind the index";
+            EXPECT_TRUE(!view.playback->fault.empty() || playback.frames() == 8) << "cut behind the index";
             most = std::max<std::size_t>(most, playback.frames());
             for (std::size_t i = 0; i < playback.frames(); ++i) {
                 go_to(playback, i);

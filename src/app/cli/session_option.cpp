@@ -17,8 +17,7 @@ namespace steplab {
 void SessionOption::declare(CLI::App& app) {
     text_option(app, "--session", file_, "FILE",
                 "Record what happens into this new file; a session file that is there is played", "Window");
-    text_option(app, "--trajectory", trajectory_, "FILE", "Play the frames of a file that `steplab run --out` wrote",
-                "Window");
+    text_option(app, "--trajectory", trajectory_, "FILE", "Play the frames of a trajectory, CSV or XYZ file", "Window");
 }
 
 GivenSession SessionOption::session(const SceneOptions& scene) const {
@@ -38,7 +37,7 @@ GivenSession SessionOption::trajectory(const SceneOptions& scene) const {
     if (scene.any_given())
         throw UsageError(
             fmt::format("the frames of '{}' are played: the scene is that of its run", shown(trajectory_)));
-    return {.trajectory = trajectory_, .played_run = Playback(trajectory_).run()};
+    return {.trajectory = trajectory_, .played_run = played_run(trajectory_)};
 }
 
 }  // namespace steplab

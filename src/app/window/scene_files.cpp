@@ -5,6 +5,7 @@
 #include "io/scene_export.hpp"
 #include "io/scene_file.hpp"
 #include "io/starting_values_file.hpp"
+#include "io/trajectory_format.hpp"
 #include "io/trajectory_reader.hpp"
 #include "session/session_file.hpp"
 #include "ui/plot/plot_files.hpp"
@@ -53,6 +54,15 @@ bool is_session(const InputFile& file) {
     return line.starts_with("steplab-session");
 }
 
+bool is_row_file(const std::string& name) {
+    try {
+        trajectory_format_of(name);
+        return true;
+    } catch (const UsageError&) {
+        return false;
+    }
+}
+
 /// By what is in it, whatever it is called.
 SceneFiles::News opened(const std::string& name) {
     using Kind = SceneFiles::News::Kind;
@@ -60,10 +70,12 @@ SceneFiles::News opened(const std::string& name) {
     if (!std::filesystem::is_regular_file(name, none))
         return {.kind = Kind::opened, .scene = describe(find_scene(name))};
     if (InputFile file(name); TrajectoryReader::reads(file)) {
-        TrajectoryReader(std::move(file)).run();  // what is wrong with it is reported while all stays as it is
+        TrajectoryReader(std::move(file)).run();  // one that is damaged at its beginning is refused
         return {.kind = Kind::trajectory, .text = name};
     } else if (is_session(file)) {
         return {.kind = Kind::session, .session = read_session_file(name)};
+    } else if (is_row_file(name)) {
+        return {.kind = Kind::trajectory, .text = name};
     }
     return {.kind = Kind::opened, .scene = describe(find_scene(name))};
 }

@@ -31,12 +31,9 @@ void draw_playback_panel(const Context& context) {
     heading(context, "PLAYBACK");
     reading_row(context, "file", std::filesystem::path(playback.file).filename().string(), playback.file);
     reading_row(context, "frame", fmt::format("{} of {}", playback.frame + 1, playback.frames));
-    if (!playback.complete) explanation(context, "the file is truncated or damaged behind these", colour::caution);
-    if (playback.measured) {
-        draw_run(context);
-    } else {
-        explanation(context, "The file does not hold all particles of a scene: energies and forces are not known.");
-    }
+    if (!playback.fault.empty()) explanation(context, playback.fault, colour::caution);
+    if (playback.measured) return draw_run(context);
+    explanation(context, "The file does not hold all particles of a scene: energies and forces are not known.");
 }
 
 }  // namespace steplab::ui
