@@ -77,7 +77,7 @@ struct Worker::Body {
     LiveErrors errors{[this] { errors_came(); }};
     std::thread thread;
 
-    Body(const Beginning& beginning, std::size_t most_hashed) : hashed(most_hashed) {
+    Body(const Beginning& beginning, std::size_t up_to) : hashed(up_to) {
         begin(beginning);
         see();
         std::swap(view, ready);
