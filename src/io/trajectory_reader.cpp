@@ -106,13 +106,25 @@ FrameBlock TrajectoryReader::block_after(std::size_t entry, std::uint64_t& frame
     return block;
 }
 
-void TrajectoryReader::frame(std::uint64_t number, Frame& out) {
-    const auto after = std::upper_bound(index_.begin(), index_.end(), number,
+/// Of the chunks that hold this frame.
+std::size_t TrajectoryReader::first_entry(std::uint64_t frame) const {
+    const auto after = std::upper_bound(index_.begin(), index_.end(), frame,
                                         [](std::uint64_t n, const IndexEntry& entry) { return n < entry.first_frame; });
-    if (number >= frames_ || after == index_.begin()) fail(fmt::format("it has no frame {}", number));
+    if (frame >= frames_ || after == index_.begin()) fail(fmt::format("it has no frame {}", frame));
     const std::uint64_t first_frame = std::prev(after)->first_frame;
     auto entry = after;
     while (entry != index_.begin() && std::prev(entry)->first_frame == first_frame) --entry;
+    return static_cast<std::size_t>(entry - index_.begin());
+}
+
+FrameBlock::Moment TrajectoryReader::moment(std::uint64_t number) {
+    const FrameBlock& block = chunk(first_entry(number), number);
+    return block.moments[number - block.first_frame];
+}
+
+void TrajectoryReader::frame(std::uint64_t number, Frame& out) {
+    auto entry = index_.begin() + static_cast<std::ptrdiff_t>(first_entry(number));
+    const std::uint64_t first_frame = entry->first_frame;
     for (auto* vectors : {&out.positions, &out.displacements, &out.velocities}) vectors->clear();
     Shape shape;
     shape.box = scene().box;

@@ -55,6 +55,8 @@ public:
         for (std::size_t entry = 0; frame < frames_; ++entry) visit(block_after(entry, frame, row));
     }
 
+    /// Step and time of the frame with this number. Throws FileError if it is damaged.
+    FrameBlock::Moment moment(std::uint64_t number);
     /// The frame with this number, counted from 0, of the rows of the file alone: its shape has only their roles and
     /// the box. Displacements are empty in files of the first version. Throws FileError if it is damaged.
     void frame(std::uint64_t number, Frame& out);
@@ -65,6 +67,7 @@ private:
     /// Finds the chunks without an index, up to the end of the file or its first damage.
     void search(std::uint64_t place);
     std::optional<std::string> content_of(const trajectory::BlockHead& head, std::uint64_t place) const;
+    std::size_t first_entry(std::uint64_t frame) const;
     const FrameBlock& chunk(std::size_t entry, std::uint64_t frame);
     /// The block of an entry, which is to begin with this row of this frame; both move behind it.
     FrameBlock block_after(std::size_t entry, std::uint64_t& frame, std::uint64_t& row);

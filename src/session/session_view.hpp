@@ -48,13 +48,24 @@ struct SessionErrors {
     std::string how = {};                            ///< the reference of the leading run, in words
 };
 
+/// What is known of a trajectory file that is played in place of a session.
+struct PlaybackView {
+    std::string file = {};
+    std::uint64_t frame = 0;   ///< that is shown, counted from 0
+    std::uint64_t frames = 1;  ///< all that can be read
+    std::string fault = {};    ///< why there are no more; empty if the file is whole
+    /// The file holds all particles of its scene: energies and forces are known, and it can be continued.
+    bool measured = true;
+};
+
 /// What the interface sees of a session: one consistent moment of all its runs. Plain data.
 struct SessionView {
     RunView leading = {};
     std::vector<RunView> followers = {};  ///< at the same time, by the rule of step_at()
     TimeLineView line = {};
     bool equal_cost = false;
-    std::optional<SessionErrors> errors = {};  ///< if they are wanted; of this moment, or of one before it
+    std::optional<SessionErrors> errors = {};   ///< if they are wanted; of this moment, or of one before it
+    std::optional<PlaybackView> playback = {};  ///< if a trajectory is played
 };
 
 }  // namespace steplab

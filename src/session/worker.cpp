@@ -6,11 +6,7 @@
 
 namespace steplab {
 
-Worker::Worker(const RunDescription& description, std::size_t hashed)
-    : body_(std::make_unique<Body>(description, hashed, std::nullopt)) {}
-
-Worker::Worker(Recording film, std::size_t hashed)
-    : body_(std::make_unique<Body>(film.start, hashed, std::optional(film))) {}
+Worker::Worker(const Beginning& beginning, std::size_t hashed) : body_(std::make_unique<Body>(beginning, hashed)) {}
 
 Worker::~Worker() {
     {
@@ -27,6 +23,15 @@ void Worker::send(const Event& event) {
         auto& events = body_->events;
         if (!events.empty() && overtakes(events.back(), event)) events.pop_back();
         events.push_back(event);
+    }
+    body_->changed.notify_one();
+}
+
+void Worker::begin(Beginning beginning) {
+    {
+        const std::lock_guard lock(body_->mutex);
+        body_->next = std::move(beginning);
+        body_->events.clear();
     }
     body_->changed.notify_one();
 }

@@ -9,6 +9,8 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
+#include <variant>
 
 namespace steplab {
 
@@ -17,30 +19,45 @@ class EventSink {
 public:
     virtual ~EventSink() = default;
     virtual void send(const Event& event) = 0;
+    /// In place of what is played, a session of a run begins.
+    virtual void begin(const RunDescription& description) = 0;
 };
 
-/// Owns a session on a thread of its own and plays it by the clock. Events are handled in the order in which they were
-/// sent, those left out that the next one overtakes(). send() returns at once; results are taken when there are new
-/// ones. What happens is recorded.
+/// A trajectory file that is played.
+struct TrajectoryFile {
+    std::string path;
+};
+
+/// What a worker plays: a session of a run; a recording like a film, whose events happen at their steps while it plays
+/// until something else is done, or it is found to differ from what was recorded, which is reported as an error; or the
+/// frames of a file.
+using Beginning = std::variant<RunDescription, Recording, TrajectoryFile>;
+
+/// Owns a session, or a playback, on a thread of its own and plays it by the clock. Events are handled in the order in
+/// which they were sent, those left out that the next one overtakes(). send() returns at once; results are taken when
+/// there are new ones. What happens in a session is recorded.
 class Worker final : public EventSink {
 public:
     /// Recorded events get a hash in scenes of no more particles than this (Session::record()).
     static constexpr std::size_t most_hashed = 100'000;
 
-    explicit Worker(const RunDescription& description, std::size_t hashed = most_hashed);
-    /// Plays a recording like a film while the session plays: its events happen at their steps. It ends where something
-    /// else is done, or is found to differ from what was recorded, which is reported as an error.
-    explicit Worker(Recording film, std::size_t hashed = most_hashed);
+    /// Throws UsageError if the run cannot be computed, FileError if the trajectory cannot be read.
+    explicit Worker(const Beginning& beginning, std::size_t hashed = most_hashed);
     ~Worker() override;
 
     void send(const Event& event) override;
+    /// In place of what is played, as soon as that has taken the step under way; what was sent before and has not
+    /// happened yet is left out, recordings asked for before are handed out. What cannot begin is reported as an error,
+    /// nothing changed. Rate, tracked particle and forces stay as they are shown.
+    void begin(Beginning beginning);
+    void begin(const RunDescription& description) override { begin(Beginning(description)); }
 
     /// Swaps the newest view into `view` if there is one that was not taken yet; false if nothing is new. Never waits.
     bool take(SessionView& view);
     /// Why no new view comes, where steps take so long that the check of an impossible energy is some moments away.
     std::optional<Doubt> doubt() const;
-    /// What happened so far, as soon as the step under way has been taken; without its end if the worker is destroyed
-    /// before.
+    /// What happened so far in the session, as soon as the step under way has been taken; without its end if the worker
+    /// is destroyed before. Of a trajectory, get() throws UsageError.
     std::future<Recording> recording();
     /// Called from the worker's thread when a new view or doubt is ready (to wake the window); set before the first
     /// event.

@@ -33,18 +33,23 @@ void Worker::Body::loop() {
             const std::lock_guard lock(mutex);
             if (stopping) break;
         }
-        bool to_show = handle_events();
         answer(true);
+        const bool begun = begin_next();
+        bool to_show = handle_events() || begun;
+        if (playback) {
+            play_frames(to_show);
+            continue;
+        }
         if (film && film_plays && !doubtful) to_show = show_film() || to_show;
-        const std::uint64_t before = session.run().advanced().step;
-        const bool doubted = doubtful, behind = !doubted && session.is_behind();
+        const std::uint64_t before = session->run().advanced().step;
+        const bool doubted = doubtful, behind = !doubted && session->is_behind();
         if (behind) catch_up(slice);
         const bool well = went_well([this] { doubtful ? step_to_check() : take_steps(); });
         if (!well) give_up();
         if (doubtful || doubt) tell_doubt();
         if (doubtful) continue;
         to_show = to_show || doubted || !well;
-        const auto [step, evaluations, diverged] = session.run().advanced();
+        const auto [step, evaluations, diverged] = session->run().advanced();
         if (to_show || ((behind || step != before || diverged) && affordable())) publish(to_show, well);
     }
     answer(false);  // the step under way may have been given up
@@ -57,18 +62,25 @@ void Worker::Body::answer(bool with_end) {
         const std::lock_guard lock(mutex);
         waiting.swap(asked);
     }
-    for (std::promise<Recording>& promise : waiting) promise.set_value(session.recorded(with_end).value());
+    for (std::promise<Recording>& promise : waiting) {
+        if (session) {
+            promise.set_value(session->recorded(with_end).value());
+        } else {
+            promise.set_exception(std::make_exception_ptr(
+                UsageError("a trajectory is played back: nothing is recorded that could be saved")));
+        }
+    }
 }
 
 void Worker::Body::end_film() {
     film.reset();
-    session.stop();
+    session->stop();
 }
 
 /// Has the next event of the film happen if the run stands there; true if something did.
 bool Worker::Body::show_film() {
     const auto now = Clock::now();
-    if (now < film_due || session.is_behind()) return false;
+    if (now < film_due || session->is_behind()) return false;
     film->approach(0);  // back, where it lies behind
     if (!film->is_due()) return false;
     const bool well = went_well([this] {
@@ -76,7 +88,7 @@ bool Worker::Body::show_film() {
         if (difference) throw UsageError("this is not as it was recorded: " + *difference);
     });
     film_due = now + between_film_events;
-    session.keep_playing();
+    session->keep_playing();
     if (!well || film->is_done()) end_film();
     pace.forget_speed();
     pace.begin(Clock::now());
@@ -85,13 +97,14 @@ bool Worker::Body::show_film() {
 
 void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
-    if (doubtful || session.goal() || session.is_behind()) return;
-    const auto called = [this] { return stopping || !events.empty() || !asked.empty() || compared; };
+    if (playback) return wait_for_frame(lock);
+    if (doubtful || session->goal() || session->is_behind()) return;
     const bool film_waits = film && film_plays && film->is_due();
-    if (!session.playing() && !film_waits) return changed.wait(lock, called);
+    if (!session->playing() && !film_waits) return changed.wait(lock, [this] { return called(); });
     const auto now = Clock::now();
-    const auto due = film_waits ? film_due : pace.next_due(now, session.rate(), session.run().dt());
-    if (due > now) changed.wait_until(lock, due, called);  // what is over at once would still ask the system
+    const auto due = film_waits ? film_due : pace.next_due(now, session->rate(), session->run().dt());
+    if (due > now)
+        changed.wait_until(lock, due, [this] { return called(); });  // what is over at once would still ask the system
 }
 
 bool Worker::Body::handle_events() {
@@ -111,14 +124,22 @@ bool Worker::Body::handle_events() {
 }
 
 void Worker::Body::handle(const Event& event) {
-    if (session.playing() && !session.plays_backwards() && session.run().divergence())
-        session.stop();  // before it begins something new
+    for (Event& each : kept_events) {
+        if (each.index() == event.index()) each = event;
+    }
+    if (playback) {
+        playback->handle(event);
+        frames_since = {Clock::now(), playback->elapsed()};
+        return;
+    }
+    if (session->playing() && !session->plays_backwards() && session->run().divergence())
+        session->stop();  // before it begins something new
     if (const auto* const play = std::get_if<event::Play>(&event)) {
         film_plays = play->on;
     } else if (is_recorded(event)) {
         film.reset();
     }
-    session.handle(event);
+    session->handle(event);
     if (is_any<event::Track, event::ShowForces, event::Bookmark>(event)) return;
     if (changes_speed(event)) pace.forget_speed();
     pace.begin(Clock::now());
@@ -127,44 +148,44 @@ void Worker::Body::handle(const Event& event) {
 /// What goes beside the run follows it, which may take longer where it begins: then the run waits for it.
 void Worker::Body::catch_up(Pace::Duration most) {
     const auto begin = Clock::now();
-    went_well([&] { session.catch_up([&] { return Clock::now() - begin > most; }); });
+    went_well([&] { session->catch_up([&] { return Clock::now() - begin > most; }); });
     pace.begin(Clock::now());
 }
 
 /// Of all runs, so that they stay together. Whether all numbers are finite is checked when they are read: after every
 /// few steps it would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
-    if (!under_way() || session.is_behind()) return;
+    if (!under_way() || session->is_behind()) return;
     const auto begin = Clock::now();
-    const Simulation& run = session.run();
-    const Rate wanted_rate = session.goal() ? Rate{.as_fast_as_possible = true} : session.rate();
+    const Simulation& run = session->run();
+    const Rate wanted_rate = session->goal() ? Rate{.as_fast_as_possible = true} : session->rate();
     std::uint64_t due = pace.steps_due(begin, wanted_rate, run.dt(), slice);
-    if (const auto goal = session.goal()) due = std::min(due, *goal - std::min(*goal, run.step()));
+    if (const auto goal = session->goal()) due = std::min(due, *goal - std::min(*goal, run.step()));
     const auto before = run.advanced();
     if (film) due = std::min(due, film->ahead());
-    film ? session.advance(due) : session.play_on(due);
-    if (run.step() != before.step) session.catch_up([] { return false; });
+    film ? session->advance(due) : session->play_on(due);
+    if (run.step() != before.step) session->catch_up([] { return false; });
     const auto after = run.advanced();
     const std::uint64_t taken = after.step > before.step ? after.step - before.step : before.step - after.step;
     pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
               static_cast<double>(taken) * run.dt(), begin, Clock::now(), wanted_rate);
     keep_moment();
-    if (!session.goal() && wanted_rate.as_fast_as_possible) pace.begin(Clock::now());
+    if (!session->goal() && wanted_rate.as_fast_as_possible) pace.begin(Clock::now());
 }
 
 /// To the next check of the energy without regard to the pace, but no longer at a time than events may wait.
 void Worker::Body::step_to_check() {
     const auto begin = Clock::now();
-    std::uint64_t left = session.run().divergence() ? 0 : session.run().steps_to_check();
-    for (; left > 0 && Clock::now() - begin < slice; --left) session.advance(1);
-    doubtful = left > 0 && !session.run().advanced().diverged;
+    std::uint64_t left = session->run().divergence() ? 0 : session->run().steps_to_check();
+    for (; left > 0 && Clock::now() - begin < slice; --left) session->advance(1);
+    doubtful = left > 0 && !session->run().advanced().diverged;
     pace.begin(Clock::now());
 }
 
 /// That the picture stands still, and why; or that it no longer does.
 void Worker::Body::tell_doubt() {
     std::optional<Doubt> told = doubtful ? found : std::nullopt;
-    if (told) told->now = session.run().advanced().step;
+    if (told) told->now = session->run().advanced().step;
     void (*call)() = nullptr;
     {
         const std::lock_guard lock(mutex);
@@ -178,14 +199,14 @@ void Worker::Body::tell_doubt() {
 void Worker::Body::keep_moment() {
     const auto begin = Clock::now();
     if (!moments.due(begin)) return;
-    session.keep_moment();
+    session->keep_moment();
     moments.took(begin, Clock::now());
 }
 
 /// How far the runs are from the motion of their scene, where that is wanted: of this moment if it is known at once.
 void Worker::Body::compare() {
     view.errors.reset();
-    if (!session.wants_errors()) return errors.forget();
+    if (!session->wants_errors()) return errors.forget();
     if (errors_alone) {  // a question asked again would be answered again, for ever
         view.errors = errors.newest(Pace::Duration(0));
         return;
@@ -194,9 +215,9 @@ void Worker::Body::compare() {
         return LiveErrors::Shown{
             moment_of(line.run(), line.start_momentum()), {line.past().begin(), line.past().end()}, line.is_over()};
     };
-    std::vector<LiveErrors::Shown> runs{shown(session.line())};
-    for (const FollowerRun& follower : session.followers()) runs.push_back(shown(follower.line()));
-    errors.ask(session.run().time(), std::move(runs));
+    std::vector<LiveErrors::Shown> runs{shown(session->line())};
+    for (const FollowerRun& follower : session->followers()) runs.push_back(shown(follower.line()));
+    errors.ask(session->run().time(), std::move(runs));
     view.errors = errors.newest(patience);
 }
 
@@ -212,23 +233,30 @@ void Worker::Body::errors_came() {
 /// True if a view would cost the run no more than its part, or the run has time to spare.
 bool Worker::Body::affordable() const {
     const auto now = Clock::now();
-    const bool spare = !session.goal() && pace.next_due(now, session.rate(), session.run().dt()) > now;
+    const bool spare = !session->goal() && pace.next_due(now, session->rate(), session->run().dt()) > now;
     return !under_way() || views.due(now) || spare;
 }
 
 /// Makes `view` one of the present moment.
 void Worker::Body::see() {
-    session.observe(view);
-    compare();
     RunView& leading = view.leading;
-    if (leading.divergence && !session.plays_backwards()) session.stop();
+    if (playback) {
+        playback->observe(view);
+    } else {
+        view.playback.reset();
+        session->observe(view);
+        compare();
+        if (leading.divergence && !session->plays_backwards()) session->stop();
+        leading.cost = session->line().cost();
+        for (std::size_t i = 0; i < view.followers.size(); ++i)
+            view.followers[i].cost = session->followers()[i].line().cost();
+    }
+    leading.run += runs_before;
+    newest_run = leading.run;
     leading.error = error;
     leading.failures = failures;
     leading.steps_per_second = pace.steps_per_second();
     leading.evaluations_per_second = pace.evaluations_per_second();
-    leading.cost = session.line().cost();
-    for (std::size_t i = 0; i < view.followers.size(); ++i)
-        view.followers[i].cost = session.followers()[i].line().cost();
 }
 
 /// Hands over a view of the present moment, unless the last one is still waiting and has not grown stale. A moment
@@ -241,13 +269,8 @@ void Worker::Body::publish(bool at_once, bool judged) {
     }
     const bool seen = went_well([this] { see(); });
     if (!seen) give_up();
-    const Simulation& run = session.run();
-    doubtful = judged && seen && !view.leading.divergence && !run.is_plausible();
-    if (doubtful) {
-        const std::uint64_t step = run.step();
-        found = {step, run.time(), step, step + run.steps_to_check()};
-        return;
-    }
+    if (judged && seen) judge();
+    if (doubtful) return;
     void (*call)() = nullptr;
     {
         const std::lock_guard lock(mutex);
@@ -264,18 +287,29 @@ void Worker::Body::publish(bool at_once, bool judged) {
     if (call) call();
 }
 
+/// Of the present moment of a run.
+void Worker::Body::judge() {
+    if (playback) return;
+    const Simulation& run = session->run();
+    doubtful = !view.leading.divergence && !run.is_plausible();
+    if (!doubtful) return;
+    const std::uint64_t step = run.step();
+    found = {step, run.time(), step, step + run.steps_to_check()};
+}
+
 /// After something went wrong that is no fault of an event, as a rule because there is no memory left.
 void Worker::Body::give_up() {
     doubtful = false;
-    session.stop();
-    session.give_up_ensemble();
+    if (playback) return playback->stop();
+    session->stop();
+    session->give_up_ensemble();
 }
 
 /// In an older view: what went wrong since.
 void Worker::Body::tell_in(SessionView& older) const {
     older.leading.error = error;
     older.leading.failures = failures;
-    older.leading.playing = session.playing();
+    older.leading.playing = session && session->playing();
     older.leading.ensemble = {};
     older.leading.frame.ensemble.clear();
 }

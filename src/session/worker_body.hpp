@@ -2,17 +2,20 @@
 
 #include "session/live_errors.hpp"
 #include "session/pace.hpp"
+#include "session/playback.hpp"
 #include "session/replay.hpp"
 #include "session/session.hpp"
 #include "session/share.hpp"
 #include "session/worker.hpp"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
 #include <future>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -36,6 +39,7 @@ struct Worker::Body {
     // shared between the threads
     std::mutex mutex;
     std::condition_variable changed;
+    std::optional<Beginning> next;  // in place of what is played; before these
     std::deque<Event> events;
     std::vector<std::promise<Recording>> asked;  // for what happened so far
     std::atomic<bool> stopping = false;          // also in the middle of a long step
@@ -46,7 +50,8 @@ struct Worker::Body {
     void (*wake)() = nullptr;
 
     // the worker's own
-    Session session;
+    std::unique_ptr<Session> session;  // one of these two
+    std::unique_ptr<Playback> playback;
     Pace pace;
     std::optional<Replay> film;  // until it has ended
     bool film_plays = false;
@@ -54,6 +59,16 @@ struct Worker::Body {
     bool errors_alone = false;     // nothing but errors has come since the last view
     bool doubtful = false;         // the energy is impossible, and the check that decides about it has not come yet
     std::optional<Doubt> found;    // where `doubtful` began
+    std::size_t hashed;
+    std::uint64_t runs_before = 0, newest_run = 0;  // runs have other numbers than those of what was played before
+    std::array<Event, 3> kept_events{event::SetRate{}, event::Track{},
+                                     event::ShowForces{false}};  // what stays from then
+    /// The wall clock of frames that are played: when it showed so many seconds behind the first one.
+    struct Since {
+        Clock::time_point now{};
+        double elapsed = 0;
+    };
+    Since frames_since;
     std::string error;
     std::uint64_t failures = 0;
     SessionView view;
@@ -62,11 +77,8 @@ struct Worker::Body {
     LiveErrors errors{[this] { errors_came(); }};
     std::thread thread;
 
-    Body(const RunDescription& description, std::size_t hashed, std::optional<Recording> recorded)
-        : session(description) {
-        session.record(hashed);
-        if (recorded) film.emplace(std::move(*recorded), session);
-        if (film && film->is_done()) film.reset();  // nothing happened
+    Body(const Beginning& beginning, std::size_t up_to) : hashed(up_to) {
+        begin(beginning);
         see();
         std::swap(view, ready);
         fresh = true;
@@ -86,7 +98,11 @@ struct Worker::Body {
         }
     }
 
-    bool under_way() const { return session.playing() || session.goal(); }
+    bool under_way() const {
+        return playback ? playback->playing() : session->playing() || session->goal().has_value();
+    }
+    void begin(const Beginning& beginning);
+    bool begin_next();
     void loop();
     void wait_for_work();
     bool handle_events();
@@ -96,6 +112,13 @@ struct Worker::Body {
     void end_film();
     void take_steps();
     void step_to_check();
+    void judge();
+    /// With the mutex held: there is something to do at once.
+    bool called() const { return stopping || next || !events.empty() || !asked.empty() || compared; }
+    void wait_for_frame(std::unique_lock<std::mutex>& lock);
+    Clock::time_point next_frame_due() const;
+    void play_frame(Clock::time_point now);
+    void play_frames(bool to_show);
     void tell_doubt();
     void catch_up(Pace::Duration most);
     void keep_moment();

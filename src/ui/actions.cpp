@@ -1,6 +1,8 @@
 #include "ui/actions.hpp"
 
+#include "core/error.hpp"
 #include "render/framing.hpp"
+#include "session/playback.hpp"
 #include "sim/run/opening.hpp"
 #include "ui/input.hpp"
 #include "ui/rate.hpp"
@@ -90,12 +92,19 @@ void toggle_panel(const Context& context) { context.state.panel = context.layout
 
 void open_exhibit(const Context& context, const Exhibit& exhibit) {
     ScenesPage& page = context.state.scenes;
-    if (!exhibit.is_model && (page.opening || exhibit.id != id_of(context.description()))) {
-        return open_file(context, exhibit.id);
-    }
+    const bool is_shown = exhibit.id == id_of(context.description()) && !context.session.playback;
+    if (!exhibit.is_model && (page.opening || !is_shown)) return open_file(context, exhibit.id);
     page.open = false;
     page.opening.reset();
-    if (exhibit.id != id_of(context.description())) context.ask(opening(with_model(context.description(), exhibit.id)));
+    if (!is_shown) context.ask(opening(with_model(context.description(), exhibit.id)));
+}
+
+void continue_from_here(const Context& context) {
+    try {
+        context.ask(continued(context.session));
+    } catch (const UsageError& refused) {
+        context.state.wanted.refuse(refused.what());
+    }
 }
 
 void open_file(const Context& context, const std::string& name) {

@@ -17,6 +17,9 @@ void open_exhibit(const Context& context, const Exhibit& exhibit);
 /// Asks the program to read a scene file, or a shipped scene by its name.
 void open_file(const Context& context, const std::string& name);
 
+/// A run begins at the moment of a trajectory that is shown, in its place.
+void continue_from_here(const Context& context);
+
 /// The tooltip of a button: "one step forward (Right)".
 std::string help_of(Action action);
 

@@ -24,6 +24,7 @@ struct ContextDeleter {
 class NoEvents final : public EventSink {
 public:
     void send(const Event&) override {}
+    void begin(const RunDescription&) override {}
 };
 
 /// A context that reads and writes no files.
@@ -147,6 +148,12 @@ void Interface::open(const RunDescription& scene, EventSink& events) {
     state.scenes.open = state.scenes.open && !state.wanted.message().empty();
 }
 
+void Interface::close_scenes() {
+    body_->state.scenes.opening.reset();
+    body_->state.scenes.open = false;
+    body_->state.wanted.dismiss();
+}
+
 void Interface::reload(const RunDescription& scene, EventSink& events) {
     Wanted& wanted = body_->state.wanted;
     if (!wanted.description().origin || id_of(wanted.description()) != id_of(scene)) return;
@@ -197,7 +204,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     if (purpose == Purpose::use || purpose == Purpose::still) body.input_left = body.input.feed(io);
     ImGui::NewFrame();
     const WidgetMap before = std::exchange(body.widgets, {});
-    body.state.wanted.follow(view.leading, body.new_view);
+    body.state.wanted.follow(view.leading, body.new_view, view.playback.has_value());
     body.new_view = false;
     body.layout = arrange(body.display, body.state.panel);
     const Context context{body.theme, body.layout, body.display, view,         view.leading, measured,

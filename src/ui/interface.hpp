@@ -55,6 +55,8 @@ public:
     void show_gallery(Gallery gallery);
     /// Shows a scene that was read as the user asked. Closes the page of scenes.
     void open(const RunDescription& scene, EventSink& events);
+    /// Closes the page of scenes: something else was opened.
+    void close_scenes();
     /// Shows a scene that was read again because its file changed, unless another one is shown by now.
     void reload(const RunDescription& scene, EventSink& events);
     /// Takes events of keyboard and mouse for the next frames.

@@ -4,7 +4,8 @@
 
 namespace steplab::ui {
 
-void Wanted::follow(const RunView& view, bool is_new) {
+void Wanted::follow(const RunView& view, bool is_new, bool played_back) {
+    played_back_ = played_back;
     playing_.follow(view.playing, is_new);
     rate_.follow(view.rate, is_new);
     ensemble_.follow(view.ensemble, is_new);
@@ -18,7 +19,7 @@ void Wanted::follow(const RunView& view, bool is_new) {
 }
 
 void Wanted::ask(const RunDescription& description, EventSink& events) {
-    if (description == this->description()) return;
+    if (!played_back_ && description == this->description()) return;
     try {
         check_values(description);
     } catch (const UsageError& error) {
@@ -27,6 +28,7 @@ void Wanted::ask(const RunDescription& description, EventSink& events) {
     }
     message_.clear();
     asked_ = description;
+    if (played_back_) return events.begin(description);
     events.send(event::Change{description});
 }
 

@@ -12,12 +12,14 @@ namespace steplab::ui {
 /// values and further changes build on them, so that a dragged slider never jumps back and the newest value wins.
 class Wanted {
 public:
-    /// Updates to the state of the run. `is_new`: the first call with this view.
-    void follow(const RunView& view, bool is_new);
+    /// Updates to the state of the run. `is_new`: the first call with this view. `played_back`: it is that of a
+    /// trajectory.
+    void follow(const RunView& view, bool is_new, bool played_back = false);
 
     const RunDescription& description() const { return asked_ ? *asked_ : running_; }
     /// Sends a change at once if it differs from the last request; if its values are refused, message() gives the
-    /// reason. What can be said only of the scene itself, which is not made here, the run refuses.
+    /// reason. What can be said only of the scene itself, which is not made here, the run refuses. In place of a
+    /// trajectory a run of the description begins.
     void ask(const RunDescription& description, EventSink& events);
     /// The same for playing or pausing, the speed and the ensemble.
     bool playing() const { return playing_.shown(); }
@@ -61,6 +63,7 @@ private:
     Setting<bool> playing_;
     Setting<Rate> rate_;
     Setting<LiveEnsembleOptions> ensemble_;
+    bool played_back_ = false;
     RunDescription running_;
     std::optional<RunDescription> asked_;
     std::string message_;

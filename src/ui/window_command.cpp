@@ -1,6 +1,7 @@
 #include "ui/window_command.hpp"
 
 #include "core/number_text.hpp"
+#include "core/shell_word.hpp"
 #include "render/framing.hpp"
 #include "sim/run/run_variant.hpp"
 #include "ui/actions.hpp"
@@ -92,7 +93,9 @@ bool command_repeats_run(const Context& context) {
 }
 
 std::string window_command(const Context& context) {
-    CommandLine line{"steplab view " + command_line(context.description())};
+    const auto& playback = context.session.playback;
+    CommandLine line{"steplab view " +
+                     (playback ? "--trajectory " + shell_word(playback->file) : command_line(context.description()))};
     add_moment(line, context);
     add_picture(line, context);
     add_speed(line, context.state.wanted.rate());

@@ -16,6 +16,11 @@ public:
         std::visit(Take{*this}, event);
     }
 
+    void begin(const RunDescription& description) override {
+        calls.emplace_back("begin");
+        changes.push_back(description);
+    }
+
     std::vector<Event> events;
     std::vector<std::string> calls;
     std::vector<RunDescription> changes;

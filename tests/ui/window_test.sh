@@ -297,6 +297,9 @@ scene() {
     printf '[[springs]]\nbetween = "c"\nk = "k"\n[run]\nmethod = "verlet"\ndt = 0.01\n'
 }
 
+# drop PATH: drops a file onto the window; %20 stands for a blank.
+drop() { "$drop_file" "$(xdotool search --name '^steplab$' | tail -1)" "$1"; }
+
 scene_files_are_opened_by_path_and_by_drop() {
     start_display 1280x800
     scene 3 >"$folder/one.toml"
@@ -309,7 +312,7 @@ scene_files_are_opened_by_path_and_by_drop() {
     click scenes.path
     xdotool key ctrl+a type -- 'one.toml'
     xdotool key Return; expect 'model one' 'widget scenes.path gone' 'widget scene.k.value [0-9].*'
-    "$drop_file" "$(xdotool search --name '^steplab$' | tail -1)" "$folder/the%20other.toml"
+    drop "$folder/the%20other.toml"
     expect 'model the other' "command --scene '$folder/the other.toml' --method verlet --precision double --dt 0.01"
     close_window
 }
@@ -388,6 +391,74 @@ session_is_recorded_saved_and_played() {
     grep -qx "step $last" "$folder/said" || expect "step $last"
     close_window
     cmp "$folder/before" "$folder/a.session" || fail "the session that was played was changed"
+}
+
+session_is_written_when_a_signal_ends_the_window() {
+    start_display 1280x800
+    local signal code steplab
+    steplab=$(dirname "$program")/steplab
+    for signal in TERM HUP; do
+        rm -f "$folder/trace" "$folder/a.session"
+        open_window --model chain --session a.session
+        xdotool key Right; expect 'step 1'
+        kill -s $signal "$window_pid"
+        code=0
+        wait "$window_pid" || code=$?
+        window_pid=
+        ((code == 128 + $(kill -l $signal))) || fail "SIG$signal ended it with exit code $code"
+        "$steplab" replay "$folder/a.session" >"$folder/errors" 2>&1 || fail "the session is not whole"
+        grep -qx 'do = "step"' "$folder/a.session" || fail "the step is missing"
+    done
+}
+
+session_file_is_played_by_path_and_by_drop() {
+    start_display 1280x800
+    open_window --model chain --session a.session
+    xdotool key Right; expect 'step 1'
+    xdotool key r; expect 'changes 1'
+    xdotool key Right; expect 'step 2'
+    close_window
+    rm "$folder/trace"
+    open_window --model rope --session b.session
+    drop "$folder/a.session"
+    expect 'model chain' 'step 2' 'changes 1' 'saved b.session'
+    [[ -s $folder/b.session ]] || fail "the session before it was not written"
+    xdotool key ctrl+o
+    expect 'widget scenes.path [0-9].*'
+    xdotool type a.session
+    xdotool key Return
+    expect 'widget scenes.path gone' 'run [0-9]+'
+    close_window
+}
+
+trajectory_is_played() {
+    start_display 1280x800
+    local steplab
+    steplab=$(dirname "$program")/steplab
+    (cd "$folder" && "$steplab" run --model chain --dt 0.1 --steps 40 --every 2 --out a.trajectory >run.txt)
+    open_window --trajectory a.trajectory
+    grep -qx 'playback 0 21' "$folder/said" || expect 'playback 0 21'
+    xdotool key Right; expect 'playback 1 21' 'step 2'
+    click time; expect 'step 20'
+    enter time 1.3; expect 'step 12'
+    enter time 'step 7'; expect 'step 6'
+    xdotool key b; expect 'bookmarks 1'
+    xdotool key r; expect 'error a trajectory is played back.*' 'widget refusal.close [0-9].*'
+    xdotool key Escape; expect 'widget refusal.close gone'
+    xdotool key t; expect 'error a trajectory is played back: no runs go beside it.*'
+    xdotool key Escape
+    click fastest; expect 'rate fastest'
+    click play; expect 'playback 20 21' 'playing false'
+    choose menu 'copy command'
+    expect 'copied steplab view --trajectory a.trajectory --steps 40 .*'
+    xdotool key BackSpace; expect 'playback 0 21'
+    xdotool key Right; expect 'step 2'
+    click continue; expect 'playback none' 'step 0' 'command .*--from a.trajectory:2.*'
+    xdotool key Right; expect 'step 1'
+    drop "$folder/a.trajectory"
+    expect 'playback 0 21'
+    xdotool key bracketright; expect 'playback none' 'model mesh'
+    close_window
 }
 
 saved_scene_opens_the_same_again() {

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "io/output_file.hpp"
+#include "session/playback.hpp"
 #include "session/session_file.hpp"
 
 #include <fmt/format.h>
@@ -16,9 +17,11 @@ namespace steplab {
 void SessionOption::declare(CLI::App& app) {
     text_option(app, "--session", file_, "FILE",
                 "Record what happens into this new file; a session file that is there is played", "Window");
+    text_option(app, "--trajectory", trajectory_, "FILE", "Play the frames of a trajectory, CSV or XYZ file", "Window");
 }
 
 GivenSession SessionOption::session(const SceneOptions& scene) const {
+    if (!trajectory_.empty()) return trajectory(scene);
     std::error_code error;
     if (file_.empty() || written_directly(file_) || !std::filesystem::exists(file_, error)) return {.record_to = file_};
     if (scene.any_given())
@@ -27,6 +30,14 @@ GivenSession SessionOption::session(const SceneOptions& scene) const {
                         "the name of a new file",
                         shown(file_)));
     return {.film = read_session_file(file_)};
+}
+
+GivenSession SessionOption::trajectory(const SceneOptions& scene) const {
+    if (!file_.empty()) throw UsageError("--trajectory plays a file: nothing happens that --session could record");
+    if (scene.any_given())
+        throw UsageError(
+            fmt::format("the frames of '{}' are played: the scene is that of its run", shown(trajectory_)));
+    return {.trajectory = trajectory_, .played_run = played_run(trajectory_)};
 }
 
 }  // namespace steplab

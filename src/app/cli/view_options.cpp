@@ -87,6 +87,8 @@ WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, Give
     request.playing = playing_ || session.film;
     if (session.film && request.steps > 0)
         throw UsageError("--steps and --until are of a new run: a session that is played begins at its start");
+    if (!session.trajectory.empty() && (ensemble_.is_given() || runs.size() > 1))
+        throw UsageError("--ensemble goes beside a run: a trajectory is played alone");
     request.session = std::move(session);
     return request;
 }

@@ -37,7 +37,8 @@ public:
 
     int run() override {
         const GivenSession session = window_.session(scene_);  // what is wrong is reported before a window opens
-        window_.request(session.film ? std::vector{session.film->start} : window_.runs(scene_.description()), session);
+        const auto start = session.start();
+        window_.request(start ? std::vector{*start} : window_.runs(scene_.description()), session);
         const std::filesystem::path program = beside_this_program(window_program);
         arguments_.insert(arguments_.begin(), std::string(window_program));
         std::vector<char*> argv;

@@ -5,6 +5,8 @@
 #include "io/scene_export.hpp"
 #include "io/scene_file.hpp"
 #include "io/starting_values_file.hpp"
+#include "io/trajectory_format.hpp"
+#include "io/trajectory_reader.hpp"
 #include "session/session_file.hpp"
 #include "ui/plot/plot_files.hpp"
 
@@ -13,6 +15,7 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <sstream>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -42,6 +45,41 @@ std::vector<std::filesystem::path> files_of(const SceneFile& scene) {
     return files;
 }
 
+/// A session begins with its version, after comments at most.
+bool is_session(const InputFile& file) {
+    std::istringstream head(file.read(0, 4096));
+    std::string line;
+    while (std::getline(head, line) && (line.empty() || line.starts_with('#'))) {
+    }
+    return line.starts_with("steplab-session");
+}
+
+bool is_row_file(const std::string& name) {
+    try {
+        trajectory_format_of(name);
+        return true;
+    } catch (const UsageError&) {
+        return false;
+    }
+}
+
+/// By what is in it, whatever it is called.
+SceneFiles::News opened(const std::string& name) {
+    using Kind = SceneFiles::News::Kind;
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(name, none))
+        return {.kind = Kind::opened, .scene = describe(find_scene(name))};
+    if (InputFile file(name); TrajectoryReader::reads(file)) {
+        TrajectoryReader(std::move(file)).run();  // one that is damaged at its beginning is refused
+        return {.kind = Kind::trajectory, .text = name};
+    } else if (is_session(file)) {
+        return {.kind = Kind::session, .session = read_session_file(name)};
+    } else if (is_row_file(name)) {
+        return {.kind = Kind::trajectory, .text = name};
+    }
+    return {.kind = Kind::opened, .scene = describe(find_scene(name))};
+}
+
 }  // namespace
 
 SceneFiles::SceneFiles(void (*wake)()) : wake_(wake) {
@@ -58,9 +96,7 @@ SceneFiles::~SceneFiles() {
 }
 
 void SceneFiles::open(const std::string& name) {
-    post([this, name = in_own_folder(name)] {
-        attempt([&] { report({.kind = News::Kind::opened, .scene = describe(find_scene(name))}); });
-    });
+    post([this, name = in_own_folder(name)] { attempt([&] { report(opened(name)); }); });
 }
 
 void SceneFiles::save(const RunDescription& run, const SceneView& view) {
@@ -76,6 +112,16 @@ void SceneFiles::save(const RunDescription& run, const SceneView& view) {
 void SceneFiles::save_session(std::shared_future<Recording> recording) {
     post([this, recording = std::move(recording)] {
         attempt([&] { write_new("session", "session", session_text(recording.get())); });
+    });
+}
+
+void SceneFiles::finish_session(std::shared_ptr<OutputFile> file, std::shared_future<Recording> recording) {
+    post([this, file = std::move(file), recording = std::move(recording)] {
+        attempt([&] {
+            file->write(session_text(recording.get()));
+            file->commit();
+            report({.kind = News::Kind::saved, .text = file->name()});
+        });
     });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/file_watch.hpp"
+#include "io/output_file.hpp"
 #include "io/scene_writer.hpp"
 #include "session/recording.hpp"
 #include "sim/run/run_description.hpp"
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <future>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -25,10 +27,11 @@ class SceneFiles {
 public:
     /// What a job came to.
     struct News {
-        enum class Kind { opened, read_again, saved, failed };
+        enum class Kind { opened, session, trajectory, read_again, saved, failed };
         Kind kind = Kind::failed;
         RunDescription scene = {};  ///< opened, read_again: as the file describes it
-        std::string text = {};      ///< saved: the file; failed: the message
+        Recording session = {};     ///< session: to be played
+        std::string text = {};      ///< trajectory: its path; saved: the file; failed: the message
     };
 
     /// `wake` is called on the thread when there are news.
@@ -37,12 +40,15 @@ public:
     SceneFiles(const SceneFiles&) = delete;
     SceneFiles& operator=(const SceneFiles&) = delete;
 
-    /// Reads a file, or a shipped scene by its name. `~/` at the front is the user's own folder.
+    /// Reads the file of a scene, a session or a trajectory, or a shipped scene by its name. `~/` at the front is the
+    /// user's own folder.
     void open(const std::string& name);
     /// Writes the scene of a run to a new file in the current folder.
     void save(const RunDescription& run, const SceneView& view);
     /// Writes a session to a new file there, once it is known.
     void save_session(std::shared_future<Recording> recording);
+    /// The same to a file that was opened before.
+    void finish_session(std::shared_ptr<OutputFile> file, std::shared_future<Recording> recording);
     /// The scene that is shown: its file, if it is one, is read again when it has changed since this scene was read
     /// from it.
     void watch(const RunDescription& shown);

@@ -71,6 +71,8 @@ void Trace::report(const SessionView& session) {
     report("changes", std::to_string(session.line.changes.size()));
     report("branches", std::to_string(session.line.branches.size()));
     report("loop", session.line.loop ? "true" : "false");
+    const auto& playback = session.playback;
+    report("playback", playback ? fmt::format("{} {}", playback->frame, playback->frames) : "none");
     report("bookmarks", std::to_string(session.line.bookmarks.size()));
 }
 

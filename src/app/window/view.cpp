@@ -2,6 +2,7 @@
 #include "app/cli/scene_options.hpp"
 #include "app/cli/view_options.hpp"
 #include "app/window/viewer.hpp"
+#include "core/end_watch.hpp"
 #include "core/error.hpp"
 #include "core/program_end.hpp"
 #include "io/commit.hpp"
@@ -26,14 +27,20 @@ std::string way_out(const RunDescription& description) {
 }
 
 int open_window(const RunDescription& description, const WindowRequest& request) {
-    end_on_interruptions();
+    std::optional<EndWatch> watch;  // where a session is to be written before the window ends
+    if (request.session.record_to.empty()) {
+        end_on_interruptions();
+    } else {
+        watch.emplace(&Window::wake);
+    }
     std::optional<Viewer> viewer;
     try {
         viewer.emplace(description, request);
     } catch (const GraphicsError& error) {
         throw GraphicsError(fmt::format("{}; {}", error.what(), way_out(description)));
     }
-    viewer->run();
+    viewer->run([&] { return watch && watch->signal(); });
+    if (watch && watch->signal()) end_program(128 + *watch->signal());
     end_program_soon(static_cast<int>(ExitCode::done));  // the last step of the run may take longer than anybody waits
     return static_cast<int>(ExitCode::done);
 }
@@ -53,12 +60,11 @@ int run(const std::vector<std::string>& arguments) {
         print(ui::key_table());
     } else {
         GivenSession session = options.session(scene);
-        const bool film = session.film.has_value();
-        const std::vector<RunDescription> runs =
-            film ? std::vector{session.film->start} : options.runs(scene.description());
+        const auto start = session.start();
+        const std::vector<RunDescription> runs = start ? std::vector{*start} : options.runs(scene.description());
         const RunDescription& description = runs.front();
         WindowRequest request = options.request(runs, std::move(session));
-        request.scenes = !film && !scene.any_given();
+        request.scenes = !start && !scene.any_given();
         if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);
         return open_window(description, request);
     }

@@ -27,6 +27,12 @@ constexpr std::chrono::duration<double> time_to_rest{0.3};
 
 double seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
+Beginning beginning_of(const RunDescription& description, const GivenSession& session) {
+    if (!session.trajectory.empty()) return TrajectoryFile{session.trajectory};
+    if (session.film) return *session.film;
+    return description;
+}
+
 /// The thread of the run inherits the priority of the thread that starts it.
 std::unique_ptr<Worker> start_worker(const RunDescription& description, const GivenSession& session) {
     const std::size_t hashed =
@@ -34,8 +40,7 @@ std::unique_ptr<Worker> start_worker(const RunDescription& description, const Gi
     return std::async(std::launch::async,
                       [&] {
                           lower_priority();
-                          return session.film ? std::make_unique<Worker>(*session.film, hashed)
-                                              : std::make_unique<Worker>(description, hashed);
+                          return std::make_unique<Worker>(beginning_of(description, session), hashed);
                       })
         .get();
 }
@@ -57,7 +62,7 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
       trace_(request.trace),
       files_(&Window::wake),
       worker_(start_worker(description, request.session)) {
-    if (!request.session.record_to.empty()) session_file_.emplace(request.session.record_to);
+    if (!request.session.record_to.empty()) session_file_ = std::make_shared<OutputFile>(request.session.record_to);
     picture_.upload_fonts(interface_.fonts());
     window_.listen(interface_.input());
     interface_.use_clipboard({[this] { return window_.pasted(); }, [this](const auto& text) { window_.copy(text); }});
@@ -76,8 +81,7 @@ void Viewer::open(const WindowRequest& request) {
     if (request.rate) worker_->send(event::SetRate{*request.rate});
     if (request.ensemble.runs > 0) worker_->send(event::ShowEnsemble{request.ensemble});
     if (request.steps > 0) worker_->send(event::Seek{request.steps});
-    if (request.session.film)
-        interface_.notify("a recorded session: Space pauses it, and what you change takes its place");
+    if (request.session.film) tell_of_film();
     opening_ = request;
     begin_as_asked();
 }
@@ -93,8 +97,8 @@ void Viewer::place_camera(const WindowRequest& request) {
 void Viewer::begin_as_asked() {
     if (!opening_) return;
     const bool was_under_way = std::exchange(under_way_, view_->leading.goal.has_value());
-    const bool at_goal =
-        view_->leading.frame.step >= opening_->steps || view_->leading.divergence || !view_->leading.error.empty();
+    const bool at_goal = view_->playback || view_->leading.frame.step >= opening_->steps || view_->leading.divergence ||
+                         !view_->leading.error.empty();
     if (!at_goal && !was_under_way) return;                // it has not set out yet
     if (!at_goal && !under_way_) return opening_.reset();  // a person wanted something else
     if (!at_goal) return;
@@ -103,8 +107,8 @@ void Viewer::begin_as_asked() {
     opening_.reset();
 }
 
-void Viewer::run() {
-    while (!quit_ && !window_.closing()) {
+void Viewer::run(const std::function<bool()>& asked) {
+    while (!quit_ && !window_.closing() && !asked()) {
         take_news();
         if (frames_wanted_ > 0 && Clock::now() - drawn_ >= frame_time) {
             draw_frame();
@@ -119,9 +123,22 @@ void Viewer::run() {
 void Viewer::save_session() {
     if (!session_file_) return;
     std::future<Recording> recording = worker_->recording();
-    if (recording.wait_for(std::chrono::seconds(1)) != std::future_status::ready) worker_.reset();
+    if (recording.wait_for(std::chrono::milliseconds(300)) != std::future_status::ready) worker_.reset();
     session_file_->write(session_text(recording.get()));
     session_file_->commit();
+}
+
+/// In place of what is played. A session that is recorded into a file ends there.
+void Viewer::begin(Beginning beginning) {
+    if (session_file_) files_.finish_session(std::move(session_file_), worker_->recording());
+    session_file_.reset();
+    const bool film = std::holds_alternative<Recording>(beginning);
+    worker_->begin(std::move(beginning));
+    interface_.close_scenes();
+    opening_.reset();
+    if (!film) return;
+    worker_->send(event::Play{true});
+    tell_of_film();
 }
 
 /// Takes newer views of the run and pictures of the scene; each requires a frame.
@@ -146,10 +163,14 @@ void Viewer::take_news() {
     }
 }
 
+void Viewer::tell_of_film() {
+    interface_.notify("a recorded session: Space pauses it, and what you change takes its place");
+}
+
 /// What was dropped onto the window, and what became of files.
 void Viewer::take_files() {
     for (const std::string& file : window_.take_dropped()) files_.open(file);
-    if (view_ && watched_ != view_->leading.description.origin) {
+    if (view_ && !view_->playback && watched_ != view_->leading.description.origin) {
         watched_ = view_->leading.description.origin;
         files_.watch(view_->leading.description);
     }
@@ -164,7 +185,11 @@ void Viewer::take(const SceneFiles::News& news) {
         case SceneFiles::News::Kind::opened:
             return interface_.open(news.scene, *worker_);
         case SceneFiles::News::Kind::read_again:
-            return interface_.reload(news.scene, *worker_);
+            return view_->playback ? void() : interface_.reload(news.scene, *worker_);
+        case SceneFiles::News::Kind::session:
+            return begin(news.session);
+        case SceneFiles::News::Kind::trajectory:
+            return begin(TrajectoryFile{news.text});
         case SceneFiles::News::Kind::saved:
             interface_.notify_saved(news.text);
             return trace_.report("saved", news.text);
@@ -288,6 +313,8 @@ void Viewer::save_snapshot(const ui::Request& request) {
 }
 
 void Viewer::save_scene() {
+    if (view_->playback && !view_->playback->measured)
+        return interface_.report_error("the file does not hold all particles of a scene that could be saved");
     files_.save(view_->leading.description,
                 {render::view_text(camera_), std::string(id(style_.colouring)), std::string(id(style_.background))});
 }

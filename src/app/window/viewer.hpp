@@ -14,6 +14,7 @@
 #include "ui/interface.hpp"
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,8 +38,8 @@ public:
     /// Throws GraphicsError if there is no display, no OpenGL 3.3 or a shader is missing.
     Viewer(const RunDescription& description, const WindowRequest& request);
 
-    /// Runs until the window is closed.
-    void run();
+    /// Runs until the window is closed, or `asked` to end, which is asked after each event.
+    void run(const std::function<bool()>& asked);
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -51,6 +52,7 @@ private:
     void open(const WindowRequest& request);
     void place_camera(const WindowRequest& request);
     void begin_as_asked();
+    void tell_of_film();
     void take_news();
     void take_files();
     void take(const SceneFiles::News& news);
@@ -63,6 +65,7 @@ private:
     void save_snapshot(const ui::Request& request);
     void save_scene();
     void save_session();
+    void begin(Beginning beginning);
     void report();
 
     WindowSystem system_;
@@ -75,8 +78,8 @@ private:
     Trace trace_;
     GalleryLoader gallery_;
     SceneFiles files_;
-    SceneOrigin watched_;                     ///< the scene whose file is watched
-    std::optional<OutputFile> session_file_;  ///< to which what happens is written at the end
+    SceneOrigin watched_;                       ///< the scene whose file is watched
+    std::shared_ptr<OutputFile> session_file_;  ///< to which what happens is written at the end; null: none
     ViewPool pool_;
     std::unique_ptr<Worker> worker_;
     std::shared_ptr<SessionView> view_;

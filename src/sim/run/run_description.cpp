@@ -2,6 +2,7 @@
 
 #include "core/duration.hpp"
 #include "core/error.hpp"
+#include "core/shell_word.hpp"
 #include "core/text.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/linear_limit.hpp"
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <variant>
@@ -105,18 +105,6 @@ std::string changed_parameters(const ParameterValues& values) {
     return text;
 }
 
-/// A word of a command line, in quotation marks where a shell would not take it as it is.
-std::string shell_word(const std::string& text) {
-    const auto plain = [](unsigned char c) {
-        return std::isalnum(c) != 0 || c >= 0x80 ||
-               std::string_view("/._-+,:=@%").find(static_cast<char>(c)) != std::string_view::npos;
-    };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
 }  // namespace
 
 SceneFacts facts_of(const RunDescription& description) { return model_of(description).facts(description.scene); }
@@ -203,7 +191,7 @@ std::string command_line(const RunDescription& description) {
     const StartChange& start = description.start;
     return fmt::format("{}{} --method {}{} --precision {} --dt {}{}{}", scene, changed_parameters(description.scene),
                        description.method, changed_parameters(description.method_parameters), id(description.precision),
-                       exact_text(description.dt), start.from ? " --from " + start.from->given : "",
+                       exact_text(description.dt), start.from ? " --from " + shell_word(start.from->given) : "",
                        start.reverse ? " --reverse" : "");
 }
 

@@ -15,6 +15,7 @@ void vector_row(const Context& context, std::string_view label, Vec3 value, std:
 }  // namespace
 
 void draw_energy_panel(const Context& context) {
+    if (context.session.playback && !context.session.playback->measured) return;
     const Diagnostics& now = context.view.diagnostics;
     heading(context, "ENERGY AND MOMENTUM");
     reading_row(context, "kinetic energy", with_unit(reading_text(now.kinetic), "J"));

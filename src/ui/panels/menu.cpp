@@ -36,6 +36,9 @@ void draw_menu_items(const Context& context) {
         copy(context, render::view_text(context.stage.camera), "the view");
     }
     ImGui::Separator();
+    if (context.session.playback && context.session.playback->measured &&
+        menu_item(context, "menu/continue", "Continue from here"))
+        continue_from_here(context);
     action_item(context, "menu/open scene", "Scenes ...", Action::open_scene);
     action_item(context, "menu/save scene", "Save scene", Action::save_scene);
     if (menu_item(context, "menu/save session", "Save session")) context.request({.kind = Request::Kind::save_session});

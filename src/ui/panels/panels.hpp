@@ -15,6 +15,8 @@ void draw_side_panel(const Context& context);
 void draw_scene_panel(const Context& context);
 /// The list of runs, if there are several.
 void draw_runs_panel(const Context& context);
+/// Of a trajectory, in place of those of a run.
+void draw_playback_panel(const Context& context);
 void draw_method_panel(const Context& context);
 void draw_step_panel(const Context& context);
 void draw_show_panel(const Context& context);
@@ -27,6 +29,9 @@ void draw_plots_panel(const Context& context);
 using Section = void (*)(const Context& context);
 inline constexpr Section sections[] = {draw_scene_panel, draw_runs_panel, draw_method_panel,
                                        draw_step_panel,  draw_show_panel, draw_energy_panel};
+/// Those while a trajectory is played.
+inline constexpr Section playback_sections[] = {draw_scene_panel, draw_playback_panel, draw_show_panel,
+                                                draw_energy_panel};
 
 /// In place of all of these and the scene: pictures of scenes to choose from.
 void draw_scenes_page(const Context& context);

@@ -65,7 +65,12 @@ void draw_plots_panel(const Context& context) {
     const auto count = static_cast<float>(context.layout.plot_count);
     const float width = std::round((area.width - gap * (count + 1)) / count);
     Area place{area.x + gap, area.y + gap, width, area.height - 2 * gap};
-    draw_plot(context, energy_plot(context.state.history, has_drag(context.view.description)), place);
+    Plot energy = energy_plot(context.state.history, has_drag(context.view.description));
+    if (context.session.playback && !context.session.playback->measured) {
+        energy.curves.clear();
+        energy.empty = "the file does not hold all particles of a scene";
+    }
+    draw_plot(context, energy, place);
     place.x += width + gap;
     if (context.layout.plot_count > 1) draw_plot(context, displacement_plot(context.state.history), place);
     ImGui::End();

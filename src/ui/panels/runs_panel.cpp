@@ -184,12 +184,20 @@ void draw_buttons(const Context& context) {
                          : help_of(Action::turn_round));
 }
 
+/// What makes a run of a trajectory.
+void draw_continue(const Context& context) {
+    if (!context.session.playback->measured) return;
+    if (text_button(context, "continue", "continue from here")) continue_from_here(context);
+    tooltip(context, "begin a run with the positions and velocities of this frame; it can be changed like any other");
+}
+
 }  // namespace
 
 void draw_run_buttons(const Context& context) {
     const Area& area = context.layout.run_buttons;
     if (area.empty()) return;
     const StripWindow strip(context, "run buttons", area);
+    if (context.session.playback) return draw_continue(context);
     draw_buttons(context);
 }
 

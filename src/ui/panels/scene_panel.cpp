@@ -13,6 +13,7 @@ void draw_scene_panel(const Context& context) {
     if (choice_box(context, "model", name, ImGui::GetContentRegionAvail().x)) context.state.scenes.open = true;
     tooltip(context, "choose another scene, or open a file");
     explanation(context, info.what);
+    if (context.session.playback) return;  // they are those of the run that wrote the file
     parameter_rows(context, "scene", description.scene, [&](const ParameterValues& values) {
         RunDescription changed = description;
         changed.scene = values;

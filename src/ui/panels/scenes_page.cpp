@@ -87,8 +87,9 @@ void draw_path(const Context& context, ScenesPage& page) {
     const float width = std::min(context.px(520), ImGui::GetContentRegionAvail().x - button - context.px(8));
     if (std::exchange(page.to_type, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(width);
-    const bool entered = ImGui::InputTextWithHint("##path", "path of a scene file (.toml)", page.path.data(),
-                                                  page.path.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered =
+        ImGui::InputTextWithHint("##path", "path of a scene, session or trajectory file", page.path.data(),
+                                 page.path.size(), ImGuiInputTextFlags_EnterReturnsTrue);
     context.mark("scenes.path");
     ImGui::SameLine(0, context.px(8));
     const bool clicked = text_button(context, "scenes.open", "Open", true);
@@ -101,7 +102,8 @@ void draw_head(const Context& context) {
         const WithFont font(context.theme.fonts().strong);
         ImGui::TextUnformatted("Choose a scene");
     }
-    explanation(context, "Click a picture, type the path of a scene file, or drop one onto this window.");
+    explanation(context,
+                "Click a picture, type the path of a scene, session or trajectory file, or drop one onto this window.");
     ImGui::Dummy({0, context.px(2)});
     draw_path(context, context.state.scenes);
 }

@@ -70,6 +70,7 @@ void draw_parts(const Context& context, render::Style& style) {
     ImGui::SameLine(second);
     check_row(context, "velocities", "velocities", style.velocities);
     tooltip(context, "draw the velocity of each particle as an arrow");
+    if (context.session.playback && !context.session.playback->measured) return;
     ImGui::SameLine(second + context.px(104));
     if (check_row(context, "forces", "forces", style.forces)) context.events.send(event::ShowForces{style.forces});
     tooltip(context, "draw the force on each particle as an arrow, drag and damping included");
@@ -84,7 +85,7 @@ void draw_show_panel(const Context& context) {
     draw_background(context, style);
     draw_following(context);
     draw_parts(context, style);
-    draw_ensemble_rows(context);
+    if (!context.session.playback) draw_ensemble_rows(context);
 }
 
 }  // namespace steplab::ui

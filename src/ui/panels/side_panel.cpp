@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 namespace steplab::ui {
@@ -74,7 +75,8 @@ void draw_side_panel(const Context& context) {
     const Footer footer(context);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(6)});
     ImGui::BeginChild("sections", {0, area.height - footer.height()}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    for (const Section section : sections) section(context);
+    const bool played = context.session.playback.has_value();
+    for (const Section section : played ? std::span<const Section>(playback_sections) : sections) section(context);
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
     footer.draw();

@@ -86,7 +86,7 @@ void draw_right_group(const Context& context) {
     const float menu_x = x;
     if (context.layout.bar_has_snapshot) x -= snapshot + gap;
     const float snapshot_x = x;
-    if (context.layout.bar_has_precision) {
+    if (context.layout.bar_has_precision && !context.session.playback) {
         ImGui::SameLine(x - context.px(precision_width) - 2 * gap);
         draw_precision(context);
     }

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace steplab {
+
+/// A word of a command line, in quotation marks where a shell would not take it as it is.
+std::string shell_word(const std::string& text);
+
+}  // namespace steplab

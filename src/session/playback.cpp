@@ -1,0 +1,309 @@
+#include "session/playback.hpp"
+
+#include "core/error.hpp"
+#include "core/shown.hpp"
+#include "io/indexed_text.hpp"
+#include "io/text_trajectory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+[[noreturn]] void refuse(std::string_view why) {
+    throw UsageError(fmt::format("a trajectory is played back: {}; \"continue from here\" begins a run", why));
+}
+
+[[noreturn]] void refuse_file(const std::string& file, std::string_view why) {
+    throw FileError(fmt::format("cannot play '{}': {}", shown(file), why));
+}
+
+/// Between the particles of a frame whose scene is not known: as in a cube of as many.
+double spacing_of(const std::vector<Vec3>& places) {
+    Vec3 low = places.front(), high = low;
+    for (const Vec3 at : places) {
+        low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+    }
+    const double side = length(high - low) / std::cbrt(static_cast<double>(places.size()));
+    return std::isfinite(side) && side > 0 ? side : 1;
+}
+
+/// Of rows alone: where they are in the first frame.
+std::shared_ptr<const Shape> shape_of_rows(const Frame& first) {
+    Shape shape = *first.shape;
+    shape.rest = shape.expected = first.positions;
+    shape.roles.resize(first.positions.size(), Role::moving);
+    shape.spacing = spacing_of(first.positions);
+    return std::make_shared<const Shape>(std::move(shape));
+}
+
+}  // namespace
+
+Playback::Source Playback::open(const std::string& file) {
+    InputFile input(file);
+    if (!TrajectoryReader::reads(input)) {
+        IndexedText text = indexed(std::move(input));
+        return {std::move(text.frames), std::move(text.fault), true};
+    }
+    TrajectoryReader frames(std::move(input));
+    const bool whole = frames.complete();
+    return {std::move(frames), whole ? "" : "the file is truncated or damaged after these", false};
+}
+
+Playback::Playback(const std::string& file) : Playback(file, open(file)) {}
+
+Playback::Playback(const std::string& file, Source source)
+    : file_(file),
+      reader_(std::move(source.frames)),
+      fault_(std::move(source.fault)),
+      run_(source.is_text ? unknown_run(file) : reader_.run()) {
+    if (frames() == 0) refuse_file(file_, "it holds no whole frame");
+    const FrameBlock::Moment last = reader_.moment(frames() - 1);
+    first_time_ = reader_.moment(0).time;
+    last_time_ = last.time;
+    last_step_ = last.step;
+    backward_ = last_time_ < first_time_;
+    reader_.frame(0, frame_);
+    if (frame_.positions.size() != reader_.rows() || frame_.positions.empty())
+        refuse_file(file_, "it holds no positions");
+    if (!source.is_text && static_cast<double>(reader_.rows()) == model_of(run_).particles(as_held(run_).scene))
+        meter_.emplace(run_);
+    shape_ = meter_ ? meter_->shape() : shape_of_rows(frame_);
+    arrive();
+}
+
+/// One function for each kind of event.
+struct Playback::Handle {
+    Playback& of;
+
+    void operator()(const event::Play& play) const { of.play(play); }
+    void operator()(const event::Loop& loop) const { of.loop_ = loop.steps; }
+    void operator()(const event::Step& step) const {
+        of.stop();
+        const auto size = step.steps < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(step.steps)
+                                         : static_cast<std::uint64_t>(step.steps);
+        of.go_to(step.steps < 0 ? of.number_ - std::min(of.number_, size)
+                                : of.number_ + std::min(of.frames() - 1 - of.number_, size));
+    }
+    void operator()(const event::Seek& seek) const { of.go_to(of.frame_of(seek.step)); }
+    void operator()(const event::SeekTime& seek) const {
+        of.go_to(of.frame_at(of.elapsed_at(seek.time) + 1e-6 * of.spacing()));
+    }
+    void operator()(const event::Restart&) const { of.go_to(0); }
+    void operator()(const event::SetRate& rate) const { of.rate_ = rate.rate; }
+    void operator()(const event::Track& track) const { of.tracked_ = track.particle; }
+    void operator()(const event::ShowForces& show) const {
+        if (show.on && !of.is_measured()) refuse("forces are known only of whole scenes");
+        of.with_forces_ = show.on;
+    }
+    void operator()(const event::Bookmark& mark) const { of.bookmark(mark.text); }
+    void operator()(const event::Change&) const { refuse("its method, dt and parameters are those of its run"); }
+    void operator()(const event::Do&) const { refuse("its particles cannot be moved"); }
+    void operator()(const event::Undo&) const { refuse("nothing was done that could be undone"); }
+    void operator()(const event::Redo&) const { refuse("nothing was undone"); }
+    void operator()(const event::ShowEnsemble& show) const {
+        if (show.ensemble.runs > 0) refuse("no ensemble goes beside it");
+    }
+    void operator()(const event::ShowErrors& show) const {
+        if (show.on) refuse("it is not compared with a reference");
+    }
+    void operator()(const event::AddRun&) const { refuse("no runs go beside it"); }
+    void operator()(const event::ChangeRun&) const { refuse("no runs go beside it"); }
+    void operator()(const event::EqualCost&) const { refuse("no runs go beside it"); }
+    void operator()(const event::RemoveRun&) const { refuse("no runs go beside it"); }
+    void operator()(const event::Lead&) const { refuse("no runs go beside it"); }
+    void operator()(const event::TakeBranch&) const { refuse("it has no branches"); }
+};
+
+void Playback::handle(const Event& event) { std::visit(Handle{*this}, event); }
+
+/// Behind the last frame it begins with the first one; backwards, the other way round.
+void Playback::play(const event::Play& play) {
+    backwards_ = play.backwards;
+    playing_ = play.on && frames() > 1;
+    if (playing_ && number_ == last_played()) go_to(first_played());
+    find_next();
+}
+
+/// Where playing begins and ends: the ends of the loop unless it stands outside, else those of the file.
+std::uint64_t Playback::first_played() { return end_of(backwards_); }
+std::uint64_t Playback::last_played() { return end_of(!backwards_); }
+
+std::uint64_t Playback::end_of(bool late) {
+    const std::uint64_t end = late ? frames() - 1 : 0;
+    if (!loop_) return end;
+    const std::uint64_t first = frame_of(loop_->first), last = frame_of(loop_->last);
+    if (late) return number_ <= last ? last : end;
+    return number_ >= first ? first : end;
+}
+
+bool Playback::play_to(double elapsed) {
+    if (!playing_) return false;
+    const std::uint64_t last = last_played();
+    if (backwards_ && number_ > last && elapsed <= next_elapsed()) {
+        go_to(std::max(last, std::min(number_ - 1, first_frame_from(elapsed))));
+    } else if (!backwards_ && number_ < last && elapsed >= next_elapsed()) {
+        go_to(std::min(last, std::max(number_ + 1, frame_at(elapsed))));
+    }
+    if (number_ != last) return false;
+    if (!loop_) return stop(), false;
+    go_to(frame_of(backwards_ ? loop_->last : loop_->first));
+    return true;
+}
+
+bool Playback::play_next() { return play_to(next_elapsed()); }
+
+/// A frame that cannot be read leaves everything as it is.
+void Playback::go_to(std::uint64_t frame) {
+    if (frame == number_) return;
+    reader_.frame(frame, read_);
+    if (read_.positions.size() != shape_->rest.size()) refuse_file(file_, fmt::format("frame {} is damaged", frame));
+    std::swap(read_, frame_);
+    number_ = frame;
+    arrive();
+}
+
+void Playback::arrive() {
+    frame_.shape = shape_;
+    frame_.ensemble.clear();
+    find_next();
+    if (!meter_) return;
+    diagnostics_ = meter_->measure(frame_);
+    if (number_ == 0) first_energy_ = diagnostics_.energy;
+    diagnostics_.energy_error = diagnostics_.energy - first_energy_;
+}
+
+/// One that is damaged is due at once: then that is reported.
+void Playback::find_next() {
+    next_time_ = frame_.time;
+    if (number_ == (backwards_ ? 0 : frames() - 1)) return;
+    try {
+        next_time_ = reader_.moment(backwards_ ? number_ - 1 : number_ + 1).time;
+    } catch (const FileError&) {
+        return;
+    }
+}
+
+double Playback::spacing() const {
+    return frames() > 1 ? elapsed_at(last_time_) / static_cast<double>(frames() - 1) : 0;
+}
+
+/// The last frame that is reached, if the first one is; frames are spaced evenly as a rule, so that the guess is right
+/// or nearly so.
+template <class Reached>
+std::uint64_t Playback::last_frame(std::uint64_t guess, const Reached& reached) {
+    std::uint64_t first = 0, end = frames();
+    for (std::uint64_t probe = std::min(guess, end - 1); first + 1 < end;) {
+        const bool is_first_probe = probe == guess;
+        if (probe == first || reached(reader_.moment(probe))) {
+            first = probe;
+            probe = is_first_probe ? first + 1 : first + (end - first) / 2;
+        } else {
+            end = probe;
+            probe = is_first_probe ? end - 1 : first + (end - first) / 2;
+        }
+    }
+    return first;
+}
+
+/// The last one that is no later than this step.
+std::uint64_t Playback::frame_of(std::uint64_t step) {
+    const double part = last_step_ > 0 ? static_cast<double>(step) / static_cast<double>(last_step_) : 0;
+    const auto last = static_cast<double>(frames() - 1);
+    const auto guess = static_cast<std::uint64_t>(std::clamp(part * last, 0.0, last));
+    return last_frame(guess, [&](const FrameBlock::Moment& moment) { return moment.step <= step; });
+}
+
+/// The last one that is no later than this.
+std::uint64_t Playback::frame_at(double elapsed) {
+    const double part = elapsed_at(last_time_) > 0 ? elapsed / elapsed_at(last_time_) : 0;
+    const auto last = static_cast<double>(frames() - 1);
+    const auto guess = static_cast<std::uint64_t>(std::clamp(part * last, 0.0, last));
+    return last_frame(guess, [&](const FrameBlock::Moment& moment) { return elapsed_at(moment.time) <= elapsed; });
+}
+
+/// The first one that is no earlier than this.
+std::uint64_t Playback::first_frame_from(double elapsed) {
+    const std::uint64_t frame = frame_at(elapsed);
+    return elapsed_at(reader_.moment(frame).time) < elapsed ? std::min(frame + 1, frames() - 1) : frame;
+}
+
+/// A mark at the frame that is shown; where there is one, it goes.
+void Playback::bookmark(const std::string& text) {
+    if (std::erase_if(bookmarks_, [&](const Mark& mark) { return mark.step == frame_.step; }) > 0) return;
+    bookmarks_.push_back({frame_.step, frame_.time, text});
+    std::sort(bookmarks_.begin(), bookmarks_.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
+}
+
+void Playback::observe(SessionView& view) {
+    view.followers.clear();
+    view.errors.reset();
+    view.equal_cost = false;
+    view.line = {.reached = last_step_, .reached_time = last_time_, .bookmarks = bookmarks_};
+    view.line.backwards = playing_ && backwards_;
+    if (loop_)
+        view.line.loop = {reader_.moment(frame_of(loop_->first)).time, reader_.moment(frame_of(loop_->last)).time};
+    view.playback = PlaybackView{file_, number_, frames(), fault_, is_measured()};
+    observe(view.leading);
+}
+
+/// What is not known of frames of a file is as in a new view.
+void Playback::observe(RunView& view) {
+    Frame frame = std::move(view.frame);
+    frame = frame_;
+    view = RunView();
+    view.description = run_;
+    view.frame = std::move(frame);
+    view.diagnostics = diagnostics_;
+    if (meter_) {
+        if (with_forces_) meter_->forces(view.frame.forces);
+        view.conservation = meter_->conservation();
+        view.has_exact = meter_->exact() != nullptr;
+    }
+    if (tracked_ && *tracked_ < frame_.positions.size()) view.tracked = tracked(*tracked_);
+    view.playing = playing_;
+    view.can_step_back = number_ > 0;
+    view.rate = rate_;
+    view.dt = run_.origin && !is_measured() ? spacing() : rounded_to(run_.precision, run_.dt);
+    view.opening_dt = view.dt;
+}
+
+Tracked Playback::tracked(std::size_t particle) const {
+    const Vec3 rest = shape_->rest[particle];
+    Tracked tracked{particle, frame_.positions[particle] - rest, std::nullopt};
+    const ExactSolution* const exact = meter_ ? meter_->exact() : nullptr;
+    if (exact && frame_.time <= exact->valid_until())
+        tracked.exact_displacement = frame_.reference.at(particle) + exact->displacement(particle, frame_.time) - rest;
+    return tracked;
+}
+
+RunDescription played_run(const std::string& file) {
+    InputFile input(file);
+    if (TrajectoryReader::reads(input)) return Playback(file).run();
+    FrameBlock first;
+    const auto text = TextTrajectory::open(TextInput(std::move(input)), TextTrajectory::From::any_program);
+    text->require({Column::x, Column::y, Column::z});
+    if (!text->next(first)) refuse_file(file, "it holds no frame");
+    return unknown_run(file);
+}
+
+RunDescription continued(const SessionView& view) {
+    if (!view.playback || !view.playback->measured)
+        throw UsageError("only a trajectory with all particles of its scene can be continued");
+    const Frame& frame = view.leading.frame;
+    RunDescription run = view.leading.description;
+    run.start = {.from = std::make_shared<const StartingValues>(
+                     StartingValues{.given = fmt::format("{}:{}", view.playback->file, frame.step),
+                                    .positions = frame.positions,
+                                    .velocities = frame.velocities,
+                                    .displacements = frame.displacements})};
+    return run;
+}
+
+}  // namespace steplab

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "io/trajectory_reader.hpp"
+#include "session/event.hpp"
+#include "session/session_view.hpp"
+#include "sim/run/state_meter.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace steplab {
+
+/// Plays the frames of a trajectory, CSV or XYZ file in place of a session: the same time line, to whose events it
+/// answers in the same way. Each frame is read when it is gone to; memory is that of one frame and the index, however
+/// many there are. It has neither a thread nor a clock of its own.
+class Playback {
+public:
+    /// Stands at the first frame. A text is read as a whole before. Throws FileError if the file cannot be read, has no
+    /// rows or holds no frame; UsageError if its run does not fit into memory; Interrupted.
+    explicit Playback(const std::string& file);
+
+    /// Does what an event says. Throws UsageError for what cannot be done to frames of a file, FileError if a frame is
+    /// damaged; nothing has changed then.
+    void handle(const Event& event);
+
+    /// The description of the run that wrote the file; of a text, unknown_run().
+    const RunDescription& run() const { return run_; }
+    std::uint64_t frames() const { return reader_.frames(); }
+    /// The number of the frame at which it stands, counted from 0.
+    std::uint64_t number() const { return number_; }
+    /// That frame.
+    const Frame& frame() const { return frame_; }
+    bool playing() const { return playing_; }
+    Rate rate() const { return rate_; }
+    void stop() { playing_ = false; }
+
+    /// Seconds from the first frame to this one, and to the one that is played next, or the same at the last: they never
+    /// decrease from frame to frame, also where time runs backward.
+    double elapsed() const { return elapsed_at(frame_.time); }
+    double next_elapsed() const { return elapsed_at(next_time_); }
+    /// While it plays: to the last frame that is no later than so many seconds after the first, or the next one; or
+    /// backwards in the same way. It stops at the last frame; in a loop it goes to the other end, which is then true.
+    /// Throws FileError.
+    bool play_to(double elapsed);
+    bool play_next();
+    bool plays_backwards() const { return playing_ && backwards_; }
+
+    /// The present moment, reusing the memory of `view`. Throws UsageError if forces cannot be computed.
+    void observe(SessionView& view);
+
+private:
+    struct Handle;
+    /// Where the frames come from.
+    struct Source {
+        TrajectoryReader frames;
+        std::string fault;
+        bool is_text;
+    };
+    static Source open(const std::string& file);
+
+    void go_to(std::uint64_t frame);
+    void arrive();
+    void play(const event::Play& play);
+    std::uint64_t first_played();
+    std::uint64_t last_played();
+    std::uint64_t end_of(bool late);
+    std::uint64_t first_frame_from(double elapsed);
+    std::uint64_t frame_of(std::uint64_t step);
+    std::uint64_t frame_at(double elapsed);
+    template <class Reached>
+    std::uint64_t last_frame(std::uint64_t guess, const Reached& reached);
+    double elapsed_at(double time) const { return backward_ ? first_time_ - time : time - first_time_; }
+    double spacing() const;
+    explicit Playback(const std::string& file, Source source);
+    bool is_measured() const { return meter_.has_value(); }
+    void bookmark(const std::string& text);
+    void find_next();
+    void observe(RunView& view);
+    Tracked tracked(std::size_t particle) const;
+
+    std::string file_;
+    TrajectoryReader reader_;
+    std::string fault_;  ///< why the file holds no more frames; empty if it is whole
+    RunDescription run_;
+    std::optional<StateMeter> meter_;  ///< none where rows of some particles alone are in the file
+    std::shared_ptr<const Shape> shape_;
+    bool backward_ = false;
+    double first_time_ = 0, last_time_ = 0;
+    std::uint64_t last_step_ = 0;
+    double first_energy_ = 0;
+    std::uint64_t number_ = 0;
+    double next_time_ = 0;
+    Frame frame_, read_;  ///< that is shown, and the one before it, whose memory the next one uses
+    Diagnostics diagnostics_;
+    bool playing_ = false;
+    bool backwards_ = false;
+    std::optional<StepRange> loop_;
+    Rate rate_;
+    std::optional<std::size_t> tracked_;
+    bool with_forces_ = false;
+    std::vector<Mark> bookmarks_;
+};
+
+/// The description of the run that wrote a file, without reading all of it. Throws FileError if its first frame cannot
+/// be played.
+RunDescription played_run(const std::string& file);
+
+/// A run from the moment of a trajectory that is shown, of the scene and with the method of the file.
+/// Throws UsageError if the file does not hold all of its scene.
+RunDescription continued(const SessionView& view);
+
+}  // namespace steplab

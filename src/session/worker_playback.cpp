@@ -1,0 +1,95 @@
+#include "session/worker_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// Frames that follow faster are left out: pictures do not come more often.
+constexpr std::chrono::milliseconds shortest{8};
+
+}  // namespace
+
+/// What there was before is given up only if that can begin.
+void Worker::Body::begin(const Beginning& beginning) {
+    std::unique_ptr<Session> begun;
+    std::unique_ptr<Playback> opened;
+    const auto* const recorded = std::get_if<Recording>(&beginning);
+    if (const auto* const file = std::get_if<TrajectoryFile>(&beginning)) {
+        opened = std::make_unique<Playback>(file->path);
+    } else {
+        begun = std::make_unique<Session>(recorded ? recorded->start : std::get<RunDescription>(beginning));
+        begun->record(hashed);
+    }
+    film.reset();
+    session = std::move(begun);
+    playback = std::move(opened);
+    film_plays = false;
+    if (recorded) film.emplace(*recorded, *session);
+    if (film && film->is_done()) film.reset();  // nothing happened
+    frames_since = {Clock::now(), 0};
+    pace = Pace();
+    pace.begin(Clock::now());
+}
+
+/// True if something else is played from here on.
+bool Worker::Body::begin_next() {
+    std::optional<Beginning> beginning;
+    {
+        const std::lock_guard lock(mutex);
+        beginning.swap(next);
+    }
+    if (!beginning) return false;
+    error.clear();
+    doubtful = false;
+    went_well([&] {
+        begin(*beginning);
+        errors.forget();
+        runs_before = newest_run + 1;
+        for (const Event& event : std::array(kept_events)) handle(event);
+    });
+    return true;
+}
+
+/// At the present rate.
+Worker::Body::Clock::time_point Worker::Body::next_frame_due() const {
+    const Clock::time_point soonest = published + shortest;
+    const Rate rate = playback->rate();
+    if (rate.as_fast_as_possible) return soonest;
+    const double wait = std::abs(playback->next_elapsed() - frames_since.elapsed) / rate.seconds_per_second;
+    const Pace::Duration bounded(std::clamp(wait, 0.0, 3600.0));
+    return std::max(soonest, frames_since.now + std::chrono::duration_cast<Clock::duration>(bounded));
+}
+
+void Worker::Body::wait_for_frame(std::unique_lock<std::mutex>& lock) {
+    if (!playback->playing()) return changed.wait(lock, [this] { return called(); });
+    changed.wait_until(lock, next_frame_due(), [this] { return called(); });
+}
+
+void Worker::Body::play_frame(Clock::time_point now) {
+    bool turned = false;
+    if (playback->rate().as_fast_as_possible) {
+        turned = playback->play_next();
+    } else {
+        const double since = Pace::Duration(now - frames_since.now).count() * playback->rate().seconds_per_second;
+        turned = playback->play_to(frames_since.elapsed + (playback->plays_backwards() ? -since : since));
+    }
+    if (turned) frames_since = {now, playback->elapsed()};
+}
+
+/// Takes the file to where the clock is. What cannot be read ends playing.
+void Worker::Body::play_frames(bool to_show) {
+    const auto now = Clock::now();
+    const bool due = playback->playing() && next_frame_due() <= now;
+    bool well = true;
+    if (due) {
+        well = went_well([&] { play_frame(now); });
+    }
+    if (!well) playback->stop();
+    if (to_show || due) publish(true, well);
+}
+
+}  // namespace steplab

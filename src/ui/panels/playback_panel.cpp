@@ -1,0 +1,39 @@
+#include "ui/actions.hpp"
+#include "ui/panels/panels.hpp"
+#include "ui/widgets/widgets.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <string>
+
+namespace steplab::ui {
+namespace {
+
+/// How the run was computed that wrote the file.
+void draw_run(const Context& context) {
+    const RunDescription& run = context.view.description;
+    reading_row(context, "method", run.method);
+    reading_row(context, "precision", id(run.precision));
+    reading_row(context, "dt", fmt::format("{} s", format_value(dt_parameter, run.dt)));
+    for (const ParameterValues* values : {&run.method_parameters, &run.scene}) {
+        for (const ParameterInfo& info : values->infos()) {
+            const std::string unit = info.unit.empty() ? "" : fmt::format(" {}", info.unit);
+            reading_row(context, info.name, format_value(info, (*values)[info.name]) + unit, info.what);
+        }
+    }
+}
+
+}  // namespace
+
+void draw_playback_panel(const Context& context) {
+    const PlaybackView& playback = *context.session.playback;
+    heading(context, "PLAYBACK");
+    reading_row(context, "file", std::filesystem::path(playback.file).filename().string(), playback.file);
+    reading_row(context, "frame", fmt::format("{} of {}", playback.frame + 1, playback.frames));
+    if (!playback.fault.empty()) explanation(context, playback.fault, colour::caution);
+    if (playback.measured) return draw_run(context);
+    explanation(context, "The file does not hold all particles of a scene: energies and forces are not known.");
+}
+
+}  // namespace steplab::ui

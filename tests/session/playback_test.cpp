@@ -1,0 +1,497 @@
+#include "session/playback.hpp"
+
+#include "core/error.hpp"
+#include "io/trajectories.hpp"
+#include "session/worker_test.hpp"
+#include "support/allocations.hpp"
+#include "support/runs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// Every second step of a run, in chunks of a few frames each, and what the run measured there.
+struct Written {
+    explicit Written(RunDescription description, std::size_t count = 24) : run(std::move(description)) {
+        OutputFile file(path);
+        TrajectoryWriter writer(file, TrajectoryFormat::trajectory, run, {});
+        Simulation simulation(run);
+        for (std::size_t i = 0; i < count; ++i) {
+            Frame& frame = frames.emplace_back();
+            simulation.frame(frame, {.displacements = true});
+            measured.push_back(simulation.diagnostics());
+            writer.add(frame);
+            if (i % 5 == 4) writer.flush();
+            simulation.advance(2);
+        }
+        writer.finish();
+        file.commit();
+    }
+
+    TemporaryFolder folder;
+    std::string path = folder.file("a.trajectory");
+    RunDescription run;
+    std::vector<Frame> frames;
+    std::vector<Diagnostics> measured;
+};
+
+SessionView view_of(Playback& playback) {
+    SessionView view;
+    playback.observe(view);
+    return view;
+}
+
+/// Position of the frame with this number among those of a file.
+void go_to(Playback& playback, std::size_t number) {
+    playback.handle(event::Step{static_cast<std::int64_t>(number) - static_cast<std::int64_t>(playback.number())});
+}
+
+class EveryModel : public testing::TestWithParam<std::pair<const Model*, Precision>> {
+protected:
+    Written written{small_run_of(GetParam().first->info.id, "verlet", GetParam().second, 0.01)};
+};
+
+TEST_P(EveryModel, is_shown_with_the_bits_and_the_energy_of_its_run) {
+    Playback playback(written.path);
+    ASSERT_EQ(playback.frames(), written.frames.size());
+    for (std::size_t i = 0; i < written.frames.size(); ++i) {
+        go_to(playback, i);
+        const SessionView view = view_of(playback);
+        ASSERT_EQ(bits_of(view.leading.frame), bits_of(written.frames[i])) << "frame " << i;
+        const Diagnostics &seen = view.leading.diagnostics, &ran = written.measured[i];
+        EXPECT_EQ(seen.energy, ran.energy) << "frame " << i;
+        EXPECT_EQ(seen.kinetic, ran.kinetic);
+        EXPECT_EQ(seen.energy_error, ran.energy_error) << "frame " << i;
+        EXPECT_EQ(seen.max_displacement, ran.max_displacement);
+        EXPECT_EQ(seen.momentum.y, ran.momentum.y);
+        EXPECT_EQ(seen.error, ran.error);
+    }
+}
+
+TEST_P(EveryModel, has_the_shape_and_the_description_of_its_run) {
+    Playback playback(written.path);
+    const SessionView view = view_of(playback);
+    const Shape &seen = *view.leading.frame.shape, &ran = *written.frames.front().shape;
+    EXPECT_EQ(seen.roles, ran.roles);
+    EXPECT_EQ(seen.rest, ran.rest);
+    EXPECT_EQ(seen.springs.size(), ran.springs.size());
+    EXPECT_EQ(seen.box, ran.box);
+    EXPECT_EQ(view.leading.description, written.run);
+    EXPECT_TRUE(view.playback && view.playback->measured && view.playback->fault.empty());
+}
+
+std::vector<std::pair<const Model*, Precision>> every_model() {
+    std::vector<std::pair<const Model*, Precision>> all;
+    for (const Precision precision : precisions) {
+        for (const Model* model : models_for("verlet", precision)) all.emplace_back(model, precision);
+    }
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Playback, EveryModel, testing::ValuesIn(every_model()), [](const auto& test) {
+    return std::string(test.param.first->info.id) + "_" + std::string(id(test.param.second));
+});
+
+RunDescription chain(double dt = 0.1) { return run_of("chain", "rk4", Precision::double_, dt); }
+
+TEST(Playback, goes_to_any_frame_from_any_other) {
+    const Written written(chain());
+    Playback playback(written.path);
+    for (const std::size_t number : {23u, 0u, 11u, 12u, 4u, 5u, 22u, 1u}) {
+        go_to(playback, number);
+        EXPECT_EQ(playback.number(), number);
+        EXPECT_EQ(bits_of(playback.frame()), bits_of(written.frames[number]));
+    }
+    playback.handle(event::Step{1'000'000});
+    EXPECT_EQ(playback.number(), 23u);
+    playback.handle(event::Step{-1'000'000});
+    EXPECT_EQ(playback.number(), 0u);
+    go_to(playback, 7);
+    playback.handle(event::Restart{});
+    EXPECT_EQ(playback.number(), 0u);
+}
+
+TEST(Playback, goes_to_the_last_frame_that_is_not_later_than_a_step_or_time) {
+    for (const double dt : {0.1, -0.1}) {
+        const Written written(chain(dt));
+        Playback playback(written.path);
+        for (std::uint64_t step = 0; step < 60; ++step) {
+            const std::size_t right = std::min<std::size_t>(step / 2, 23);
+            playback.handle(event::Seek{step});
+            EXPECT_EQ(playback.number(), right) << "step " << step;
+            go_to(playback, 13);
+            playback.handle(event::SeekTime{dt * static_cast<double>(step)});
+            EXPECT_EQ(playback.number(), right) << "at the time of step " << step;
+            playback.handle(event::SeekTime{dt * (static_cast<double>(step) + 0.4)});
+            EXPECT_EQ(playback.number(), right) << "after step " << step;
+        }
+    }
+}
+
+TEST(Playback, finds_frames_that_are_not_evenly_spaced) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trajectory");
+    const std::vector<std::uint64_t> steps{0, 1, 2, 3, 100, 101, 900, 901, 902, 5000};
+    {
+        OutputFile file(path);
+        TrajectoryWriter writer(file, TrajectoryFormat::trajectory, chain(), {});
+        Simulation simulation(chain());
+        for (const std::uint64_t step : steps) {
+            simulation.advance(step - simulation.step());
+            Frame frame;
+            simulation.frame(frame, {.displacements = true});
+            writer.add(frame);
+        }
+        writer.finish();
+        file.commit();
+    }
+    Playback playback(path);
+    for (std::uint64_t step = 0; step < 5100; step += 7) {
+        const auto after = std::upper_bound(steps.begin(), steps.end(), step);
+        const auto right = static_cast<std::uint64_t>(after - steps.begin()) - 1;
+        playback.handle(event::Seek{step});
+        ASSERT_EQ(playback.number(), right) << "step " << step;
+        playback.handle(event::SeekTime{0.1 * static_cast<double>(step)});
+        ASSERT_EQ(playback.number(), right) << "at the time of step " << step;
+    }
+}
+
+TEST(Playback, plays_in_simulated_time_and_stops_at_the_last_frame) {
+    const Written written(chain());
+    Playback playback(written.path);
+    playback.play_to(1);
+    EXPECT_EQ(playback.number(), 0u) << "it does not play";
+    playback.handle(event::Play{true});
+    EXPECT_DOUBLE_EQ(playback.next_elapsed(), 0.2);
+    playback.play_to(0.1999);
+    EXPECT_EQ(playback.number(), 0u);
+    playback.play_to(0.2);
+    EXPECT_EQ(playback.number(), 1u);
+    playback.play_to(1.1);
+    EXPECT_EQ(playback.number(), 5u);
+    playback.play_next();
+    EXPECT_EQ(playback.number(), 6u);
+    playback.play_to(1e9);
+    EXPECT_EQ(playback.number(), 23u);
+    EXPECT_FALSE(playback.playing());
+    playback.handle(event::Play{true});
+    EXPECT_EQ(playback.number(), 0u) << "from the last frame it plays from the first one";
+    EXPECT_TRUE(playback.playing());
+}
+
+/// One of each kind.
+std::map<std::size_t, Event> events_of_all_kinds() {
+    const RunDescription other = chain(0.05);
+    const std::vector<Event> all{
+        event::Play{true},       event::Step{1},          event::Seek{4},       event::SeekTime{0.8},
+        event::Restart{},        event::Change{other},    event::SetRate{},     event::Track{3},
+        event::Do{TurnRound{}},  event::Undo{},           event::Redo{},        event::ShowEnsemble{{.runs = 16}},
+        event::ShowForces{true}, event::ShowErrors{true}, event::AddRun{other}, event::ChangeRun{1, other},
+        event::EqualCost{true},  event::RemoveRun{1},     event::Lead{1},       event::Bookmark{},
+        event::TakeBranch{0}};
+    std::map<std::size_t, Event> events;
+    for (const Event& event : all) events.emplace(event.index(), event);
+    return events;
+}
+
+TEST(Playback, refuses_what_cannot_be_done_to_frames_of_a_file_and_does_all_else) {
+    const Written written(chain());
+    const auto events = events_of_all_kinds();
+    ASSERT_EQ(events.size(), std::variant_size_v<Event>) << "a kind of event is not tested";
+    for (const auto& [kind, event] : events) {
+        Playback playback(written.path);
+        const bool possible = is_any<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart,
+                                     event::SetRate, event::Track, event::ShowForces, event::Bookmark>(event);
+        go_to(playback, 9);
+        if (possible) {
+            EXPECT_NO_THROW(playback.handle(event)) << "event " << kind;
+            continue;
+        }
+        try {
+            playback.handle(event);
+            ADD_FAILURE() << "event " << kind << " is not refused";
+        } catch (const UsageError& refused) {
+            EXPECT_THAT(refused.what(), HasSubstr("a trajectory is played back: "));
+        }
+        EXPECT_EQ(playback.number(), 9u);
+        EXPECT_FALSE(playback.playing());
+    }
+}
+
+TEST(Playback, shows_forces_tracked_particles_and_bookmarks) {
+    const Written written(chain());
+    Playback playback(written.path);
+    Simulation simulation(written.run);
+    simulation.advance(8);
+    go_to(playback, 4);
+    playback.handle(event::ShowForces{true});
+    playback.handle(event::Track{5});
+    playback.handle(event::Bookmark{"here"});
+    SessionView view = view_of(playback);
+    std::vector<Vec3> forces;
+    simulation.forces(forces);
+    EXPECT_EQ(view.leading.frame.forces, forces);
+    const RunView run = steplab::view_of(simulation, 5);
+    ASSERT_TRUE(view.leading.tracked && run.tracked);
+    EXPECT_EQ(view.leading.tracked->displacement, run.tracked->displacement);
+    EXPECT_EQ(view.leading.tracked->exact_displacement, run.tracked->exact_displacement);
+    ASSERT_EQ(view.line.bookmarks.size(), 1u);
+    EXPECT_EQ(view.line.bookmarks.front().step, 8u);
+    EXPECT_EQ(view.line.reached, 46u);
+    playback.handle(event::Bookmark{});
+    EXPECT_TRUE(view_of(playback).line.bookmarks.empty());
+}
+
+TEST(Playback, of_some_particles_shows_them_alone) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.trajectory");
+    const std::vector<Frame> frames = frames_of(chain(), 3);
+    put_text(path, written(chain(), frames, TrajectoryFormat::trajectory, {.particles = {2, 5}}));
+    Playback playback(path);
+    playback.handle(event::Step{2});
+    SessionView view = view_of(playback);
+    EXPECT_EQ(view.leading.frame.positions, (std::vector<Vec3>{frames[2].positions[2], frames[2].positions[5]}));
+    EXPECT_FALSE(view.playback->measured);
+    EXPECT_EQ(view.leading.frame.shape->rest.size(), 2u);
+    EXPECT_TRUE(view.leading.frame.shape->springs.empty());
+    EXPECT_THROW(playback.handle(event::ShowForces{true}), UsageError);
+    EXPECT_THROW(continued(view), UsageError);
+}
+
+/// A file of text with these frames.
+std::string text_file(const TemporaryFolder& folder, const Written& from, const char* name) {
+    OutputFile file(folder.file(name), compression_of(name));
+    TrajectoryWriter writer(file, trajectory_format_of(name), from.run);
+    for (const Frame& frame : from.frames) writer.add(frame);
+    writer.finish();
+    file.commit();
+    return folder.file(name);
+}
+
+/// A text has the shortest numbers that read back in the precision of the run.
+std::vector<Vec3> held(std::vector<Vec3> vectors, Precision precision) {
+    for (Vec3& v : vectors) v = {rounded_to(precision, v.x), rounded_to(precision, v.y), rounded_to(precision, v.z)};
+    return vectors;
+}
+
+TEST(Playback, of_text_shows_the_same_numbers_without_a_scene) {
+    for (const Precision precision : precisions) {
+        const Written from(run_of("chain", "rk4", precision, 0.1));
+        for (const char* const name : {"a.csv", "a.xyz", "a.extxyz", "a.csv.gz", "a.xyz.zst"}) {
+            const TemporaryFolder folder;
+            Playback playback(text_file(folder, from, name));
+            ASSERT_EQ(playback.frames(), from.frames.size()) << name;
+            for (const std::size_t i : {23u, 0u, 12u, 1u}) {
+                go_to(playback, i);
+                EXPECT_EQ(held(playback.frame().positions, precision), from.frames[i].positions) << name;
+                EXPECT_EQ(held(playback.frame().velocities, precision), from.frames[i].velocities) << name;
+                EXPECT_EQ(playback.frame().step, from.frames[i].step) << name;
+                EXPECT_EQ(playback.frame().time, from.frames[i].time) << name;
+            }
+            const SessionView view = view_of(playback);
+            EXPECT_FALSE(view.playback->measured);
+            EXPECT_EQ(view.playback->fault, "");
+            if (std::string_view(name).starts_with("a.csv")) continue;
+            EXPECT_EQ(view.leading.frame.shape->roles, from.frames[0].shape->roles) << name;
+        }
+    }
+}
+
+TEST(Playback, of_text_of_another_program_has_a_frame_a_second) {
+    const Kept file("1\nfirst\nH 1 2 3\n1\nsecond\nH 2 3 4\n1\nthird\nH 3 4 5\n");
+    Playback playback(file.name());
+    playback.handle(event::SeekTime{2});
+    EXPECT_EQ(playback.frame().positions.front(), (Vec3{3, 4, 5}));
+    EXPECT_EQ(playback.frame().time, 2);
+}
+
+TEST(Playback, of_damaged_text_shows_the_frames_before_and_says_why) {
+    const Kept file("1\n\nH 1 2 3\n1\n\nH 2 3 4\n1\n\nH 3 x 5\n");
+    Playback playback(file.name());
+    EXPECT_EQ(playback.frames(), 2u);
+    EXPECT_THAT(view_of(playback).playback->fault, HasSubstr("x"));
+    const Kept uneven("1\n\nH 1 2 3\n2\n\nH 2 3 4\nH 3 4 5\n");
+    Playback first(uneven.name());
+    EXPECT_THAT(view_of(first).playback->fault, HasSubstr("has 2 rows"));
+    EXPECT_THROW(Playback{Kept("nonsense").name()}, FileError);
+    EXPECT_THROW(Playback{Kept("step,time,particle,x,y,z\n").name()}, FileError);
+}
+
+TEST(Playback, cut_anywhere_shows_the_frames_before_or_is_refused) {
+    const Written written(chain(), 8);
+    const std::string bytes = text_of(written.path);
+    std::size_t refused = 0, most = 0;
+    for (std::size_t length = 0; length < bytes.size(); length += 7) {
+        const Kept cut(bytes.substr(0, length));
+        try {
+            Playback playback(cut.name());
+            const SessionView view = view_of(playback);
+            EXPECT_TRUE(!view.playback->fault.empty() || playback.frames() == 8) << "cut behind the index";
+            most = std::max<std::size_t>(most, playback.frames());
+            for (std::size_t i = 0; i < playback.frames(); ++i) {
+                go_to(playback, i);
+                EXPECT_EQ(bits_of(playback.frame()), bits_of(written.frames[i]));
+            }
+        } catch (const FileError& error) {
+            ++refused;
+            EXPECT_THAT(error.what(), HasSubstr(cut.name()));
+        }
+    }
+    EXPECT_GT(refused, 0u);
+    EXPECT_EQ(most, 8u) << "the last cuts are in the index";
+}
+
+TEST(Playback, of_a_long_file_needs_memory_for_a_frame_alone) {
+    constexpr std::size_t frames = 30, least = std::size_t{4} << 20;
+    const Written written(run_of("mesh", "euler", Precision::double_, 0.01, {{"dim", 100}}), frames);
+    ASSERT_GT(frames * written.frames[0].positions.size() * 9 * sizeof(double), 4 * least) << "all of them";
+    const NoLargerThan bound(least);
+    Playback playback(written.path);
+    SessionView view;
+    for (std::size_t i = 0; i < frames; ++i) {
+        go_to(playback, (i * 7) % frames);
+        playback.observe(view);
+    }
+    EXPECT_EQ(view.leading.frame.positions.size(), 10000u);
+}
+
+TEST(Playback, stays_where_it_is_if_a_frame_is_damaged) {
+    const Written written(chain());
+    std::string bytes = text_of(written.path);
+    Playback whole(written.path);
+    // the third of five chunks: its content begins behind the frames 0 to 9
+    bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
+    const Kept damaged(bytes);
+    Playback playback(damaged.name());
+    std::size_t bad = 0;
+    for (std::size_t i = 1; i < playback.frames(); ++i) {
+        const std::uint64_t before = playback.number();
+        try {
+            playback.handle(event::Step{static_cast<std::int64_t>(i - before)});
+            EXPECT_EQ(bits_of(playback.frame()), bits_of(written.frames[i]));
+        } catch (const FileError&) {
+            ++bad;
+            EXPECT_EQ(playback.number(), before);
+            EXPECT_EQ(bits_of(playback.frame()), bits_of(written.frames[before]));
+        }
+    }
+    EXPECT_GT(bad, 0u);
+    EXPECT_LT(bad, playback.frames() / 2);
+}
+
+TEST(Playback, of_one_frame_stands_and_of_none_is_refused) {
+    const Written one(chain(), 1);
+    Playback playback(one.path);
+    playback.handle(event::Play{true});
+    EXPECT_FALSE(playback.playing());
+    playback.handle(event::Step{1});
+    playback.handle(event::SeekTime{7});
+    EXPECT_EQ(playback.number(), 0u);
+    EXPECT_EQ(view_of(playback).playback->frames, 1u);
+    const Written none(chain(), 0);
+    EXPECT_THROW(Playback{none.path}, FileError);
+    EXPECT_THROW(Playback{"there is no such file"}, FileError);
+}
+
+TEST(Playback, is_continued_by_a_run_from_the_frame_that_is_shown) {
+    for (const Precision precision : precisions) {
+        const Written written(run_of("mesh", "verlet", precision, 0.05, {{"dim", 6}}));
+        Playback playback(written.path);
+        go_to(playback, 6);
+        Simulation run(continued(view_of(playback)));
+        EXPECT_EQ(run.frame().positions, written.frames[6].positions);
+        EXPECT_EQ(run.frame().velocities, written.frames[6].velocities);
+        run.advance(2);
+        const double rounding = precision == Precision::float_ ? 1e-5 : 1e-14;  // of half steps, in places up to 10 m
+        EXPECT_LE(distance(run.frame(), written.frames[7]), rounding);
+        EXPECT_GT(distance(run.frame(), written.frames[6]), 100 * rounding);
+        EXPECT_EQ(run.description().start.from->given, written.path + ":12");
+    }
+}
+
+class PlaybackWorker : public testing::Test {
+protected:
+    PlaybackWorker() { worker.on_view(News::wake); }
+    template <class Condition>
+    bool see(Condition condition) {
+        while (true) {
+            while (worker.take(view)) {
+                if (condition(view)) return true;
+            }
+            if (!News::wait()) return false;
+        }
+    }
+
+    Written written{chain()};
+    Worker worker{TrajectoryFile{written.path}};
+    SessionView view;
+};
+
+TEST_F(PlaybackWorker, plays_to_the_end_at_any_rate) {
+    for (const Rate rate : {Rate{.as_fast_as_possible = true}, Rate{.seconds_per_second = 200}}) {
+        worker.send(event::SetRate{rate});
+        worker.send(event::Restart{});
+        worker.send(event::Play{true});
+        ASSERT_TRUE(see([](const SessionView& now) { return now.playback->frame == 23 && !now.leading.playing; }));
+        EXPECT_EQ(bits_of(view.leading.frame), bits_of(written.frames[23]));
+    }
+    worker.send(event::SetRate{{.as_fast_as_possible = true}});
+    worker.send(event::Play{true});
+    std::size_t frames = 0;
+    ASSERT_TRUE(see([&](const SessionView& now) {
+        ++frames;
+        return now.playback->frame == 23 && !now.leading.playing;
+    }));
+    EXPECT_GT(frames, 3u) << "some are seen on the way";
+}
+
+TEST_F(PlaybackWorker, reports_what_it_refuses) {
+    worker.send(event::Do{TurnRound{}});
+    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.failures == 1; }));
+    EXPECT_THAT(view.leading.error, HasSubstr("a trajectory is played back"));
+    std::future<Recording> recording = worker.recording();
+    EXPECT_THROW(recording.get(), UsageError);
+}
+
+TEST_F(PlaybackWorker, gives_way_to_a_run_and_a_run_to_it) {
+    worker.send(event::Track{4});
+    worker.send(event::Seek{12});
+    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.frame.step == 12; }));
+    const std::uint64_t run = view.leading.run;
+    worker.begin(continued(view));
+    ASSERT_TRUE(see([](const SessionView& now) { return !now.playback; }));
+    EXPECT_EQ(view.leading.frame.positions, written.frames[6].positions);
+    EXPECT_NE(view.leading.run, run) << "plots begin again";
+    ASSERT_TRUE(view.leading.tracked);
+    EXPECT_EQ(view.leading.tracked->particle, 4u);
+    worker.send(event::Step{3});
+    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.frame.step == 3; }));
+    EXPECT_EQ(worker.recording().get().events.size(), 1u);
+    worker.begin(TrajectoryFile{written.path});
+    ASSERT_TRUE(see([](const SessionView& now) { return now.playback.has_value(); }));
+    EXPECT_EQ(bits_of(view.leading.frame), bits_of(written.frames[0]));
+}
+
+TEST_F(PlaybackWorker, stays_if_what_is_asked_for_cannot_begin) {
+    worker.begin(TrajectoryFile{"there is no such file"});
+    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.failures == 1; }));
+    EXPECT_THAT(view.leading.error, HasSubstr("there is no such file"));
+    EXPECT_TRUE(view.playback);
+    worker.send(event::Step{1});
+    EXPECT_TRUE(see([](const SessionView& now) { return now.playback->frame == 1; }));
+}
+
+}  // namespace
+}  // namespace steplab::test
