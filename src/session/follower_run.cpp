@@ -83,6 +83,8 @@ void FollowerRun::take_scene(const SegmentBegin& before, const SegmentBegin& cha
         const double value = change.description.scene[info.name];
         if (value != before.description.scene[info.name]) description.scene.set(info.name, value);
     }
+    if (change.description.alterations != before.description.alterations)
+        description.alterations = change.description.alterations;
 }
 
 RunDescription FollowerRun::description_at(const TimeLine& leading) const {

@@ -255,12 +255,6 @@ void Session::equalise_cost() {
     }
 }
 
-void Session::act(const Act& act) {
-    if (!acts(act, *run().shape())) return;
-    keep(line_.act(act));
-    changed();
-}
-
 void Session::undo() {
     goal_.reset();
     if (auto branch = line_.undo()) {

@@ -92,7 +92,7 @@ private:
     void begun();
     void step(std::int64_t steps);
     void change(const RunDescription& description);
-    void act(const Act& act);
+    void act(const Act& asked);
     void undo();
     void redo();
     void seek(std::uint64_t step);

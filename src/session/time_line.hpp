@@ -54,7 +54,7 @@ public:
     /// Gives its memory back; what is gone to afterwards is computed from the start.
     void forget_moments() { moments_.clear(); }
     /// Keeps the present moment, unless one is near.
-    void keep_moment() { moments_.offer(run_, taken_); }
+    void keep_moment();
 
     /// The step at which it is to be shown at a time (step_at()), by the changes up to then.
     std::uint64_t step_at(double time) const;
@@ -76,7 +76,8 @@ public:
     std::optional<Branch> change(const RunDescription& description);
     /// Does this to particles, which has to do something (steplab::acts()).
     std::optional<Branch> act(const Act& act);
-    /// Takes back the last change that has taken effect, if it is not the start: the run then stands before it.
+    /// Takes back the last change that has taken effect, if it is not the start, or all tugs of a hold: the run then
+    /// stands before them.
     std::optional<Branch> undo();
     /// Goes over to that way: the run stands where the two part, behind the branch's change there. What is left is
     /// returned.
