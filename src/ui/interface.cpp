@@ -70,6 +70,7 @@ void draw_panels(const Context& context) {
     draw_run_buttons(context);
     draw_top_bar(context);
     draw_pointed(context);
+    draw_hands(context);
     draw_read_out(context);
     if (context.purpose == Purpose::plot_picture) return;
     draw_lost_card(context);
@@ -83,9 +84,10 @@ void draw_scene_picture(const Area& scene, std::uint32_t texture) {
     ImGui::GetBackgroundDrawList()->AddImage(texture_id(texture), {scene.x, scene.y}, {scene.right(), scene.bottom()});
 }
 
-void set_style(render::Style& style, const RunView& view, const Display& display) {
+void set_style(render::Style& style, const RunView& view, const Selection& selection, const Display& display) {
     style.mass = view.frame.mass;
     style.selected = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
+    style.selected_too = selection.others();
     style.pixel_scale = static_cast<double>(display.scale);
 }
 
@@ -217,7 +219,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
         perform_pressed_keys(context);
         use_pointer(context);
     }
-    set_style(stage.style, view.leading, body.display);
+    set_style(stage.style, view.leading, body.state.selection, body.display);
     stage.style.trails = body.state.trail ? body.trails.places() : nullptr;
     draw_scene_picture(body.layout.scene, body.scene_texture);
     draw_panels(context);

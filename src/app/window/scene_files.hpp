@@ -27,8 +27,8 @@ public:
     struct News {
         enum class Kind { opened, read_again, saved, failed };
         Kind kind = Kind::failed;
-        RunDescription scene = {};  ///< opened, read_again: as the file describes it
-        std::string text = {};      ///< saved: the file; failed: the message
+        std::optional<RunDescription> scene = {};  ///< opened, read_again: as the file describes it
+        std::string text = {};                     ///< saved: the file; failed: the message
     };
 
     /// `wake` is called on the thread when there are news.

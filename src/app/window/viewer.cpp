@@ -160,9 +160,9 @@ void Viewer::take_files() {
 void Viewer::take(const SceneFiles::News& news) {
     switch (news.kind) {
         case SceneFiles::News::Kind::opened:
-            return interface_.open(news.scene, *worker_);
+            return interface_.open(*news.scene, *worker_);
         case SceneFiles::News::Kind::read_again:
-            return interface_.reload(news.scene, *worker_);
+            return interface_.reload(*news.scene, *worker_);
         case SceneFiles::News::Kind::saved:
             interface_.notify_saved(news.text);
             return trace_.report("saved", news.text);

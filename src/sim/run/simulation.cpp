@@ -185,11 +185,11 @@ Change Simulation::change(const RunDescription& description) {
     const RunDescription& now = body_->segment.description;
     if (description == now) return Change::none;
     const bool again = restarts(now, description);
-    const bool untouched = step() == 0 && body_->exact_scene;
+    const bool altered = description.alterations != now.alterations;
+    const bool untouched = step() == 0 && body_->exact_scene && !altered;
     if (again || untouched) {
         begin(description);
     } else {
-        const bool altered = description.alterations != now.alterations;
         body_->go_on(description,
                      {.new_baseline = altered || !(description.scene == now.scene), .another_motion = altered});
     }

@@ -69,6 +69,7 @@ void draw_sections(const Context& context) {
     draw_step_panel(context);
     draw_show_panel(context);
     draw_energy_panel(context);
+    draw_selection_panel(context);
 }
 
 }  // namespace
