@@ -80,7 +80,7 @@ void use_pointer(const Context& context) {
     if (state.drag_from_scene && io.MouseReleased[0] && !state.dragged) click_particle(context, projection);
     if (!io.MouseDown[0] && !io.MouseDown[1]) state.drag_from_scene = false;
     if (over && io.MouseWheel != 0) zoom(context, projection);
-    const bool dragging = state.drag_from_scene && state.dragged;
+    const bool dragging = (state.drag_from_scene && state.dragged) || state.hands.box_from || state.hands.kicked;
     point_at(context, over && !dragging);
 }
 

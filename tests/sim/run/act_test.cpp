@@ -53,7 +53,7 @@ TEST(Act, a_tugged_particle_does_not_pass_the_place) {
 
 // The same impulse on twice the duration and other states: the implicit step solves its equation.
 TEST(Act, a_tug_is_the_implicit_step_of_a_damped_spring) {
-    const Tug tug{.particle = 0, .rate = 3, .duration = 0.2};
+    const Tug tug{.particle = 0, .position = {}, .rate = 3, .duration = 0.2};
     for (const double v : {-1.0, 0.0, 5.0}) {
         for (const double distance : {-2.0, 0.0, 1.5}) {
             const double now = v + gained(tug, distance, 0.0, v), x = 0.2 * now;
