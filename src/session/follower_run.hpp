@@ -31,6 +31,10 @@ public:
     /// True if it is there.
     bool is_beside(const TimeLine& leading) const;
 
+    /// A description of the scene that is to run beside this line, as it begins: what was changed of the scene since
+    /// the line's start will happen to it.
+    static RunDescription at_start(RunDescription description, const TimeLine& leading);
+
 private:
     bool follows(std::span<const SegmentBegin> changes) const;
     bool is_beyond(const TimeLine& leading) const;

@@ -119,7 +119,7 @@ std::size_t Session::check_follower(std::size_t run) const {
 FollowerRun Session::follower(const RunDescription& description) const {
     if (description.model != run().description().model || description.origin != run().description().origin)
         throw UsageError("runs beside each other are of one scene");
-    FollowerRun added(description, bytes_ / most_runs);
+    FollowerRun added(FollowerRun::at_start(description, line_), bytes_ / most_runs);
     if (added.run().particles() != run().particles())
         throw UsageError("runs beside each other have the same particles");
     return added;

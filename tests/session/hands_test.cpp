@@ -151,6 +151,31 @@ TEST(Hands, runs_beside_the_leading_one_follow) {
     }
 }
 
+TEST(Hands, a_run_that_is_added_later_is_the_same_from_the_start) {
+    for (const RunDescription& scene : scenes()) {
+        Session session(scene);
+        Hashes hashes;
+        use_hands(session, hashes);
+        RunDescription changed = session.run().description();
+        if (changed.scene.contains("k")) changed.scene.set("k", 1.5 * changed.scene["k"]);
+        session.handle(event::Change{changed});
+        play(session, hashes, 5);
+        session.handle(event::AddRun{session.run().description()});
+        session.finish();
+        EXPECT_EQ(session.followers()[0].run().hash(), session.run().hash()) << scene.model;
+    }
+}
+
+TEST(Hands, a_waiting_tug_is_overtaken_by_the_next_of_its_hold) {
+    const auto tug = [](bool goes_on) { return event::Do{Tug{1, {0, 0, 0}, 2, goes_on}}; };
+    EXPECT_TRUE(overtakes(tug(true), tug(true)));
+    EXPECT_FALSE(overtakes(tug(false), tug(true))) << "it began the hold";
+    EXPECT_FALSE(overtakes(tug(true), tug(false))) << "another hold";
+    EXPECT_FALSE(overtakes(event::Do{Kick{1, {1, 0, 0}}}, tug(true)));
+    EXPECT_TRUE(overtakes(event::Do{Pull{1, {1, 0, 0}}}, event::Do{Pull{1, {2, 0, 0}}}));
+    EXPECT_FALSE(overtakes(event::Do{Pull{1, {1, 0, 0}, ParticleList({2})}}, event::Do{Pull{1, {2, 0, 0}}}));
+}
+
 // Drawn to a place, runs of other steps come to the same one.
 TEST(Hands, a_hold_takes_all_runs_to_one_place) {
     const RunDescription scene = run_of("free", "velocity-verlet", Precision::double_, 0.01);

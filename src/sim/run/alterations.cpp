@@ -20,6 +20,19 @@ namespace {
 
 bool is_before(const Alteration& a, const Alteration& b) { return a.particle < b.particle; }
 
+/// Ascending, one of each particle: what comes later goes before what came earlier.
+std::vector<Alteration> merged(std::vector<Alteration> all) {
+    std::erase_if(all, [](const Alteration& one) { return !one.fixed && !one.mass; });
+    std::stable_sort(all.begin(), all.end(), is_before);
+    std::vector<Alteration> result;
+    for (const Alteration& one : all) {
+        if (result.empty() || result.back().particle != one.particle) result.push_back({one.particle});
+        if (one.fixed) result.back().fixed = one.fixed;
+        if (one.mass) result.back().mass = one.mass;
+    }
+    return result;
+}
+
 /// Planned as any other scene; what takes long is kept.
 Model altered_model(const Model& base, const std::vector<Alteration>& all) {
     Model model = base;
@@ -54,9 +67,8 @@ Model altered_model(const Model& base, const std::vector<Alteration>& all) {
 }  // namespace
 
 Alterations::Alterations(const Model& base, const SceneOrigin& origin, std::vector<Alteration> all) {
-    std::erase_if(all, [](const Alteration& one) { return !one.fixed && !one.mass; });
+    all = merged(std::move(all));
     if (all.empty()) return;
-    std::sort(all.begin(), all.end(), is_before);
     Model model = altered_model(base, all);
     content_ = std::make_shared<const Content>(Content{origin, std::move(all), std::move(model)});
 }
@@ -69,16 +81,7 @@ const Model& Alterations::model() const { return content_->model; }
 
 std::vector<Alteration> Alterations::with(std::span<const Alteration> more) const {
     std::vector<Alteration> result(all().begin(), all().end());
-    const auto known = static_cast<std::ptrdiff_t>(result.size());
-    for (const Alteration& one : more) {
-        const auto end = result.begin() + known, place = std::lower_bound(result.begin(), end, one, is_before);
-        if (place == end || place->particle != one.particle) {
-            result.push_back(one);
-            continue;
-        }
-        if (one.fixed) place->fixed = one.fixed;
-        if (one.mass) place->mass = one.mass;
-    }
+    result.insert(result.end(), more.begin(), more.end());
     return result;
 }
 

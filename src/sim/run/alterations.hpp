@@ -16,14 +16,15 @@ namespace steplab {
 class Alterations {
 public:
     Alterations() = default;
-    /// Of a scene without any: `base`, which belongs to `origin` or to the catalogue. One for each particle at most.
+    /// Of a scene without any: `base`, which belongs to `origin` or to the catalogue. Of several of one particle the
+    /// later ones go before.
     Alterations(const Model& base, const SceneOrigin& origin, std::vector<Alteration> all);
 
     bool empty() const { return !content_; }
     std::span<const Alteration> all() const;
     /// The altered scene as a model, with the parameters of the scene. Only if there are any.
     const Model& model() const;
-    /// The same with more of them, which go before those of the same particles.
+    /// The same with more of them behind.
     std::vector<Alteration> with(std::span<const Alteration> more) const;
     /// What of a particle is altered; nothing as a rule.
     Alteration of(std::size_t particle) const;
