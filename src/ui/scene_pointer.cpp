@@ -11,8 +11,6 @@
 namespace steplab::ui {
 namespace {
 
-bool went_down(int button) { return ImGui::GetIO().MouseClicked[button]; }
-
 /// The pointer in the picture of a run: in one of several tiles, or beyond the only one.
 struct Pointer {
     std::size_t run = 0;
@@ -74,7 +72,7 @@ void use_pointer(const Context& context) {
     const Area& scene = context.layout.scene;
     const render::Projection projection = context.projection();
     const bool over = !io.WantCaptureMouse && scene.contains(io.MousePos.x, io.MousePos.y);
-    if (over && (went_down(0) || went_down(1))) begin(context, projection);
+    if (over && (io.MouseClicked[0] || io.MouseClicked[1])) begin(context, projection);
     use_hands(context, projection);
     if (state.drag_from_scene && (io.MouseDown[0] || io.MouseDown[1])) drag(context, projection);
     if (state.drag_from_scene && io.MouseReleased[0] && !state.dragged) click_particle(context, projection);

@@ -25,19 +25,19 @@ std::optional<ImVec2> on_display(const Context& context, std::size_t particle) {
 }
 
 /// A line from one point to another.
-struct Line {
+struct Stroke {
     ImVec2 from, to;
     ImVec2 along{}, across{};
     float length = 0;
 
-    Line(ImVec2 a, ImVec2 b) : from(a), to(b), length(std::hypot(b.x - a.x, b.y - a.y)) {
+    Stroke(ImVec2 a, ImVec2 b) : from(a), to(b), length(std::hypot(b.x - a.x, b.y - a.y)) {
         if (length > 0) along = {(b.x - a.x) / length, (b.y - a.y) / length};
         across = {-along.y, along.x};
     }
 };
 
 /// As a coil, so that it is not taken for one of the scene's springs.
-void draw_spring(const Context& context, ImDrawList& list, const Line& line) {
+void draw_spring(const Context& context, ImDrawList& list, const Stroke& line) {
     constexpr int turns = 9;
     const float end = std::min(context.px(10), 0.2f * line.length), width = context.px(5);
     if (line.length < context.px(8)) return;
@@ -69,7 +69,7 @@ void draw_text(const Context& context, ImDrawList& list, ImVec2 place, const std
     list.AddText(font, font->FontSize, {x, y}, colour::text, text.c_str());
 }
 
-void draw_arrow(const Context& context, ImDrawList& list, const Line& line) {
+void draw_arrow(const Context& context, ImDrawList& list, const Stroke& line) {
     const float head = std::min(context.px(12), line.length), half = 0.5f * head;
     const ImVec2 neck = shifted(line.to, line.along, -head);
     if (line.length < context.px(4)) return;
