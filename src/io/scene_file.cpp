@@ -1,6 +1,7 @@
 #include "io/scene_file.hpp"
 
 #include "core/error.hpp"
+#include "core/known.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/scene_reader.hpp"
@@ -19,7 +20,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -28,22 +28,6 @@ namespace steplab {
 namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
-
-/// What is asked for in every frame of a window, and takes long to find.
-template <class What>
-class Known {
-public:
-    template <class Find>
-    What of(const ParameterValues& values, const Find& find) {
-        const std::lock_guard lock(mutex_);
-        if (!last_ || !(last_->first == values)) last_.emplace(values, find());
-        return last_->second;
-    }
-
-private:
-    std::mutex mutex_;
-    std::optional<std::pair<ParameterValues, What>> last_;
-};
 
 /// A parsed file; the scene for given values of its parameters is read from it anew.
 class Document {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace steplab::render {
 namespace {
@@ -116,13 +117,21 @@ void Particles::prepare_rings(const Shot& shot) {
         kicked.push_back({vertex(projection, frame.seen(i)), vertex_colour(colours.roles[index(Role::kicked)], 210)});
     }
     kicked_ring_.upload(std::span<const Dot>(kicked));
-    std::vector<Dot> selected;
-    if (style.selected && *style.selected < frame.positions.size() && drawable(frame.seen(*style.selected))) {
-        const std::size_t i = *style.selected;
-        selected.push_back({vertex(projection, frame.seen(i)), vertex_colour(colours.selection, 235)});
-        selected_radius_ = known.part(i) * kinds_[index(known.shape->roles[i])].radius;
+    std::map<float, std::vector<Dot>> selected;  // by radius
+    const auto select = [&, &of = shot](std::size_t i, std::uint8_t opacity) {
+        if (i >= of.frame.positions.size() || !drawable(of.frame.seen(i))) return;
+        const float radius = of.known.part(i) * kinds_[index(of.known.shape->roles[i])].radius;
+        selected[radius].push_back(
+            {vertex(of.projection, of.frame.seen(i)), vertex_colour(colours.selection, opacity)});
+    };
+    for (const std::size_t i : style.selected_too) select(i, 150);
+    if (style.selected) select(*style.selected, 235);
+    selected_rings_.resize(selected.size());
+    auto ring = selected_rings_.begin();
+    for (const auto& [radius, dots] : selected) {
+        ring->radius = radius;
+        (ring++)->dots.upload(std::span<const Dot>(dots));
     }
-    selected_ring_.upload(std::span<const Dot>(selected));
 }
 
 void Particles::draw(const ViewUniforms& view, const RenderTarget& target, const Style& style) const {
@@ -163,10 +172,12 @@ void Particles::draw_rings(const ViewUniforms& view, double pixel_scale) const {
     ring_.set("u_radius", ring_radius * kinds_[index(Role::kicked)].radius);
     ring_.set("u_least_radius", least_ring_radius * scale);
     kicked_ring_.draw_quads();
-    // The ring of the selected particle is larger than that of the kicked one.
-    ring_.set("u_radius", 1.3F * ring_radius * selected_radius_);
+    // The rings of selected particles are larger than that of the kicked one.
     ring_.set("u_least_radius", 1.3F * least_ring_radius * scale);
-    selected_ring_.draw_quads();
+    for (const Rings& ring : selected_rings_) {
+        ring_.set("u_radius", 1.3F * ring_radius * ring.radius);
+        ring.dots.draw_quads();
+    }
     glEnable(GL_DEPTH_TEST);
 }
 

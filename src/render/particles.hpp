@@ -13,8 +13,8 @@
 namespace steplab::render {
 
 /// Draws the particles of a frame: balls, cubes for fixed ones, an octahedron for the bullet, and rings around the
-/// kicked and the selected one. Moving particles are drawn in the order of the run, block by block; the few others are
-/// collected.
+/// kicked one and the selected ones. Moving particles are drawn in the order of the run, block by block; the few others
+/// are collected.
 class Particles {
 public:
     Particles();
@@ -34,6 +34,12 @@ private:
         std::vector<Dot> listed_bodies, listed_points;  ///< kept to reuse their memory
     };
 
+    /// Around selected particles of one radius.
+    struct Rings {
+        float radius = 0;
+        DotList dots;
+    };
+
     void gather_special(const Shot& shot, Occupancy& taken);
     void colour_moving(const Shot& shot);
     void prepare_rings(const Shot& shot);
@@ -44,8 +50,8 @@ private:
     std::array<std::vector<IndexRange>, details> chosen_;  ///< of the moving ones, by Detail
     std::vector<VertexColour> colours_;                    ///< kept to reuse its memory
     std::array<Kind, 4> kinds_;                            ///< by Role
-    DotList kicked_ring_, selected_ring_;
-    float selected_radius_ = 0;
+    DotList kicked_ring_;
+    std::vector<Rings> selected_rings_;
 };
 
 }  // namespace steplab::render

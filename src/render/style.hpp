@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/appearance.hpp"
+#include "core/particle_list.hpp"
 #include "core/vec3.hpp"
 
 #include <array>
@@ -36,6 +37,7 @@ struct Style {
     bool velocities = false;                   ///< as arrows
     bool forces = false;                       ///< as arrows, if the frame has them
     std::optional<std::size_t> selected = {};  ///< particle to mark
+    ParticleList selected_too = {};            ///< others to mark
     /// Where it and particles selected before have been, the newest place of each last; null: not drawn.
     std::shared_ptr<const Trails> trails = {};
     double mass = 1;  ///< of each particle; for its kinetic energy

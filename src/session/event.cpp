@@ -5,9 +5,9 @@ namespace steplab {
 bool overtakes(const Event& earlier, const Event& later) {
     if (earlier.index() != later.index()) return false;
     if (const auto* const act = std::get_if<event::Do>(&later)) {
-        const Pull *const pull = std::get_if<Pull>(&act->act), *const before =
-                                                                   std::get_if<Pull>(&std::get<event::Do>(earlier).act);
-        return pull && before && pull->particle == before->particle;
+        const Act& before = std::get<event::Do>(earlier).act;
+        const Tug* const first = std::get_if<Tug>(&before);
+        return overwrites(act->act, before) || (first && first->goes_on && continues(act->act, before));
     }
     if (const auto* const change = std::get_if<event::ChangeRun>(&later))
         return change->run == std::get<event::ChangeRun>(earlier).run;

@@ -7,6 +7,7 @@ namespace {
 struct ActWord {
     std::string_view operator()(const Pull&) const { return "pull"; }
     std::string_view operator()(const Kick&) const { return "kick"; }
+    std::string_view operator()(const Tug&) const { return "tug"; }
     std::string_view operator()(const TurnRound&) const { return "turn-round"; }
 };
 

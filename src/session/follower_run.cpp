@@ -87,6 +87,19 @@ void FollowerRun::take_scene(const SegmentBegin& before, const SegmentBegin& cha
         const double value = change.description.scene[info.name];
         if (value != before.description.scene[info.name]) description.scene.set(info.name, value);
     }
+    if (change.description.alterations != before.description.alterations)
+        description.alterations = change.description.alterations;
+}
+
+RunDescription FollowerRun::at_start(RunDescription description, const TimeLine& leading) {
+    const RunDescription &now = leading.run().description(), &start = leading.changes().front().description;
+    if (description.model != now.model || description.origin != now.origin) return description;
+    for (const ParameterInfo& info : description.scene.infos()) {
+        if (description.scene[info.name] == now.scene[info.name])
+            description.scene.set(info.name, start.scene[info.name]);
+    }
+    if (description.alterations == now.alterations) description.alterations = start.alterations;
+    return description;
 }
 
 RunDescription FollowerRun::description_at(const TimeLine& leading) const {

@@ -30,6 +30,10 @@ public:
     /// True if it is there.
     bool is_beside(const TimeLine& leading) const;
 
+    /// A description of the scene that is to run beside this line, as it begins: what was changed of the scene since
+    /// the line's start will happen to it. One of another scene as it is.
+    static RunDescription at_start(RunDescription description, const TimeLine& leading);
+
 private:
     /// A change of the leading run, or its start, that happened here.
     struct Followed {

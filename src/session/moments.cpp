@@ -33,20 +33,24 @@ void Moments::allow(std::size_t bytes) {
     keep_to_memory();
 }
 
-void Moments::offer(const Simulation& simulation, std::size_t changes) { keep_within(simulation, changes, spacing_); }
+void Moments::offer(const Simulation& simulation, std::size_t changes, std::size_t since) {
+    keep_within(simulation, {simulation.step(), changes, since, {}}, spacing_);
+}
 
-void Moments::keep(const Simulation& simulation, std::size_t changes) { keep_within(simulation, changes, 1); }
+void Moments::keep(const Simulation& simulation, std::size_t changes, std::size_t since) {
+    keep_within(simulation, {simulation.step(), changes, since, {}}, 1);
+}
 
 /// Unless one lies so few steps before.
-void Moments::keep_within(const Simulation& simulation, std::size_t changes, std::uint64_t spacing) {
-    const std::uint64_t step = simulation.step();
-    const auto place = after(moments_, step, changes);
+void Moments::keep_within(const Simulation& simulation, const Moment& moment, std::uint64_t spacing) {
+    const auto place = after(moments_, moment.step, moment.changes);
     if (place != moments_.begin()) {
         const Moment& last = *std::prev(place);
-        if (last.changes == changes && step < last.step + spacing) return;
+        if (last.since == moment.since && moment.step < last.step + spacing) return;
     }
     if (!simulation.is_plausible()) return;
-    const auto added = moments_.insert(place, {step, changes, simulation.save()});
+    const auto added = moments_.insert(place, moment);
+    added->state = simulation.save();
     used_ += added->state.bytes();
     keep_to_memory();
 }
@@ -94,7 +98,7 @@ void Moments::thin_out() {
     spacing_ *= 2;
     std::vector<Moment> kept;
     for (Moment& moment : moments_) {
-        const bool first = kept.empty() || kept.back().changes != moment.changes;
+        const bool first = kept.empty() || kept.back().since != moment.since;
         if (first || moment.step >= kept.back().step + spacing_ || &moment == &moments_.back())
             kept.push_back(std::move(moment));
     }

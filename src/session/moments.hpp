@@ -9,13 +9,15 @@
 namespace steplab {
 
 /// Moments of a run to come back to: any other is reached by stepping again from the nearest one. They grow sparser
-/// when the memory allowed is full, the first after each change of the run always being kept. None is of a moment whose
-/// energy is impossible: from there, another step would be found to be the last good one.
+/// when the memory allowed is full, the first after each change of the run always being kept (of a hold: after its
+/// first tug). None is of a moment whose energy is impossible: from there, another step would be found to be the last
+/// good one.
 class Moments {
 public:
     struct Moment {
         std::uint64_t step = 0;
         std::size_t changes = 0;  ///< that had taken effect
+        std::size_t since = 0;    ///< the first of them that belongs to what was done last
         Simulation::Snapshot state;
     };
 
@@ -24,10 +26,11 @@ public:
 
     /// From now on they may take so much memory.
     void allow(std::size_t bytes);
-    /// Keeps the present moment of the run, up to which so many changes have taken effect, unless one is near.
-    void offer(const Simulation& simulation, std::size_t changes);
+    /// Keeps the present moment of the run, up to which so many changes have taken effect, those from `since` on as
+    /// one, unless one is near.
+    void offer(const Simulation& simulation, std::size_t changes, std::size_t since);
     /// Keeps it unless that same one is kept.
-    void keep(const Simulation& simulation, std::size_t changes);
+    void keep(const Simulation& simulation, std::size_t changes, std::size_t since);
     /// The last one up to this step with so many changes at most; null if there is none.
     const Moment* before(std::uint64_t step, std::size_t changes) const;
     /// Takes away those with more changes, and those that lie after this step.
@@ -39,7 +42,7 @@ public:
     std::size_t bytes() const { return used_; }
 
 private:
-    void keep_within(const Simulation& simulation, std::size_t changes, std::uint64_t spacing);
+    void keep_within(const Simulation& simulation, const Moment& moment, std::uint64_t spacing);
     void keep_to_memory();
     void thin_out();
 

@@ -38,8 +38,8 @@ public:
     Rate rate() const { return rate_; }
     void stop() { playing_ = false; }
 
-    /// Seconds from the first frame to this one, and to the one that is played next, or the same at the last: they never
-    /// decrease from frame to frame, also where time runs backward.
+    /// Seconds from the first frame to this one, and to the one that is played next, or the same at the last: they
+    /// never decrease from frame to frame, also where time runs backward.
     double elapsed() const { return elapsed_at(frame_.time); }
     double next_elapsed() const { return elapsed_at(next_time_); }
     /// While it plays: to the last frame that is no later than so many seconds after the first, or the next one; or

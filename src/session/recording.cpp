@@ -6,15 +6,10 @@ namespace steplab {
 
 namespace {
 
-const Pull* pull_of(const Event& event) {
-    const auto* const act = std::get_if<event::Do>(&event);
-    return act ? std::get_if<Pull>(&act->act) : nullptr;
-}
-
 /// Pulls of one particle at one step leave the last one (TimeLine).
 bool is_same_pull(const RecordedEvent& last, const RecordedEvent& next) {
-    const Pull *const before = pull_of(last.event), *const now = pull_of(next.event);
-    return before && now && before->particle == now->particle && last.step == next.step;
+    const auto *const before = std::get_if<event::Do>(&last.event), *const now = std::get_if<event::Do>(&next.event);
+    return before && now && overwrites(now->act, before->act) && last.step == next.step;
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ struct RunView {
     bool can_step_back = false;
     Rate rate;
     double segment_start = 0;         ///< time the current method, dt and parameters began to hold
+    double smooth_since = 0;          ///< time from which on particles were at no other place from one step to the next
     std::uint64_t baseline_step = 0;  ///< step from which the energy error counts
     std::uint64_t run = 0;            ///< grows with every restart or change of scene: plots start again
     double dt = 0.1;                  ///< as the precision holds it

@@ -116,7 +116,7 @@ private:
     void begin(const RunDescription& description);
     void begun();
     void change(const RunDescription& description);
-    void act(const Act& act);
+    void act(const Act& asked);
     void undo();
     void redo();
     void keep(std::optional<TimeLine::Branch> left);
@@ -140,7 +140,6 @@ private:
     Beside beside() const;
     void put_beside(const Beside& wanted);
     FollowerRun follower(const RunDescription& description) const;
-    RunDescription from_the_start(RunDescription description) const;
     RunDescription at_cost(const RunDescription& description) const;
     void equalise_cost();
 

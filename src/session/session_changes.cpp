@@ -93,13 +93,6 @@ void Session::change(const RunDescription& description) {
     equalise_cost();
 }
 
-void Session::act(const Act& act) {
-    if (!acts(act, *run().shape())) return;
-    const std::size_t before = line_.past().size();
-    keep(line_.act(act));
-    acted(before);
-}
-
 /// True if the last thing done is one of the time line, which has some behind the present step.
 bool Session::can_undo_on_line() const {
     return line_.past().size() > 1 && (done_.empty() || std::holds_alternative<Acted>(done_.back()));

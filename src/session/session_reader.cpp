@@ -23,6 +23,7 @@ namespace steplab {
 namespace {
 
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
+constexpr std::size_t most_listed = std::size_t{1} << 32;
 
 double number_of(const toml::node& node) {
     const auto* const integer = node.as_integer();
@@ -93,6 +94,22 @@ void set_parameters(const toml::node& node, std::string_view of, ParameterValues
     }
 }
 
+std::vector<Alteration> alterations_of(const toml::node& node) {
+    const auto elements = elements_of(node, "tables, each of a particle", 0, most_listed);
+    std::vector<Alteration> all;
+    for (const toml::node* const element : elements) {
+        Alteration one;
+        const toml::table& table = table_of(*element, "an alteration");
+        read_keys(table, "an alteration",
+                  {{"particle", [&](const toml::node& given) { one.particle = count_of(given); }},
+                   {"fixed", [&](const toml::node& given) { one.fixed = flag_of(given); }},
+                   {"mass", [&](const toml::node& given) { one.mass = number_of(given); }}});
+        needed(table, "an alteration", "particle");
+        all.push_back(one);
+    }
+    return all;
+}
+
 /// The runs of a file, with the scenes and starting values that they share.
 class Runs {
 public:
@@ -103,8 +120,9 @@ public:
 
     RunDescription run(const toml::node& node, std::string_view what) const {
         const toml::table& table = table_of(node, what);
-        constexpr std::array<std::string_view, 9> keys{
-            "model", "scene", "parameters", "method", "method-parameters", "precision", "dt", "from", "reverse"};
+        constexpr std::array<std::string_view, 10> keys{
+            "model",     "scene", "parameters", "method",  "method-parameters",
+            "precision", "dt",    "from",       "reverse", "alterations"};
         check_keys(table, what, keys);
         RunDescription run = of_scene(table, what);
         const toml::node& method = needed(table, what, "method");
@@ -116,6 +134,8 @@ public:
         run.dt = number_of(needed(table, what, "dt"));
         if (const auto* const from = table.get("from")) run.start.from = chosen(*from, starts_, "starts");
         if (const auto* const reverse = table.get("reverse")) run.start.reverse = flag_of(*reverse);
+        if (const auto* const alterations = table.get("alterations"))
+            run = with_alterations(run, alterations_of(*alterations));
         placed(node, [&] { check_values(run); });
         return run;
     }
@@ -172,6 +192,25 @@ struct Given {
     const toml::node& operator[](std::string_view key) const { return needed(table, fmt::format("'{}'", word), key); }
     RunDescription run() const { return runs.run((*this)["run"], "the run of an event"); }
     std::size_t number() const { return count_of((*this)["number"]); }
+    bool flag(std::string_view key) const {
+        const toml::node* const node = table.get(key);
+        return node && flag_of(*node);
+    }
+    double rate() const {
+        const toml::node& node = (*this)["rate"];
+        const double rate = number_of(node);
+        if (!(rate > 0)) fail_at(node, "a rate must be > 0");
+        return rate;
+    }
+    /// Those to which the same is done.
+    ParticleList others() const {
+        const toml::node* const node = table.get("others");
+        if (!node) return {};
+        std::vector<std::size_t> all;
+        for (const toml::node* const one : elements_of(*node, "numbers of particles", 0, most_listed))
+            all.push_back(count_of(*one));
+        return ParticleList(std::move(all));
+    }
 };
 
 /// A word, the keys that go with it, and the event that they make.
@@ -191,14 +230,20 @@ const std::vector<EventKind>& event_kinds() {
         {"restart", {}, [](const Given&) -> Event { return event::Restart{}; }},
         {"change", {"run"}, [](const Given& given) -> Event { return event::Change{given.run()}; }},
         {"pull",
-         {"particle", "position"},
+         {"particle", "position", "others"},
          [](const Given& given) -> Event {
-             return event::Do{Pull{count_of(given["particle"]), vector_of(given["position"])}};
+             return event::Do{Pull{count_of(given["particle"]), vector_of(given["position"]), given.others()}};
          }},
         {"kick",
-         {"particle", "velocity"},
+         {"particle", "velocity", "others"},
          [](const Given& given) -> Event {
-             return event::Do{Kick{count_of(given["particle"]), vector_of(given["velocity"])}};
+             return event::Do{Kick{count_of(given["particle"]), vector_of(given["velocity"]), given.others()}};
+         }},
+        {"tug",
+         {"particle", "position", "rate", "goes-on", "others"},
+         [](const Given& given) -> Event {
+             return event::Do{Tug{count_of(given["particle"]), vector_of(given["position"]), given.rate(),
+                                  given.flag("goes-on"), given.others()}};
          }},
         {"turn-round", {}, [](const Given&) -> Event { return event::Do{TurnRound{}}; }},
         {"undo", {}, [](const Given&) -> Event { return event::Undo{}; }},

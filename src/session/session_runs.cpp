@@ -18,17 +18,6 @@ std::size_t Session::check_follower(std::size_t run) const {
     return run - 1;
 }
 
-/// It begins as the leading run did: what was changed of the scene since then happens to it when it gets there.
-RunDescription Session::from_the_start(RunDescription description) const {
-    const ParameterValues &now = run().description().scene, &start = line_.changes().front().description.scene;
-    for (const ParameterInfo& info : start.infos()) {
-        const bool is_there = description.scene.contains(info.name);
-        if (is_there && description.scene[info.name] == now[info.name])
-            description.scene.set(info.name, start[info.name]);
-    }
-    return description;
-}
-
 FollowerRun Session::follower(const RunDescription& description) const {
     if (description.model != run().description().model || description.origin != run().description().origin)
         throw UsageError("runs beside each other are of one scene");
@@ -63,14 +52,14 @@ void Session::put_beside(const Beside& wanted) {
 void Session::add(const RunDescription& description) {
     if (followers_.size() + 1 == most_runs)
         throw UsageError(fmt::format("at most {} runs go beside each other", most_runs));
-    FollowerRun added = follower(at_cost(from_the_start(description)));
+    FollowerRun added = follower(at_cost(FollowerRun::at_start(description, line_)));
     note(beside());
     followers_.push_back(std::move(added));
 }
 
 void Session::change_run(std::size_t run, const RunDescription& description) {
     FollowerRun& changed = followers_[check_follower(run)];
-    FollowerRun next = follower(at_cost(from_the_start(description)));
+    FollowerRun next = follower(at_cost(FollowerRun::at_start(description, line_)));
     note(beside());
     changed = std::move(next);
 }
@@ -106,6 +95,7 @@ void Session::lead(std::size_t number) {
     Beside before = beside();
     RunDescription led = run().description();
     led.scene = line_.changes().front().description.scene;
+    led.alterations = line_.changes().front().description.alterations;
     TimeLine next = std::move(followers_[number].line());
     next.forget_ahead();  // how far it had gone there depends on when it was made to follow
     next.allow(bytes_);

@@ -2,8 +2,25 @@
 
 #include "session/change_text.hpp"
 #include "session/session.hpp"
+#include "session/tug.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
 
 namespace steplab {
+
+namespace {
+
+/// The time of the last change that was more than a new velocity.
+double smooth_since(std::span<const SegmentBegin> past) {
+    const auto leaves_places = [](const SegmentBegin& change) {
+        return change.act && !std::holds_alternative<Pull>(*change.act);
+    };
+    return std::find_if_not(past.rbegin(), std::prev(past.rend()), leaves_places)->time;
+}
+
+}  // namespace
 
 void Session::observe(SessionView& view) const {
     RunView& leading = view.leading;
@@ -18,6 +35,7 @@ void Session::observe(SessionView& view) const {
     leading.can_step_back = run().step() > 0;
     leading.rate = rate_;
     leading.run = number_;
+    leading.smooth_since = smooth_since(line_.past());
     view.followers.resize(followers_.size());
     for (std::size_t i = 0; i < followers_.size(); ++i)
         steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
@@ -28,8 +46,10 @@ void Session::observe(SessionView& view) const {
 TimeLineView Session::line_view() const {
     TimeLineView view{.reached = line_.reached(), .reached_time = line_.reached_time(), .bookmarks = bookmarks_};
     const auto changes = line_.changes();
-    for (std::size_t i = 1; i < changes.size(); ++i)
+    for (std::size_t i = 1; i < changes.size(); ++i) {
+        if (continues(changes[i - 1], changes[i])) continue;
         view.changes.push_back({changes[i].step, changes[i].time, text_of(changes[i - 1], changes[i])});
+    }
     for (const TimeLine::Branch& branch : branches_)
         view.branches.push_back({line_.time_of(branch.fork), branch.reached_time});
     view.can_undo = can_undo();

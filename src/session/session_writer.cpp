@@ -62,6 +62,19 @@ std::string parameters(const ParameterValues& values) {
     return text.empty() ? "{}" : "{ " + text + " }";
 }
 
+std::string text_of(std::size_t particle) { return std::to_string(particle); }
+std::string text_of(const Alteration& one) {
+    return fmt::format("{{ particle = {}{}{} }}", one.particle,
+                       one.fixed ? fmt::format(", fixed = {}", *one.fixed) : "",
+                       one.mass ? ", mass = " + real(*one.mass) : "");
+}
+template <class All>
+std::string list_of(const All& all) {
+    std::string text;
+    for (const auto& one : all) text += (text.empty() ? "" : ", ") + text_of(one);
+    return "[" + text + "]";
+}
+
 /// Writes runs, and notes the scenes and starting values that they share.
 class WrittenRuns {
 public:
@@ -80,6 +93,7 @@ public:
         lines.emplace_back("dt", real(run.dt));
         if (run.start.from) lines.emplace_back("from", std::to_string(number_of(run.start.from, starts_)));
         if (run.start.reverse) lines.emplace_back("reverse", "true");
+        if (!run.alterations.empty()) lines.emplace_back("alterations", list_of(run.alterations.all()));
         return lines;
     }
     std::string inline_table(const RunDescription& run) { return "{ " + joined(lines(run), ", ") + " }"; }
@@ -125,11 +139,18 @@ struct EventLines {
     Lines operator()(const event::SeekTime& seek) const { return {{"time", real(seek.time)}}; }
     Lines operator()(const event::Change& change) const { return {{"run", runs.inline_table(change.description)}}; }
     Lines operator()(const event::Do& act) const { return std::visit(*this, act.act); }
-    Lines operator()(const Pull& pull) const {
-        return {{"particle", std::to_string(pull.particle)}, {"position", vector(pull.position)}};
+    Lines operator()(const Pull& pull) const { return of_particles(pull, {{"position", vector(pull.position)}}); }
+    Lines operator()(const Kick& kick) const { return of_particles(kick, {{"velocity", vector(kick.velocity)}}); }
+    Lines operator()(const Tug& tug) const {
+        Lines lines{{"position", vector(tug.position)}, {"rate", real(tug.rate)}};
+        if (tug.goes_on) lines.emplace_back("goes-on", "true");
+        return of_particles(tug, std::move(lines));
     }
-    Lines operator()(const Kick& kick) const {
-        return {{"particle", std::to_string(kick.particle)}, {"velocity", vector(kick.velocity)}};
+    template <class OfParticles>
+    static Lines of_particles(const OfParticles& act, Lines lines) {
+        lines.emplace(lines.begin(), "particle", std::to_string(act.particle));
+        if (!act.others.empty()) lines.emplace_back("others", list_of(act.others));
+        return lines;
     }
     Lines operator()(const event::AddRun& add) const { return {{"run", runs.inline_table(add.description)}}; }
     Lines operator()(const event::ChangeRun& change) const {

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "session/change_text.hpp"
 #include "session/compared.hpp"
+#include "session/tug.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -70,10 +71,12 @@ void TimeLine::step_back(std::uint64_t steps) {
     turn_to(target);
     while (target - run_.step() > nearby && !run_.advanced().diverged) {
         advance((target - run_.step()) / 2);
-        moments_.keep(run_, taken_);
+        moments_.keep(run_, taken_, first_of_last(past()));
     }
     advance(target - run_.step());
 }
+
+void TimeLine::keep_moment() { moments_.offer(run_, taken_, first_of_last(past())); }
 
 /// Behind the last good step of a run that diverged lies nothing, however far it had got before that was found.
 void TimeLine::note_reached() {
@@ -169,9 +172,10 @@ bool TimeLine::replaces_last(const SegmentBegin& change) const {
     const SegmentBegin &last = changes_[taken_ - 1], &before = changes_[taken_ - 2];
     if (last.step != change.step || last.act.has_value() != change.act.has_value()) return false;
     if (!change.act)
-        return differences(before.description, last.description) == differences(last.description, change.description);
-    const Pull *const pull = std::get_if<Pull>(&*change.act), *const earlier = std::get_if<Pull>(&*last.act);
-    return pull && earlier && pull->particle == earlier->particle;
+        return differences(before.description, last.description) == differences(last.description, change.description) &&
+               altered_particles(before.description, last.description) ==
+                   altered_particles(last.description, change.description);
+    return overwrites(*change.act, *last.act);
 }
 
 std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change) {
@@ -180,8 +184,8 @@ std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change) {
     if (replaces_last(change)) {
         cut(step, taken_ - 1);
         stand_at(step, taken_ - 1);
-    } else {
-        moments_.keep(run_, taken_);  // what may be taken back is often taken back at once
+    } else if (!continues(changes_.back(), change)) {
+        moments_.keep(run_, taken_, first_of_last(past()));  // what may be taken back is often taken back at once
     }
     changes_.push_back(std::move(change));
     take_due_changes();
@@ -207,7 +211,7 @@ std::optional<TimeLine::Branch> TimeLine::cut(std::uint64_t step, std::size_t ke
 
 std::optional<TimeLine::Branch> TimeLine::undo() {
     if (taken_ == 1) return std::nullopt;
-    const std::size_t kept = taken_ - 1;
+    const std::size_t kept = first_of_last(past());
     const std::uint64_t step = changes_[kept].step;
     std::optional<Branch> left = cut(step, kept);
     stand_at(step, kept);

@@ -58,7 +58,7 @@ public:
     /// Gives its memory back; what is gone to afterwards is computed from the start.
     void forget_moments() { moments_.clear(); }
     /// Keeps the present moment, unless one is near.
-    void keep_moment() { moments_.offer(run_, taken_); }
+    void keep_moment();
 
     /// The step at which it is to be shown at a time (step_at()), by the changes up to then.
     std::uint64_t step_at(double time) const;
@@ -80,7 +80,8 @@ public:
     std::optional<Branch> change(const RunDescription& description);
     /// Does this to particles, which has to do something (steplab::acts()).
     std::optional<Branch> act(const Act& act);
-    /// Takes back the last change that has taken effect, if it is not the start: the run then stands before it.
+    /// Takes back the last change that has taken effect, if it is not the start, or all tugs of a hold: the run then
+    /// stands before them.
     std::optional<Branch> undo();
     /// Forgets all changes but the first so many, and what lies behind the first of them; the run then stands there, if
     /// it was beyond.

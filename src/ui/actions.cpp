@@ -39,7 +39,9 @@ void change_scene(const Context& context, std::ptrdiff_t offset) {
 void close_topmost(const Context& context) {
     InterfaceState& state = context.state;
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-    if (state.help_open) {
+    if (state.hands.selecting) {
+        state.hands.selecting = false;
+    } else if (state.help_open) {
         state.help_open = false;
     } else if (!state.wanted.message().empty()) {
         state.wanted.dismiss();
@@ -147,6 +149,9 @@ void perform(const Context& context, Action action) {
             return events.send(event::Do{TurnRound{}});
         case Action::twin:
             return toggle_twin(context);
+        case Action::select_box:
+            context.state.hands.selecting = !context.state.hands.selecting;
+            return;
         case Action::reset_view:
             return reset_view(context);
         case Action::zoom_to_fit:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/vec3.hpp"
 #include "render/camera.hpp"
 #include "render/following.hpp"
 #include "render/known_shape.hpp"
@@ -9,6 +10,7 @@
 #include "ui/display.hpp"
 #include "ui/gallery.hpp"
 #include "ui/plot/history.hpp"
+#include "ui/selection.hpp"
 #include "ui/wanted.hpp"
 #include "ui/widgets/layout.hpp"
 #include "ui/widgets/theme.hpp"
@@ -44,6 +46,20 @@ struct Notice {
 /// The notice that a file was saved, with its whole path.
 Notice notice_of_saved(const std::string& file);
 
+/// What the pointer does with particles.
+struct Hands {
+    std::optional<std::size_t> pulled;       ///< the particle that follows the pointer
+    bool moved = false;                      ///< the pointer has, since that was taken hold of
+    std::optional<std::uint64_t> tugged_at;  ///< the step seen at the last tug of the present hold
+    std::optional<std::uint64_t> pulled_in;  ///< the last run in which something was done to a particle
+    std::optional<std::size_t> kicked;       ///< the particle at which an arrow begins
+    Vec3 kick;                               ///< what the arrow says [m/s]
+    std::optional<render::PixelPoint>
+        box_from;                              ///< a corner of the box that is drawn, in the picture of the leading run
+    bool selecting = false;                    ///< the next drag draws a box
+    std::array<char, 64> velocity{"0, 0, 0"};  ///< of a kick, as typed
+};
+
 /// The page of scenes, which covers all but the bar while it is open.
 struct ScenesPage {
     bool open = false;
@@ -66,10 +82,10 @@ struct InterfaceState {
     bool trail = false;  ///< of the selected particle, and of those selected meanwhile, is drawn
     bool help_open = false;
     ScenesPage scenes;
-    std::optional<std::size_t> pointed;               ///< the particle under the pointer, which a click selects
-    Share pointing{0.05};                             ///< searching for it: in a large scene that takes long
-    std::optional<std::size_t> pulled;                ///< the particle that follows the pointer
-    std::optional<std::uint64_t> pulled_in;           ///< the last run in which a particle was pulled
+    std::optional<std::size_t> pointed;  ///< the particle under the pointer, which a click selects
+    Share pointing{0.05};                ///< searching for it: in a large scene that takes long
+    Selection selection;
+    Hands hands;
     bool drag_from_scene = false;                     ///< the left or right button was pressed over the scene
     bool dragged = false;                             ///< the pointer has moved since then: not a click
     std::optional<std::size_t> dismissed_divergence;  ///< step of the divergence whose card was closed

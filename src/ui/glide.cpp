@@ -17,7 +17,7 @@ double pause_between(const RunView& a, const RunView& b) {
     const bool follow = a.playing && b.playing && a.run == b.run && b.frame.step > a.frame.step;
     const bool fits = a.frame.positions.size() == b.frame.positions.size() &&
                       b.frame.positions.size() + b.frame.ensemble.size() <= most_particles;
-    if (!follow || !fits || b.rate.as_fast_as_possible || b.segment_start > a.frame.time) return 0;
+    if (!follow || !fits || b.rate.as_fast_as_possible || b.smooth_since > a.frame.time) return 0;
     const double seconds = (b.frame.time - a.frame.time) / b.rate.seconds_per_second;
     return seconds >= shortest && seconds <= longest ? seconds : 0;
 }

@@ -71,6 +71,7 @@ void draw_panels(const Context& context) {
     draw_run_buttons(context);
     draw_top_bar(context);
     draw_pointed(context);
+    draw_hands(context);
     draw_read_out(context);
     if (context.purpose == Purpose::plot_picture) return;
     draw_lost_card(context);
@@ -78,9 +79,10 @@ void draw_panels(const Context& context) {
     draw_messages(context);
 }
 
-void set_style(render::Style& style, const RunView& view, const Display& display) {
+void set_style(render::Style& style, const RunView& view, const Selection& selection, const Display& display) {
     style.mass = view.frame.mass;
     style.selected = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
+    style.selected_too = selection.others();
     style.pixel_scale = static_cast<double>(display.scale);
 }
 
@@ -215,7 +217,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
         perform_pressed_keys(context);
         use_pointer(context);
     }
-    set_style(stage.style, view.leading, body.display);
+    set_style(stage.style, view.leading, body.state.selection, body.display);
     stage.style.trails = body.state.trail ? body.trails.places() : nullptr;
     draw_panels(context);
     ImGui::Render();

@@ -6,7 +6,7 @@
 namespace steplab::ui {
 namespace {
 
-constexpr std::array<KeyBinding, 25> keys = {{
+constexpr std::array<KeyBinding, 26> keys = {{
     {Action::pause, Key::space, false, "Space", "play or pause"},
     {Action::play_back, Key::j, false, "J", "play backwards, or pause"},
     {Action::loop, Key::l, false, "L", "repeat between the marks around this moment, or all"},
@@ -18,6 +18,7 @@ constexpr std::array<KeyBinding, 25> keys = {{
     {Action::bookmark, Key::b, false, "B", "mark the moment, or remove its mark"},
     {Action::turn_round, Key::r, false, "R", "turn all velocities round: time runs back"},
     {Action::twin, Key::t, false, "T", "float beside double, or without it again"},
+    {Action::select_box, Key::s, false, "S", "select the particles in a box: drag it next"},
     {Action::reset_view, Key::home, false, "Home", "reset the view"},
     {Action::zoom_to_fit, Key::f, false, "F", "zoom to fit"},
     {Action::faster, Key::equal, false, "=", "play faster"},
@@ -34,12 +35,15 @@ constexpr std::array<KeyBinding, 25> keys = {{
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
 }};
 
-constexpr std::array<MouseBinding, 8> gestures = {{
+constexpr std::array<MouseBinding, 11> gestures = {{
     {"left drag", "orbit"},
     {"right drag, Shift + left drag", "pan"},
     {"wheel", "zoom towards the pointer"},
     {"click", "select a particle"},
-    {"Ctrl + left drag", "pull a particle"},
+    {"Shift + click", "add a particle to the selected ones, or remove it"},
+    {"Alt + left drag", "select the particles in a box; with Shift, add them"},
+    {"Ctrl + left drag", "pull a particle; while the run plays, by a spring"},
+    {"Ctrl + right drag", "kick a particle: the arrow is its way in a second"},
     {"double click on a slider", "reset it to its default"},
     {"Ctrl + click on a slider, click on its value", "type an exact value"},
     {"right click on a plot", "save it as CSV or PNG"},

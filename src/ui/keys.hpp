@@ -20,6 +20,7 @@ enum class Action {
     bookmark,
     turn_round,
     twin,
+    select_box,
     reset_view,
     zoom_to_fit,
     faster,

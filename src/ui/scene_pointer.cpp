@@ -1,19 +1,15 @@
 #include "ui/scene_pointer.hpp"
 
-#include "render/bounds.hpp"
 #include "render/framing.hpp"
-#include "render/picking.hpp"
+#include "ui/hands.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 namespace steplab::ui {
 namespace {
-
-bool went_down(int button) { return ImGui::GetIO().MouseClicked[button]; }
 
 /// The pointer in the picture of a run: in one of several tiles, or beyond the only one.
 struct Pointer {
@@ -32,13 +28,6 @@ Pointer pointer(const Context& context) {
     return {run, {x - tiles[run].x, y - tiles[run].y}};
 }
 
-/// The position of the pointer in the picture of the leading run.
-render::PixelPoint pointer_in_leading(const Context& context) {
-    const ImVec2 pointer = ImGui::GetIO().MousePos;
-    const PixelRect tile = context.tile();
-    return {static_cast<double>(pointer.x) - tile.x, static_cast<double>(pointer.y) - tile.y};
-}
-
 void drag(const Context& context, const render::Projection& projection) {
     const ImGuiIO& io = ImGui::GetIO();
     const double dx = static_cast<double>(io.MouseDelta.x);
@@ -52,52 +41,16 @@ void drag(const Context& context, const render::Projection& projection) {
     context.stage.camera = pan ? render::panned(projection, dx, dy) : render::orbited(projection, dx, dy);
 }
 
-std::optional<std::size_t> particle_under_pointer(const Context& context, const render::Projection& projection) {
-    const Pointer here = pointer(context);
-    if (here.run != 0) return std::nullopt;  // particles of other runs are not the ones that are picked
-    return render::particle_at(context.view.frame, context.sizes(), projection, here.place,
-                               static_cast<double>(context.px(10)));
-}
-
-/// Selects the particle under the pointer, if there is one.
-std::optional<std::size_t> select(const Context& context, const render::Projection& projection) {
-    const auto particle = particle_under_pointer(context, projection);
-    if (particle) context.events.send(event::Track{particle});
-    return particle;
-}
-
 void zoom(const Context& context, const render::Projection& projection) {
     const double factor = std::pow(1.15, static_cast<double>(ImGui::GetIO().MouseWheel));
     context.stage.camera =
         render::zoomed(projection, factor, pointer(context).place, render::zoom_limits(context.view.frame));
 }
 
-/// The point under the pointer in the plane through `place` that faces the eye.
-Vec3 under_pointer_beside(Vec3 place, const Context& context, const render::Projection& projection) {
-    const render::Ray ray = projection.ray(pointer_in_leading(context));
-    const Vec3 forward = projection.forward();
-    return ray.origin + (dot(place - ray.origin, forward) / dot(ray.direction, forward)) * ray.direction;
-}
-
-void pull(const Context& context, const render::Projection& projection) {
-    const ImGuiIO& io = ImGui::GetIO();
-    auto& pulled = context.state.pulled;
-    if (!io.MouseDown[0] || *pulled >= context.view.frame.positions.size()) {
-        pulled.reset();
-    } else if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) {
-        const Vec3 seen = context.view.frame.seen(*pulled);
-        if (!render::drawable(seen)) return;
-        context.events.send(event::Do{Pull{*pulled, under_pointer_beside(seen, context, projection)}});
-        context.state.pulled_in = context.view.run;
-    }
-}
-
-/// A button was pressed over the scene: a pull, a drag or a click begins.
+/// A button was pressed over the scene: a gesture, a drag or a click begins.
 void begin(const Context& context, const render::Projection& projection) {
     InterfaceState& state = context.state;
-    const ImGuiIO& io = ImGui::GetIO();
-    if (went_down(0) && io.KeyCtrl) state.pulled = select(context, projection);
-    state.drag_from_scene = !(went_down(0) && io.KeyCtrl);
+    state.drag_from_scene = !begin_gesture(context, projection);
     state.dragged = false;
 }
 
@@ -119,13 +72,13 @@ void use_pointer(const Context& context) {
     const Area& scene = context.layout.scene;
     const render::Projection projection = context.projection();
     const bool over = !io.WantCaptureMouse && scene.contains(io.MousePos.x, io.MousePos.y);
-    if (over && (went_down(0) || went_down(1))) begin(context, projection);
-    if (state.pulled) pull(context, projection);
+    if (over && (io.MouseClicked[0] || io.MouseClicked[1])) begin(context, projection);
+    use_hands(context, projection);
     if (state.drag_from_scene && (io.MouseDown[0] || io.MouseDown[1])) drag(context, projection);
-    if (state.drag_from_scene && io.MouseReleased[0] && !state.dragged) select(context, projection);
+    if (state.drag_from_scene && io.MouseReleased[0] && !state.dragged) click_particle(context, projection);
     if (!io.MouseDown[0] && !io.MouseDown[1]) state.drag_from_scene = false;
     if (over && io.MouseWheel != 0) zoom(context, projection);
-    const bool dragging = state.drag_from_scene && state.dragged;
+    const bool dragging = (state.drag_from_scene && state.dragged) || state.hands.box_from || state.hands.kicked;
     point_at(context, over && !dragging);
 }
 

@@ -89,7 +89,8 @@ void add_runs(CommandLine& line, const Context& context) {
 }  // namespace
 
 bool command_repeats_run(const Context& context) {
-    return context.view.segment_start == 0 && context.state.pulled_in != context.view.run;
+    return context.view.segment_start == 0 && context.state.hands.pulled_in != context.view.run &&
+           context.view.description.alterations.empty();
 }
 
 std::string window_command(const Context& context) {

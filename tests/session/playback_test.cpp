@@ -194,13 +194,28 @@ TEST(Playback, plays_in_simulated_time_and_stops_at_the_last_frame) {
 /// One of each kind.
 std::map<std::size_t, Event> events_of_all_kinds() {
     const RunDescription other = chain(0.05);
-    const std::vector<Event> all{
-        event::Play{true},       event::Step{1},          event::Seek{4},       event::SeekTime{0.8},
-        event::Restart{},        event::Change{other},    event::SetRate{},     event::Track{3},
-        event::Do{TurnRound{}},  event::Undo{},           event::Redo{},        event::ShowEnsemble{{.runs = 16}},
-        event::ShowForces{true}, event::ShowErrors{true}, event::AddRun{other}, event::ChangeRun{1, other},
-        event::EqualCost{true},  event::RemoveRun{1},     event::Lead{1},       event::Bookmark{},
-        event::TakeBranch{0}};
+    const std::vector<Event> all{event::Play{true},
+                                 event::Loop{},
+                                 event::Step{1},
+                                 event::Seek{4},
+                                 event::SeekTime{0.8},
+                                 event::Restart{},
+                                 event::Change{other},
+                                 event::SetRate{},
+                                 event::Track{3},
+                                 event::Do{TurnRound{}},
+                                 event::Undo{},
+                                 event::Redo{},
+                                 event::ShowEnsemble{{.runs = 16}},
+                                 event::ShowForces{true},
+                                 event::ShowErrors{true},
+                                 event::AddRun{other},
+                                 event::ChangeRun{1, other},
+                                 event::EqualCost{true},
+                                 event::RemoveRun{1},
+                                 event::Lead{1},
+                                 event::Bookmark{},
+                                 event::TakeBranch{0}};
     std::map<std::size_t, Event> events;
     for (const Event& event : all) events.emplace(event.index(), event);
     return events;
@@ -212,8 +227,9 @@ TEST(Playback, refuses_what_cannot_be_done_to_frames_of_a_file_and_does_all_else
     ASSERT_EQ(events.size(), std::variant_size_v<Event>) << "a kind of event is not tested";
     for (const auto& [kind, event] : events) {
         Playback playback(written.path);
-        const bool possible = is_any<event::Play, event::Step, event::Seek, event::SeekTime, event::Restart,
-                                     event::SetRate, event::Track, event::ShowForces, event::Bookmark>(event);
+        const bool possible =
+            is_any<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart, event::SetRate,
+                   event::Track, event::ShowForces, event::Bookmark>(event);
         go_to(playback, 9);
         if (possible) {
             EXPECT_NO_THROW(playback.handle(event)) << "event " << kind;

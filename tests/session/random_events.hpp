@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <random>
 #include <string_view>
+#include <vector>
 
 namespace steplab::test {
 
@@ -26,7 +27,7 @@ public:
 
     Event any(const Session& session) {
         const RunDescription& run = session.run().description();
-        switch (below(12)) {
+        switch (below(14)) {
             case 0:
                 return event::Do{Pull{1 + below(9), {number(), number(), 0}}};
             case 1:
@@ -46,6 +47,10 @@ public:
                 return below(3) == 0 ? Event(event::Undo{}) : Event(event::Redo{});
             case 8:
                 return event::Step{-static_cast<std::int64_t>(below(20))};
+            case 9:
+                return event::Do{Tug{1 + below(9), {number(), number(), 0}, 10 * number(), below(3) > 0, others()}};
+            case 10:
+                return event::Change{with_alterations(run, std::vector<Alteration>{alteration()})};
             default:
                 return event::Step{static_cast<std::int64_t>(below(100))};
         }
@@ -81,6 +86,12 @@ public:
     std::uint64_t below(std::uint64_t n) { return random_() % n; }
 
 private:
+    ParticleList others() { return below(2) == 0 ? ParticleList() : ParticleList({below(10), below(10)}); }
+    Alteration alteration() {
+        const std::size_t particle = below(10);
+        if (below(2) == 0) return {particle, below(2) == 0};
+        return {particle, std::nullopt, 0.5 + number()};
+    }
     double number() { return std::uniform_real_distribution(0.0, 1.0)(random_); }
     std::mt19937_64 random_;
 };

@@ -52,7 +52,7 @@ TEST(Glide, shows_the_newest_view_where_there_is_no_motion_between) {
     RunView slow = view_at(5);
     slow.rate.seconds_per_second = 0.1;
     RunView pulled = view_at(5);
-    pulled.segment_start = 0.45;
+    pulled.smooth_since = 0.45;
     RunView crowd = view_at(5);
     crowd.frame.positions.resize(1000000);
     for (const RunView& view : {paused, restarted, fast, quick, slow, pulled, crowd, view_at(4), view_at(3)}) {

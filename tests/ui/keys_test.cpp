@@ -150,6 +150,7 @@ TEST(keys, every_key_has_a_button_or_menu_entry) {
                                                   {Action::bookmark, "menu/bookmark"},
                                                   {Action::turn_round, "turn round"},
                                                   {Action::twin, "twin"},
+                                                  {Action::select_box, "selection.box"},
                                                   {Action::reset_view, "menu/reset view"},
                                                   {Action::zoom_to_fit, "menu/zoom to fit"},
                                                   {Action::faster, "menu/faster"},

@@ -88,6 +88,11 @@ click() {
     xdotool click 1
 }
 
+# drag X Y BUTTON X Y: from one place to another, on the way through the middle.
+drag() {
+    xdotool mousemove "$1" "$2" mousedown "$3" mousemove $((($1 + $4) / 2)) $((($2 + $5) / 2)) mousemove "$4" "$5" mouseup "$3"
+}
+
 # choose MENU ITEM: opens a menu and clicks one of its items once it is there.
 choose() {
     click "$1"

@@ -148,6 +148,30 @@ time_line_leads_back_and_forth() {
     close_window
 }
 
+hands_move_particles() {
+    start_display 1280x1200
+    open_window --model chain --method rk4 --dt 0.1 --size 1280x1200
+    xdotool key s
+    drag 330 150 1 1260 700; enter selection.mass 2.5; expect 'altered 10' 'changes 1'
+    xdotool key ctrl+z; expect 'altered 0' 'changes 0'
+    click selection.velocity; xdotool key ctrl+a; xdotool type '0, 0.5, 0'; click selection.kick; expect 'changes 1'
+    xdotool key ctrl+z; expect 'changes 0'
+    click selection.fixed; expect 'altered 10' 'changes 1'
+    xdotool key ctrl+z; expect 'altered 0' 'changes 0'
+    xdotool key ctrl+y; expect 'altered 10' 'changes 1'
+    xdotool key ctrl+z; expect 'altered 0' 'changes 0'
+    xdotool keydown ctrl; drag 731 404 1 740 300; expect 'changes 1' # particle 4, while the run stands
+    xdotool keyup ctrl key ctrl+z; expect 'changes 0'
+    xdotool keydown ctrl; drag 731 404 3 740 300; expect 'changes 1' # a kick
+    xdotool keyup ctrl key ctrl+z; expect 'changes 0'
+    xdotool mousemove 731 404 key space keydown ctrl mousedown 1 mousemove 740 380
+    expect 'changes 1' 'step [0-9]{2}'
+    xdotool mousemove 740 300; expect 'step [3-9][0-9]'
+    xdotool mouseup 1 keyup ctrl key space; expect 'playing false'
+    xdotool key ctrl+z; expect 'changes 0' 'step [0-9]'
+    close_window
+}
+
 ensemble_goes_with_the_run() {
     start_display 1280x800
     open_window --model chain --method euler

@@ -29,9 +29,9 @@ public:
     struct News {
         enum class Kind { opened, session, trajectory, read_again, saved, failed };
         Kind kind = Kind::failed;
-        RunDescription scene = {};  ///< opened, read_again: as the file describes it
-        Recording session = {};     ///< session: to be played
-        std::string text = {};      ///< trajectory: its path; saved: the file; failed: the message
+        std::optional<RunDescription> scene = {};  ///< opened, read_again: as the file describes it
+        std::optional<Recording> session = {};     ///< session: to be played
+        std::string text = {};                     ///< trajectory: its path; saved: the file; failed: the message
     };
 
     /// `wake` is called on the thread when there are news.

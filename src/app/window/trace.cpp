@@ -54,6 +54,7 @@ void Trace::report(const RunView& view) {
     report("ensemble", view.ensemble.runs == 0       ? "none"
                        : view.frame.ensemble.empty() ? "being computed"
                                                      : number_text(view.ensemble_spread.largest));
+    report("altered", std::to_string(run.alterations.all().size()));
     report("error", view.error.empty() ? "none" : view.error);
 }
 

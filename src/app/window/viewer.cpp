@@ -183,11 +183,11 @@ void Viewer::take_files() {
 void Viewer::take(const SceneFiles::News& news) {
     switch (news.kind) {
         case SceneFiles::News::Kind::opened:
-            return interface_.open(news.scene, *worker_);
+            return interface_.open(*news.scene, *worker_);
         case SceneFiles::News::Kind::read_again:
-            return view_->playback ? void() : interface_.reload(news.scene, *worker_);
+            return view_->playback ? void() : interface_.reload(*news.scene, *worker_);
         case SceneFiles::News::Kind::session:
-            return begin(news.session);
+            return begin(*news.session);
         case SceneFiles::News::Kind::trajectory:
             return begin(TrajectoryFile{news.text});
         case SceneFiles::News::Kind::saved:

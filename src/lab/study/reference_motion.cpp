@@ -90,11 +90,18 @@ struct Stretch {
         coarse->at(static_cast<Real>(time) - static_cast<Real>(begin), coarse_state);
     }
     bool stopped() const { return fine->stopped() || coarse->stopped(); }
+    /// Gives memory back that is made again when a time in it is asked for.
+    void rest() {
+        fine.reset();
+        coarse.reset();
+        fine_state = coarse_state = {};
+    }
 };
 
 /// True if one motion is that of both: what is done to the scene left aside.
 bool same_scene(const RunDescription& a, const RunDescription& b) {
-    return a.model == b.model && a.origin == b.origin && a.scene == b.scene && a.start == b.start;
+    return a.model == b.model && a.origin == b.origin && a.scene == b.scene && a.start == b.start &&
+           a.alterations == b.alterations;
 }
 
 RunDescription in_double(RunDescription description) {
@@ -128,11 +135,18 @@ struct ReferenceMotion::Body {
     void append(double time, const RunDescription& held, const std::optional<Act>& act) {
         Stretch& before = stretches.back();
         before.go_to(time);
-        Stretch next{time, held, plan_of(held), act, before.fine_state, before.coarse_state, nullptr, nullptr};
+        const bool same = same_scene(held, before.held);
+        Stretch next{time,    held,   same ? before.scene : plan_of(held), act, before.fine_state, before.coarse_state,
+                     nullptr, nullptr};
+        if (!same) {
+            carry_over(before.scene, next.scene, next.fine_start);
+            carry_over(before.scene, next.scene, next.coarse_start);
+        }
         if (act) {
             apply(*act, next.scene.reference, next.fine_start);
             apply(*act, next.scene.reference, next.coarse_start);
         }
+        before.rest();
         stretches.push_back(std::move(next));
     }
 
@@ -156,8 +170,9 @@ void ReferenceMotion::follow(std::span<const SegmentBegin> changes) {
     std::vector<Stretch>& known = body_->stretches;
     std::size_t number = 0;  // of stretches that are those of the changes so far
     for (const SegmentBegin& change : changes) {
-        const RunDescription held = in_double(change.description);
         const bool first = &change == &changes.front();
+        // what is done to particles leaves the description as it was
+        const RunDescription held = change.act && number > 0 ? known[number - 1].held : in_double(change.description);
         if (!first && !change.act && same_scene(held, known[number - 1].held)) continue;
         const bool same = number < known.size() && known[number].begin == change.time &&
                           known[number].act == change.act && same_scene(held, known[number].held);

@@ -37,11 +37,12 @@ Vec3 in_precision(Vec3 position, Precision precision) {
     return {rounded_to(precision, position.x), rounded_to(precision, position.y), rounded_to(precision, position.z)};
 }
 
-/// True if after the second nothing is left of the first.
-bool overwrites(const std::optional<Act>& later, const std::optional<Act>& earlier) {
-    if (!later || !earlier) return !later && !earlier;
-    const Pull *const pull = std::get_if<Pull>(&*later), *const before = std::get_if<Pull>(&*earlier);
-    return pull && before && pull->particle == before->particle;
+/// True if after the second nothing is left of the first: particles that were shifted, or became fixed, stay so.
+bool replaces(const SegmentBegin& later, const SegmentBegin& earlier) {
+    if (later.description.alterations != earlier.description.alterations) return false;
+    if (!later.act || !earlier.act) return !later.act && !earlier.act;
+    const Pull* const pull = std::get_if<Pull>(&*later.act);
+    return pull && pull->others.empty() && overwrites(*later.act, *earlier.act);
 }
 
 /// Distances of particles from where they are in the run.
@@ -108,7 +109,7 @@ void LiveEnsemble::begin_last_again(std::span<const SegmentBegin> segments) {
     if (members_.size() < runs_ || count < 2 || count > segments.size()) return;
     const SegmentBegin &last = segments_.back(), &now = segments[count - 1];
     const bool rest_is_same = std::equal(segments_.begin(), std::prev(segments_.end()), segments.begin());
-    if (!rest_is_same || last == now || last.step != now.step || !overwrites(now.act, last.act)) return;
+    if (!rest_is_same || last == now || last.step != now.step || !replaces(now, last)) return;
     make_batches();
     segments_.pop_back();
     go_on(now);
@@ -164,8 +165,11 @@ void LiveEnsemble::continue_in(const SegmentBegin& segment, std::size_t i, const
     State<double> state;
     batch.synchronised(i, state);
     if (segment.act) apply(*segment.act, member.scene.reference, state);
+    const RunDescription before = std::move(member.held);
     member.held = as_held(variation_(segment.description, i));
-    member.scene = plan_of(member.held);
+    Plan scene = plan_of(member.held);
+    if (before.alterations != member.held.alterations) carry_over(member.scene, scene, state);
+    member.scene = std::move(scene);
     member.scene.start = Start(std::move(state));
 }
 

@@ -64,8 +64,8 @@ void check_memory(const RunDescription& description, double needed_for_interacti
 /// Methods that cannot run every scene check its forces; what is held for each interaction has to fit memory, too.
 void check_method(const RunDescription& description) {
     const Method& entry = method(description.method);
-    const bool from_file = static_cast<bool>(description.origin);
-    if (!entry.info.refusal && !facts_of(description).lists_pairs && !from_file && !description.start.from) return;
+    const bool of_model = !description.origin && description.alterations.empty() && !description.start.from;
+    if (of_model && !entry.info.refusal && !facts_of(description).lists_pairs) return;
     const Plan scene = plan_of(description);
     if (entry.info.curiosity && std::holds_alternative<ComposedForces>(scene.forces))
         throw UsageError(fmt::format("{} cannot run this scene: it is kept as printed in 2008, for the models of then",
@@ -95,6 +95,23 @@ void check_names(const RunDescription& description) {
     }
 }
 
+const Model& unaltered_model(const RunDescription& description) {
+    return description.origin ? *description.origin->model : model(description.model);
+}
+
+void check_alterations(const RunDescription& description) {
+    if (description.alterations.empty()) return;
+    const double particles = model_of(description).particles(description.scene);
+    for (const Alteration& one : description.alterations.all()) {
+        if (!(static_cast<double>(one.particle) < particles))
+            throw UsageError(
+                fmt::format("there is no particle {}: they count from 0 to {:.0f}", one.particle, particles - 1));
+        if (!one.mass) continue;
+        check_value(altered_mass, *one.mass);
+        check_fits(description.precision, altered_mass, *one.mass);
+    }
+}
+
 /// "--set name=value" for every parameter that is not at its default.
 std::string changed_parameters(const ParameterValues& values) {
     std::string text;
@@ -110,7 +127,7 @@ std::string changed_parameters(const ParameterValues& values) {
 SceneFacts facts_of(const RunDescription& description) { return model_of(description).facts(description.scene); }
 
 const Model& model_of(const RunDescription& description) {
-    return description.origin ? *description.origin->model : model(description.model);
+    return description.alterations.empty() ? unaltered_model(description) : description.alterations.model();
 }
 
 RunDescription describe(SceneOrigin origin) {
@@ -135,6 +152,7 @@ RunDescription with_model(RunDescription description, std::string_view id) {
     description.model = info.id;
     description.origin = {};
     description.start = {};
+    description.alterations = {};
     description.scene = ParameterValues(info.parameters);
     return description;
 }
@@ -143,6 +161,12 @@ RunDescription with_method(RunDescription description, std::string_view id) {
     const MethodInfo& info = method(id).info;
     description.method = info.id;
     description.method_parameters = ParameterValues(info.parameters);
+    return description;
+}
+
+RunDescription with_alterations(RunDescription description, std::span<const Alteration> alterations) {
+    description.alterations =
+        Alterations(unaltered_model(description), description.origin, description.alterations.with(alterations));
     return description;
 }
 
@@ -165,6 +189,7 @@ void check_values(const RunDescription& description) {
             if (info.kind == ParameterInfo::Kind::real) check_fits(description.precision, info, values[info.name]);
         }
     }
+    check_alterations(description);
     if (const auto& refusal = model_of(description).refusal) {
         if (const auto refused = refusal(description.scene)) throw UsageError(*refused);
     }

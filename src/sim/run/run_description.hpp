@@ -5,9 +5,11 @@
 #include "models/model.hpp"
 #include "models/scene/starting_values.hpp"
 #include "models/scene_origin.hpp"
+#include "sim/run/alterations.hpp"
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,6 +27,16 @@ inline constexpr ParameterInfo dt_parameter{
     .slider_high = 10,
     .slider_logarithmic = true};
 
+/// The mass of a particle that is altered.
+inline constexpr ParameterInfo altered_mass{.name = "mass",
+                                            .unit = "kg",
+                                            .minimum_included = false,
+                                            .default_value = 1,
+                                            .what = "mass of the selected particles",
+                                            .slider_low = 0.01,
+                                            .slider_high = 100,
+                                            .slider_logarithmic = true};
+
 /// What is to be computed: scene, method, precision and dt. Two equal ones give the same bits, step for step.
 struct RunDescription {
     std::string model;        ///< the id of a model of the catalogue, or the name of a scene file
@@ -34,12 +46,13 @@ struct RunDescription {
     ParameterValues method_parameters;
     Precision precision = Precision::double_;
     double dt = dt_parameter.default_value;
-    StartChange start = {};  ///< of the scene
+    StartChange start = {};        ///< of the scene
+    Alterations alterations = {};  ///< of single particles of the scene
 
     friend bool operator==(const RunDescription&, const RunDescription&) = default;
 };
 
-/// The model of the catalogue, or that of the scene file. Throws UsageError if an id is unknown.
+/// The model of the catalogue, or that of the scene file, with its alterations. Throws UsageError if an id is unknown.
 const Model& model_of(const RunDescription& description);
 SceneFacts facts_of(const RunDescription& description);
 
@@ -52,6 +65,9 @@ RunDescription describe(SceneOrigin origin);
 /// The same description with another model or method, whose parameters start at their defaults.
 RunDescription with_model(RunDescription description, std::string_view model);
 RunDescription with_method(RunDescription description, std::string_view method);
+
+/// The same description with alterations of these particles besides those that it has.
+RunDescription with_alterations(RunDescription description, std::span<const Alteration> alterations);
 
 /// Sets a parameter of the model or of the method, whichever has it. Throws UsageError naming the known ones.
 void set_parameter(RunDescription& description, std::string_view name, std::string_view text);
@@ -67,7 +83,7 @@ void check_values(const RunDescription& description);
 RunDescription as_held(RunDescription description);
 
 /// "--model chain --set n=20 --method rk4 --precision double --dt 0.1": what differs from a default is named, so that
-/// the command line gives the same description back.
+/// the command line gives the same description back, but for alterations: a scene file says them.
 std::string command_line(const RunDescription& description);
 
 /// The largest stable dt of the method on this scene as linear theory gives it, drag included: that of the fastest mode

@@ -5,6 +5,7 @@
 #include "sim/steppers/bands.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 namespace steplab {
@@ -59,6 +60,11 @@ void Segment::restart() {
     stepper.reset();
     const Method& how = method(held.method);
     stepper = make_stepper(how, segment_start(held, scene, instructions_for(how, scene, execution)), execution);
+}
+
+void Segment::begin_at(Start start) {
+    scene.start = std::move(start);
+    restart();
 }
 
 const std::optional<StabilityLimit>& Segment::limit() const {

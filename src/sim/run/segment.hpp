@@ -38,6 +38,8 @@ struct Segment {
 
     /// Puts the stepper back to where the segment began.
     void restart();
+    /// Begins again at another synchronised state: the same as a new segment of this description.
+    void begin_at(Start start);
 
     // Of the held description; each computed when it is first asked for.
     const std::optional<StabilityLimit>& limit() const;

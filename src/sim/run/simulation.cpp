@@ -185,10 +185,13 @@ Change Simulation::change(const RunDescription& description) {
     const RunDescription& now = body_->segment.description;
     if (description == now) return Change::none;
     const bool again = restarts(now, description);
-    if (again || step() == 0) {
+    const bool altered = description.alterations != now.alterations;
+    const bool untouched = step() == 0 && body_->exact_scene && !altered;
+    if (again || untouched) {
         begin(description);
     } else {
-        body_->go_on(description, {.new_baseline = !(description.scene == now.scene)});
+        body_->go_on(description,
+                     {.new_baseline = altered || !(description.scene == now.scene), .another_motion = altered});
     }
     return again ? Change::restarted : Change::continued;
 }
@@ -224,6 +227,7 @@ Simulation::Snapshot Simulation::save() const {
 void Simulation::restore(const Snapshot& snapshot) {
     const FlushSubnormals flush;
     const Snapshot::Content& content = *snapshot.content_;
+    if (content.description.alterations != description().alterations) body_->shape.reset();
     if (content.course.segment_number != segment())
         body_->segment = Segment(content.description, Execution(body_->segment.execution), content.start, content.dt);
     static_cast<Course&>(*body_) = content.course;

@@ -195,11 +195,23 @@ void Simulation::Body::diverged() {
 /// Begins a new segment at the synchronised state.
 void Simulation::Body::go_on(const RunDescription& description, const GoingOn& how) {
     const FlushSubnormals flush;
-    Segment next(description, segment.execution, Start(State<double>(state())), how.dt);
+    State<double> begin(state());
+    const bool altered = description.alterations != segment.description.alterations;
+    if (altered) carry_over(segment.scene, plan_of(as_held(description)), begin);
+    Segment next(description, segment.execution, Start(std::move(begin)), how.dt);
+    if (altered) shape.reset();
+    leave_segment();
+    segment = std::move(next);
+    begin_segment(how);
+}
+
+void Simulation::Body::leave_segment() {
     evaluations_before += segment.stepper->evaluations();
     segment_time = time_at(step);
     segment_step = step;
-    segment = std::move(next);
+}
+
+void Simulation::Body::begin_segment(const GoingOn& how) {
     segment_number = ++newest_segment;
     divergence.reset();
     moved();
@@ -221,11 +233,14 @@ void Simulation::Body::shorten_last_step() {
     shortened = true;
 }
 
-/// A new segment begins.
+/// A new segment begins, of the same description: what is known of the scene need not be made again.
 void Simulation::Body::act(const Act& act) {
-    state();
-    apply(act, segment.scene.reference, observed_state);
-    go_on(RunDescription(segment.description), {.new_baseline = does_work(act), .another_motion = true});
+    const FlushSubnormals flush;
+    State<double> begin(state());
+    apply(act, segment.scene.reference, begin);
+    leave_segment();
+    segment.begin_at(std::move(begin));
+    begin_segment({.new_baseline = does_work(act), .another_motion = true});
 }
 
 }  // namespace steplab

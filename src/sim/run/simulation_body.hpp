@@ -105,6 +105,8 @@ struct Simulation::Body : Course {
         std::optional<double> dt = {};  // of its steps, instead of the description's
     };
     void go_on(const RunDescription& description, const GoingOn& how);
+    void leave_segment();
+    void begin_segment(const GoingOn& how);
 
 private:
     State<double> observed_state;

@@ -23,12 +23,13 @@ void draw_show_panel(const Context& context);
 /// Rows of the previous section.
 void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
+void draw_selection_panel(const Context& context);
 void draw_plots_panel(const Context& context);
 
 /// The sections of the side panel from top to bottom.
 using Section = void (*)(const Context& context);
-inline constexpr Section sections[] = {draw_scene_panel, draw_runs_panel, draw_method_panel,
-                                       draw_step_panel,  draw_show_panel, draw_energy_panel};
+inline constexpr Section sections[] = {draw_scene_panel, draw_runs_panel,   draw_method_panel,   draw_step_panel,
+                                       draw_show_panel,  draw_energy_panel, draw_selection_panel};
 /// Those while a trajectory is played.
 inline constexpr Section playback_sections[] = {draw_scene_panel, draw_playback_panel, draw_show_panel,
                                                 draw_energy_panel};
@@ -36,9 +37,11 @@ inline constexpr Section playback_sections[] = {draw_scene_panel, draw_playback_
 /// In place of all of these and the scene: pictures of scenes to choose from.
 void draw_scenes_page(const Context& context);
 
-/// Over the scene: the ring around the particle under the pointer; readings of time, step and errors; messages; the
+/// Over the scene: the ring around the particle under the pointer, and its numbers; the spring by which one is pulled,
+/// the arrow of a kick, the box that selects; readings of time, step and errors; messages; the
 /// cards of a scene out of view and of a diverged run; help.
 void draw_pointed(const Context& context);
+void draw_hands(const Context& context);
 void draw_lost_card(const Context& context);
 void draw_read_out(const Context& context);
 void draw_notices(const Context& context);

@@ -5,7 +5,8 @@
 namespace steplab::ui {
 
 void draw_pointed(const Context& context) {
-    const std::optional<std::size_t> particle = context.state.pulled ? context.state.pulled : context.state.pointed;
+    const std::optional<std::size_t> particle =
+        context.state.hands.pulled ? context.state.hands.pulled : context.state.pointed;
     const Frame& frame = context.view.frame;
     if (context.purpose != Purpose::use || !particle || *particle >= frame.positions.size()) return;
     const Area& scene = context.layout.scene;

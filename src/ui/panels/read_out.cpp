@@ -50,6 +50,16 @@ void append_error(std::vector<Line>& lines, const Context& context) {
     if (digits) lines.push_back({digits_text(*digits), *digits < 1 ? colour::bad : colour::good});
 }
 
+/// Of several selected particles.
+void append_selection(std::vector<Line>& lines, const Context& context) {
+    if (context.state.selection.others().empty()) return;
+    const std::vector<std::size_t> particles = context.state.selection.all(context.view);
+    const Middle middle = middle_of(context.view, particles);
+    lines.push_back({fmt::format("{} particles selected", particles.size()), colour::text});
+    lines.push_back({fmt::format("centre of mass: {} m", vector(middle.position))});
+    lines.push_back({fmt::format("mean velocity: {} m/s", vector(middle.velocity))});
+}
+
 std::vector<Line> lines_of(const Context& context) {
     const RunView& view = context.view;
     std::vector<Line> lines;
@@ -62,6 +72,7 @@ std::vector<Line> lines_of(const Context& context) {
     append_error(lines, context);
     if (!view.frame.ensemble.empty())
         lines.push_back({"ensemble spread: max " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
+    append_selection(lines, context);
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });
     return lines;
 }

@@ -52,6 +52,11 @@ struct Flock {
         run.act(pull);
         for (Simulation& simulation : alone) simulation.act(pull);
     }
+    void act(const Act& act) {
+        segments.push_back({run.step(), run.description(), act});
+        run.act(act);
+        for (Simulation& simulation : alone) simulation.act(act);
+    }
     EnsembleSpread observe(Frame& frame) {
         EXPECT_TRUE(live_ensemble.go_to(run.step(), segments));
         EXPECT_TRUE(live_ensemble.are_at(run.step(), segments));
@@ -86,6 +91,29 @@ TEST_P(LiveEnsembleOf, each_method_have_the_bits_of_runs_alone) {
             flock.advance(40);
             flock.expect_the_bits_of_runs_alone();
         }
+    }
+}
+
+TEST_P(LiveEnsembleOf, hands_on_particles_have_the_bits_of_runs_alone) {
+    if (GetParam().info->curiosity) return;  // they refuse altered scenes
+    for (const char* const model : {"chain", "morse"}) {
+        const RunDescription description = test::run_of(model, GetParam().id(), GetParam().precision, 0.02);
+        Flock flock(description, {.runs = 3, .spread = "k", .width = 0.1});
+        SCOPED_TRACE(model);
+        const auto alter = [&](const Alteration& alteration) {
+            flock.change(with_alterations(flock.run.description(), std::vector{alteration}));
+            flock.expect_the_bits_of_runs_alone();
+            flock.advance(5);
+            flock.expect_the_bits_of_runs_alone();
+        };
+        alter({9, true});
+        alter({9, false});
+        alter({5, std::nullopt, 2.5});
+        for (int i = 0; i < 4; ++i) {
+            flock.act(Tug{5, {1, 2, 0}, 3, i > 0, ParticleList({6, 7}), 0.1});
+            flock.advance(5);
+        }
+        flock.expect_the_bits_of_runs_alone();
     }
 }
 

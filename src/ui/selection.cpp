@@ -1,0 +1,87 @@
+#include "ui/selection.hpp"
+
+#include <algorithm>
+
+namespace steplab::ui {
+
+namespace {
+
+bool is_first(std::size_t particle, const RunView& view) { return view.tracked && view.tracked->particle == particle; }
+
+ParticleList without(std::size_t particle, const ParticleList& list) {
+    std::vector<std::size_t> rest(list.begin(), list.end());
+    std::erase(rest, particle);
+    return ParticleList(std::move(rest));
+}
+
+}  // namespace
+
+std::vector<std::size_t> Selection::all(const RunView& view) const {
+    std::vector<std::size_t> all;
+    if (view.tracked) all.push_back(view.tracked->particle);
+    for (const std::size_t other : others_) {
+        if (other < view.frame.positions.size() && !is_first(other, view)) all.push_back(other);
+    }
+    return all;
+}
+
+bool Selection::contains(std::size_t particle, const RunView& view) const {
+    return is_first(particle, view) || others_.contains(particle);
+}
+
+void Selection::only(std::size_t particle, EventSink& events) {
+    others_ = {};
+    events.send(event::Track{particle});
+}
+
+void Selection::toggle(std::size_t particle, const RunView& view, EventSink& events) {
+    if (is_first(particle, view)) {
+        if (others_.empty()) return;
+        events.send(event::Track{*others_.begin()});
+        others_ = without(*others_.begin(), others_);
+    } else if (others_.contains(particle)) {
+        others_ = without(particle, others_);
+    } else if (!view.tracked) {
+        only(particle, events);
+    } else {
+        std::vector<std::size_t> more(others_.begin(), others_.end());
+        more.push_back(particle);
+        others_ = ParticleList(std::move(more));
+    }
+}
+
+void Selection::take(std::span<const std::size_t> particles, bool added, const RunView& view, EventSink& events) {
+    std::vector<std::size_t> all(particles.begin(), particles.end());
+    if (added) all.insert(all.end(), others_.begin(), others_.end());
+    others_ = ParticleList(std::move(all));
+    const bool stays = view.tracked && (added || others_.contains(view.tracked->particle));
+    if (stays || others_.empty()) {
+        if (view.tracked) others_ = without(view.tracked->particle, others_);
+        return;
+    }
+    const std::size_t first = *others_.begin();
+    others_ = without(first, others_);
+    events.send(event::Track{first});
+}
+
+double mass_of(const RunView& view, std::size_t particle) {
+    if (const auto altered = view.description.alterations.of(particle).mass) return *altered;
+    const auto& masses = view.frame.shape->masses;
+    return masses.empty() ? view.frame.mass : masses[particle];
+}
+
+Middle middle_of(const RunView& view, std::span<const std::size_t> particles) {
+    const bool known = std::all_of(particles.begin(), particles.end(),
+                                   [&](std::size_t particle) { return mass_of(view, particle) > 0; });
+    Middle sum;
+    double all = 0;
+    for (const std::size_t particle : particles) {
+        const double weight = known ? mass_of(view, particle) : 1;
+        sum.position = sum.position + weight * view.frame.positions[particle];
+        sum.velocity = sum.velocity + weight * view.frame.velocities[particle];
+        all += weight;
+    }
+    return {(1 / all) * sum.position, (1 / all) * sum.velocity};
+}
+
+}  // namespace steplab::ui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/particle_list.hpp"
+#include "session/worker.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace steplab::ui {
+
+/// The particles that are selected: first the one that views tell about (event::Track), then others.
+class Selection {
+public:
+    /// Those besides the first one.
+    const ParticleList& others() const { return others_; }
+    std::vector<std::size_t> all(const RunView& view) const;
+    bool contains(std::size_t particle, const RunView& view) const;
+
+    /// This one alone.
+    void only(std::size_t particle, EventSink& events);
+    /// Adds this one, or takes it away; where it was the first, the next one is.
+    void toggle(std::size_t particle, const RunView& view, EventSink& events);
+    /// These in place of those before, or, if `added`, besides. The first one stays it where it is among them.
+    void take(std::span<const std::size_t> particles, bool added, const RunView& view, EventSink& events);
+    /// None but the first one.
+    void clear() { others_ = {}; }
+
+private:
+    ParticleList others_;
+};
+
+/// The mass of a particle in kg; 0 where it is not known.
+double mass_of(const RunView& view, std::size_t particle);
+
+/// Of several particles at one time: centre of mass and mean velocity weighted by mass, or, where masses are not known,
+/// the means of all.
+struct Middle {
+    Vec3 position, velocity;
+};
+Middle middle_of(const RunView& view, std::span<const std::size_t> particles);
+
+}  // namespace steplab::ui
