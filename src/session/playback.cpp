@@ -4,11 +4,11 @@
 #include "core/shown.hpp"
 #include "io/indexed_text.hpp"
 #include "io/text_trajectory.hpp"
+#include "models/scene/mean_nearest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace steplab {
@@ -23,23 +23,13 @@ namespace {
     throw FileError(fmt::format("cannot play '{}': {}", shown(file), why));
 }
 
-/// Between the particles of a frame whose scene is not known: as in a cube of as many.
-double spacing_of(const std::vector<Vec3>& places) {
-    Vec3 low = places.front(), high = low;
-    for (const Vec3 at : places) {
-        low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
-    }
-    const double side = length(high - low) / std::cbrt(static_cast<double>(places.size()));
-    return std::isfinite(side) && side > 0 ? side : 1;
-}
-
 /// Of rows alone: where they are in the first frame.
 std::shared_ptr<const Shape> shape_of_rows(const Frame& first) {
     Shape shape = *first.shape;
     shape.rest = shape.expected = first.positions;
     shape.roles.resize(first.positions.size(), Role::moving);
-    shape.spacing = spacing_of(first.positions);
+    const double apart = mean_nearest(first.positions);
+    shape.spacing = apart > 0 ? apart : 1;
     return std::make_shared<const Shape>(std::move(shape));
 }
 
@@ -194,10 +184,12 @@ double Playback::spacing() const {
     return frames() > 1 ? elapsed_at(last_time_) / static_cast<double>(frames() - 1) : 0;
 }
 
-/// The last frame that is reached, if the first one is; frames are spaced evenly as a rule, so that the guess is right
-/// or nearly so.
+/// The last frame that is reached, if the first one is; frames are spaced evenly as a rule, so that the guess, this
+/// part of them, is right or nearly so.
 template <class Reached>
-std::uint64_t Playback::last_frame(std::uint64_t guess, const Reached& reached) {
+std::uint64_t Playback::last_frame(double part, const Reached& reached) {
+    const double place = part * static_cast<double>(frames() - 1);
+    const std::uint64_t guess = place > 0 ? static_cast<std::uint64_t>(std::min(place, 9e15)) : 0;  // also for NaN
     std::uint64_t first = 0, end = frames();
     for (std::uint64_t probe = std::min(guess, end - 1); first + 1 < end;) {
         const bool is_first_probe = probe == guess;
@@ -215,17 +207,13 @@ std::uint64_t Playback::last_frame(std::uint64_t guess, const Reached& reached) 
 /// The last one that is no later than this step.
 std::uint64_t Playback::frame_of(std::uint64_t step) {
     const double part = last_step_ > 0 ? static_cast<double>(step) / static_cast<double>(last_step_) : 0;
-    const auto last = static_cast<double>(frames() - 1);
-    const auto guess = static_cast<std::uint64_t>(std::clamp(part * last, 0.0, last));
-    return last_frame(guess, [&](const FrameBlock::Moment& moment) { return moment.step <= step; });
+    return last_frame(part, [&](const FrameBlock::Moment& moment) { return moment.step <= step; });
 }
 
 /// The last one that is no later than this.
 std::uint64_t Playback::frame_at(double elapsed) {
     const double part = elapsed_at(last_time_) > 0 ? elapsed / elapsed_at(last_time_) : 0;
-    const auto last = static_cast<double>(frames() - 1);
-    const auto guess = static_cast<std::uint64_t>(std::clamp(part * last, 0.0, last));
-    return last_frame(guess, [&](const FrameBlock::Moment& moment) { return elapsed_at(moment.time) <= elapsed; });
+    return last_frame(part, [&](const FrameBlock::Moment& moment) { return elapsed_at(moment.time) <= elapsed; });
 }
 
 /// The first one that is no earlier than this.

@@ -72,7 +72,7 @@ private:
     std::uint64_t frame_of(std::uint64_t step);
     std::uint64_t frame_at(double elapsed);
     template <class Reached>
-    std::uint64_t last_frame(std::uint64_t guess, const Reached& reached);
+    std::uint64_t last_frame(double part, const Reached& reached);
     double elapsed_at(double time) const { return backward_ ? first_time_ - time : time - first_time_; }
     double spacing() const;
     explicit Playback(const std::string& file, Source source);

@@ -1,18 +1,14 @@
-#include "session/playback.hpp"
+#include "session/playback_test.hpp"
 
 #include "core/error.hpp"
-#include "io/trajectories.hpp"
-#include "session/worker_test.hpp"
 #include "support/allocations.hpp"
-#include "support/runs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <map>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -21,42 +17,6 @@ namespace steplab::test {
 namespace {
 
 using testing::HasSubstr;
-
-/// Every second step of a run, in chunks of a few frames each, and what the run measured there.
-struct Written {
-    explicit Written(RunDescription description, std::size_t count = 24) : run(std::move(description)) {
-        OutputFile file(path);
-        TrajectoryWriter writer(file, TrajectoryFormat::trajectory, run, {});
-        Simulation simulation(run);
-        for (std::size_t i = 0; i < count; ++i) {
-            Frame& frame = frames.emplace_back();
-            simulation.frame(frame, {.displacements = true});
-            measured.push_back(simulation.diagnostics());
-            writer.add(frame);
-            if (i % 5 == 4) writer.flush();
-            simulation.advance(2);
-        }
-        writer.finish();
-        file.commit();
-    }
-
-    TemporaryFolder folder;
-    std::string path = folder.file("a.trajectory");
-    RunDescription run;
-    std::vector<Frame> frames;
-    std::vector<Diagnostics> measured;
-};
-
-SessionView view_of(Playback& playback) {
-    SessionView view;
-    playback.observe(view);
-    return view;
-}
-
-/// Position of the frame with this number among those of a file.
-void go_to(Playback& playback, std::size_t number) {
-    playback.handle(event::Step{static_cast<std::int64_t>(number) - static_cast<std::int64_t>(playback.number())});
-}
 
 class EveryModel : public testing::TestWithParam<std::pair<const Model*, Precision>> {
 protected:
@@ -103,8 +63,6 @@ std::vector<std::pair<const Model*, Precision>> every_model() {
 INSTANTIATE_TEST_SUITE_P(Playback, EveryModel, testing::ValuesIn(every_model()), [](const auto& test) {
     return std::string(test.param.first->info.id) + "_" + std::string(id(test.param.second));
 });
-
-RunDescription chain(double dt = 0.1) { return run_of("chain", "rk4", Precision::double_, dt); }
 
 TEST(Playback, goes_to_any_frame_from_any_other) {
     const Written written(chain());
@@ -286,65 +244,6 @@ TEST(Playback, of_some_particles_shows_them_alone) {
     EXPECT_THROW(continued(view), UsageError);
 }
 
-/// A file of text with these frames.
-std::string text_file(const TemporaryFolder& folder, const Written& from, const char* name) {
-    OutputFile file(folder.file(name), compression_of(name));
-    TrajectoryWriter writer(file, trajectory_format_of(name), from.run);
-    for (const Frame& frame : from.frames) writer.add(frame);
-    writer.finish();
-    file.commit();
-    return folder.file(name);
-}
-
-/// A text has the shortest numbers that read back in the precision of the run.
-std::vector<Vec3> held(std::vector<Vec3> vectors, Precision precision) {
-    for (Vec3& v : vectors) v = {rounded_to(precision, v.x), rounded_to(precision, v.y), rounded_to(precision, v.z)};
-    return vectors;
-}
-
-TEST(Playback, of_text_shows_the_same_numbers_without_a_scene) {
-    for (const Precision precision : precisions) {
-        const Written from(run_of("chain", "rk4", precision, 0.1));
-        for (const char* const name : {"a.csv", "a.xyz", "a.extxyz", "a.csv.gz", "a.xyz.zst"}) {
-            const TemporaryFolder folder;
-            Playback playback(text_file(folder, from, name));
-            ASSERT_EQ(playback.frames(), from.frames.size()) << name;
-            for (const std::size_t i : {23u, 0u, 12u, 1u}) {
-                go_to(playback, i);
-                EXPECT_EQ(held(playback.frame().positions, precision), from.frames[i].positions) << name;
-                EXPECT_EQ(held(playback.frame().velocities, precision), from.frames[i].velocities) << name;
-                EXPECT_EQ(playback.frame().step, from.frames[i].step) << name;
-                EXPECT_EQ(playback.frame().time, from.frames[i].time) << name;
-            }
-            const SessionView view = view_of(playback);
-            EXPECT_FALSE(view.playback->measured);
-            EXPECT_EQ(view.playback->fault, "");
-            if (std::string_view(name).starts_with("a.csv")) continue;
-            EXPECT_EQ(view.leading.frame.shape->roles, from.frames[0].shape->roles) << name;
-        }
-    }
-}
-
-TEST(Playback, of_text_of_another_program_has_a_frame_a_second) {
-    const Kept file("1\nfirst\nH 1 2 3\n1\nsecond\nH 2 3 4\n1\nthird\nH 3 4 5\n");
-    Playback playback(file.name());
-    playback.handle(event::SeekTime{2});
-    EXPECT_EQ(playback.frame().positions.front(), (Vec3{3, 4, 5}));
-    EXPECT_EQ(playback.frame().time, 2);
-}
-
-TEST(Playback, of_damaged_text_shows_the_frames_before_and_says_why) {
-    const Kept file("1\n\nH 1 2 3\n1\n\nH 2 3 4\n1\n\nH 3 x 5\n");
-    Playback playback(file.name());
-    EXPECT_EQ(playback.frames(), 2u);
-    EXPECT_THAT(view_of(playback).playback->fault, HasSubstr("x"));
-    const Kept uneven("1\n\nH 1 2 3\n2\n\nH 2 3 4\nH 3 4 5\n");
-    Playback first(uneven.name());
-    EXPECT_THAT(view_of(first).playback->fault, HasSubstr("has 2 rows"));
-    EXPECT_THROW(Playback{Kept("nonsense").name()}, FileError);
-    EXPECT_THROW(Playback{Kept("step,time,particle,x,y,z\n").name()}, FileError);
-}
-
 TEST(Playback, cut_anywhere_shows_the_frames_before_or_is_refused) {
     const Written written(chain(), 8);
     const std::string bytes = text_of(written.path);
@@ -435,78 +334,6 @@ TEST(Playback, is_continued_by_a_run_from_the_frame_that_is_shown) {
         EXPECT_GT(distance(run.frame(), written.frames[6]), 100 * rounding);
         EXPECT_EQ(run.description().start.from->given, written.path + ":12");
     }
-}
-
-class PlaybackWorker : public testing::Test {
-protected:
-    PlaybackWorker() { worker.on_view(News::wake); }
-    template <class Condition>
-    bool see(Condition condition) {
-        while (true) {
-            while (worker.take(view)) {
-                if (condition(view)) return true;
-            }
-            if (!News::wait()) return false;
-        }
-    }
-
-    Written written{chain()};
-    Worker worker{TrajectoryFile{written.path}};
-    SessionView view;
-};
-
-TEST_F(PlaybackWorker, plays_to_the_end_at_any_rate) {
-    for (const Rate rate : {Rate{.as_fast_as_possible = true}, Rate{.seconds_per_second = 200}}) {
-        worker.send(event::SetRate{rate});
-        worker.send(event::Restart{});
-        worker.send(event::Play{true});
-        ASSERT_TRUE(see([](const SessionView& now) { return now.playback->frame == 23 && !now.leading.playing; }));
-        EXPECT_EQ(bits_of(view.leading.frame), bits_of(written.frames[23]));
-    }
-    worker.send(event::SetRate{{.as_fast_as_possible = true}});
-    worker.send(event::Play{true});
-    std::size_t frames = 0;
-    ASSERT_TRUE(see([&](const SessionView& now) {
-        ++frames;
-        return now.playback->frame == 23 && !now.leading.playing;
-    }));
-    EXPECT_GT(frames, 3u) << "some are seen on the way";
-}
-
-TEST_F(PlaybackWorker, reports_what_it_refuses) {
-    worker.send(event::Do{TurnRound{}});
-    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.failures == 1; }));
-    EXPECT_THAT(view.leading.error, HasSubstr("a trajectory is played back"));
-    std::future<Recording> recording = worker.recording();
-    EXPECT_THROW(recording.get(), UsageError);
-}
-
-TEST_F(PlaybackWorker, gives_way_to_a_run_and_a_run_to_it) {
-    worker.send(event::Track{4});
-    worker.send(event::Seek{12});
-    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.frame.step == 12; }));
-    const std::uint64_t run = view.leading.run;
-    worker.begin(continued(view));
-    ASSERT_TRUE(see([](const SessionView& now) { return !now.playback; }));
-    EXPECT_EQ(view.leading.frame.positions, written.frames[6].positions);
-    EXPECT_NE(view.leading.run, run) << "plots begin again";
-    ASSERT_TRUE(view.leading.tracked);
-    EXPECT_EQ(view.leading.tracked->particle, 4u);
-    worker.send(event::Step{3});
-    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.frame.step == 3; }));
-    EXPECT_EQ(worker.recording().get().events.size(), 1u);
-    worker.begin(TrajectoryFile{written.path});
-    ASSERT_TRUE(see([](const SessionView& now) { return now.playback.has_value(); }));
-    EXPECT_EQ(bits_of(view.leading.frame), bits_of(written.frames[0]));
-}
-
-TEST_F(PlaybackWorker, stays_if_what_is_asked_for_cannot_begin) {
-    worker.begin(TrajectoryFile{"there is no such file"});
-    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.failures == 1; }));
-    EXPECT_THAT(view.leading.error, HasSubstr("there is no such file"));
-    EXPECT_TRUE(view.playback);
-    worker.send(event::Step{1});
-    EXPECT_TRUE(see([](const SessionView& now) { return now.playback->frame == 1; }));
 }
 
 }  // namespace

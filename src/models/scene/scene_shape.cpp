@@ -1,3 +1,4 @@
+#include "models/scene/mean_nearest.hpp"
 #include "models/scene/planner.hpp"
 #include "models/scene/scene_particles.hpp"
 #include "models/scene/spring_list.hpp"
@@ -15,7 +16,7 @@ namespace steplab {
 
 namespace {
 
-/// The mean length of the springs; without any, the mean distance of a particle from the nearest one.
+/// The mean length of the springs.
 double mean_spring(const Shape& shape) {
     double sum = 0;
     for (const Spring& spring : shape.springs)
@@ -40,17 +41,6 @@ double nearest(const std::vector<Vec3>& places, std::size_t i, const Measure& me
 double distance_of_nearest(const std::vector<Vec3>& places, std::size_t i) {
     const double distance = nearest(places, i, [](Vec3 d) { return dot(d, d); });
     return std::isfinite(distance) ? distance : nearest(places, i, [](Vec3 d) { return length(d); });
-}
-
-double mean_nearest(const std::vector<Vec3>& places) {
-    constexpr std::size_t most = 300;  // asked
-    const std::size_t stride = std::max<std::size_t>(1, places.size() / most);
-    double sum = 0, asked = 0;
-    for (std::size_t i = 0; i < places.size(); i += stride) {
-        const double least = distance_of_nearest(places, i);
-        if (std::isfinite(least)) sum += least, asked += 1;
-    }
-    return asked > 0 ? sum / asked : 0;
 }
 
 /// The smallest coordinates and the largest ones.
@@ -106,6 +96,17 @@ void add_groups(const Scene& scene, Shape& shape) {
 }
 
 }  // namespace
+
+double mean_nearest(const std::vector<Vec3>& places) {
+    constexpr std::size_t most = 300;  // asked
+    const std::size_t stride = std::max<std::size_t>(1, places.size() / most);
+    double sum = 0, asked = 0;
+    for (std::size_t i = 0; i < places.size(); i += stride) {
+        const double least = distance_of_nearest(places, i);
+        if (std::isfinite(least)) sum += least, asked += 1;
+    }
+    return asked > 0 ? sum / asked : 0;
+}
 
 Shape shape_of(const Scene& scene) {
     const SceneParticles particles(scene);

@@ -33,7 +33,7 @@ void draw_playback_panel(const Context& context) {
     reading_row(context, "frame", fmt::format("{} of {}", playback.frame + 1, playback.frames));
     if (!playback.fault.empty()) explanation(context, playback.fault, colour::caution);
     if (playback.measured) return draw_run(context);
-    explanation(context, "The file does not hold all particles of a scene: energies and forces are not known.");
+    explanation(context, "The file does not have a whole scene: energies and forces are not known.");
 }
 
 }  // namespace steplab::ui

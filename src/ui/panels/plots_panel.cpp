@@ -68,7 +68,7 @@ void draw_plots_panel(const Context& context) {
     Plot energy = energy_plot(context.state.history, has_drag(context.view.description));
     if (context.session.playback && !context.session.playback->measured) {
         energy.curves.clear();
-        energy.empty = "the file does not hold all particles of a scene";
+        energy.empty = "not known: the file does not have a whole scene";
     }
     draw_plot(context, energy, place);
     place.x += width + gap;
