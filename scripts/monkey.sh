@@ -43,11 +43,11 @@ round() {
         }
         function gesture(   kind, key) {
             kind = any(100)
-            if (kind < 30) return "key " one("space Right Left BackSpace Home f equal minus bracketleft bracketright Tab F1 F11 ctrl+p Escape Return Delete Up Down ctrl+a ctrl+c ctrl+v ctrl+x ctrl+z End")
+            if (kind < 30) return "key " one("space Right Left BackSpace Home f equal minus bracketleft bracketright Tab F1 F11 ctrl+p Escape Return Delete Up Down ctrl+a ctrl+c ctrl+v ctrl+x ctrl+z ctrl+z ctrl+y End b r t j l s")
             if (kind < 60) return "mousemove " place() " click " one("1 1 1 1 3 2")
             if (kind < 65) return "mousemove " place() " click --repeat 2 --delay 40 1"
             if (kind < 80) return drag(one("1 1 1 3 2"))
-            if (kind < 85) { key = one("ctrl shift alt"); return "keydown " key " " drag(1) " keyup " key }
+            if (kind < 85) { key = one("ctrl shift alt"); return "keydown " key " " drag(one("1 1 3")) " keyup " key }
             if (kind < 92) return "mousemove " place() " click --repeat " 1 + any(12) " --delay 5 " one("4 5")
             if (kind < 97) return "type --delay 10 --args 1 -- " one("0 1 7 12 0.1 1e-3 -1 1e9 nan inf e . -- 5e-324 x µ ()")
             return "windowsize %1 " 200 + any(1100) " " 150 + any(700)
