@@ -41,6 +41,12 @@ VertexColour own_colour(const Shot& shot, std::size_t i) {
     return vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i), part);
 }
 
+/// Of the window, for each of the picture.
+std::size_t pixels_of(const Style& style) {
+    const auto side = static_cast<std::size_t>(style.enlarged);
+    return side * side;
+}
+
 }  // namespace
 
 Particles::Particles()
@@ -58,7 +64,7 @@ void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& tak
     const double radius = shot.known.largest_radius(Role::moving);
     for (const std::uint32_t i : shot.known.special) blocks.hide(i);
     chosen_ = blocks.choose(shot.projection, shot.tile, shot.part, radius);
-    const auto one_of = static_cast<std::size_t>(shot.style.enlarged * shot.style.enlarged);
+    const std::size_t one_of = pixels_of(shot.style);
     for (const Detail detail : {Detail::dot, Detail::point, Detail::body})
         blocks.mark(shot.projection, chosen_[index(detail)], radius, taken, detail == Detail::dot ? one_of : 1);
     moving_.upload(blocks.vertices());
@@ -160,7 +166,7 @@ void Particles::draw(const ViewUniforms& view, const RenderTarget& target, const
     use(dot_, view, radius, least_coverage);
     const auto& dots = chosen_[index(Detail::dot)];
     if (style.enlarged == 1) return moving_.draw_points(dots);
-    moving_.draw_some_points(dots, static_cast<std::size_t>(style.enlarged * style.enlarged));
+    moving_.draw_some_points(dots, pixels_of(style));
 }
 
 void Particles::draw_rings(const ViewUniforms& view, double pixel_scale) const {

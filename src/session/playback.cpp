@@ -135,16 +135,20 @@ std::uint64_t Playback::end_of(bool late) {
 
 bool Playback::play_to(double elapsed) {
     if (!playing_) return false;
+    const bool is_due = backwards_ ? elapsed <= next_elapsed() : elapsed >= next_elapsed();
+    if (!is_due) return false;
     const std::uint64_t last = last_played();
-    if (backwards_ && number_ > last && elapsed <= next_elapsed()) {
+    if (loop_ && number_ == last) {
+        go_to(frame_of(backwards_ ? loop_->last : loop_->first));
+        return true;
+    }
+    if (backwards_) {
         go_to(std::max(last, std::min(number_ - 1, first_frame_from(elapsed))));
-    } else if (!backwards_ && number_ < last && elapsed >= next_elapsed()) {
+    } else {
         go_to(std::min(last, std::max(number_ + 1, frame_at(elapsed))));
     }
-    if (number_ != last) return false;
-    if (!loop_) return stop(), false;
-    go_to(frame_of(backwards_ ? loop_->last : loop_->first));
-    return true;
+    if (!loop_ && number_ == last) stop();
+    return false;
 }
 
 bool Playback::play_next() { return play_to(next_elapsed()); }

@@ -17,7 +17,7 @@ namespace {
 /// Of so many steps at once, moments are kept at the ends of its parts.
 constexpr std::uint64_t long_way = 4096, parts_of_long_way = 64;
 /// Measured costs older than this fade.
-constexpr double memory_seconds = 0.25;
+constexpr double remembered_seconds = 0.25;
 /// Steps that are computed again rather than kept.
 constexpr std::uint64_t nearby = 8;
 
@@ -54,7 +54,7 @@ void TimeLine::take_steps(std::uint64_t steps) {
     const auto begin = Clock::now();
     run_.advance(steps);
     const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
-    const double fading = std::exp(-spent / memory_seconds),
+    const double fading = std::exp(-spent / remembered_seconds),
                  taken = static_cast<double>(run_.advanced().step) - static_cast<double>(before);
     spent_ = spent_ * fading + spent;
     simulated_ = simulated_ * fading + taken * std::abs(run_.dt());

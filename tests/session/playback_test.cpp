@@ -126,29 +126,6 @@ TEST(Playback, finds_frames_that_are_not_evenly_spaced) {
     }
 }
 
-TEST(Playback, plays_in_simulated_time_and_stops_at_the_last_frame) {
-    const Written written(chain());
-    Playback playback(written.path);
-    playback.play_to(1);
-    EXPECT_EQ(playback.number(), 0u) << "it does not play";
-    playback.handle(event::Play{true});
-    EXPECT_DOUBLE_EQ(playback.next_elapsed(), 0.2);
-    playback.play_to(0.1999);
-    EXPECT_EQ(playback.number(), 0u);
-    playback.play_to(0.2);
-    EXPECT_EQ(playback.number(), 1u);
-    playback.play_to(1.1);
-    EXPECT_EQ(playback.number(), 5u);
-    playback.play_next();
-    EXPECT_EQ(playback.number(), 6u);
-    playback.play_to(1e9);
-    EXPECT_EQ(playback.number(), 23u);
-    EXPECT_FALSE(playback.playing());
-    playback.handle(event::Play{true});
-    EXPECT_EQ(playback.number(), 0u) << "from the last frame it plays from the first one";
-    EXPECT_TRUE(playback.playing());
-}
-
 /// One of each kind.
 std::map<std::size_t, Event> events_of_all_kinds() {
     const RunDescription other = chain(0.05);

@@ -164,8 +164,8 @@ void draw_add(const Context& context) {
     ImGui::SameLine(0, context.px(6));
 }
 
-/// What makes several runs of one, and what all of them do.
-void draw_buttons(const Context& context) {
+/// How the time line is played, besides the buttons of the bar.
+void draw_time_buttons(const Context& context) {
     const bool backwards = context.state.wanted.playing() && context.session.line.backwards;
     if (icon_button(context, "play back", backwards ? Icon::pause : Icon::play_back, help_of(Action::play_back)))
         perform(context, Action::play_back);
@@ -174,6 +174,10 @@ void draw_buttons(const Context& context) {
                     context.session.line.loop ? ButtonStyle::accent : ButtonStyle::plain))
         perform(context, Action::loop);
     ImGui::SameLine(0, context.px(8));
+}
+
+/// What makes several runs of one, and what all of them do.
+void draw_buttons(const Context& context) {
     if (runs_of(context) < Session::most_runs) draw_add(context);
     if (text_button(context, "twin", "twin", false, context.px(58))) perform(context, Action::twin);
     tooltip(context, help_of(Action::twin));
@@ -197,8 +201,8 @@ void draw_run_buttons(const Context& context) {
     const Area& area = context.layout.run_buttons;
     if (area.empty()) return;
     const StripWindow strip(context, "run buttons", area);
-    if (context.session.playback) return draw_continue(context);
-    draw_buttons(context);
+    draw_time_buttons(context);
+    context.session.playback ? draw_continue(context) : draw_buttons(context);
 }
 
 /// A run alone needs no list: the sections below are its settings.

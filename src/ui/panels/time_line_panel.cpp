@@ -22,6 +22,9 @@ constexpr ParameterInfo step_info{
 constexpr std::string_view time_line_help =
     "drag to go back and forth in time; what lies ahead is kept until something else is done\n"
     "click on the time to type one, or \"step 120\"";
+constexpr std::string_view playback_help =
+    "drag to go back and forth in the file\n"
+    "click on the time to type one, or \"step 120\"";
 
 /// "12.5", or "step 120".
 void go_to(const Context& context, std::string_view typed) {
@@ -162,7 +165,9 @@ void draw_time_line(const Context& context) {
     const bool over_mark = draw_marks(context, end);
     slider_row(context, {.widget = "time",
                          .label = "time line",
-                         .tooltip = over_mark ? "" : time_line_help,
+                         .tooltip = over_mark                  ? ""
+                                    : context.session.playback ? playback_help
+                                                               : time_line_help,
                          .value_text = with_unit(time_text(now, context.view.dt), "s"),
                          .entry_text = typed(now),
                          .value = now,
