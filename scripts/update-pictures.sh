@@ -17,6 +17,22 @@ picture() {
     "$root/build/release/bin/steplab" snapshot "$@" --out "$images/$name.png" || (($? == diverged))
 }
 
+folder=$(mktemp -d)
+# shellcheck disable=SC2034  # of the driver
+program=$root/build/release/bin/steplab-view
+# shellcheck source=/dev/null
+source "$root/tests/ui/window_driver.sh"
+trap clean_up EXIT
+
+# window_picture NAME: the window as it is now, and its end
+window_picture() {
+    xdotool key ctrl+p
+    expect 'saved .*'
+    mv "$folder"/*.png "$images/$1.png"
+    close_window
+    rm "$folder/trace"
+}
+
 build release --target programs draw_diagrams
 mkdir -p "$images"
 "$root/build/release/docs/draw_diagrams" "$images"
@@ -33,3 +49,22 @@ picture ensemble --model morse --method velocity-verlet --dt 0.01 --until 30 --e
     --size 800x500 --view 30,20,5,1.9,0.5,0.5
 picture crystal --model crystal --steps 300 --colour speed --size 800x500
 picture diverged --model mesh --set dim=13 --method verlet --dt 0.74 --steps 1000 --ui on --size 1280x800
+picture runs-ghosts --model rope --dt 0.005 --until 3.5 --run method=rk4 --run method=euler-forward --size 800x500
+picture runs-split --model morse --dt 0.02 --until 12 --run method=rk4 --run method=verlet --run method=euler --run method=dopri5 \
+    --layout split --ui on --size 1280x800
+
+start_display 1280x800
+say "docs/images/time-line.png: a time line with a branch, a mark and a change"
+open_window --model mesh --set v0=7 --method rk4 --dt 0.05 --speed 4 --play
+expect 'step 24[0-9]'; click play; expect 'playing false'
+enter time 5; expect 'step 100'
+xdotool key b; expect 'bookmarks 1'
+enter dt 0.1; expect 'branches 1'
+click play; expect 'step 14[0-9]'; click play; expect 'playing false'
+window_picture time-line
+say "docs/images/playback.png: a trajectory that is played"
+"$root/build/release/bin/steplab" run --model mesh --set dim=20 --set v0=9 --dt 0.05 --steps 400 --every 2 \
+    --out "$folder/mesh.trajectory" >/dev/null
+open_window --trajectory "$folder/mesh.trajectory" --speed 4 --play
+expect 'step 2[2-9][0-9]'; click play; expect 'playing false'
+window_picture playback

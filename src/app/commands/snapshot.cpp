@@ -57,8 +57,7 @@ public:
         simulation.end_at(end);
         compute(simulation, end.step, request);
         if (ensemble) ensemble->put_into(request.view);
-        request.followers =
-            views_at(request.view.frame.time, std::span(runs).subspan(1), followed_particle(simulation, request));
+        put_beside(simulation, std::span(runs).subspan(1), request);
         const Picture picture = offscreen.draw(request);
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
@@ -86,6 +85,13 @@ private:
             stepping.advance(simulation, last ? steps : static_cast<std::uint64_t>(part * static_cast<double>(steps)));
         }
         request.view = view_of(simulation, particle);
+    }
+
+    static void put_beside(const Simulation& leading, std::span<const RunDescription> runs, PictureRequest& request) {
+        const std::vector<Simulation> others = runs_at(request.view.frame.time, runs);
+        for (const Simulation& other : others)
+            request.followers.push_back(view_of(other, followed_particle(leading, request)));
+        if (request.panel && !others.empty()) request.errors = errors_of(leading, others);
     }
 
     std::optional<SnapshotEnsemble> ensemble_of(const RunDescription& description) const {

@@ -3,18 +3,21 @@
 #include "app/cli/progress.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "lab/study/reference_motion.hpp"
 #include "session/compared.hpp"
+#include "session/run_view.hpp"
 #include "sim/run/confirmed_steps.hpp"
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <unistd.h>
 
 namespace steplab {
 namespace {
 
-RunView view_at(double time, const RunDescription& description, std::optional<std::size_t> tracked) {
+Simulation run_at(double time, const RunDescription& description) {
     Simulation run(description);
     const std::uint64_t steps = step_at(time, run.dt());
     Progress progress(steps, isatty(STDERR_FILENO) != 0);
@@ -23,15 +26,33 @@ RunView view_at(double time, const RunDescription& description, std::optional<st
         progress.at(step);
     });
     stepping.advance(run, steps);
-    return view_of(run, tracked);
+    return run;
+}
+
+std::optional<Compared> compared_with(ReferenceMotion& motion, const Simulation& run) {
+    if (run.divergence()) return std::nullopt;
+    const Vec3 start = Simulation(run.description()).diagnostics().momentum;
+    const ReferenceMoment there = motion.at(run.time());
+    return compared(moment_of(run, start), there, motion.is_exact());
 }
 
 }  // namespace
 
-std::vector<RunView> views_at(double time, std::span<const RunDescription> runs, std::optional<std::size_t> tracked) {
-    std::vector<RunView> views;
-    for (const RunDescription& run : runs) views.push_back(view_at(time, run, tracked));
-    return views;
+std::vector<Simulation> runs_at(double time, std::span<const RunDescription> runs) {
+    std::vector<Simulation> all;
+    for (const RunDescription& run : runs) all.push_back(run_at(time, run));
+    return all;
+}
+
+SessionErrors errors_of(const Simulation& leading, std::span<const Simulation> others) {
+    ReferenceMotion motion(leading.description());
+    SessionErrors errors{.time = leading.time(), .runs = {compared_with(motion, leading)}, .how = motion.how()};
+    errors.exact = motion.is_exact();
+    for (const Simulation& other : others) {
+        ReferenceMotion own(other.description());  // its parameters may differ
+        errors.runs.push_back(compared_with(own, other));
+    }
+    return errors;
 }
 
 void check_ends(const RunView& leading, const std::vector<RunView>& followers) {

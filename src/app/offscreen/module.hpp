@@ -3,9 +3,10 @@
 #include "core/error.hpp"
 #include "render/camera.hpp"
 #include "render/style.hpp"
-#include "session/run_view.hpp"
+#include "session/session_view.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,10 @@ struct PictureRequest {
     render::Style style;
     std::string camera = "default";  ///< see render::camera_of()
     render::PictureSize size;
-    bool panel = false;                   ///< with the panels of the window
-    std::vector<RunView> past = {};       ///< earlier views, for the plots
-    std::vector<RunView> followers = {};  ///< the runs beside it, at the same time
+    bool panel = false;                        ///< with the panels of the window
+    std::vector<RunView> past = {};            ///< earlier views, for the plots
+    std::vector<RunView> followers = {};       ///< the runs beside it, at the same time
+    std::optional<SessionErrors> errors = {};  ///< of all of them, for the panel
 };
 
 /// A picture: rows from the top, 4 bytes per pixel (red, green, blue, alpha).

@@ -65,7 +65,7 @@ class Panels {
 public:
     Panels(const PictureRequest& request, render::ImguiRenderer& renderer)
         : interface_({request.size.width, request.size.height, static_cast<float>(request.style.pixel_scale)}),
-          view_{.leading = request.view, .followers = request.followers, .line = {}},
+          view_{.leading = request.view, .followers = request.followers, .line = {}, .errors = request.errors},
           style_(request.style),
           renderer_(renderer) {
         renderer_.upload_fonts(interface_.fonts());
