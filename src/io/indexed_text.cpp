@@ -44,26 +44,27 @@ Frame frame_of(FrameBlock block) {
 
 /// Adds frame after frame up to the end or the first fault, which it returns.
 std::string copy_frames(TextTrajectory& text, TrajectoryWriter& writer) {
-    std::uint64_t number = 0;
-    std::size_t rows = 0;
-    bool has_times = true;
-    FrameBlock::Moment before;
-    try {
-        for (FrameBlock block; text.next(block); ++number) {
-            check_interruption();
-            if (number > 0 && block.rows != rows)
-                return fmt::format("frame {} has {} rows, the ones before {}", number, block.rows, rows);
-            rows = block.rows;
-            FrameBlock::Moment& moment = block.moments.front();
-            if (number == 1) has_times = moment.time != before.time;
-            if (!has_times) moment.time = static_cast<double>(moment.step);
-            before = moment;
-            writer.add(frame_of(std::move(block)));
+    FrameBlock block, next;
+    std::string fault;
+    bool is_there = text.next(block), has_times = true;
+    for (std::uint64_t number = 0; is_there; ++number) {
+        check_interruption();
+        try {  // the next one tells whether there are times
+            is_there = text.next(next);
+        } catch (const FileError& why) {
+            fault = why.what();
+            is_there = false;
         }
-    } catch (const FileError& fault) {
-        return fault.what();
+        FrameBlock::Moment& moment = block.moments.front();
+        if (number == 0 && is_there) has_times = moment.time != next.moments.front().time;
+        if (!has_times) moment.time = static_cast<double>(moment.step);
+        const std::size_t rows = block.rows;
+        writer.add(frame_of(std::move(block)));
+        if (is_there && next.rows != rows)
+            return fmt::format("frame {} has {} rows, the ones before {}", number + 1, next.rows, rows);
+        std::swap(block, next);
     }
-    return {};
+    return fault;
 }
 
 }  // namespace

@@ -1,6 +1,13 @@
 #include "session/event.hpp"
 
+#include "core/error.hpp"
+
 namespace steplab {
+
+void check(const event::Loop& loop) {
+    if (loop.steps && loop.steps->first >= loop.steps->last)
+        throw UsageError("a loop ends at a later step than it begins");
+}
 
 bool overtakes(const Event& earlier, const Event& later) {
     if (earlier.index() != later.index()) return false;

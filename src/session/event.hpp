@@ -119,6 +119,9 @@ bool is_any(const Event& event) {
     return (std::holds_alternative<Kinds>(event) || ...);
 }
 
+/// Throws UsageError if a loop does not end at a later step than it begins.
+void check(const event::Loop& loop);
+
 /// True if an event changes what the runs of a session compute or where they stand; the others change what is shown.
 inline bool is_recorded(const Event& event) {
     return !is_any<event::SetRate, event::Loop, event::Track, event::ShowEnsemble, event::ShowForces,

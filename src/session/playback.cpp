@@ -73,7 +73,11 @@ struct Playback::Handle {
     Playback& of;
 
     void operator()(const event::Play& play) const { of.play(play); }
-    void operator()(const event::Loop& loop) const { of.loop_ = loop.steps; }
+    void operator()(const event::Loop& loop) const {
+        check(loop);
+        of.loop_ = loop.steps;
+        of.find_next();
+    }
     void operator()(const event::Step& step) const {
         of.stop();
         const auto size = step.steps < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(step.steps)
@@ -176,7 +180,10 @@ void Playback::arrive() {
 /// One that is damaged is due at once: then that is reported.
 void Playback::find_next() {
     next_time_ = frame_.time;
-    if (number_ == (backwards_ ? 0 : frames() - 1)) return;
+    if (number_ == (backwards_ ? 0 : frames() - 1)) {
+        if (loop_) next_time_ += backwards_ == backward_ ? spacing() : -spacing();
+        return;
+    }
     try {
         next_time_ = reader_.moment(backwards_ ? number_ - 1 : number_ + 1).time;
     } catch (const FileError&) {

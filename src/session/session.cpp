@@ -22,7 +22,7 @@ struct Session::Handle {
     Session& session;
 
     void operator()(const event::Play& play) const { session.play(play); }
-    void operator()(const event::Loop& loop) const { session.loop(loop.steps); }
+    void operator()(const event::Loop& loop) const { session.loop(loop); }
     void operator()(const event::Step& step) const { session.step(step.steps); }
     void operator()(const event::Seek& seek) const { session.seek(seek.step); }
     void operator()(const event::SeekTime& seek) const { session.seek(session.line_.step_at(seek.time)); }
@@ -89,7 +89,11 @@ void Session::stand_at(std::uint64_t step) {
 
 void Session::advance(std::uint64_t steps) {
     line_.advance(steps);
-    if (line_.is_over()) stop();
+    if (line_.is_over()) {
+        const bool goes_on = plays_backwards();
+        stop();
+        playing_ = goes_on;
+    }
     if (goal_ && line_.step() >= *goal_) goal_.reset();
 }
 
@@ -99,25 +103,37 @@ void Session::play(const event::Play& play) {
     goal_.reset();
 }
 
-void Session::loop(const std::optional<StepRange>& steps) {
-    if (steps && steps->first >= steps->last) throw UsageError("a loop ends at a later step than it begins");
-    loop_ = steps;
+void Session::loop(const event::Loop& loop) {
+    check(loop);
+    loop_ = loop.steps;
 }
 
-void Session::play_on(std::uint64_t steps) {
-    if (goal_) return advance(steps);
-    const std::uint64_t now = line_.step(), first = loop_ && now > loop_->first ? loop_->first : 0;
-    if (backwards_) {
-        line_.step_back(std::min(steps, now - first));
-        if (line_.step() > first) return;
-        if (!loop_) return stop();
-        return seek(loop_->last);
+std::uint64_t Session::play_on(std::uint64_t steps) {
+    const std::uint64_t before = line_.step();
+    const bool on_its_way = goal_.has_value();
+    if (backwards_ && !on_its_way) {
+        line_.step_back(std::min(steps, before - first_played()));
+    } else {
+        const bool in_loop = loop_ && !on_its_way && before < loop_->last;
+        advance(in_loop ? std::min(steps, loop_->last - before) : steps);
     }
-    const bool ahead = loop_ && now < loop_->last;
-    advance(ahead ? std::min(steps, loop_->last - now) : steps);
-    if (!loop_ || (line_.step() < loop_->last && !line_.is_over())) return;
+    const std::uint64_t now = line_.step();
+    if (!on_its_way) turn_at_end();
+    return now > before ? now - before : before - now;
+}
+
+/// Where playing backwards ends.
+std::uint64_t Session::first_played() const { return loop_ && line_.step() > loop_->first ? loop_->first : 0; }
+
+/// At the end of its way: to the other end of its loop, if it plays one.
+void Session::turn_at_end() {
+    if (backwards_ && line_.step() > first_played() && !(loop_ && line_.step() == loop_->first)) return;
+    if (!backwards_ && (!loop_ || (line_.step() < loop_->last && !line_.is_over()))) return;
+    if (!loop_) return stop();
     playing_ = true;  // also where the run ended before the loop does
-    seek(loop_->first);
+    const event::Seek turn{backwards_ ? loop_->last : loop_->first};
+    // how far the run had got matters to what is done later: branches
+    line_.reached() > known_ ? handle(turn) : seek(turn.step);
 }
 
 bool Session::is_behind() const {
@@ -159,7 +175,7 @@ void Session::step(std::int64_t steps) {
     playing_ = false;
     goal_.reset();
     if (steps < 0) {
-        line_.step_back(static_cast<std::uint64_t>(-steps));
+        line_.step_back(std::uint64_t{0} - static_cast<std::uint64_t>(steps));
     } else {
         line_.advance(static_cast<std::uint64_t>(steps));
     }

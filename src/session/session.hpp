@@ -53,8 +53,9 @@ public:
 
     /// Takes steps of the leading run, and those of the others if they are beside it. Throws Interrupted.
     void advance(std::uint64_t steps);
-    /// The same in the direction in which the session plays; at the end of its loop it goes to the other end.
-    void play_on(std::uint64_t steps);
+    /// The same in the direction in which the session plays; at the end of its loop it goes to the other end. Returns
+    /// how many steps it took before. Throws Interrupted.
+    std::uint64_t play_on(std::uint64_t steps);
     /// True while what goes beside the leading run is not there yet, as it began later or went back.
     bool is_behind() const;
     /// Brings it nearer, until it is there or `enough` says so. Throws Interrupted; what cannot follow is given up, and
@@ -105,7 +106,9 @@ private:
     void handle_and_record(const Event& event);
     std::string event_hash() const;
     void play(const event::Play& play);
-    void loop(const std::optional<StepRange>& steps);
+    void loop(const event::Loop& loop);
+    std::uint64_t first_played() const;
+    void turn_at_end();
     void step(std::int64_t steps);
     void seek(std::uint64_t step);
     void bookmark(const std::string& text);
@@ -128,7 +131,8 @@ private:
     void forget_oldest_left();
     void take_branch(std::size_t number);
     void leave(TimeLine next, Beside beside);
-    Left exchange(Left other);
+    Left exchange(Left& other);
+    Beside exchange(const Beside& wanted);
 
     // what goes beside it
     void add(const RunDescription& description);
@@ -138,7 +142,7 @@ private:
     void remove(std::size_t run);
     std::size_t check_follower(std::size_t run) const;
     Beside beside() const;
-    void put_beside(const Beside& wanted);
+    std::vector<FollowerRun> made(const Beside& wanted) const;
     FollowerRun follower(const RunDescription& description) const;
     RunDescription at_cost(const RunDescription& description) const;
     void equalise_cost();

@@ -87,8 +87,10 @@ void Session::begun() {
 void Session::change(const RunDescription& description) {
     if (description == run().description()) return;
     if (restarts(run().description(), description)) return begin(description);
+    if (plays_backwards()) stop();  // the run would go away from what is done
     const std::size_t before = line_.past().size();
-    keep(line_.change(description));
+    const bool was_last = done_.empty() || std::holds_alternative<Acted>(done_.back());
+    keep(line_.change(description, was_last));
     acted(before);
     equalise_cost();
 }
@@ -115,43 +117,64 @@ void Session::undo() {
     if (can_undo_on_line()) {
         const std::size_t before = line_.past().size();
         undone_.emplace_back(line_.undo().value());
-        return count_acted(before);
+        count_acted(before);
+        return equalise_cost();
     }
-    while (!done_.empty() && std::holds_alternative<Acted>(done_.back())) done_.pop_back();  // they lie ahead
-    if (done_.empty()) return;
-    Done last = std::move(done_.back());
-    done_.pop_back();
-    if (auto* const left = std::get_if<Left>(&last)) {
-        undone_.emplace_back(exchange(std::move(*left)));
+    // what is done on the line lies ahead: the last of all else
+    const auto last = std::find_if(done_.rbegin(), done_.rend(),
+                                   [](const Done& done) { return !std::holds_alternative<Acted>(done); });
+    if (last == done_.rend()) return;
+    if (auto* const left = std::get_if<Left>(&*last)) {
+        undone_.emplace_back(exchange(*left));
+        done_.erase(std::prev(last.base()), done_.end());
     } else {
-        undone_.emplace_back(beside());
-        put_beside(std::get<Beside>(last));
+        undone_.emplace_back(exchange(std::get<Beside>(*last)));
+        done_.erase(std::prev(last.base()));
     }
 }
 
 void Session::redo() {
     goal_.reset();
     if (undone_.empty()) return;
-    Undone last = std::move(undone_.back());
-    undone_.pop_back();
+    Undone& last = undone_.back();
     if (auto* const branch = std::get_if<TimeLine::Branch>(&last)) {
         const std::size_t before = line_.past().size();
         line_.take(std::move(*branch));
         count_acted(before);
+        equalise_cost();
     } else if (auto* const left = std::get_if<Left>(&last)) {
-        done_.emplace_back(exchange(std::move(*left)));
+        done_.emplace_back(exchange(*left));
     } else {
-        done_.emplace_back(beside());
-        put_beside(std::get<Beside>(last));
+        done_.emplace_back(exchange(std::get<Beside>(last)));
     }
+    undone_.pop_back();
 }
 
 /// Puts another line in place of the present one, which is returned.
-Session::Left Session::exchange(Left other) {
+Session::Left Session::exchange(Left& other) {
+    std::vector<FollowerRun> followers = made(other.beside);
     Left now{std::exchange(line_, std::move(other.line)), std::exchange(branches_, std::move(other.branches)),
              std::exchange(bookmarks_, std::move(other.bookmarks)), beside()};
-    put_beside(other.beside);
+    followers_ = std::move(followers);
+    equal_cost_ = other.beside.equal_cost;
     begun();
+    return now;
+}
+
+/// The same of what goes beside it. Runs that are there already stay as they are.
+Session::Beside Session::exchange(const Beside& wanted) {
+    std::vector<FollowerRun> followers = made(wanted);
+    Beside now = beside();
+    for (FollowerRun& next : followers) {
+        const auto same = std::find_if(followers_.begin(), followers_.end(), [&](const FollowerRun& each) {
+            return each.description() == next.description();
+        });
+        if (same == followers_.end()) continue;
+        next = std::move(*same);
+        followers_.erase(same);
+    }
+    followers_ = std::move(followers);
+    equal_cost_ = wanted.equal_cost;
     return now;
 }
 
@@ -164,6 +187,7 @@ void Session::take_branch(std::size_t number) {
     const std::size_t before = line_.past().size();
     keep(line_.take(std::move(branch)));
     count_acted(before);
+    equalise_cost();
 }
 
 }  // namespace steplab

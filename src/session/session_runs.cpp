@@ -33,20 +33,11 @@ Session::Beside Session::beside() const {
     return now;
 }
 
-/// Runs that are there already stay as they are.
-void Session::put_beside(const Beside& wanted) {
-    std::vector<FollowerRun> there = std::exchange(followers_, {});
-    for (const RunDescription& description : wanted.runs) {
-        const auto same = std::find_if(there.begin(), there.end(),
-                                       [&](const FollowerRun& each) { return each.description() == description; });
-        if (same != there.end()) {
-            followers_.push_back(std::move(*same));
-            there.erase(same);
-        } else {
-            followers_.push_back(follower(description));
-        }
-    }
-    equal_cost_ = wanted.equal_cost;
+/// Such runs at their start.
+std::vector<FollowerRun> Session::made(const Beside& wanted) const {
+    std::vector<FollowerRun> runs;
+    for (const RunDescription& description : wanted.runs) runs.emplace_back(description, bytes_ / most_runs);
+    return runs;
 }
 
 void Session::add(const RunDescription& description) {
@@ -96,11 +87,12 @@ void Session::lead(std::size_t number) {
     RunDescription led = run().description();
     led.scene = line_.changes().front().description.scene;
     led.alterations = line_.changes().front().description.alterations;
+    FollowerRun beside_it = follower(led);
     TimeLine next = std::move(followers_[number].line());
     next.forget_ahead();  // how far it had gone there depends on when it was made to follow
     next.allow(bytes_);
     leave(std::move(next), std::move(before));
-    followers_[number] = follower(led);
+    followers_[number] = std::move(beside_it);
     begun();
 }
 

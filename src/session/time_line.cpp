@@ -157,11 +157,11 @@ double TimeLine::time_of(std::uint64_t step) const {
     return segment.time + static_cast<double>(step - segment.step) * rounded_to(run.precision, run.dt);
 }
 
-std::optional<TimeLine::Branch> TimeLine::change(const RunDescription& description) {
+std::optional<TimeLine::Branch> TimeLine::change(const RunDescription& description, bool may_replace) {
     if (description == run_.description()) return std::nullopt;
     if (restarts(run_.description(), description)) throw UsageError("this change begins another run");
     check(description);
-    return append({run_.step(), description});
+    return append({run_.step(), description}, may_replace);
 }
 
 std::optional<TimeLine::Branch> TimeLine::act(const Act& act) { return append({run_.step(), run_.description(), act}); }
@@ -178,10 +178,10 @@ bool TimeLine::replaces_last(const SegmentBegin& change) const {
     return overwrites(*change.act, *last.act);
 }
 
-std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change) {
+std::optional<TimeLine::Branch> TimeLine::append(SegmentBegin change, bool may_replace) {
     const std::uint64_t step = change.step;
     std::optional<Branch> left = cut(step, taken_);
-    if (replaces_last(change)) {
+    if (may_replace && replaces_last(change)) {
         cut(step, taken_ - 1);
         stand_at(step, taken_ - 1);
     } else if (!continues(changes_.back(), change)) {

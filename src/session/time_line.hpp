@@ -77,7 +77,8 @@ public:
 
     /// From here on with another method, dt, precision or live parameter. What lay ahead is returned, if anything did.
     /// Throws UsageError, nothing changed, also where the description restarts the run (restarts()).
-    std::optional<Branch> change(const RunDescription& description);
+    /// One that follows another of the same settings at once takes its place, if it may.
+    std::optional<Branch> change(const RunDescription& description, bool may_replace = true);
     /// Does this to particles, which has to do something (steplab::acts()).
     std::optional<Branch> act(const Act& act);
     /// Takes back the last change that has taken effect, if it is not the start, or all tugs of a hold: the run then
@@ -104,7 +105,7 @@ private:
     void go_back_to(const Moments::Moment* moment);
     void stand_at(std::uint64_t step, std::size_t changes);
     std::optional<Branch> cut(std::uint64_t step, std::size_t kept);
-    std::optional<Branch> append(SegmentBegin change);
+    std::optional<Branch> append(SegmentBegin change, bool may_replace = true);
     bool replaces_last(const SegmentBegin& change) const;
 
     Simulation run_;

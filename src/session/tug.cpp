@@ -36,6 +36,7 @@ std::size_t first_of_last(std::span<const SegmentBegin> changes) {
 }
 
 void Session::act(const Act& asked) {
+    if (plays_backwards()) stop();  // the run would go away from what is done
     const auto act = on_moving(timed(asked, line_), *run().shape());
     if (!act || is_idle(*act)) return;
     const std::size_t before = line_.past().size();

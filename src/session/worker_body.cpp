@@ -152,6 +152,13 @@ void Worker::Body::catch_up(Pace::Duration most) {
     pace.begin(Clock::now());
 }
 
+/// The steps up to the next event.
+std::uint64_t Worker::Body::play_film(std::uint64_t due) {
+    const std::uint64_t before = session->run().step();
+    session->advance(std::min(due, film->ahead()));
+    return std::max(session->run().step(), before) - before;
+}
+
 /// Of all runs, so that they stay together. Whether all numbers are finite is checked when they are read: after every
 /// few steps it would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
@@ -162,11 +169,9 @@ void Worker::Body::take_steps() {
     std::uint64_t due = pace.steps_due(begin, wanted_rate, run.dt(), slice);
     if (const auto goal = session->goal()) due = std::min(due, *goal - std::min(*goal, run.step()));
     const auto before = run.advanced();
-    if (film) due = std::min(due, film->ahead());
-    film ? session->advance(due) : session->play_on(due);
+    const std::uint64_t taken = film ? play_film(due) : session->play_on(due);
     if (run.step() != before.step) session->catch_up([] { return false; });
     const auto after = run.advanced();
-    const std::uint64_t taken = after.step > before.step ? after.step - before.step : before.step - after.step;
     pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
               static_cast<double>(taken) * run.dt(), begin, Clock::now(), wanted_rate);
     keep_moment();

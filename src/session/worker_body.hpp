@@ -110,6 +110,7 @@ struct Worker::Body {
     void answer(bool with_end);
     bool show_film();
     void end_film();
+    std::uint64_t play_film(std::uint64_t due);
     void take_steps();
     void step_to_check();
     void judge();

@@ -85,7 +85,8 @@ void toggle_loop(const Context& context) {
     for (auto mark = line.bookmarks.rbegin(); mark != line.bookmarks.rend(); ++mark) {
         if (mark->step > now) steps.last = mark->step;
     }
-    context.events.send(event::Loop{steps});
+    if (steps.first >= steps.last) steps = {0, line.reached};
+    if (steps.last > 0) context.events.send(event::Loop{steps});
 }
 
 void toggle_panel(const Context& context) { context.state.panel = context.layout.panel.empty(); }

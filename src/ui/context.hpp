@@ -86,13 +86,13 @@ struct InterfaceState {
     Share pointing{0.05};                ///< searching for it: in a large scene that takes long
     Selection selection;
     Hands hands;
-    bool drag_from_scene = false;                     ///< the left or right button was pressed over the scene
-    bool dragged = false;                             ///< the pointer has moved since then: not a click
-    std::optional<std::size_t> dismissed_divergence;  ///< step of the divergence whose card was closed
-    std::optional<bool> plays_after_scrubbing;        ///< while the time line is dragged
-    std::optional<Doubt> doubt;                       ///< why the picture stands still
-    bool lost = false;                                ///< no particle is in view
-    bool dismissed_lost = false;                      ///< the card about it was closed
+    bool drag_from_scene = false;                      ///< the left or right button was pressed over the scene
+    bool dragged = false;                              ///< the pointer has moved since then: not a click
+    std::optional<std::size_t> dismissed_divergence;   ///< step of the divergence whose card was closed
+    std::optional<event::Play> plays_after_scrubbing;  ///< while the time line is dragged
+    std::optional<Doubt> doubt;                        ///< why the picture stands still
+    bool lost = false;                                 ///< no particle is in view
+    bool dismissed_lost = false;                       ///< the card about it was closed
     std::vector<Request> requests;
 };
 

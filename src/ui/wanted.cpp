@@ -18,7 +18,8 @@ void Wanted::follow(const RunView& view, bool is_new, bool played_back) {
     asked_.reset();
 }
 
-void Wanted::ask(const RunDescription& description, EventSink& events) {
+void Wanted::ask(const RunDescription& asked, EventSink& events) {
+    const RunDescription description = without_missing_alterations(asked);
     if (!played_back_ && description == this->description()) return;
     try {
         check_values(description);

@@ -19,8 +19,8 @@ public:
     const RunDescription& description() const { return asked_ ? *asked_ : running_; }
     /// Sends a change at once if it differs from the last request; if its values are refused, message() gives the
     /// reason. What can be said only of the scene itself, which is not made here, the run refuses. In place of a
-    /// trajectory a run of the description begins.
-    void ask(const RunDescription& description, EventSink& events);
+    /// trajectory a run of the description begins. Alterations of particles that the scene has no more are left out.
+    void ask(const RunDescription& asked, EventSink& events);
     /// The same for playing or pausing, the speed and the ensemble.
     bool playing() const { return playing_.shown(); }
     Rate rate() const { return rate_.shown(); }

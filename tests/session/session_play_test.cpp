@@ -1,4 +1,5 @@
 #include "core/error.hpp"
+#include "session/replay.hpp"
 #include "session/session_test.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,18 @@
 
 namespace steplab::test {
 namespace {
+
+/// What a replay finds to differ.
+std::string replayed(Recording recording) {
+    Session session(recording.start);
+    Replay replay(std::move(recording), session);
+    while (!replay.is_done()) {
+        replay.approach(37);
+        if (!replay.is_due()) continue;
+        if (const auto difference = replay.perform()) return *difference;
+    }
+    return replay.compared() ? "the same" : "nothing was compared";
+}
 
 TEST(Session, plays_backwards_with_all_its_runs_until_the_start) {
     Session session(chain("rk4"));
@@ -43,7 +56,7 @@ TEST(Session, plays_a_loop_from_either_end_to_the_other) {
         session.handle(event::Play{true, backwards});
         std::uint64_t ends = 0;
         for (int i = 0; i < 60; ++i) {
-            session.play_on(8);
+            EXPECT_LE(session.play_on(8), 8u) << "the way to the other end takes no time of the playback";
             session.finish();
             EXPECT_TRUE(session.playing());
             const std::uint64_t step = session.run().step();
@@ -76,6 +89,48 @@ TEST(Session, plays_a_loop_in_which_the_run_diverges_to_where_it_does) {
     EXPECT_EQ(first, last / 2);
     EXPECT_GT(furthest, last / 2);
     EXPECT_THROW(session.handle(event::Loop{StepRange{5, 5}}), UsageError);
+    session.handle(event::Loop{StepRange{last / 2, last + 1000}});
+    session.handle(event::Seek{last / 2 + 3});
+    session.handle(event::Play{true, true});
+    for (int i = 0; i < 300; ++i) {
+        session.play_on(8);
+        session.finish();
+        ASSERT_TRUE(session.playing()) << "backwards too";
+    }
+}
+
+TEST(Session, stops_playing_backwards_where_something_is_done) {
+    for (const Event& event : {Event(event::Do{Kick{5, {0.1, 0, 0}}}), Event(event::Change{with(chain(), "k", 2)})}) {
+        Session session(chain());
+        session.handle(event::Step{50});
+        session.handle(event::Play{true, true});
+        session.play_on(10);
+        session.handle(event);
+        EXPECT_FALSE(session.playing());
+        EXPECT_EQ(session.run().step(), 40u);
+    }
+}
+
+// A branch is left where the run had got farther, also in a loop.
+TEST(Session, in_a_loop_is_recorded_as_it_was) {
+    Session session(chain());
+    session.record();
+    session.handle(event::Step{60});
+    session.handle(event::Loop{StepRange{0, 100}});
+    session.handle(event::Play{true});
+    const auto play_to = [&](std::uint64_t step) {
+        do {
+            session.play_on(step > session.run().step() ? step - session.run().step() : 100);
+        } while (session.run().step() != step);
+    };
+    play_to(99);
+    play_to(50);
+    session.handle(event::Do{Kick{5, {0.1, 0, 0}}});
+    play_to(99);
+    play_to(70);
+    session.handle(event::Do{Kick{5, {0, 0.1, 0}}});
+    session.handle(event::TakeBranch{1});
+    EXPECT_EQ(replayed(*session.recorded()), "the same");
 }
 
 }  // namespace

@@ -202,5 +202,54 @@ TEST(Session, a_run_that_diverged_goes_on_with_another_dt) {
     EXPECT_EQ(session.run().step(), last_good);
 }
 
+TEST(Session, of_which_a_run_cannot_follow_stays_as_it_is) {
+    RunDescription stiff = with(with(chain("rk4"), "k", 1e39), "dt", 1e-22);  // no float holds this k
+    Session session(stiff);
+    session.handle(event::AddRun{with_method(stiff, "verlet")});
+    session.handle(event::Step{2});
+    RunDescription soft = with(stiff, "k", 1);
+    session.handle(event::Change{soft});
+    soft.precision = Precision::float_;
+    session.handle(event::Change{soft});
+    session.handle(event::Step{2});
+    session.finish();
+    const std::string before = session.run().hash();
+    EXPECT_THROW(session.handle(event::Lead{1}), UsageError) << "it would begin in float with the k of the start";
+    session.handle(event::Step{1});
+    session.handle(event::Step{-1});
+    session.finish();
+    EXPECT_EQ(session.run().hash(), before);
+    EXPECT_EQ(session.followers().size(), 1u);
+}
+
+TEST(Session, keeps_the_cost_equal_when_a_change_is_taken_back) {
+    Session session(chain("rk4"));
+    session.handle(event::AddRun{chain("euler")});
+    session.handle(event::EqualCost{true});
+    const double dt = session.followers()[0].description().dt;
+    session.handle(event::Step{5});
+    session.handle(event::Change{with(chain("rk4"), "dt", 0.2)});
+    EXPECT_EQ(session.followers()[0].description().dt, 2 * dt);
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.followers()[0].description().dt, dt);
+    session.handle(event::Redo{});
+    EXPECT_EQ(session.followers()[0].description().dt, 2 * dt);
+}
+
+TEST(Session, takes_back_one_change_of_two_with_another_event_between_them) {
+    Session session(chain("rk4"));
+    session.handle(event::Step{5});
+    session.handle(event::Change{with(chain("rk4"), "dt", 0.2)});
+    session.handle(event::AddRun{chain("verlet")});
+    session.handle(event::Change{with(chain("rk4"), "dt", 0.3)});
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.run().description().dt, 0.2);
+    EXPECT_EQ(session.followers().size(), 1u);
+    session.handle(event::Undo{});
+    EXPECT_TRUE(session.followers().empty());
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.run().description().dt, 0.1);
+}
+
 }  // namespace
 }  // namespace steplab::test

@@ -45,6 +45,10 @@ std::unique_ptr<Worker> start_worker(const RunDescription& description, const Gi
         .get();
 }
 
+bool same_direction(const render::Camera& a, const render::Camera& b) {
+    return a.distance == b.distance && a.yaw == b.yaw && a.pitch == b.pitch;
+}
+
 }  // namespace
 
 std::shared_ptr<SessionView> ViewPool::free_view() {
@@ -130,8 +134,7 @@ void Viewer::save_session() {
 
 /// In place of what is played. A session that is recorded into a file ends there.
 void Viewer::begin(Beginning beginning) {
-    if (session_file_) files_.finish_session(std::move(session_file_), worker_->recording());
-    session_file_.reset();
+    if (session_file_) ended_ = EndedSession{worker_->recording(), view_->leading.run, view_->leading.failures};
     const bool film = std::holds_alternative<Recording>(beginning);
     worker_->begin(std::move(beginning));
     interface_.close_scenes();
@@ -146,6 +149,7 @@ void Viewer::take_news() {
     auto newer = pool_.free_view();
     if (worker_->take(*newer)) {
         view_ = std::move(newer);
+        finish_ended_session();
         interface_.record(view_->leading);
         glide_.arrived(view_, Clock::now());
         begin_as_asked();
@@ -157,10 +161,18 @@ void Viewer::take_news() {
     if (painter_.take(painted_)) {
         measured_.frame_seconds = painted_.seconds;
         coarseness_.took(painted_.enlarged, painted_.seconds);
-        if (painted_.enlarged > 1) moved_ = Clock::now();  // a moment for the next movement
+        if (std::exchange(was_moved_, false) && painted_.enlarged > 1) moved_ = Clock::now();  // for the next movement
         if (delayed_) save_snapshot(*std::exchange(delayed_, std::nullopt));
         frames_wanted_ = std::max(frames_wanted_, 1);
     }
+}
+
+/// The recorded session, once something else is played in its place; if that could not begin, it goes on.
+void Viewer::finish_ended_session() {
+    if (!ended_) return;
+    const bool replaced = view_->leading.run != ended_->run;
+    if (replaced) files_.finish_session(std::move(session_file_), std::move(ended_->recording));
+    if (replaced || view_->leading.failures > ended_->failures) ended_.reset();
 }
 
 void Viewer::tell_of_film() {
@@ -262,9 +274,18 @@ void Viewer::ask_for_scene(Clock::time_point now) {
 
 /// Where the picture is a coarse one, it is drawn again once the camera has come to rest.
 int Viewer::enlarged(Clock::time_point now, const ui::PixelRect& scene) {
-    const bool moved = std::exchange(asked_camera_, camera_) != camera_;
+    if (delayed_) {  // to be saved
+        rest_ = Clock::time_point::max();
+        return 1;
+    }
+    const render::Camera before = std::exchange(asked_camera_, camera_);
+    const bool follows = interface_.following() != render::Following::nothing;
+    const bool moved = follows ? !same_direction(before, camera_) : before != camera_;
     const bool same_place = std::exchange(asked_scene_, scene) == scene;  // else the camera was moved to suit it
-    if (moved && same_place) moved_ = now;
+    if (moved && same_place) {
+        moved_ = now;
+        was_moved_ = true;
+    }
     const Clock::time_point rest = moved_ + std::chrono::duration_cast<Clock::duration>(time_to_rest);
     const int enlarged = coarseness_.next(now < rest);
     rest_ = enlarged > 1 ? rest : Clock::time_point::max();

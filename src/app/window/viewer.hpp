@@ -14,7 +14,9 @@
 #include "ui/interface.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -52,6 +54,7 @@ private:
     void open(const WindowRequest& request);
     void place_camera(const WindowRequest& request);
     void begin_as_asked();
+    void finish_ended_session();
     void tell_of_film();
     void take_news();
     void take_files();
@@ -78,8 +81,15 @@ private:
     Trace trace_;
     GalleryLoader gallery_;
     SceneFiles files_;
-    SceneOrigin watched_;                       ///< the scene whose file is watched
+    SceneOrigin watched_;  ///< the scene whose file is watched
+    /// A session in whose place something else is to be played.
+    struct EndedSession {
+        std::shared_future<Recording> recording;
+        std::uint64_t run = 0, failures = 0;  ///< of its last view
+    };
+
     std::shared_ptr<OutputFile> session_file_;  ///< to which what happens is written at the end; null: none
+    std::optional<EndedSession> ended_;
     ViewPool pool_;
     std::unique_ptr<Worker> worker_;
     std::shared_ptr<SessionView> view_;
@@ -92,6 +102,7 @@ private:
     ui::Coarseness coarseness_;
     render::Camera asked_camera_;                          ///< of the last picture
     ui::PixelRect asked_scene_;                            ///< its place
+    bool was_moved_ = false;                               ///< since the picture that is shown was taken
     std::optional<ui::Request> delayed_;                   ///< to save a picture, once the scene is drawn in full
     Clock::time_point rest_ = Clock::time_point::max();    ///< when the picture is due to be drawn in full
     Clock::time_point moved_{};                            ///< when the camera was last seen to be another one

@@ -170,6 +170,17 @@ RunDescription with_alterations(RunDescription description, std::span<const Alte
     return description;
 }
 
+RunDescription without_missing_alterations(RunDescription description) {
+    const Model& base = unaltered_model(description);
+    const double particles = base.particles(description.scene);
+    const auto all = description.alterations.all();
+    std::vector<Alteration> kept;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(kept),
+                 [&](const Alteration& one) { return static_cast<double>(one.particle) < particles; });
+    if (kept.size() < all.size()) description.alterations = Alterations(base, description.origin, kept);
+    return description;
+}
+
 void set_parameter(RunDescription& description, std::string_view name, std::string_view text) {
     if (description.scene.contains(name)) return description.scene.set_text(name, text);
     if (description.method_parameters.contains(name)) return description.method_parameters.set_text(name, text);

@@ -66,6 +66,8 @@ RunDescription describe(SceneOrigin origin);
 RunDescription with_model(RunDescription description, std::string_view model);
 RunDescription with_method(RunDescription description, std::string_view method);
 
+/// The same description without alterations of particles that its scene does not have, as its parameters were changed.
+RunDescription without_missing_alterations(RunDescription description);
 /// The same description with alterations of these particles besides those that it has.
 RunDescription with_alterations(RunDescription description, std::span<const Alteration> alterations);
 

@@ -143,7 +143,7 @@ bool draw_marks(const Context& context, double end) {
 /// A drag takes the session along; it plays on where the button is released if it played before.
 void seek(const Context& context, double time) {
     auto& resume = context.state.plays_after_scrubbing;
-    if (!resume) resume = context.state.wanted.playing();
+    if (!resume) resume = event::Play{context.state.wanted.playing(), context.session.line.backwards};
     if (context.state.wanted.playing()) context.state.wanted.play(false, context.events);
     context.events.send(event::SeekTime{time});
 }
@@ -151,7 +151,7 @@ void seek(const Context& context, double time) {
 void end_scrubbing(const Context& context) {
     auto& resume = context.state.plays_after_scrubbing;
     if (!resume || ImGui::GetIO().MouseDown[0]) return;
-    if (*resume) context.state.wanted.play(true, context.events);
+    if (resume->on) context.state.wanted.play(true, context.events, resume->backwards);
     resume.reset();
 }
 
