@@ -172,6 +172,16 @@ hands_move_particles() {
     close_window
 }
 
+# Frames of this size take a software renderer longer than their time: none is waited for.
+input_is_answered_while_frames_are_slow() {
+    start_display 3840x2160
+    open_window --model mesh --set dim=60 --size 3800x2100 --speed 4 --play
+    expect 'step [0-9]+'
+    xdotool key b; expect 'bookmarks 1'
+    xdotool key space; expect 'playing false'
+    close_window
+}
+
 ensemble_goes_with_the_run() {
     start_display 1280x800
     open_window --model chain --method euler

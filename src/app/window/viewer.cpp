@@ -115,6 +115,7 @@ void Viewer::run(const std::function<bool()>& asked) {
     while (!quit_ && !window_.closing() && !asked()) {
         take_news();
         if (frames_wanted_ > 0 && Clock::now() - drawn_ >= frame_time) {
+            window_.wait(0);  // where frames take longer than their time there is no other wait
             draw_frame();
         } else {
             wait();
