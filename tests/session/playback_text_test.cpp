@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,17 @@ TEST(Playback, of_text_of_another_program_has_a_frame_a_second) {
     playback.handle(event::SeekTime{2});
     EXPECT_EQ(playback.frame().positions.front(), (Vec3{3, 4, 5}));
     EXPECT_EQ(playback.frame().time, 2);
+}
+
+TEST(Playback, of_text_with_steps_alone_has_their_times_from_the_first_frame_on) {
+    const Kept file("1\nStep=100\nH 1 2 3\n1\nStep=200\nH 2 3 4\n1\nStep=300\nH 3 4 5\n");
+    Playback playback(file.name());
+    for (const std::uint64_t step : {100u, 200u, 300u}) {
+        EXPECT_EQ(playback.frame().step, step);
+        EXPECT_EQ(playback.frame().time, static_cast<double>(step));
+        playback.handle(event::Step{1});
+    }
+    EXPECT_EQ(playback.frames(), 3u);
 }
 
 TEST(Playback, of_damaged_text_shows_the_frames_before_and_says_why) {

@@ -275,10 +275,6 @@ void Viewer::ask_for_scene(Clock::time_point now) {
 
 /// Where the picture is a coarse one, it is drawn again once the camera has come to rest.
 int Viewer::enlarged(Clock::time_point now, const ui::PixelRect& scene) {
-    if (delayed_) {  // to be saved
-        rest_ = Clock::time_point::max();
-        return 1;
-    }
     const render::Camera before = std::exchange(asked_camera_, camera_);
     const bool follows = interface_.following() != render::Following::nothing;
     const bool moved = follows ? !same_direction(before, camera_) : before != camera_;
@@ -288,7 +284,7 @@ int Viewer::enlarged(Clock::time_point now, const ui::PixelRect& scene) {
         was_moved_ = true;
     }
     const Clock::time_point rest = moved_ + std::chrono::duration_cast<Clock::duration>(time_to_rest);
-    const int enlarged = coarseness_.next(now < rest);
+    const int enlarged = delayed_ ? 1 : coarseness_.next(now < rest);  // in full to be saved
     rest_ = enlarged > 1 ? rest : Clock::time_point::max();
     return enlarged;
 }

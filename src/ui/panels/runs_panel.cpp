@@ -109,9 +109,11 @@ std::string broken(const std::string& text, float width) {
     for (std::size_t from = 0, end = 0; end != std::string::npos; from = end + separator.size()) {
         end = text.find(separator, from);
         const std::string part = text.substr(from, end - from);
-        const std::string longer = line.empty() ? part : line + std::string(separator) + part;
+        std::string longer = line;
+        if (!line.empty()) longer += separator;
+        longer += part;
         const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
-        if (!fits) lines += line + "\n";
+        if (!fits) lines.append(line).append("\n");
         line = fits ? longer : part;
     }
     return lines + line;
