@@ -102,26 +102,9 @@ void draw_run(const Context& context, std::size_t run) {
     if (cross_button(context, widget + ".remove")) context.events.send(event::RemoveRun{run});
 }
 
-/// With line breaks in place of some of its separators, where it is wider than that.
-std::string broken(const std::string& text, float width) {
-    constexpr std::string_view separator = " · ";
-    std::string lines, line;
-    for (std::size_t from = 0, end = 0; end != std::string::npos; from = end + separator.size()) {
-        end = text.find(separator, from);
-        const std::string part = text.substr(from, end - from);
-        std::string longer = line;
-        if (!line.empty()) longer += separator;
-        longer += part;
-        const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
-        if (!fits) lines.append(line).append("\n");
-        line = fits ? longer : part;
-    }
-    return lines + line;
-}
-
 void draw_errors(const Context& context, std::size_t run) {
     const WithFont font(context.theme.fonts().small);
-    explanation(context, broken(errors_text(context, run), ImGui::GetContentRegionAvail().x));
+    explanation(context, in_lines(errors_text(context, run), ImGui::GetContentRegionAvail().x));
     if (const Compared* const compared = compared_of(context, run))
         tooltip(context, more_errors_text(*compared, run_of(context, run).cost));
 }

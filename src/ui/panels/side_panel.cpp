@@ -41,6 +41,7 @@ public:
           text_(footer_text(context.view, context.measured)),
           width_(context.layout.panel.width - 2 * context.px(14)) {
         const WithFont font(context.theme.fonts().tiny);
+        text_ = in_lines(text_, width_);
         height_ = std::round(ImGui::CalcTextSize(text_.c_str(), nullptr, false, width_).y);
     }
 

@@ -56,6 +56,22 @@ void heading(const Context& context, std::string_view text) {
     ImGui::PopStyleColor();
 }
 
+std::string in_lines(const std::string& text, float width) {
+    constexpr std::string_view separator = " · ";
+    std::string lines, line;
+    for (std::size_t from = 0, end = 0; end != std::string::npos; from = end + separator.size()) {
+        end = text.find(separator, from);
+        const std::string part = text.substr(from, end - from);
+        std::string longer = line;
+        if (!line.empty()) longer += separator;
+        longer += part;
+        const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
+        if (!fits) lines.append(line).append("\n");
+        line = fits ? longer : part;
+    }
+    return lines + line;
+}
+
 void explanation(const Context& context, std::string_view text, ImU32 ink) {
     const WithFont font(context.theme.fonts().small);
     ImGui::PushStyleColor(ImGuiCol_Text, ink);

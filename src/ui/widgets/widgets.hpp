@@ -43,6 +43,8 @@ void text_left(float left, float y, std::string_view text, ImU32 ink);
 
 /// The heading of a section, "SCENE", with space above.
 void heading(const Context& context, std::string_view text);
+/// With line breaks in place of some of its separators, " · ", where it is wider than that in the present font.
+std::string in_lines(const std::string& text, float width);
 /// A paragraph in the small font, wrapped at the edge of the panel.
 void explanation(const Context& context, std::string_view text, ImU32 ink = colour::text_dim);
 /// The label of a row, vertically centred; `height` 0: that of a row with a slider.
