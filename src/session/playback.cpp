@@ -5,6 +5,7 @@
 #include "io/indexed_text.hpp"
 #include "io/text_trajectory.hpp"
 #include "models/scene/mean_nearest.hpp"
+#include "session/marks.hpp"
 
 #include <fmt/format.h>
 
@@ -233,12 +234,7 @@ std::uint64_t Playback::first_frame_from(double elapsed) {
     return elapsed_at(reader_.moment(frame).time) < elapsed ? std::min(frame + 1, frames() - 1) : frame;
 }
 
-/// A mark at the frame that is shown; where there is one, it goes.
-void Playback::bookmark(const std::string& text) {
-    if (std::erase_if(bookmarks_, [&](const Mark& mark) { return mark.step == frame_.step; }) > 0) return;
-    bookmarks_.push_back({frame_.step, frame_.time, text});
-    std::sort(bookmarks_.begin(), bookmarks_.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
-}
+void Playback::bookmark(const std::string& text) { toggle_mark(bookmarks_, {frame_.step, frame_.time, text}); }
 
 void Playback::observe(SessionView& view) {
     view.followers.clear();

@@ -1,6 +1,7 @@
 #include "session/session.hpp"
 
 #include "core/error.hpp"
+#include "session/marks.hpp"
 
 #include <fmt/format.h>
 
@@ -194,16 +195,7 @@ void Session::seek(std::uint64_t step) {
     if (line_.step() != step) goal_ = step;
 }
 
-void Session::bookmark(const std::string& text) {
-    const auto here =
-        std::find_if(bookmarks_.begin(), bookmarks_.end(), [&](const Mark& mark) { return mark.step == line_.step(); });
-    if (here != bookmarks_.end()) {
-        bookmarks_.erase(here);
-        return;
-    }
-    bookmarks_.push_back({line_.step(), line_.time(), text});
-    std::sort(bookmarks_.begin(), bookmarks_.end(), [](const Mark& a, const Mark& b) { return a.step < b.step; });
-}
+void Session::bookmark(const std::string& text) { toggle_mark(bookmarks_, {line_.step(), line_.time(), text}); }
 
 /// The ensemble begins where the run began.
 void Session::show_ensemble(const LiveEnsembleOptions& asked) {

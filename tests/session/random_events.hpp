@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session/changed_run.hpp"
 #include "session/session.hpp"
 
 #include <algorithm>
@@ -9,16 +10,6 @@
 #include <vector>
 
 namespace steplab::test {
-
-/// The description with another value of dt or of a parameter of its scene.
-inline RunDescription with(RunDescription run, std::string_view name, double value) {
-    if (name == "dt") {
-        run.dt = value;
-    } else {
-        run.scene.set(name, value);
-    }
-    return run;
-}
 
 /// Random events, each at a random step.
 class Visitor {

@@ -2,28 +2,15 @@
 
 #include "core/error.hpp"
 #include "io/scene_file.hpp"
-#include "session/replay.hpp"
+#include "session/replayed.hpp"
 #include "session/session_file.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
-#include <utility>
 
 namespace steplab::test {
-
-/// What a replay finds to differ; "the same" if nothing does.
-inline std::string replayed(Recording recording) {
-    Session session(recording.start);
-    Replay replay(std::move(recording), session);
-    while (!replay.is_done()) {
-        replay.approach(37);
-        if (!replay.is_due()) continue;
-        if (const auto difference = replay.perform()) return *difference;
-    }
-    return replay.compared() ? "the same" : "nothing was compared";
-}
 
 /// The same of the recording as a file has it, which has to have it without loss.
 inline std::string replayed_from_text(const Recording& recording) {

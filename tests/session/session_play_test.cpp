@@ -1,5 +1,5 @@
 #include "core/error.hpp"
-#include "session/replay.hpp"
+#include "session/replayed.hpp"
 #include "session/session_test.hpp"
 
 #include <gtest/gtest.h>
@@ -11,18 +11,6 @@
 
 namespace steplab::test {
 namespace {
-
-/// What a replay finds to differ.
-std::string replayed(Recording recording) {
-    Session session(recording.start);
-    Replay replay(std::move(recording), session);
-    while (!replay.is_done()) {
-        replay.approach(37);
-        if (!replay.is_due()) continue;
-        if (const auto difference = replay.perform()) return *difference;
-    }
-    return replay.compared() ? "the same" : "nothing was compared";
-}
 
 TEST(Session, plays_backwards_with_all_its_runs_until_the_start) {
     Session session(chain("rk4"));

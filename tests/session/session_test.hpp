@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session/changed_run.hpp"
 #include "session/session.hpp"
 #include "support/runs.hpp"
 
@@ -10,15 +11,6 @@ namespace steplab::test {
 
 inline RunDescription chain(std::string_view method = "verlet", Precision precision = Precision::double_) {
     return run_of("chain", method, precision, 0.1);
-}
-
-inline RunDescription with(RunDescription run, std::string_view name, double value) {
-    if (name == "dt") {
-        run.dt = value;
-    } else {
-        run.scene.set(name, value);
-    }
-    return run;
 }
 
 inline void go_to(Session& session, std::uint64_t step) {
