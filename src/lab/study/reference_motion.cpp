@@ -26,6 +26,9 @@ using Real = long double;
 /// enough from it to tell its error.
 constexpr double fine_tolerance = 1e-17, coarse_tolerance = 1e-15;
 
+/// States kept at the starts of stretches: of scenes of any size, and as many more as this memory holds.
+constexpr std::size_t least_kept_starts = 8, most_bytes_of_starts = 32 << 20;
+
 /// A run that can be asked for any time from the start of its last step on.
 class DenseRun {
 public:
@@ -69,32 +72,47 @@ std::unique_ptr<DenseRun> dense_run(const Plan& scene, const State<Real>& start,
         scene.forces);
 }
 
+/// A scene as it is computed.
+struct Held {
+    RunDescription description;
+    Plan plan;
+};
+
+/// The states of both runs.
+struct BothStates {
+    State<Real> fine, coarse;
+
+    std::size_t bytes() const {
+        return 2 * sizeof(Real) * 3 * (fine.displacement.count() + coarse.displacement.count());
+    }
+};
+
 /// Between two changes.
 struct Stretch {
     double begin;  ///< time
-    RunDescription held;
-    Plan scene;
-    std::optional<Act> act;                  ///< with which it begins
-    State<Real> fine_start, coarse_start;    ///< behind that
-    std::unique_ptr<DenseRun> fine, coarse;  ///< once asked for
-    double reached = 0;                      ///< the largest time they were asked for since their start
-    State<Real> fine_state = {}, coarse_state = {};
+    std::shared_ptr<const Held> scene;
+    std::optional<Act> act = {};                       ///< with which it begins
+    std::optional<BothStates> start = {};                   ///< behind that; none: computed again from one before
+    std::unique_ptr<DenseRun> fine = {}, coarse = {};  ///< once asked for
+    double reached = 0;                                ///< the largest time they were asked for since their start
+    BothStates state = {};
 
-    void go_to(double time) {
-        if (!fine || time < reached) {
-            fine = dense_run(scene, fine_start, fine_tolerance);
-            coarse = dense_run(scene, coarse_start, coarse_tolerance);
-        }
+    bool can_go_on_to(double time) const { return fine && time >= reached; }
+    void begin_at(const BothStates& beginning) {
+        fine = dense_run(scene->plan, beginning.fine, fine_tolerance);
+        coarse = dense_run(scene->plan, beginning.coarse, coarse_tolerance);
+    }
+    void go_on_to(double time) {
         reached = time;
-        fine->at(static_cast<Real>(time) - static_cast<Real>(begin), fine_state);
-        coarse->at(static_cast<Real>(time) - static_cast<Real>(begin), coarse_state);
+        fine->at(static_cast<Real>(time) - static_cast<Real>(begin), state.fine);
+        coarse->at(static_cast<Real>(time) - static_cast<Real>(begin), state.coarse);
     }
     bool stopped() const { return fine->stopped() || coarse->stopped(); }
     /// Gives memory back that is made again when a time in it is asked for.
     void rest() {
         fine.reset();
         coarse.reset();
-        fine_state = coarse_state = {};
+        state = {};
     }
 };
 
@@ -117,12 +135,28 @@ struct ReferenceMotion::Body {
     bool said_exact = false;
 
     explicit Body(const RunDescription& description) {
-        RunDescription held = in_double(description);
-        Plan scene = plan_of(held);
-        exact = exact_of(held);
+        const auto scene = held(in_double(description));
+        exact = exact_of(scene->description);
         said_exact = exact != nullptr;
-        const State<Real> start = scene.start.state<Real>();
-        stretches.push_back({0, std::move(held), std::move(scene), std::nullopt, start, start, nullptr, nullptr});
+        const State<Real> start = scene->plan.start.state<Real>();
+        stretches.push_back({.begin = 0, .scene = scene, .start = BothStates{start, start}});
+    }
+
+    static std::shared_ptr<const Held> held(RunDescription description) {
+        Plan plan = plan_of(description);
+        return std::make_shared<const Held>(std::move(description), std::move(plan));
+    }
+
+    /// The scene from the change of this number on; one that is known by content is the same object.
+    std::shared_ptr<const Held> scene_from(std::size_t number, const SegmentBegin& change) const {
+        // what is done to particles leaves the description as it was
+        if (change.act && number > 0) return stretches[number - 1].scene;
+        RunDescription description = in_double(change.description);
+        for (std::size_t known = number > 0 ? number - 1 : 0; known < std::min(number + 1, stretches.size()); ++known) {
+            const auto& scene = stretches[known].scene;
+            if (same_scene(description, scene->description)) return scene;
+        }
+        return held(std::move(description));
     }
 
     /// That in which a time lies.
@@ -132,31 +166,64 @@ struct ReferenceMotion::Body {
         return last;
     }
 
-    void append(double time, const RunDescription& held, const std::optional<Act>& act) {
-        Stretch& before = stretches.back();
-        before.go_to(time);
-        const bool same = same_scene(held, before.held);
-        Stretch next{time,    held,   same ? before.scene : plan_of(held), act, before.fine_state, before.coarse_state,
-                     nullptr, nullptr};
-        if (!same) {
-            carry_over(before.scene, next.scene, next.fine_start);
-            carry_over(before.scene, next.scene, next.coarse_start);
-        }
-        if (act) {
-            apply(*act, next.scene.reference, next.fine_start);
-            apply(*act, next.scene.reference, next.coarse_start);
-        }
-        before.rest();
-        stretches.push_back(std::move(next));
+    void append(double time, std::shared_ptr<const Held> scene, const std::optional<Act>& act) {
+        go_to(stretches.size() - 1, time);
+        stretches.push_back({.begin = time, .scene = std::move(scene), .act = act});
+        stretches.back().start = start_behind(stretches.size() - 2);
+        keep_fewer_starts();
     }
 
-    ReferenceMoment by_runs(Stretch& stretch, double time) {
-        stretch.go_to(time);
-        const State<Real>& state = stretch.fine_state;
+    void go_to(std::size_t number, double time) {
+        Stretch& stretch = stretches[number];
+        if (!stretch.can_go_on_to(time)) stretch.begin_at(start_of(number));
+        stretch.go_on_to(time);
+    }
+
+    BothStates start_of(std::size_t number) {
+        std::size_t known = number;
+        while (!stretches[known].start) --known;
+        BothStates start = *stretches[known].start;
+        for (; known < number; ++known) {
+            stretches[known].begin_at(start);
+            stretches[known].go_on_to(stretches[known + 1].begin);
+            start = start_behind(known);
+        }
+        return start;
+    }
+
+    /// Of the stretch behind this one, which is at its end and is left.
+    BothStates start_behind(std::size_t number) {
+        Stretch& before = stretches[number];
+        const Stretch& next = stretches[number + 1];
+        BothStates start = before.state;
+        for (State<Real>* const state : {&start.fine, &start.coarse}) {
+            if (next.scene != before.scene) carry_over(before.scene->plan, next.scene->plan, *state);
+            if (next.act) apply(*next.act, next.scene->plan.reference, *state);
+        }
+        before.rest();
+        return start;
+    }
+
+    /// A pull that is held gives an impulse for each picture.
+    void keep_fewer_starts() {
+        const auto kept = static_cast<std::size_t>(std::count_if(
+            stretches.begin(), stretches.end(), [](const Stretch& one) { return one.start.has_value(); }));
+        if (kept <= least_kept_starts || kept * stretches.front().start->bytes() <= most_bytes_of_starts) return;
+        bool keep = false;  // every other one between the first and the last
+        for (auto stretch = stretches.begin() + 1; stretch + 1 < stretches.end(); ++stretch) {
+            if (!stretch->start) continue;
+            if (!keep) stretch->start.reset();
+            keep = !keep;
+        }
+    }
+
+    ReferenceMoment by_runs(std::size_t number, double time) {
+        go_to(number, time);
+        const auto& [fine, coarse] = stretches[number].state;
         ReferenceMoment moment{
-            time, {converted<double>(state.displacement), converted<double>(state.velocity)}, infinity};
-        if (!stretch.stopped())
-            moment.error = largest_distance(state, stretch.coarse_state) + rounding_of(moment.state.displacement);
+            time, {converted<double>(fine.displacement), converted<double>(fine.velocity)}, infinity};
+        if (!stretches[number].stopped())
+            moment.error = largest_distance(fine, coarse) + rounding_of(moment.state.displacement);
         return moment;
     }
 };
@@ -171,18 +238,17 @@ void ReferenceMotion::follow(std::span<const SegmentBegin> changes) {
     std::size_t number = 0;  // of stretches that are those of the changes so far
     for (const SegmentBegin& change : changes) {
         const bool first = &change == &changes.front();
-        // what is done to particles leaves the description as it was
-        const RunDescription held = change.act && number > 0 ? known[number - 1].held : in_double(change.description);
-        if (!first && !change.act && same_scene(held, known[number - 1].held)) continue;
+        auto scene = body_->scene_from(number, change);
+        if (!first && !change.act && scene == known[number - 1].scene) continue;
         const bool same = number < known.size() && known[number].begin == change.time &&
-                          known[number].act == change.act && same_scene(held, known[number].held);
+                          known[number].act == change.act && known[number].scene == scene;
         if (first && !same) {
             body_ = std::make_unique<Body>(change.description);
             return follow(changes);
         }
         if (!same) {
             known.erase(known.begin() + static_cast<std::ptrdiff_t>(number), known.end());
-            body_->append(change.time, held, change.act);
+            body_->append(change.time, std::move(scene), change.act);
         }
         ++number;
     }
@@ -191,10 +257,9 @@ void ReferenceMotion::follow(std::span<const SegmentBegin> changes) {
 
 ReferenceMoment ReferenceMotion::at(double time) {
     const std::size_t number = body_->stretch_at(time);
-    Stretch& stretch = body_->stretches[number];
     body_->said_exact = number == 0 && body_->exact && time <= body_->exact->valid_until();
-    if (body_->said_exact) return exact_moment(*body_->exact, stretch.scene.reference.count, time);
-    return body_->by_runs(stretch, time);
+    if (!body_->said_exact) return body_->by_runs(number, time);
+    return exact_moment(*body_->exact, body_->stretches[number].scene->plan.reference.count, time);
 }
 
 bool ReferenceMotion::is_exact() const { return body_->said_exact; }

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "sim/run/memory.hpp"
+#include "support/heap.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>
@@ -9,7 +10,6 @@
 
 #include <cmath>
 #include <limits>
-#include <malloc.h>
 #include <sstream>
 
 namespace steplab::test {
@@ -85,12 +85,6 @@ TEST(RunDescription, memory_is_counted_in_bytes_of_the_right_size) {
     EXPECT_GT(in_double, 6 * 3 * 8);  // rk4 alone holds six fields
     EXPECT_LT(in_double, 2000);
     EXPECT_GT(available_memory(), 1e8);
-}
-
-/// Bytes on the heap; 0 where malloc is replaced by a sanitizer's.
-double heap() {
-    const struct mallinfo2 info = mallinfo2();
-    return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
 }
 
 RunDescription scene_of(RunDescription description, std::initializer_list<std::pair<const char*, double>> values) {
