@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace steplab {
 
@@ -21,6 +24,13 @@ struct Coupling {
     Kind kind = Kind::none;
     std::size_t particles = 0;
     bool smooth = true;  ///< false where a potential has min, max or abs, which have seams
+};
+
+/// How many pairs act on each other.
+struct Interactions {
+    double pairs = 0;
+    /// Each of them, where they are the same at all times and no sheet; else empty.
+    std::span<const std::array<std::uint32_t, 2>> bonds = {};
 };
 
 }  // namespace steplab

@@ -94,9 +94,8 @@ struct MethodInfo {
     std::span<const ParameterInfo> parameters = {};
     /// Why the method cannot run scenes with this coupling, nullopt if it can; null for methods that run every scene.
     std::optional<std::string> (*refusal)(const Coupling&) = nullptr;
-    /// Upper bound of the bytes it stores for a scene's interactions, given the number of interacting pairs. Null:
-    /// none.
-    double (*bytes_of_interactions)(const Coupling&, double pairs) = nullptr;
+    /// Upper bound of the bytes it stores for a scene's interactions, given those at the start. Null: none.
+    double (*bytes_of_interactions)(const Coupling&, const Interactions&) = nullptr;
 };
 
 /// Force evaluations per step with these parameters, start-up excluded.

@@ -12,8 +12,8 @@ struct ImplicitMidpoint {
     static constexpr ParameterInfo parameters[] = {compensated_sums};
 
     static std::optional<std::string> refusal(const Coupling& coupling) { return refusal_by_linear_solver(coupling); }
-    static double bytes_of_interactions(const Coupling& coupling, double pairs) {
-        return bytes_of_linear_solver(coupling, pairs);
+    static double bytes_of_interactions(const Coupling& coupling, const Interactions& interactions) {
+        return bytes_of_linear_solver(coupling, interactions);
     }
 
     static constexpr MethodInfo info{

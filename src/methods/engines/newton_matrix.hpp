@@ -10,8 +10,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -193,13 +195,41 @@ private:
     std::unique_ptr<SparseSymmetric<T>> sparse_;
 };
 
-/// Bytes that NewtonMatrix takes for a number of interacting pairs, an upper bound: measured for the factor
-/// of a sheet, elsewhere a full triangle; the list of entries may be half empty.
-inline double bytes_of_linear_solver(const Coupling& coupling, double pairs) {
+namespace detail {
+
+/// How many 3 x 3 blocks the factor has below its diagonal, by the order of elimination that SparseSymmetric uses.
+inline double blocks_of_factor(std::size_t particles, std::span<const std::array<std::uint32_t, 2>> bonds) {
+    using Matrix = Eigen::SparseMatrix<float>;
+    struct Counted : Eigen::SimplicialLDLT<Matrix, Eigen::Lower> {
+        double entries() const { return this->m_nonZerosPerCol.template cast<double>().sum(); }
+    };
+    const auto n = static_cast<Eigen::Index>(particles);
+    std::vector<Eigen::Triplet<float, int>> entries;
+    for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 1.0f);
+    for (const auto& [i, j] : bonds)
+        entries.emplace_back(static_cast<int>(std::max(i, j)), static_cast<int>(std::min(i, j)), 1.0f);
+    Matrix matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    Counted counted;
+    counted.analyzePattern(matrix);
+    return counted.entries();
+}
+
+}  // namespace detail
+
+/// Bytes that NewtonMatrix takes for these pairs, an upper bound: measured for the factor of a sheet, counted for
+/// bonds and, as the order of elimination of coordinates is another one, twice that; elsewhere a full triangle. The
+/// list of entries may be half empty.
+inline double bytes_of_linear_solver(const Coupling& coupling, const Interactions& interactions) {
     using Kind = Coupling::Kind;
     const auto n = static_cast<double>(coupling.particles);
     if (coupling.kind == Kind::none || coupling.kind == Kind::chain) return 2 * sizeof(Block<double>) * n;
-    const double entries = 9 * (n + pairs) * (2 * 16 + 3 * 12), triangle = 4.5 * n * n * 12;
+    constexpr double entry = 12, in_list = 2 * 16 + 3 * entry;
+    const double entries = 9 * (n + interactions.pairs) * in_list, triangle = 4.5 * n * n * entry;
+    if (!interactions.bonds.empty()) {
+        const double blocks = 2 * detail::blocks_of_factor(coupling.particles, interactions.bonds) + n;
+        return entries + std::min(triangle, 9 * blocks * entry);
+    }
     const double factor_of_sheet = n * (1500 + 500 * std::log2(n + 1));
     return entries + (coupling.kind == Kind::sheet ? std::min(triangle, factor_of_sheet) : triangle);
 }

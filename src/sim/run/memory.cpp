@@ -7,6 +7,7 @@
 #include "sim/run/starting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -87,6 +88,21 @@ double pairs(const ComposedForces& forces, const Plan& scene) {
         sum += all * std::min(1.0, near);
     }
     return sum;
+}
+
+/// The springs of a scene where nothing else acts between particles, unless there are so many particles that no linear
+/// system of them is solved.
+std::vector<std::array<std::uint32_t, 2>> bonds_of(const ComposedForces& forces) {
+    constexpr std::size_t most = 20'000;
+    const Composition& terms = *forces.terms;
+    std::vector<std::array<std::uint32_t, 2>> bonds;
+    if (!terms.pairs.empty() || terms.count > most) return bonds;
+    for (const ComposedSpring& spring : terms.springs) bonds.push_back({spring.first, spring.second});
+    return bonds;
+}
+template <class Other>
+std::vector<std::array<std::uint32_t, 2>> bonds_of(const Other&) {
+    return {};
 }
 
 /// Lists reach beyond the cut-off by a skin.
@@ -194,7 +210,8 @@ double bytes_of_interactions(const RunDescription& description, const Plan& scen
     if (!entry.info.bytes_of_interactions) return held + (entry.info.implicit ? bytes_in_stages(scene) : 0);
     return held + std::visit(
                       [&](const auto& forces) {
-                          return entry.info.bytes_of_interactions(coupling(forces), pairs(forces, scene));
+                          const auto bonds = bonds_of(forces);
+                          return entry.info.bytes_of_interactions(coupling(forces), {pairs(forces, scene), bonds});
                       },
                       scene.forces);
 }
