@@ -28,6 +28,7 @@ namespace steplab::ui {
 struct Stage {
     render::Camera& camera;
     render::Style& style;
+    const SessionView* pictured = nullptr;  ///< what the picture that is shown was drawn from; null: the view itself
 };
 
 /// An open text entry in place of a slider: its widget and the text so far.
@@ -102,6 +103,8 @@ struct Context {
     const Layout& layout;
     const Display& display;
     const SessionView& session;
+    /// What the picture of the scene shows: `session`, or where the picture takes long the moment before it.
+    const SessionView& pictured;
     const RunView& view;  ///< of the leading run
     const Measured& measured;
     EventSink& events;

@@ -79,6 +79,13 @@ void draw_panels(const Context& context) {
     draw_messages(context);
 }
 
+/// True if both are moments of the same runs.
+bool same_runs(const SessionView& a, const SessionView& b) {
+    return a.leading.run == b.leading.run && a.followers.size() == b.followers.size() &&
+           a.playback.has_value() == b.playback.has_value() &&
+           a.leading.frame.positions.size() == b.leading.frame.positions.size();
+}
+
 void set_style(render::Style& style, const RunView& view, const Selection& selection, const Display& display) {
     style.mass = view.frame.mass;
     style.selected = view.tracked ? std::optional(view.tracked->particle) : std::nullopt;
@@ -209,8 +216,10 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     body.state.wanted.follow(view.leading, body.new_view, view.playback.has_value());
     body.new_view = false;
     body.layout = arrange(body.display, body.state.panel);
-    const Context context{body.theme, body.layout, body.display, view,         view.leading, measured,
-                          events,     stage,       body.state,   body.widgets, purpose};
+    const bool has_picture = stage.pictured && same_runs(*stage.pictured, view);
+    const Context context{body.theme,   body.layout, body.display, view,  has_picture ? *stage.pictured : view,
+                          view.leading, measured,    events,       stage, body.state,
+                          body.widgets, purpose};
     if (purpose == Purpose::use) {
         body.view_keeper.keep(context);
         body.follower.follow(context);
@@ -225,6 +234,12 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
 }
 
 render::Following Interface::following() const { return body_->state.following; }
+
+bool Interface::is_dragging() const {
+    ImGui::SetCurrentContext(body_->context.get());
+    const bool held = ImGui::IsAnyItemActive() || body_->state.hands.pulled;
+    return held && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+}
 
 PixelRect Interface::scene() const { return pixels(body_->layout.scene); }
 

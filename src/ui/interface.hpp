@@ -73,6 +73,8 @@ public:
 
     /// What the camera goes with.
     render::Following following() const;
+    /// True while the pointer draws a slider, the time line or a particle along: the picture is to follow it.
+    bool is_dragging() const;
     /// The area of the scene in the last frame.
     PixelRect scene() const;
     /// The draw data of the last frame; valid until the next one.

@@ -94,6 +94,18 @@ TEST(interface, still_picture_shows_no_measured_value) {
     EXPECT_NE(drawn(), without);
 }
 
+// A picture that takes long is drawn coarse then; a click is no reason for it.
+TEST(interface, knows_when_the_pointer_draws_something_along) {
+    Desk desk;
+    desk.point_at("dt", 0.5f);
+    desk.press();
+    EXPECT_FALSE(desk.interface.is_dragging()) << "pressed only";
+    desk.point_at("dt", 0.75f);
+    EXPECT_TRUE(desk.interface.is_dragging());
+    desk.release();
+    EXPECT_FALSE(desk.interface.is_dragging());
+}
+
 TEST(interface, a_notice_goes_by_itself) {
     Desk desk;
     desk.interface.notify("saved");

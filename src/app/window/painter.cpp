@@ -145,6 +145,7 @@ void ScenePainter::finish(Painting& painting, const PaintJob& job, double second
         painting.hand_over(ready_);
         ready_.seconds = seconds;
         ready_.enlarged = job.style.enlarged;
+        ready_.view = job.view;
         fresh_ = true;
     }
     wake_();

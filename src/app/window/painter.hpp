@@ -34,9 +34,10 @@ struct PaintJob {
 /// A finished picture. Its texture belongs to the contexts of the window and of the painter alike.
 struct Painted {
     render::PictureTexture texture;
-    render::Fence shown = {};  ///< after all that the window has drawn with it
-    double seconds = 0;        ///< time to draw it
-    int enlarged = 1;          ///< as its style said
+    render::Fence shown = {};                      ///< after all that the window has drawn with it
+    double seconds = 0;                            ///< time to draw it
+    int enlarged = 1;                              ///< as its style said
+    std::shared_ptr<const SessionView> view = {};  ///< that it shows
 };
 
 /// Draws the scene on its own thread and in its own OpenGL context, so that a slow picture never delays the panels.

@@ -240,7 +240,7 @@ void Viewer::draw_frame() {
     trace_.report("size", std::to_string(display.width) + "x" + std::to_string(display.height));
     if (display.width <= 0 || display.height <= 0) return;  // minimised
     if (interface_.resize(display)) picture_.upload_fonts(interface_.fonts());
-    interface_.draw(*view_, *worker_, {camera_, style_}, measured_);
+    interface_.draw(*view_, *worker_, {camera_, style_, painted_.view.get()}, measured_);
     ask_for_scene(now);
     picture_.draw(painted_.texture, interface_.scene(), interface_.draw_data());
     for (const ui::Request& request : interface_.take_requests()) carry_out(request);
@@ -273,13 +273,13 @@ void Viewer::ask_for_scene(Clock::time_point now) {
     if (gliding) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
-/// Where the picture is a coarse one, it is drawn again once the camera has come to rest.
+/// Where the picture is a coarse one, it is drawn again once the camera or what is dragged has come to rest.
 int Viewer::enlarged(Clock::time_point now, const ui::PixelRect& scene) {
     const render::Camera before = std::exchange(asked_camera_, camera_);
     const bool follows = interface_.following() != render::Following::nothing;
     const bool moved = follows ? !same_direction(before, camera_) : before != camera_;
     const bool same_place = std::exchange(asked_scene_, scene) == scene;  // else the camera was moved to suit it
-    if (moved && same_place) {
+    if ((moved && same_place) || interface_.is_dragging()) {
         moved_ = now;
         was_moved_ = true;
     }
@@ -319,7 +319,7 @@ void Viewer::save_snapshot(const ui::Request& request) {
     }
     const std::string name =
         request.file.empty() ? ui::free_name({}, view_->leading.description.model, "png") : request.file;
-    interface_.draw_picture(*view_, {camera_, style_}, request.part.width > 0);
+    interface_.draw_picture(*view_, {camera_, style_, painted_.view.get()}, request.part.width > 0);
     try {
         picture_.save(painted_.texture, interface_.scene(), interface_.draw_data(), request.part, name);
         interface_.notify_saved(name);

@@ -105,7 +105,7 @@ private:
     bool was_moved_ = false;                               ///< since the picture that is shown was taken
     std::optional<ui::Request> delayed_;                   ///< to save a picture, once the scene is drawn in full
     Clock::time_point rest_ = Clock::time_point::max();    ///< when the picture is due to be drawn in full
-    Clock::time_point moved_{};                            ///< when the camera was last seen to be another one
+    Clock::time_point moved_{};                            ///< when the camera or what is dragged was last seen to move
     Clock::time_point drawn_ = Clock::now();               ///< when the last frame began
     Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes without input
     int frames_wanted_ = 3;

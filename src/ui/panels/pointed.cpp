@@ -7,7 +7,7 @@ namespace steplab::ui {
 void draw_pointed(const Context& context) {
     const std::optional<std::size_t> particle =
         context.state.hands.pulled ? context.state.hands.pulled : context.state.pointed;
-    const Frame& frame = context.view.frame;
+    const Frame& frame = context.pictured.leading.frame;
     if (context.purpose != Purpose::use || !particle || *particle >= frame.positions.size()) return;
     const Area& scene = context.layout.scene;
     const render::Projection projection = context.projection();

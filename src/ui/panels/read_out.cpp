@@ -33,10 +33,10 @@ void append_reference_error(std::vector<Line>& lines, const SessionErrors& error
 
 /// The error of the moment, and the digits that the largest one so far has left; or why they are not known.
 void append_error(std::vector<Line>& lines, const Context& context) {
-    const RunView& view = context.view;
+    const RunView& view = context.pictured.leading;
     const History& history = context.state.history;
     const auto error = view.diagnostics.error;
-    const auto& errors = context.session.errors;
+    const auto& errors = context.pictured.errors;
     if (!error && errors && !errors->runs.empty() && errors->runs.front())
         return append_reference_error(lines, *errors, view);
     if (!error) {
@@ -53,15 +53,15 @@ void append_error(std::vector<Line>& lines, const Context& context) {
 /// Of several selected particles.
 void append_selection(std::vector<Line>& lines, const Context& context) {
     if (context.state.selection.others().empty()) return;
-    const std::vector<std::size_t> particles = context.state.selection.all(context.view);
-    const Middle middle = middle_of(context.view, particles);
+    const std::vector<std::size_t> particles = context.state.selection.all(context.pictured.leading);
+    const Middle middle = middle_of(context.pictured.leading, particles);
     lines.push_back({fmt::format("{} particles selected", particles.size()), colour::text});
     lines.push_back({fmt::format("centre of mass: {} m", vector(middle.position))});
     lines.push_back({fmt::format("mean velocity: {} m/s", vector(middle.velocity))});
 }
 
 std::vector<Line> lines_of(const Context& context) {
-    const RunView& view = context.view;
+    const RunView& view = context.pictured.leading;
     std::vector<Line> lines;
     lines.push_back(
         {fmt::format("t = {} s   step {}", time_text(view.frame.time, view.dt), view.frame.step), colour::text, true});

@@ -21,14 +21,15 @@
 namespace steplab::ui {
 namespace {
 
+/// As the picture shows it.
 const RunView& run_of(const Context& context, std::size_t run) {
-    return run == 0 ? context.view : context.session.followers[run - 1];
+    return run == 0 ? context.pictured.leading : context.pictured.followers[run - 1];
 }
 
 std::size_t runs_of(const Context& context) { return 1 + context.session.followers.size(); }
 
 const Compared* compared_of(const Context& context, std::size_t run) {
-    const auto& errors = context.session.errors;
+    const auto& errors = context.pictured.errors;
     return errors && run < errors->runs.size() && errors->runs[run] ? &*errors->runs[run] : nullptr;
 }
 
@@ -37,7 +38,7 @@ std::string errors_text(const Context& context, std::size_t run) {
     const RunView& view = run_of(context, run);
     if (view.divergence) return fmt::format("diverged at t = {} s", typed(view.divergence->time, 4));
     const Compared* const compared = compared_of(context, run);
-    const auto& errors = context.session.errors;
+    const auto& errors = context.pictured.errors;
     if (!compared && errors && errors->runs.empty()) return "error unknown: " + errors->how;
     if (!compared) return "computing the reference";
     std::string text = fmt::format("error\u00a0{}\u00a0m", rounded_text(compared->error));
@@ -66,7 +67,7 @@ std::string more_errors_text(const Compared& compared, const std::optional<doubl
 
 /// Where the run stands beside the leading one, if not at the same time.
 std::string offset_text(const Context& context, std::size_t run) {
-    const double late = context.view.frame.time - run_of(context, run).frame.time;
+    const double late = run_of(context, 0).frame.time - run_of(context, run).frame.time;
     if (run == 0 || late <= 1e-6 * context.view.dt) return {};
     return fmt::format("shown {} s before, at its last step\n", typed(late, 3));
 }
@@ -110,10 +111,10 @@ void draw_errors(const Context& context, std::size_t run) {
 }
 
 void draw_reference(const Context& context) {
-    const auto& errors = context.session.errors;
+    const auto& errors = context.pictured.errors;
     if (!errors || errors->runs.empty()) return;
     std::string text = errors->exact ? "against the exact solution" : "against a reference run";
-    if (errors->time < context.view.frame.time - 1e-9)
+    if (errors->time < run_of(context, 0).frame.time - 1e-9)
         text += fmt::format(", which is at t = {} s", typed(errors->time, 4));
     if (const Compared* const lead = compared_of(context, 0); lead && !errors->exact)
         text += fmt::format(", accurate to {}", with_unit(rounded_text(lead->reference_error), "m"));

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -116,6 +117,36 @@ TEST(read_out, has_all_its_lines_where_there_is_room) {
     };
     EXPECT_LT(height(small), 40) << "one line";
     EXPECT_GT(height(large), 80) << "five lines";
+}
+
+/// The places and glyphs of what is drawn behind all panels.
+std::vector<std::array<float, 4>> glyphs(const Desk& desk) {
+    std::vector<std::array<float, 4>> all;
+    for (const ImDrawVert& vertex : desk.interface.draw_data().CmdLists[0]->VtxBuffer)
+        all.push_back({vertex.pos.x, vertex.pos.y, vertex.uv.x, vertex.uv.y});
+    return all;
+}
+
+TEST(read_out, says_of_what_moment_the_picture_is) {
+    Desk desk(describe("mesh"), {1280, 720, 1});
+    const auto before = glyphs(desk);
+    const SessionView pictured = desk.session;
+    desk.view.frame.step = 12345;
+    desk.interface.draw(desk.session, desk.recorder, {desk.camera, desk.style, &pictured});
+    EXPECT_EQ(glyphs(desk), before) << "a picture that takes long";
+    desk.frame();
+    EXPECT_NE(glyphs(desk), before) << "the picture of the newest moment";
+}
+
+TEST(read_out, says_nothing_of_a_picture_of_another_run) {
+    Desk desk(describe("mesh"), {1280, 720, 1});
+    SessionView pictured = desk.session;
+    desk.view.frame.step = 12345;
+    desk.frame();
+    const auto newest = glyphs(desk);
+    pictured.leading.run += 1;
+    desk.interface.draw(desk.session, desk.recorder, {desk.camera, desk.style, &pictured});
+    EXPECT_EQ(glyphs(desk), newest);
 }
 
 }  // namespace
