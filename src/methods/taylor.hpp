@@ -33,9 +33,7 @@ namespace steplab {
 struct Taylor {
     static constexpr ParameterInfo parameters[] = {tolerance_parameter};
 
-    static double bytes_of_interactions(const Coupling&, const Interactions& interactions) {
-        return 1500 * interactions.pairs;  // their series
-    }
+    static double bytes_of_interactions(const Coupling&, const Interactions& all) { return 1500 * all.pairs; }
     static std::optional<std::string> refusal(const Coupling& coupling) {
         constexpr std::size_t most_near = Coupling::most_held, most_pairs = 2000;
         const std::string not_for = " particles, not for " + std::to_string(coupling.particles);

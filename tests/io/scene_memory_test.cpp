@@ -70,7 +70,7 @@ TEST(SceneMemory, estimated_is_what_a_run_takes) {
 /// A cube of so many particles along each axis, each bound to those beside it.
 std::string bound_cube(std::size_t side) {
     std::string text = fmt::format(
-        "[[particles]]\nlattice = {{ kind = \"sc\", cells = [{0}, {0}, {0}], constant = 1 }}\n[[springs]]\nk = 1\n"
+        "[[particles]]\nlattice = {{ kind = \"cubic\", cells = [{0}, {0}, {0}], constant = 1 }}\n[[springs]]\nk = 1\n"
         "cubic = 0.1\npairs = [",
         side);
     for (std::size_t x = 0; x < side; ++x) {

@@ -92,7 +92,7 @@ struct Stretch {
     double begin;  ///< time
     std::shared_ptr<const Held> scene;
     std::optional<Act> act = {};                       ///< with which it begins
-    std::optional<BothStates> start = {};                   ///< behind that; none: computed again from one before
+    std::optional<BothStates> start = {};              ///< behind that; none: computed again from one before
     std::unique_ptr<DenseRun> fine = {}, coarse = {};  ///< once asked for
     double reached = 0;                                ///< the largest time they were asked for since their start
     BothStates state = {};
