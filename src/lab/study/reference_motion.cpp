@@ -144,7 +144,7 @@ struct ReferenceMotion::Body {
 
     static std::shared_ptr<const Held> held(RunDescription description) {
         Plan plan = plan_of(description);
-        return std::make_shared<const Held>(std::move(description), std::move(plan));
+        return std::make_shared<const Held>(Held{std::move(description), std::move(plan)});
     }
 
     /// The scene from the change of this number on; one that is known by content is the same object.
