@@ -1,0 +1,114 @@
+#include "lab/study/cost_scan.hpp"
+
+#include "sim/catalogue.hpp"
+#include "sim/run/simulation.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+std::vector<CostPoint> all_points(CostScan& scan, std::size_t most = 1000) {
+    std::vector<CostPoint> points;
+    while (points.size() < most) {
+        const auto point = scan.next();
+        if (!point) break;
+        points.push_back(*point);
+    }
+    return points;
+}
+
+RunDescription oscillator() { return run_of("oscillator", "rk4", Precision::double_, 0.1); }
+
+TEST(CostScan, has_points_of_every_method_that_takes_the_scene_in_both_precisions) {
+    CostScan scan(oscillator());
+    std::set<std::pair<std::string, Precision>> seen;
+    for (const CostPoint& point : all_points(scan)) seen.insert({point.run.method, point.run.precision});
+    for (const Method& method : methods()) {
+        if (method.info.curiosity) continue;
+        EXPECT_TRUE(seen.contains({std::string(method.info.id), Precision::double_})) << method.info.id;
+        EXPECT_TRUE(seen.contains({std::string(method.info.id), Precision::float_})) << method.info.id;
+    }
+    EXPECT_EQ(scan.done(), 1);
+    EXPECT_FALSE(scan.next()) << "it stays at its end";
+    EXPECT_EQ(scan.how(), "exact solution");
+}
+
+// Each method comes before any comes a second time: there is something to compare at once.
+TEST(CostScan, begins_with_all_methods) {
+    CostScan scan(oscillator());
+    const auto points = all_points(scan, 30);
+    std::set<std::string> methods_seen;
+    for (const CostPoint& point : points) methods_seen.insert(point.run.method);
+    EXPECT_GE(methods_seen.size(), 10u) << "of the first thirty points";
+}
+
+// What a point says is what the run does.
+TEST(CostScan, points_are_what_their_runs_do) {
+    CostScan scan(oscillator());
+    for (const CostPoint& point : all_points(scan, 60)) {
+        SCOPED_TRACE(command_line(point.run));
+        Simulation simulation(point.run);
+        simulation.end_at(run_end(point.run, scan.time()));
+        simulation.advance(run_end(point.run, scan.time()).step);
+        EXPECT_EQ(static_cast<double>(simulation.evaluations()), point.evaluations);
+        const auto error = simulation.diagnostics().error;
+        ASSERT_TRUE(error);
+        // no smaller than the error of the reference, here rounding of double; in float dt is rounded, and with it the
+        // end by 1e-6 s
+        EXPECT_NEAR(*error, point.error,
+                    1e-6 * point.error + (point.run.precision == Precision::float_ ? 1e-6 : 1e-14));
+    }
+}
+
+// The partner: a method of higher order gains more from half of the step.
+TEST(CostScan, errors_fall_as_the_orders_of_methods_say) {
+    CostScan scan(oscillator());
+    std::map<std::string, std::vector<CostPoint>> by_method;
+    for (const CostPoint& point : all_points(scan)) {
+        if (point.run.precision == Precision::double_ && !chooses_its_steps(point.run))
+            by_method[point.run.method].push_back(point);
+    }
+    for (const auto& [method, order] :
+         std::map<std::string, double>{{"euler-forward", 1}, {"rk4", 4}, {"velocity-verlet", 2}}) {
+        const auto& points = by_method.at(method);
+        std::size_t judged = 0;
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            // where errors are neither saturated nor rounding
+            if (points[i - 1].error > 1e-3 || points[i].error < 1e-10) continue;
+            EXPECT_NEAR(std::log2(points[i - 1].error / points[i].error), order, 0.25) << method << " " << i;
+            ++judged;
+        }
+        EXPECT_GE(judged, 3u) << method;
+    }
+}
+
+TEST(CostScan, tells_what_a_run_of_ones_own_costs) {
+    CostScan scan(oscillator());
+    RunDescription run = oscillator();
+    run.dt = 0.05;
+    const auto point = scan.cost_of(run);
+    ASSERT_TRUE(point);
+    EXPECT_EQ(point->run, run);
+    EXPECT_EQ(point->evaluations, 4 * std::ceil(scan.time() / 0.05));
+    RunDescription beyond = run_of("oscillator", "euler-forward", Precision::float_, 100);
+    EXPECT_TRUE(scan.cost_of(beyond)) << "its dt is shortened to the time of the scan";
+}
+
+TEST(CostScan, of_every_model_has_points) {
+    for (const Model& model : models()) {
+        if (model.info.id == "crystal") continue;  // its reference takes seconds
+        CostScan scan(describe(model.info.id, "rk4"));
+        EXPECT_EQ(all_points(scan, 5).size(), 5u) << model.info.id;
+    }
+}
+
+}  // namespace
+}  // namespace steplab::test
