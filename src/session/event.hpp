@@ -75,6 +75,14 @@ struct ShowForces {
 struct ShowErrors {
     bool on = true;
 };
+/// Whether views hold samples of the runs for plots; those of what was gone through meanwhile are missing.
+struct ShowSamples {
+    bool on = true;
+};
+/// Whether what accuracy costs on the scene is scanned.
+struct ShowCosts {
+    bool on = true;
+};
 /// Another run of the same scene beside the leading one, from its start on.
 struct AddRun {
     RunDescription description;
@@ -108,10 +116,11 @@ struct TakeBranch {
 
 }  // namespace event
 
-using Event = std::variant<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart,
-                           event::Change, event::SetRate, event::Track, event::Do, event::Undo, event::Redo,
-                           event::ShowEnsemble, event::ShowForces, event::ShowErrors, event::AddRun, event::ChangeRun,
-                           event::EqualCost, event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
+using Event =
+    std::variant<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change,
+                 event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
+                 event::ShowForces, event::ShowErrors, event::ShowSamples, event::ShowCosts, event::AddRun,
+                 event::ChangeRun, event::EqualCost, event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
 
 /// True if it is one of these.
 template <class... Kinds>
@@ -124,8 +133,8 @@ void check(const event::Loop& loop);
 
 /// True if an event changes what the runs of a session compute or where they stand; the others change what is shown.
 inline bool is_recorded(const Event& event) {
-    return !is_any<event::SetRate, event::Loop, event::Track, event::ShowEnsemble, event::ShowForces,
-                   event::ShowErrors>(event);
+    return !is_any<event::SetRate, event::Loop, event::Track, event::ShowEnsemble, event::ShowForces, event::ShowErrors,
+                   event::ShowSamples, event::ShowCosts>(event);
 }
 
 /// True if the second event leaves nothing of the first, which it follows: a slider or the time line is dragged.

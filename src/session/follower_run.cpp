@@ -18,6 +18,7 @@ FollowerRun::FollowerRun(const RunDescription& description, std::size_t bytes)
 /// Where the leading run has gone another way than this one, this one goes back to where they part.
 bool FollowerRun::follow(const TimeLine& leading, const std::function<bool()>& enough) {
     go_back(shared(leading));
+    line_.sample_as(leading);
     if (followed_.empty()) followed_.push_back({leading.changes().front()});
     while (followed_.size() < leading.past().size()) {
         const SegmentBegin& next = leading.changes()[followed_.size()];

@@ -92,7 +92,14 @@ struct Playback::Handle {
     }
     void operator()(const event::Restart&) const { of.go_to(0); }
     void operator()(const event::SetRate& rate) const { of.rate_ = rate.rate; }
-    void operator()(const event::Track& track) const { of.tracked_ = track.particle; }
+    void operator()(const event::Track& track) const {
+        of.tracked_ = track.particle;
+        of.samples_.follow(track.particle);
+    }
+    void operator()(const event::ShowSamples& show) const {
+        of.with_samples_ = show.on;
+        of.take_sample();
+    }
     void operator()(const event::ShowForces& show) const {
         if (show.on && !of.is_measured()) refuse("forces are known only of whole scenes");
         of.with_forces_ = show.on;
@@ -107,6 +114,9 @@ struct Playback::Handle {
     }
     void operator()(const event::ShowErrors& show) const {
         if (show.on) refuse("it is not compared with a reference");
+    }
+    void operator()(const event::ShowCosts& show) const {
+        if (show.on) refuse("what accuracy costs is measured of runs");
     }
     void operator()(const event::AddRun&) const { refuse("no runs go beside it"); }
     void operator()(const event::ChangeRun&) const { refuse("no runs go beside it"); }
@@ -176,6 +186,20 @@ void Playback::arrive() {
     diagnostics_ = meter_->measure(frame_);
     if (number_ == 0) first_energy_ = diagnostics_.energy;
     diagnostics_.energy_error = diagnostics_.energy - first_energy_;
+    take_sample();
+}
+
+void Playback::take_sample() {
+    if (with_samples_ && meter_) samples_.put(sample());
+}
+
+Sample Playback::sample() const {
+    Sample sample = sample_of(frame_.step, frame_.time, diagnostics_);
+    if (tracked_ && *tracked_ < frame_.positions.size()) {
+        const Tracked now = tracked(*tracked_);
+        sample.particle = {now.displacement, frame_.velocities[*tracked_], now.exact_displacement};
+    }
+    return sample;
 }
 
 /// One that is damaged is due at once: then that is reported.
@@ -239,6 +263,7 @@ void Playback::bookmark(const std::string& text) { toggle_mark(bookmarks_, {fram
 void Playback::observe(SessionView& view) {
     view.followers.clear();
     view.errors.reset();
+    view.costs.reset();
     view.equal_cost = false;
     view.line = {.reached = last_step_, .reached_time = last_time_, .bookmarks = bookmarks_};
     view.line.backwards = playing_ && backwards_;
@@ -251,10 +276,14 @@ void Playback::observe(SessionView& view) {
 /// What is not known of frames of a file is as in a new view.
 void Playback::observe(RunView& view) {
     Frame frame = std::move(view.frame);
+    SampleSeries series = std::move(view.series);
     frame = frame_;
+    take_sample();  // of a particle that is followed since
+    samples_.put_into(series);
     view = RunView();
     view.description = run_;
     view.frame = std::move(frame);
+    view.series = std::move(series);
     view.diagnostics = diagnostics_;
     if (meter_) {
         if (with_forces_) meter_->forces(view.frame.forces);

@@ -81,6 +81,8 @@ private:
     void find_next();
     void observe(RunView& view);
     Tracked tracked(std::size_t particle) const;
+    Sample sample() const;
+    void take_sample();
 
     std::string file_;
     TrajectoryReader reader_;
@@ -101,7 +103,8 @@ private:
     std::optional<StepRange> loop_;
     Rate rate_;
     std::optional<std::size_t> tracked_;
-    bool with_forces_ = false;
+    bool with_forces_ = false, with_samples_ = false;
+    RunSamples samples_{0};  ///< of the frames that were gone to
     std::vector<Mark> bookmarks_;
 };
 

@@ -39,6 +39,15 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     view.opening_dt = opening_dt(view.description);
 }
 
+Sample sample_of(const RunView& view) {
+    Sample sample = sample_of(view.frame.step, view.frame.time, view.diagnostics);
+    if (!view.tracked) return sample;
+    const auto& [particle, displacement, exact] = *view.tracked;
+    const bool known = particle < view.frame.velocities.size();
+    sample.particle = {displacement, known ? view.frame.velocities[particle] : Vec3{}, exact};
+    return sample;
+}
+
 std::size_t first_followed(const Shape& shape) {
     for (const Role role : {Role::kicked, Role::bullet}) {
         const auto found = std::find(shape.roles.begin(), shape.roles.end(), role);

@@ -2,6 +2,7 @@
 
 #include "core/diagnostics.hpp"
 #include "core/frame.hpp"
+#include "session/run_samples.hpp"
 #include "sim/ensemble/live_ensemble_options.hpp"
 #include "sim/run/simulation.hpp"
 
@@ -42,6 +43,7 @@ struct RunView {
     Frame frame;
     Diagnostics diagnostics;
     std::optional<Tracked> tracked;
+    SampleSeries series;  ///< of the whole way of the run, if samples are wanted
     std::optional<Divergence> divergence;
     Remedies remedies;  ///< where it diverged
     std::optional<StabilityLimit> limit;
@@ -72,6 +74,9 @@ struct RunView {
 
 /// Fills in everything of `view` that the simulation knows, reusing its memory; `particle` is the one to track.
 void observe(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view);
+
+/// What plots show of the moment of a view. Without velocities, that of the particle is 0.
+Sample sample_of(const RunView& view);
 
 /// The particle to track until another one is picked: the kicked one, else the bullet, else the last.
 std::size_t first_followed(const Shape& shape);

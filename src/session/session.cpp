@@ -37,6 +37,8 @@ struct Session::Handle {
     void operator()(const event::ShowEnsemble& show) const { session.show_ensemble(show.ensemble); }
     void operator()(const event::ShowForces& show) const { session.with_forces_ = show.on; }
     void operator()(const event::ShowErrors& show) const { session.with_errors_ = show.on; }
+    void operator()(const event::ShowSamples& show) const { session.with_samples_ = show.on; }
+    void operator()(const event::ShowCosts& show) const { session.with_costs_ = show.on; }
     void operator()(const event::AddRun& added) const { session.add(added.description); }
     void operator()(const event::ChangeRun& change) const { session.change_run(change.run, change.description); }
     void operator()(const event::EqualCost& cost) const { session.set_equal_cost(cost.on); }
@@ -47,8 +49,8 @@ struct Session::Handle {
 };
 
 void Session::handle(const Event& event) {
-    if (recording_ && is_recorded(event)) return handle_and_record(event);
-    std::visit(Handle{*this}, event);
+    recording_&& is_recorded(event) ? handle_and_record(event) : std::visit(Handle{*this}, event);
+    line_.sample(with_samples_, tracked_);  // also of a run that began
 }
 
 /// What is refused changes nothing and is not recorded.

@@ -79,6 +79,7 @@ public:
     static constexpr std::size_t most_compared_alone = 300;
     /// True if the runs are to be compared with the motion of their scene: two and more of them always.
     bool wants_errors() const;
+    bool wants_costs() const { return with_costs_; }
     /// The present moment of all runs, reusing the memory of `view`.
     void observe(SessionView& view) const;
 
@@ -160,7 +161,7 @@ private:
     Rate rate_;
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;
-    bool with_forces_ = false;
+    bool with_forces_ = false, with_samples_ = false, with_costs_ = false;
     bool equal_cost_ = false;
     std::optional<bool> with_errors_;  ///< none: as usual
     LiveEnsembleOptions ensemble_;

@@ -26,6 +26,7 @@ void Session::observe(SessionView& view) const {
     RunView& leading = view.leading;
     steplab::observe(run(), tracked_, leading);
     if (with_forces_) run().forces(leading.frame.forces);
+    line_.put_samples_into(leading.series);
     leading.playing = playing_ && (backwards_ || !leading.divergence);
     leading.goal = goal_;
     leading.ensemble = ensemble_;
@@ -37,8 +38,10 @@ void Session::observe(SessionView& view) const {
     leading.run = number_;
     leading.smooth_since = smooth_since(line_.past());
     view.followers.resize(followers_.size());
-    for (std::size_t i = 0; i < followers_.size(); ++i)
+    for (std::size_t i = 0; i < followers_.size(); ++i) {
         steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
+        followers_[i].line().put_samples_into(view.followers[i].series);
+    }
     view.line = line_view();
     view.equal_cost = equal_cost_;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "lab/study/cost_scan.hpp"
 #include "session/compared.hpp"
 #include "session/run_view.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +50,16 @@ struct SessionErrors {
     std::string how = {};                            ///< the reference of the leading run, in words
 };
 
+/// What accuracy costs on the scene of a session: the points of a scan so far.
+struct CostsView {
+    double time = 0;  ///< over which all runs go [s]
+    std::vector<CostPoint> points = {};
+    std::vector<std::optional<CostPoint>> runs = {};  ///< those of the session, the leading one first; none: diverged
+    double done = 0;                                  ///< the fraction of the series that are complete
+    bool complete = false;
+    std::string how = {};  ///< the reference in words, or why nothing is known
+};
+
 /// What is known of a trajectory file that is played in place of a session.
 struct PlaybackView {
     std::string file = {};
@@ -64,8 +76,9 @@ struct SessionView {
     std::vector<RunView> followers = {};  ///< at the same time, by the rule of step_at()
     TimeLineView line = {};
     bool equal_cost = false;
-    std::optional<SessionErrors> errors = {};   ///< if they are wanted; of this moment, or of one before it
-    std::optional<PlaybackView> playback = {};  ///< if a trajectory is played
+    std::optional<SessionErrors> errors = {};     ///< if they are wanted; of this moment, or of one before it
+    std::shared_ptr<const CostsView> costs = {};  ///< if they are wanted and known
+    std::optional<PlaybackView> playback = {};    ///< if a trajectory is played
 };
 
 }  // namespace steplab

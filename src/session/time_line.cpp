@@ -52,12 +52,35 @@ void TimeLine::take_steps(std::uint64_t steps) {
     using Clock = std::chrono::steady_clock;
     const std::uint64_t before = run_.advanced().step;
     const auto begin = Clock::now();
-    run_.advance(steps);
+    samples_ ? advance_by_samples(before + steps) : run_.advance(steps);
     const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
     const double fading = std::exp(-spent / remembered_seconds),
                  taken = static_cast<double>(run_.advanced().step) - static_cast<double>(before);
     spent_ = spent_ * fading + spent;
     simulated_ = simulated_ * fading + taken * std::abs(run_.dt());
+}
+
+void TimeLine::advance_by_samples(std::uint64_t target) {
+    while (run_.advanced().step < target && !run_.advanced().diverged) {
+        const std::uint64_t step = run_.advanced().step;
+        run_.advance(std::min(target - step, samples_->to_next(step)));
+        samples_->offer(run_);
+    }
+}
+
+void TimeLine::sample(bool on, std::optional<std::size_t> particle) {
+    if (!on) return samples_.reset();
+    if (!samples_) samples_.emplace(run_.particles());
+    samples_->follow(particle);
+    samples_->offer(run_);
+}
+
+void TimeLine::sample_as(const TimeLine& other) {
+    sample(other.samples_.has_value(), other.samples_ ? other.samples_->followed() : std::nullopt);
+}
+
+void TimeLine::put_samples_into(SampleSeries& series) const {
+    samples_ ? samples_->put_into(series) : void(series = {});
 }
 
 std::optional<double> TimeLine::cost() const {
@@ -83,6 +106,7 @@ void TimeLine::note_reached() {
     const auto [step, evaluations, over] = run_.advanced();
     if (step <= reached_ && !(over && step < reached_)) return;
     if (over) moments_.cut(step, taken_);
+    if (over && samples_) samples_->cut(step);
     reached_ = step;
     reached_time_ = time_of(step);
 }
@@ -203,6 +227,7 @@ std::optional<TimeLine::Branch> TimeLine::cut(std::uint64_t step, std::size_t ke
     settle();
     const bool nothing = changes_.size() == kept && reached_ <= step;
     Branch branch{changes_, moments_.cut(step, kept), step, reached_, reached_time_};
+    if (samples_) branch.samples = samples_->cut(step);
     changes_.resize(kept);
     reached_ = step;
     reached_time_ = time_of(step);
@@ -242,6 +267,7 @@ std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {
     moments_.append(std::move(branch.moments));
     reached_ = branch.reached;
     reached_time_ = branch.reached_time;
+    if (samples_) samples_->append(branch.samples);
     take_due_changes();
     return left;
 }

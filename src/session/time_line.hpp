@@ -1,6 +1,7 @@
 #pragma once
 
 #include "session/moments.hpp"
+#include "session/run_samples.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
 #include "sim/run/act.hpp"
 #include "sim/run/simulation.hpp"
@@ -73,6 +74,7 @@ public:
         std::uint64_t fork = 0;  ///< the step where it left the way that followed
         std::uint64_t reached = 0;
         double reached_time = 0;
+        std::vector<Sample> samples = {};  ///< behind the fork
     };
 
     /// From here on with another method, dt, precision or live parameter. What lay ahead is returned, if anything did.
@@ -91,12 +93,20 @@ public:
     /// returned.
     std::optional<Branch> take(Branch branch);
 
+    /// Whether samples are taken on its way from now on, and what particle they tell of.
+    void sample(bool on, std::optional<std::size_t> particle = std::nullopt);
+    /// The same as another one.
+    void sample_as(const TimeLine& other);
+    /// Of this branch, also of what lies ahead. Empty if none are taken.
+    void put_samples_into(SampleSeries& series) const;
+
     std::size_t bytes() const { return moments_.bytes(); }
     /// Seconds that its steps took lately, per simulated second; none before there were some.
     std::optional<double> cost() const;
 
 private:
     void take_steps(std::uint64_t steps);
+    void advance_by_samples(std::uint64_t target);
     void take_effect(SegmentBegin& change);
     void take_due_changes();
     void note_reached();
@@ -116,6 +126,7 @@ private:
     std::uint64_t reached_ = 0;
     double reached_time_ = 0;
     Vec3 start_momentum_;
+    std::optional<RunSamples> samples_;
     double spent_ = 0, simulated_ = 0;  ///< seconds; what is long past fades
 };
 

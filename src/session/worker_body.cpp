@@ -140,7 +140,7 @@ void Worker::Body::handle(const Event& event) {
         film.reset();
     }
     session->handle(event);
-    if (is_any<event::Track, event::ShowForces, event::Bookmark>(event)) return;
+    if (is_any<event::Track, event::ShowForces, event::ShowSamples, event::ShowCosts, event::Bookmark>(event)) return;
     if (changes_speed(event)) pace.forget_speed();
     pace.begin(Clock::now());
 }
@@ -235,6 +235,18 @@ void Worker::Body::errors_came() {
     changed.notify_one();
 }
 
+/// What accuracy costs on the scene, with its parameters of now, where that is wanted.
+void Worker::Body::scan_costs() {
+    if (!session->wants_costs()) {
+        view.costs.reset();
+        return costs.forget();
+    }
+    std::vector<RunDescription> runs{session->run().description()};
+    for (const FollowerRun& follower : session->followers()) runs.push_back(follower.run().description());
+    costs.ask(std::move(runs));
+    view.costs = costs.newest();
+}
+
 /// True if a view would cost the run no more than its part, or the run has time to spare.
 bool Worker::Body::affordable() const {
     const auto now = Clock::now();
@@ -251,6 +263,7 @@ void Worker::Body::see() {
         view.playback.reset();
         session->observe(view);
         compare();
+        scan_costs();
         if (leading.divergence && !session->plays_backwards()) session->stop();
         leading.cost = session->line().cost();
         for (std::size_t i = 0; i < view.followers.size(); ++i)

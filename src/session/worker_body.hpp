@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session/live_costs.hpp"
 #include "session/live_errors.hpp"
 #include "session/pace.hpp"
 #include "session/playback.hpp"
@@ -61,8 +62,8 @@ struct Worker::Body {
     std::optional<Doubt> found;    // where `doubtful` began
     std::size_t hashed;
     std::uint64_t runs_before = 0, newest_run = 0;  // runs have other numbers than those of what was played before
-    std::array<Event, 3> kept_events{event::SetRate{}, event::Track{},
-                                     event::ShowForces{false}};  // what stays from then
+    std::array<Event, 5> kept_events{event::SetRate{}, event::Track{}, event::ShowForces{false},
+                                     event::ShowSamples{false}, event::ShowCosts{false}};  // what stays from then
     /// The wall clock of frames that are played: when it showed so many seconds behind the first one.
     struct Since {
         Clock::time_point now{};
@@ -75,6 +76,7 @@ struct Worker::Body {
     Clock::time_point published;
     Share views{part_for_views, longest_without_view}, moments{part_for_history};
     LiveErrors errors{[this] { errors_came(); }};
+    LiveCosts costs{[this] { errors_came(); }};
     std::thread thread;
 
     Body(const Beginning& beginning, std::size_t up_to) : hashed(up_to) {
@@ -125,6 +127,7 @@ struct Worker::Body {
     void keep_moment();
     void compare();
     void errors_came();
+    void scan_costs();
     bool affordable() const;
     void see();
     void publish(bool at_once, bool judged);

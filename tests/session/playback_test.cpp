@@ -143,6 +143,8 @@ std::map<std::size_t, Event> events_of_all_kinds() {
                                  event::Redo{},
                                  event::ShowEnsemble{{.runs = 16}},
                                  event::ShowForces{true},
+                                 event::ShowSamples{true},
+                                 event::ShowCosts{true},
                                  event::ShowErrors{true},
                                  event::AddRun{other},
                                  event::ChangeRun{1, other},
@@ -164,7 +166,7 @@ TEST(Playback, refuses_what_cannot_be_done_to_frames_of_a_file_and_does_all_else
         Playback playback(written.path);
         const bool possible =
             is_any<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart, event::SetRate,
-                   event::Track, event::ShowForces, event::Bookmark>(event);
+                   event::Track, event::ShowForces, event::ShowSamples, event::Bookmark>(event);
         go_to(playback, 9);
         if (possible) {
             EXPECT_NO_THROW(playback.handle(event)) << "event " << kind;
@@ -203,6 +205,22 @@ TEST(Playback, shows_forces_tracked_particles_and_bookmarks) {
     EXPECT_EQ(view.line.reached, 46u);
     playback.handle(event::Bookmark{});
     EXPECT_TRUE(view_of(playback).line.bookmarks.empty());
+}
+
+TEST(Playback, has_samples_of_the_frames_that_were_gone_to) {
+    const Written written(chain());
+    Playback playback(written.path);
+    playback.handle(event::ShowSamples{true});
+    playback.handle(event::Track{5});
+    for (const std::uint64_t frame : {0, 3, 1}) go_to(playback, frame);
+    const auto samples = view_of(playback).leading.series.samples;
+    ASSERT_EQ(samples.size(), 3u);
+    Simulation simulation(written.run);
+    for (const Sample& sample : samples) {
+        simulation.advance(sample.step - simulation.step());
+        EXPECT_EQ(sample.kinetic, simulation.diagnostics().kinetic);
+        EXPECT_EQ(sample.particle->velocity, simulation.frame().velocities[5]);
+    }
 }
 
 TEST(Playback, of_some_particles_shows_them_alone) {

@@ -1,0 +1,171 @@
+#include "session/run_samples.hpp"
+
+#include "session/session.hpp"
+#include "support/runs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace steplab::test {
+namespace {
+
+std::vector<Sample> samples_of(const Session& session) {
+    SessionView view;
+    session.observe(view);
+    return view.leading.series.samples;
+}
+
+Session sampled(const RunDescription& run) {
+    Session session(run);
+    session.handle(event::Track{0});
+    session.handle(event::ShowSamples{true});
+    return session;
+}
+
+void expect_same(const std::vector<Sample>& a, const std::vector<Sample>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        ASSERT_EQ(a[i].step, b[i].step);
+        EXPECT_EQ(a[i].time, b[i].time);
+        EXPECT_EQ(a[i].kinetic, b[i].kinetic);
+        EXPECT_EQ(a[i].potential, b[i].potential);
+        EXPECT_EQ(a[i].energy_error, b[i].energy_error);
+        ASSERT_EQ(a[i].particle.has_value(), b[i].particle.has_value());
+        if (a[i].particle) {
+            EXPECT_EQ(a[i].particle->displacement, b[i].particle->displacement);
+            EXPECT_EQ(a[i].particle->velocity, b[i].particle->velocity);
+        }
+    }
+}
+
+// However it is played: in one go, in pieces, there and back.
+TEST(RunSamples, of_the_same_run_are_the_same_rows) {
+    for (const char* const method : {"rk4", "verlet", "dopri5"}) {
+        for (const Precision precision : {Precision::double_, Precision::float_}) {
+            SCOPED_TRACE(method);
+            const RunDescription run = run_of("chain", method, precision, 0.1, {});
+            Session once = sampled(run), pieces = sampled(run), back = sampled(run);
+            once.advance(20000);
+            std::mt19937 random(2008);
+            for (std::uint64_t step = 0; step < 20000;) {
+                const std::uint64_t next = std::min<std::uint64_t>(20000, step + 1 + random() % 700);
+                pieces.advance(next - step);
+                step = next;
+            }
+            back.advance(20000);
+            back.handle(event::Seek{777});
+            back.finish();
+            back.handle(event::Seek{20000});
+            back.finish();
+            expect_same(samples_of(pieces), samples_of(once));
+            expect_same(samples_of(back), samples_of(once));
+        }
+    }
+}
+
+TEST(RunSamples, change_no_bit_of_a_run) {
+    for (const char* const model : {"chain", "rope", "morse"}) {
+        const RunDescription run = run_of(model, "rk4", Precision::double_, 0.01, {});
+        Session with = sampled(run), without(run);
+        with.advance(3000);
+        without.advance(3000);
+        EXPECT_EQ(with.run().hash(), without.run().hash());
+    }
+}
+
+TEST(RunSamples, are_what_the_run_says_at_their_steps) {
+    const RunDescription run = run_of("mesh", "rk4", Precision::double_, 0.1, {{"dim", 5}});
+    Session session = sampled(run);
+    session.advance(100);
+    const auto samples = samples_of(session);
+    ASSERT_EQ(samples.size(), 101u) << "each step, the start too";
+    Simulation alone(run);
+    for (const Sample& sample : samples) {
+        const Diagnostics now = alone.diagnostics();
+        ASSERT_EQ(sample.step, alone.step());
+        EXPECT_EQ(sample.energy_error, now.energy_error);
+        EXPECT_EQ(sample.kinetic + sample.potential, now.energy);
+        EXPECT_EQ(sample.particle->velocity, alone.frame().velocities[0]);
+        alone.advance(1);
+    }
+}
+
+TEST(RunSamples, take_bounded_memory_however_long_a_run_is) {
+    RunSamples samples(10);
+    for (std::uint64_t step = 0; step < 1'000'000'000; step += samples.to_next(step))
+        samples.put(sample_of(step, 0, {}));
+    EXPECT_LT(samples.all().size(), RunSamples::most);
+    EXPECT_GT(samples.all().size(), RunSamples::most / 4);
+    EXPECT_EQ(samples.all().front().step, 0u);
+    EXPECT_GT(samples.all().back().step, 999'000'000u);
+    for (std::size_t i = 1; i < samples.all().size(); ++i)
+        ASSERT_EQ(samples.all()[i].step - samples.all()[i - 1].step, samples.spacing());
+}
+
+TEST(RunSamples, of_a_way_that_was_left_come_back_with_it) {
+    Session session = sampled(run_of("chain", "rk4", Precision::double_, 0.1, {}));
+    session.advance(100);
+    const auto whole = samples_of(session);
+    session.handle(event::Seek{40});
+    session.finish();
+    EXPECT_EQ(samples_of(session).size(), 101u) << "what lies ahead is kept";
+    session.handle(event::Do{Kick{3, {1, 0, 0}}});
+    EXPECT_EQ(samples_of(session).size(), 41u) << "until something else is done";
+    session.advance(60);
+    session.handle(event::TakeBranch{0});
+    expect_same(samples_of(session), whole);
+}
+
+TEST(RunSamples, of_another_particle_are_taken_from_now_on) {
+    Session session = sampled(run_of("chain", "rk4", Precision::double_, 0.1, {}));
+    session.advance(10);
+    session.handle(event::Track{3});
+    session.advance(10);
+    const auto samples = samples_of(session);
+    EXPECT_FALSE(samples[5].particle);
+    EXPECT_TRUE(samples[15].particle);
+    session.handle(event::Seek{0});
+    session.finish();
+    session.handle(event::Seek{20});
+    session.finish();
+    EXPECT_TRUE(samples_of(session)[5].particle) << "and where it is gone through again";
+}
+
+TEST(RunSamples, are_fewer_where_one_takes_long) {
+    EXPECT_EQ(RunSamples(1000).spacing(), 1u);
+    EXPECT_GE(RunSamples(1'000'000).spacing(), 128u);
+}
+
+TEST(RunSamples, of_a_view_grow_at_their_end) {
+    RunSamples samples(1);
+    SampleSeries series;
+    for (std::uint64_t step = 0; step < 3 * RunSamples::most; ++step) {
+        samples.put(sample_of(step, static_cast<double>(step), {}));
+        if (step % 7 == 0) samples.put_into(series);
+    }
+    samples.put_into(series);
+    ASSERT_EQ(series.samples.size(), samples.all().size());
+    for (std::size_t i = 0; i < series.samples.size(); ++i) EXPECT_EQ(series.samples[i].step, samples.all()[i].step);
+    samples.cut(10);
+    samples.put_into(series);
+    EXPECT_EQ(series.samples.size(), samples.all().size());
+}
+
+TEST(RunSamples, runs_beside_the_leading_one_have_theirs) {
+    Session session = sampled(run_of("chain", "rk4", Precision::double_, 0.1, {}));
+    session.handle(event::AddRun{run_of("chain", "euler", Precision::double_, 0.05, {})});
+    session.advance(50);
+    session.finish();
+    SessionView view;
+    session.observe(view);
+    ASSERT_EQ(view.followers.size(), 1u);
+    EXPECT_EQ(view.followers[0].series.samples.size(), 101u);
+    session.handle(event::ShowSamples{false});
+    session.finish();
+    session.observe(view);
+    EXPECT_TRUE(view.leading.series.samples.empty()) << "nothing is recorded that nobody looks at";
+}
+
+}  // namespace
+}  // namespace steplab::test
