@@ -120,4 +120,9 @@ std::string tick_text(double value, double step, double largest) {
     return fmt::format("{:.{}f}e{:.0f}", value / std::pow(10.0, power), digits, power);
 }
 
+double part_between(double low, double high, double value) {
+    const double length = high - low;
+    return std::isfinite(length) ? (value - low) / length : (value / 2 - low / 2) / (high / 2 - low / 2);
+}
+
 }  // namespace steplab

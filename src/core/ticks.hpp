@@ -33,6 +33,9 @@ std::vector<double> linear_ticks(double low, double high, double step);
 /// The exponents of the powers of ten in low .. high, both ends included. Empty unless 0 < low <= high < infinity.
 std::vector<int> decades(double low, double high);
 
+/// Position of a value between low < high: 0 at `low`, 1 at `high`, for ends as far apart as doubles are.
+double part_between(double low, double high, double value);
+
 struct Range {
     double low = 0;
     double high = 1;

@@ -9,6 +9,7 @@
 #include "session/worker.hpp"
 #include "ui/display.hpp"
 #include "ui/gallery.hpp"
+#include "ui/plot/choice.hpp"
 #include "ui/plot/history.hpp"
 #include "ui/selection.hpp"
 #include "ui/wanted.hpp"
@@ -74,6 +75,7 @@ struct ScenesPage {
 struct InterfaceState {
     Wanted wanted;
     History history;
+    PlotsState plots;
     std::optional<Entry> entry;
     std::optional<Notice> notice;
     std::optional<render::KnownShape> shape;    ///< of the newest frame

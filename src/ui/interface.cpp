@@ -214,6 +214,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     ImGui::NewFrame();
     const WidgetMap before = std::exchange(body.widgets, {});
     body.state.wanted.follow(view.leading, body.new_view, view.playback.has_value());
+    if (body.new_view) body.state.history.record_beside(view);
     body.new_view = false;
     body.layout = arrange(body.display, body.state.panel);
     const bool has_picture = stage.pictured && same_runs(*stage.pictured, view);

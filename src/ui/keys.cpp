@@ -35,7 +35,7 @@ constexpr std::array<KeyBinding, 26> keys = {{
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},
 }};
 
-constexpr std::array<MouseBinding, 11> gestures = {{
+constexpr std::array<MouseBinding, 12> gestures = {{
     {"left drag", "orbit"},
     {"right drag, Shift + left drag", "pan"},
     {"wheel", "zoom towards the pointer"},
@@ -46,7 +46,8 @@ constexpr std::array<MouseBinding, 11> gestures = {{
     {"Ctrl + right drag", "kick a particle: the arrow is its way in a second"},
     {"double click on a slider", "reset it to its default"},
     {"Ctrl + click on a slider, click on its value", "type an exact value"},
-    {"right click on a plot", "save it as CSV or PNG"},
+    {"wheel, left drag on a plot", "zoom into time, move along it; double click: all of it"},
+    {"right click on a plot", "save it as CSV, SVG or PNG"},
 }};
 
 template <class Rows>

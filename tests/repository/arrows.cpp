@@ -15,6 +15,7 @@ using Folders = std::set<std::string>;
 const std::map<std::string, Folders>& arrows() {
     static const std::map<std::string, Folders> map{
         {"core", {}},
+        {"plot", {"core"}},
         {"methods", {"core"}},
         {"models", {"core"}},
         {"sim", {"core", "methods", "models"}},
@@ -22,8 +23,8 @@ const std::map<std::string, Folders>& arrows() {
         {"lab", {"core", "methods", "models", "sim", "io"}},
         {"session", {"core", "methods", "models", "sim", "io", "lab"}},
         {"render", {"core"}},
-        {"ui", {"core", "sim", "io", "session", "render"}},
-        {"app", {"core", "methods", "models", "sim", "io", "lab", "session", "render", "ui"}},
+        {"ui", {"core", "plot", "sim", "io", "session", "render"}},
+        {"app", {"core", "plot", "methods", "models", "sim", "io", "lab", "session", "render", "ui"}},
     };
     return map;
 }
@@ -34,7 +35,7 @@ bool knows_drawing(const std::string& folder) { return folder == "render" || fol
 std::string complaint(const std::string& folder, const std::string& line) {
     static const std::regex own(R"re(^\s*#\s*include\s*"(?:([^"/]+)/)?([^"]*)")re");
     static const std::regex drawing(R"(^\s*#\s*include\s*[<"](GL|GLES\w*|EGL|GLFW|KHR|glm|imgui)\b.*)");
-    static const std::regex linked(R"(^[^#]*\bsteplab_(core|methods|models|sim|io|lab|session|render|ui)\b.*)");
+    static const std::regex linked(R"(^[^#]*\bsteplab_(core|plot|methods|models|sim|io|lab|session|render|ui)\b.*)");
     std::smatch match;
     if (std::regex_match(line, drawing) && !knows_drawing(folder)) return "OpenGL, windows and ImGui are unknown here";
     const bool is_include = std::regex_search(line, match, own);

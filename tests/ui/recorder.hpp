@@ -63,6 +63,9 @@ private:
             to.calls.emplace_back("forces");
             to.with_forces = show.on;
         }
+        void operator()(const event::ShowSamples& show) const {
+            to.calls.emplace_back(show.on ? "samples on" : "samples off");
+        }
         template <class Other>
         void operator()(const Other&) const {
             to.calls.emplace_back("other");

@@ -109,6 +109,25 @@ panel_changes_the_run() {
     close_window
 }
 
+plots_are_chosen_and_saved() {
+    cd "$folder" || exit
+    start_display 1600x900
+    open_window --model chain --method rk4 --dt 0.1 --size 1600x900
+    xdotool key Right Right Right; expect 'step 3' 'pictured 3'
+    choose 'plot 1' energies; expect 'widget energies [0-9].*'
+    click energies.scale
+    click plots.add; expect 'widget plot 3 [0-9].*'
+    click energies.save; expect 'widget energies.csv [0-9].*'; click energies.csv
+    expect 'widget energies.csv gone'
+    [[ $(head -n 1 steplab-energies-1.csv) == time,kinetic,potential,total && $(wc -l <steplab-energies-1.csv) == 5 ]] ||
+        fail 'the table of a plot does not hold the four steps'
+    click energies.save; expect 'widget energies.svg [0-9].*'; click energies.svg
+    expect 'widget energies.svg gone'
+    grep -q '<polyline' steplab-energies-1.svg || fail 'the drawing of a plot has no line'
+    click 'position error.close'; expect 'widget plot 3 gone'
+    close_window
+}
+
 runs_go_beside_each_other() {
     start_display 1280x800
     open_window --model chain --method rk4 --dt 0.1

@@ -69,13 +69,19 @@ public:
           style_(request.style),
           renderer_(renderer) {
         renderer_.upload_fonts(interface_.fonts());
-        for (const RunView& moment : request.past) interface_.record(moment);
-        interface_.record(view_.leading);
+        for (const RunView& moment : request.past) record(moment);
+        record(RunView(view_.leading));
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
         camera_ = render::camera_of(request.camera, view_.leading.frame,
                                     render::leading_size(scene_size(), style_.layout, 1 + view_.followers.size()));
         draw();
+    }
+
+    /// For the plots.
+    void record(const RunView& moment) {
+        interface_.record(moment);
+        view_.leading.series.samples.push_back(sample_of(moment));
     }
 
     render::PictureSize scene_size() const { return {interface_.scene().width, interface_.scene().height}; }

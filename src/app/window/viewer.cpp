@@ -91,7 +91,7 @@ void Viewer::open(const WindowRequest& request) {
 }
 
 void Viewer::place_camera(const WindowRequest& request) {
-    const ui::PixelRect scene = pixels(ui::arrange(window_.display(), request.panel).scene);
+    const ui::PixelRect scene = ui::pixels(ui::arrange(window_.display(), request.panel).scene);
     if (request.view.empty()) return;
     const auto size = render::leading_size({scene.width, scene.height}, style_.layout, 1 + request.followers.size());
     camera_ = render::camera_of(request.view, view_->leading.frame, size);

@@ -1,57 +1,185 @@
 #include "ui/panels/panels.hpp"
-#include "ui/plot/plot.hpp"
+#include "ui/plot/costs_plot.hpp"
+#include "ui/plot/draw_plot.hpp"
+#include "ui/plot/plots.hpp"
+#include "ui/widgets/widgets.hpp"
 
-#include <fmt/format.h>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace steplab::ui {
 namespace {
 
-/// |E - E0| on a logarithmic axis. With drag the energy changes without any error: the plot is then named so.
-Plot energy_plot(const History& history, bool drag) {
-    Plot plot{.widget = "energy error", .title = drag ? "Energy change [J]" : "Energy error [J]", .unit = "J"};
-    plot.logarithmic = true;
-    plot.empty = "no data yet";
-    Curve curve{.name = drag ? "change" : "error"};
-    for (const Sample& sample : history.whole()) {
-        curve.x.push_back(sample.time);
-        curve.y.push_back(sample.energy_error);
-    }
-    plot.curves.push_back(std::move(curve));
-    return plot;
+constexpr float header = 26;  // height of a plot's own line of controls, in units of the layout
+
+/// Samples are taken while there are plots to show them.
+void ask_for_samples(const Context& context) {
+    if (context.purpose != Purpose::use) return;
+    const bool wanted = !context.layout.plots.empty();
+    if (std::exchange(context.state.plots.sampled, wanted) != wanted) context.events.send(event::ShowSamples{wanted});
 }
 
-double part_along(const std::optional<Vec3>& vector, int axis) {
-    return vector ? component(*vector, axis) : std::nan("");
+/// How many of the chosen plots have room.
+std::size_t shown_plots(const Context& context) {
+    return std::min(context.state.plots.shown.size(), static_cast<std::size_t>(context.layout.plot_count));
 }
 
-Plot displacement_plot(const History& history) {
-    constexpr std::string_view names[] = {"displacement x [m]", "displacement y [m]", "displacement z [m]"};
-    Plot plot{.widget = "displacement", .title = "No particle selected", .unit = "m"};
-    plot.empty = "click a particle to plot its displacement";
-    if (!history.particle()) return plot;
-    const int axis = history.direction();
-    plot.title = fmt::format("Particle {}: {}", *history.particle(), names[axis]);
-    plot.empty = "no data yet";
-    Curve run{.name = "run"};
-    Curve exact{.name = "exact", .ink = colour::exact, .dashed = true};
-    bool known = false;
-    for (const Sample& sample : history.recent()) {
-        run.x.push_back(sample.time);
-        run.y.push_back(part_along(sample.displacement, axis));
-        exact.y.push_back(part_along(sample.exact_displacement, axis));
-        known = known || sample.exact_displacement;
+/// Costs are scanned while their plot is shown.
+void ask_for_costs(const Context& context) {
+    if (context.purpose != Purpose::use) return;
+    const auto& shown = context.state.plots.shown;
+    const std::size_t count = context.layout.plots.empty() ? 0 : shown_plots(context);
+    const bool wanted = !context.session.playback &&
+                        std::any_of(shown.begin(), shown.begin() + static_cast<std::ptrdiff_t>(count),
+                                    [](const PlotChoice& choice) { return choice.kind == PlotKind::costs; });
+    if (std::exchange(context.state.plots.scanned, wanted).value_or(false) != wanted)
+        context.events.send(event::ShowCosts{wanted});
+}
+
+/// A click on a point of the diagram adds its run.
+void use_costs(const Context& context, const plot::Layout& layout) {
+    if (context.purpose != Purpose::use || !ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
+        return;
+    const CostPoint* const point = cost_point_at(context, layout);
+    if (!point) return;
+    const float x = layout.axes.across.pixel(point->evaluations), y = layout.axes.up.pixel(point->error);
+    ImGui::GetWindowDrawList()->AddCircle({x, y}, context.px(6), colour::accent, 0, context.px(1.6f));
+    tooltip_beside(context, {x, layout.frame.y, x, layout.frame.bottom()}, text_of(*point, context));
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool dragged = io.MouseDragMaxDistanceSqr[0] > io.MouseDragThreshold * io.MouseDragThreshold;
+    if (ImGui::IsMouseReleased(0) && !dragged) context.events.send(event::AddRun{point->run});
+}
+
+std::vector<ComboItem> kind_items() {
+    std::vector<ComboItem> items;
+    for (const PlotKindInfo& info : plot_kinds)
+        items.push_back({.id = info.id, .name = info.name, .tooltip = std::string(info.what)});
+    return items;
+}
+
+/// Errors of methods differ by powers of ten.
+PlotChoice default_choice(PlotKind kind) {
+    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error;
+    return {kind, logarithmic ? plot::Scale::logarithmic : plot::Scale::linear};
+}
+
+/// Another kind in place of a plot; one that is shown elsewhere changes places with it.
+void choose(PlotsState& plots, std::size_t number, PlotKind kind) {
+    const auto found = std::find_if(plots.shown.begin(), plots.shown.end(),
+                                    [kind](const PlotChoice& choice) { return choice.kind == kind; });
+    if (found != plots.shown.end()) {
+        std::swap(*found, plots.shown[number]);
+    } else {
+        plots.shown[number] = default_choice(kind);
     }
-    exact.x = run.x;
-    plot.curves.push_back(std::move(run));
-    if (known) plot.curves.push_back(std::move(exact));
-    return plot;
+}
+
+void draw_kind(const Context& context, std::size_t number) {
+    const std::vector<ComboItem> items = kind_items();
+    auto chosen = static_cast<std::size_t>(context.state.plots.shown[number].kind);
+    if (combo(context, "plot " + std::to_string(number + 1), items, chosen, context.px(172)))
+        choose(context.state.plots, number, plot_kinds[chosen].kind);
+}
+
+/// Linear, logarithmic, or logarithmic on both sides of 0: a click goes on to the next one.
+void draw_scale(const Context& context, PlotChoice& choice) {
+    static constexpr std::array<const char*, 3> names{"linear", "log", "\u00b1log"};
+    const auto scale = static_cast<std::size_t>(choice.scale);
+    const std::string widget = std::string(info_of(choice.kind).id) + ".scale";
+    if (text_button(context, widget, names[scale], false, context.px(56)))
+        choice.scale = static_cast<plot::Scale>((scale + 1) % names.size());
+    tooltip(context, "the axis up: linear, logarithmic (of values above 0), or logarithmic on both sides of 0");
+}
+
+/// The first kind that is not shown yet.
+void add_plot(PlotsState& plots) {
+    for (const PlotKindInfo& info : plot_kinds) {
+        const auto is_it = [&](const PlotChoice& choice) { return choice.kind == info.kind; };
+        if (std::none_of(plots.shown.begin(), plots.shown.end(), is_it))
+            return plots.shown.push_back(default_choice(info.kind));
+    }
+}
+
+/// What adds a plot, or takes one away, at the right of the line.
+void draw_count(const Context& context, std::size_t number, const Area& area) {
+    PlotsState& plots = context.state.plots;
+    const bool last = number + 1 == shown_plots(context);
+    const bool room = plots.shown.size() < static_cast<std::size_t>(context.layout.plot_count);
+    float right = area.right() - context.px(40);
+    const std::string id(info_of(plots.shown[number].kind).id);
+    if (plots.shown.size() > 1) {
+        right -= context.px(24);
+        ImGui::SetCursorScreenPos({right, area.y + context.px(5)});
+        if (cross_button(context, id + ".close")) plots.shown.erase(plots.shown.begin() + static_cast<long>(number));
+    }
+    if (!last || !room || plots.shown.size() >= PlotsState::most) return;
+    ImGui::SetCursorScreenPos({right - context.px(30), area.y + context.px(3)});
+    if (text_button(context, "plots.add", "+", false, context.px(26))) add_plot(plots);
+    tooltip(context, "another plot");
+}
+
+/// The controls of a plot, and what its axis up means; in a picture that is saved the latter alone.
+void draw_header(const Context& context, const plot::Plot& plot, std::size_t number, const Area& area) {
+    const float y = area.y + context.px(0.5f * header + 3);
+    if (context.is_saved()) {
+        const WithFont font(context.theme.fonts().heading);
+        return text_left(area.x + context.px(14), y, plot.title, colour::text);
+    }
+    ImGui::SetCursorScreenPos({area.x + context.px(8), area.y + context.px(3)});
+    draw_kind(context, number);
+    ImGui::SameLine(0, context.px(6));
+    draw_scale(context, context.state.plots.shown[number]);
+    const WithFont font(context.theme.fonts().small);
+    const float from = area.x + context.px(8 + 172 + 6 + 56 + 10);
+    const float room = area.right() - context.px(100) - from;
+    if (ImGui::CalcTextSize(plot.title.c_str()).x <= room) text_left(from, y, plot.title, colour::text_dim);
+    draw_count(context, number, area);
+}
+
+/// Wheel and drag over a plot over time change the part of it that all plots show; a double click ends that.
+void move_window(const Context& context, const plot::Plot& plot, const plot::Layout& layout) {
+    if (context.purpose != Purpose::use || plot.x.name != "time" || !plot::has_values(plot)) return;
+    auto& window = context.state.plots.window;
+    const ImGuiIO& io = ImGui::GetIO();
+    const plot::Axis& axis = layout.axes.across;
+    const bool over = layout.frame.contains(io.MousePos.x, io.MousePos.y) &&
+                      ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    const bool held =
+        ImGui::IsMouseDragging(0) && layout.frame.contains(io.MouseClickedPos[0].x, io.MouseClickedPos[0].y);
+    const double length = axis.high - axis.low;
+    if (over && ImGui::IsMouseDoubleClicked(0)) {
+        window.reset();
+    } else if (over && io.MouseWheel != 0) {
+        const double at = axis.value(io.MousePos.x), factor = std::pow(0.8, static_cast<double>(io.MouseWheel));
+        const Range zoomed{at + factor * (axis.low - at), at + factor * (axis.high - at)};
+        const double size = std::max(std::abs(zoomed.low), std::abs(zoomed.high));
+        if (zoomed.high - zoomed.low > 1e-9 * size && std::isfinite(zoomed.high - zoomed.low)) window = zoomed;
+    } else if (held && io.MouseDelta.x != 0 && layout.frame.width > 0) {
+        const double moved = -length * static_cast<double>(io.MouseDelta.x / layout.frame.width);
+        window = Range{axis.low + moved, axis.high + moved};
+    }
+}
+
+void draw_chosen(const Context& context, std::size_t number, const Area& area) {
+    const plot::Plot plot = plot_of(context, context.state.plots.shown[number]);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({area.x, area.y}, {area.right(), area.bottom()}, colour::panel, context.px(5));
+    list.AddRect({area.x, area.y}, {area.right(), area.bottom()}, colour::line, context.px(5));
+    draw_plot(context, plot, area);
+    const plot::Layout layout = plot_layout(context.theme, plot, area);
+    move_window(context, plot, layout);
+    if (context.state.plots.shown[number].kind == PlotKind::costs) use_costs(context, layout);
+    draw_header(context, plot, number, area);
 }
 
 }  // namespace
 
 void draw_plots_panel(const Context& context) {
+    ask_for_samples(context);
+    ask_for_costs(context);
     const Area& area = context.layout.plots;
     if (area.empty()) return;
     ImGui::SetNextWindowPos({area.x, area.y});
@@ -62,17 +190,14 @@ void draw_plots_panel(const Context& context) {
                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
     const float gap = context.px(10);
-    const auto count = static_cast<float>(context.layout.plot_count);
+    const std::size_t shown = shown_plots(context);
+    const auto count = static_cast<float>(shown);
     const float width = std::round((area.width - gap * (count + 1)) / count);
     Area place{area.x + gap, area.y + gap, width, area.height - 2 * gap};
-    Plot energy = energy_plot(context.state.history, has_drag(context.view.description));
-    if (context.session.playback && !context.session.playback->measured) {
-        energy.curves.clear();
-        energy.empty = "not known: the file does not have a whole scene";
+    for (std::size_t number = 0; number < shown && number < context.state.plots.shown.size(); ++number) {
+        draw_chosen(context, number, place);
+        place.x += width + gap;
     }
-    draw_plot(context, energy, place);
-    place.x += width + gap;
-    if (context.layout.plot_count > 1) draw_plot(context, displacement_plot(context.state.history), place);
     ImGui::End();
     ImGui::PopStyleColor();
 }

@@ -1,58 +1,68 @@
 #pragma once
 
-#include "session/worker.hpp"
+#include "session/session_view.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace steplab::ui {
 
-/// The quantities of one step that the plots show.
-struct Sample {
-    double time = 0;
-    double energy_error = 0;                 ///< |E - E0|
-    double farthest = 0;                     ///< largest displacement of a particle in the run so far
-    double worst = 0;                        ///< largest position error in the run so far, where one is known
-    std::optional<Vec3> displacement;        ///< of the followed particle from its rest position
-    std::optional<Vec3> exact_displacement;  ///< the same in the exact solution
-};
-
-/// The time series of one run for the plots, in bounded memory.
-class History {
+/// Values that views told of, by the steps of the run, in bounded memory.
+class Course {
 public:
-    /// Records a view of the run. A new run clears the series; a step back or another followed particle removes what
-    /// is no longer valid.
-    void record(const RunView& view);
+    static constexpr std::size_t most = 8192;
 
-    /// Samples over the whole run. If there are too many, every second one is dropped.
-    std::span<const Sample> whole() const { return whole_; }
-    /// The latest samples, none left out.
-    std::span<const Sample> recent() const;
-    /// The followed particle, whose displacement is recorded.
-    std::optional<std::size_t> particle() const { return particle_; }
-    /// The axis of its largest displacement: 0 x, 1 y, 2 z.
-    int direction() const { return direction_; }
-    /// Largest displacement and position error of all particles in the run so far, 0 if none is known.
-    double largest_displacement() const { return recent_.empty() ? 0 : recent_.back().farthest; }
-    double largest_error() const { return recent_.empty() ? 0 : recent_.back().worst; }
+    /// At a step; what was known of it and of later ones is forgotten.
+    void put(std::uint64_t step, double time, double value);
+    std::span<const double> times() const { return times_; }
+    std::span<const double> values() const { return values_; }
 
 private:
+    void keep(std::size_t count);
+    void thin_out();
+
+    std::vector<std::uint64_t> steps_;
+    std::vector<double> times_, values_;
+};
+
+/// What the interface remembers of the views of a run: what is not in the samples that they hold.
+class History {
+public:
+    /// Records a view of the leading run. A new run clears all; a step back what is no longer valid.
+    void record(const RunView& view);
+    /// Records the errors of all runs and the spread of the ensemble.
+    void record_beside(const SessionView& view);
+
+    /// The axis of the followed particle's largest displacement: 0 x, 1 y, 2 z.
+    int direction() const { return direction_; }
+    /// Largest displacement and position error of all particles in the run so far, 0 if none is known.
+    double largest_displacement() const { return reached_.empty() ? 0 : reached_.back().farthest; }
+    double largest_error() const { return reached_.empty() ? 0 : reached_.back().worst; }
+    /// Position errors of the runs, the leading one first, as far as they were compared.
+    std::span<const Course> errors() const { return errors_; }
+    const Course& spread() const { return spread_; }
+
+private:
+    /// In the run up to a step.
+    struct Reached {
+        std::uint64_t step = 0;
+        double farthest = 0;  ///< largest displacement of a particle
+        double worst = 0;     ///< largest position error, where one is known
+    };
+
     void begin(const RunView& view);
-    void forget_from(double time);
     void follow(const std::optional<Tracked>& tracked);
-    void append(const Sample& sample);
-    Sample last() const;
 
     std::optional<std::uint64_t> run_;
     std::optional<std::size_t> particle_;
     Vec3 reach_;
     int direction_ = 1;
-    std::vector<Sample> whole_;
-    std::size_t stride_ = 1;
-    std::size_t skipped_ = 0;
-    std::vector<Sample> recent_;
+    std::vector<Reached> reached_;
+    std::vector<Course> errors_;
+    Course spread_;
 };
 
 /// The component of a vector along an axis: 0 x, 1 y, 2 z.

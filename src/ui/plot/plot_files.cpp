@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "io/output_file.hpp"
+#include "plot/svg.hpp"
 
 #include <fmt/format.h>
 
@@ -19,11 +20,12 @@ std::string free_name(const std::filesystem::path& folder, std::string_view name
     }
 }
 
-void save_table(const Context& context, const Plot& plot) {
-    const std::string name = free_name(std::filesystem::path(), plot.widget, "csv");
+namespace {
+
+void save_text(const Context& context, const std::string& name, const std::string& text) {
     try {
         OutputFile file(name);
-        file.write(plot_csv(plot));
+        file.write(text);
         file.commit();
         context.state.notice = notice_of_saved(name);
     } catch (const Error& error) {
@@ -31,9 +33,19 @@ void save_table(const Context& context, const Plot& plot) {
     }
 }
 
-void save_snapshot(const Context& context, const Plot& plot, const Area& area) {
+}  // namespace
+
+void save_table(const Context& context, const plot::Plot& plot) {
+    save_text(context, free_name(std::filesystem::path(), plot.name, "csv"), plot::csv(plot));
+}
+
+void save_drawing(const Context& context, const plot::Plot& plot) {
+    save_text(context, free_name(std::filesystem::path(), plot.name, "svg"), plot::svg(plot));
+}
+
+void save_snapshot(const Context& context, const plot::Plot& plot, const Area& area) {
     context.request({.kind = Request::Kind::save_snapshot,
-                     .file = free_name(std::filesystem::path(), plot.widget, "png"),
+                     .file = free_name(std::filesystem::path(), plot.name, "png"),
                      .part = pixels(area)});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ui/plot/plot.hpp"
+#include "plot/plot.hpp"
+#include "ui/context.hpp"
 
 #include <filesystem>
 #include <string>
@@ -9,9 +10,11 @@
 namespace steplab::ui {
 
 /// Writes the data of a plot to a new file in the current folder, and shows its name or the error.
-void save_table(const Context& context, const Plot& plot);
+void save_table(const Context& context, const plot::Plot& plot);
+/// The same with its picture as SVG, which needs no window and no screen.
+void save_drawing(const Context& context, const plot::Plot& plot);
 /// Requests a snapshot of the part of the window with the plot.
-void save_snapshot(const Context& context, const Plot& plot, const Area& area);
+void save_snapshot(const Context& context, const plot::Plot& plot, const Area& area);
 
 /// The first of "steplab-NAME-1.END", "steplab-NAME-2.END" ... that does not exist in the folder, so that no file is
 /// overwritten.

@@ -30,7 +30,7 @@ constexpr Colours dark{.panel = rgb(0x1c2128),
                        .good = rgb(0x3fb37f),
                        .caution = rgb(0xe0a33e),
                        .bad = rgb(0xe67a7a),
-                       .exact = rgb(0xe8b866)};
+                       .exact = rgb(0xf0f3f7)};
 constexpr Colours light{.panel = rgb(0xf6f8fa),
                         .backdrop = rgb(0xe6eaef),
                         .card = rgb(0xffffff, 235),
@@ -53,7 +53,7 @@ constexpr Colours light{.panel = rgb(0xf6f8fa),
                         .good = rgb(0x127043),
                         .caution = rgb(0x8a5a00),
                         .bad = rgb(0xb92c2c),
-                        .exact = rgb(0x9a5b00)};
+                        .exact = rgb(0x20262e)};
 
 }  // namespace
 

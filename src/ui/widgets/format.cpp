@@ -14,11 +14,6 @@ std::string with_unit(std::string text, std::string_view unit) {
     return text;
 }
 
-double part_between(double low, double high, double value) {
-    const double length = high - low;
-    return std::isfinite(length) ? (value - low) / length : (value / 2 - low / 2) / (high / 2 - low / 2);
-}
-
 std::string vector(Vec3 value) {
     const double largest = std::max({std::abs(value.x), std::abs(value.y), std::abs(value.z)});
     const auto part = [&](double v) { return std::abs(v) <= 1e-9 * largest ? std::string("0") : typed(v); };

@@ -11,8 +11,6 @@ namespace steplab::ui {
 
 /// A number and its unit, if it has one: "0.213 J".
 std::string with_unit(std::string text, std::string_view unit);
-/// Position of a value between low < high: 0 at `low`, 1 at `high`, for ends as far apart as doubles are.
-double part_between(double low, double high, double value);
 /// "(0, 0.11, 0)": two significant digits; components that are rounding noise of the largest one are 0.
 std::string vector(Vec3 value);
 /// A time with the decimals that a step of dt can change: "12.300"; from 1e9 on with 9 digits, "1.2e9".

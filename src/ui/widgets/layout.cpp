@@ -38,7 +38,7 @@ Layout arrange(const Display& display, std::optional<bool> panel) {
     if (panel.value_or(true) && height >= px(lowest_with_plots) && room >= 1) {
         const float plots = px(plots_height(height / scale));
         layout.plots = {layout.scene.x, height - plots, layout.scene.width, plots};
-        layout.plot_count = std::min(room, 2);
+        layout.plot_count = std::min(room, 4);
         layout.scene.height -= plots;
     }
     if (height >= px(lowest_with_time_line) && layout.scene.width >= px(narrowest_plot)) {

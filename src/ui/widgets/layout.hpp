@@ -1,5 +1,6 @@
 #pragma once
 
+#include "plot/plot.hpp"
 #include "ui/display.hpp"
 
 #include <optional>
@@ -7,16 +8,7 @@
 namespace steplab::ui {
 
 /// A rectangle in pixels, for the layout of widgets.
-struct Area {
-    float x = 0;
-    float y = 0;
-    float width = 0;
-    float height = 0;
-    float right() const { return x + width; }
-    float bottom() const { return y + height; }
-    bool empty() const { return width <= 0 || height <= 0; }
-    bool contains(float px, float py) const { return px >= x && px < right() && py >= y && py < bottom(); }
-};
+using Area = plot::Box;
 
 /// The areas of the window. Those that are not shown are empty; none overlaps another.
 struct Layout {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace steplab::ui {
 namespace {
 
@@ -9,36 +11,10 @@ RunView moment(std::uint64_t step, Vec3 displacement = {}, std::uint64_t run = 0
     RunView view;
     view.frame.step = step;
     view.frame.time = 0.1 * static_cast<double>(step);
-    view.diagnostics.energy_error = -1e-3 * static_cast<double>(step);
     view.diagnostics.max_displacement = length(displacement);
     view.run = run;
     view.tracked = Tracked{particle, displacement, displacement};
     return view;
-}
-
-TEST(history, keeps_what_it_saw_in_order) {
-    History history;
-    for (std::uint64_t step = 0; step < 5; ++step) history.record(moment(step));
-    ASSERT_EQ(history.whole().size(), 5u);
-    EXPECT_DOUBLE_EQ(history.whole()[4].time, 0.4);
-    EXPECT_DOUBLE_EQ(history.whole()[4].energy_error, 4e-3);
-    EXPECT_EQ(history.recent().size(), 5u);
-}
-
-TEST(history, the_same_moment_twice_counts_once) {
-    History history;
-    history.record(moment(1));
-    history.record(moment(1));
-    EXPECT_EQ(history.whole().size(), 1u);
-    EXPECT_EQ(history.recent().size(), 1u);
-}
-
-TEST(history, a_step_back_drops_what_came_after) {
-    History history;
-    for (std::uint64_t step = 0; step < 9; ++step) history.record(moment(step));
-    history.record(moment(4));
-    ASSERT_EQ(history.whole().size(), 5u);
-    EXPECT_DOUBLE_EQ(history.whole().back().time, 0.4);
 }
 
 TEST(history, what_was_taken_back_counts_no_longer_as_reached) {
@@ -64,39 +40,16 @@ TEST(history, the_largest_error_so_far_is_kept) {
     record(1, 0.25);
     EXPECT_EQ(history.largest_error(), 0.25) << "what was taken back counts no longer";
     for (std::uint64_t step = 2; step < 50000; ++step) record(step, step == 777 ? 2 : 1e-3);
-    EXPECT_EQ(history.largest_error(), 2) << "also where samples are left out";
+    EXPECT_EQ(history.largest_error(), 2) << "also where moments are left out";
     record(50000, std::nullopt);
     EXPECT_EQ(history.largest_error(), 2);
 }
 
-TEST(history, a_new_run_begins_anew) {
+TEST(history, a_new_run_forgets_the_one_before) {
     History history;
     history.record(moment(7, {5, 0, 0}, 0));
     history.record(moment(0, {}, 1));
-    EXPECT_EQ(history.whole().size(), 1u);
     EXPECT_EQ(history.largest_displacement(), 0);
-}
-
-TEST(history, memory_is_bounded_and_spans_the_whole_run) {
-    History history;
-    constexpr std::uint64_t last = 200000;
-    for (std::uint64_t step = 0; step <= last; ++step) history.record(moment(step));
-    EXPECT_LE(history.whole().size(), 8192u);
-    EXPECT_GE(history.whole().size(), 2048u);
-    EXPECT_EQ(history.whole().front().time, 0);
-    EXPECT_GT(history.whole().back().time, 0.99 * 0.1 * last);
-    EXPECT_EQ(history.recent().size(), 600u);
-    EXPECT_DOUBLE_EQ(history.recent().back().time, 0.1 * last);
-}
-
-TEST(history, another_particle_forgets_the_path_but_not_the_energy) {
-    History history;
-    history.record(moment(0, {0, 1, 0}));
-    history.record(moment(1, {0, 2, 0}, 0, 8));
-    EXPECT_EQ(history.particle(), 8u);
-    EXPECT_FALSE(history.whole()[0].displacement);
-    EXPECT_TRUE(history.whole()[1].displacement);
-    EXPECT_DOUBLE_EQ(history.whole()[1].energy_error, 1e-3);
 }
 
 TEST(history, the_plotted_direction_is_the_one_that_moves_most) {
@@ -109,6 +62,37 @@ TEST(history, the_plotted_direction_is_the_one_that_moves_most) {
     EXPECT_EQ(history.direction(), 0);
     history.record(moment(3, {0, 0, 9}));
     EXPECT_EQ(history.direction(), 2);
+    history.record(moment(4, {0, 0.1, 0}, 0, 8));
+    EXPECT_EQ(history.direction(), 1) << "of another particle";
+}
+
+TEST(history, errors_of_all_runs_are_kept_by_their_times) {
+    History history;
+    SessionView view;
+    view.leading = moment(0);
+    for (std::uint64_t step = 0; step < 5; ++step) {
+        view.leading.frame.step = step;
+        view.errors = SessionErrors{.runs = {Compared{}, std::nullopt}};
+        view.errors->runs[0]->time = 0.1 * static_cast<double>(step);
+        view.errors->runs[0]->error = 1e-3 * static_cast<double>(step);
+        history.record_beside(view);
+    }
+    ASSERT_EQ(history.errors().size(), 2u);
+    EXPECT_EQ(history.errors()[0].values().size(), 5u);
+    EXPECT_DOUBLE_EQ(history.errors()[0].values()[4], 4e-3);
+    EXPECT_TRUE(history.errors()[1].values().empty()) << "a run that is over";
+}
+
+TEST(course, memory_is_bounded_and_spans_the_whole_run) {
+    Course course;
+    constexpr std::uint64_t last = 200000;
+    for (std::uint64_t step = 0; step <= last; ++step) course.put(step, 0.1 * static_cast<double>(step), 1);
+    EXPECT_LT(course.times().size(), Course::most);
+    EXPECT_GE(course.times().size(), Course::most / 4);
+    EXPECT_LT(course.times().front(), 100);
+    EXPECT_DOUBLE_EQ(course.times().back(), 0.1 * last) << "the newest is never left out";
+    course.put(100, 10, 2);
+    EXPECT_EQ(course.times().back(), 10) << "what lies behind is forgotten";
 }
 
 }  // namespace

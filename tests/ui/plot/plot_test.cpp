@@ -1,7 +1,7 @@
-#include "ui/plot/plot.hpp"
-
-#include "ui/desk.hpp"
+#include "ui/plot/draw_plot.hpp"
 #include "ui/plot/plot_files.hpp"
+#include "ui/plot/plots.hpp"
+#include "ui/plot/recorded.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,75 +12,6 @@
 
 namespace steplab::ui {
 namespace {
-
-/// An empty working directory, removed at the end.
-class OwnFolder {
-public:
-    OwnFolder() : before_(std::filesystem::current_path()) {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::temp_directory_path() / (std::string("steplab-") + test->name());
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directory(folder_);
-        std::filesystem::current_path(folder_);
-    }
-    ~OwnFolder() {
-        std::filesystem::current_path(before_);
-        std::filesystem::remove_all(folder_);
-    }
-
-private:
-    std::filesystem::path before_;
-    std::filesystem::path folder_;
-};
-
-Plot two_curves() {
-    Plot plot;
-    plot.widget = "test";
-    Curve run;
-    run.name = "run";
-    run.x = {0, 0.1, 0.2};
-    run.y = {1, 2.5, -3};
-    Curve exact = run;
-    exact.name = "exact";
-    exact.y = {1, NAN, -3.125};
-    plot.curves = {run, exact};
-    return plot;
-}
-
-/// A desk with 50 recorded steps of a run.
-struct Recorded {
-    explicit Recorded(const std::string& model) : desk(describe(model)) {
-        Simulation simulation(describe(model));
-        for (int i = 0; i < 50; ++i) {
-            desk.view = view_of(simulation, simulation.particles() - 1);
-            desk.interface.record(desk.view);
-            simulation.advance(1);
-        }
-        desk.frame();
-    }
-    Desk desk;
-};
-
-TEST(plot, csv_has_a_column_for_each_curve) {
-    EXPECT_EQ(plot_csv(two_curves()), "time,run,exact\n0,1,1\n0.1,2.5,\n0.2,-3,-3.125\n");
-}
-
-TEST(plot, axes_hold_every_value) {
-    const PlotAxes axes = plot_axes(two_curves(), {10, 20, 300, 100});
-    EXPECT_FLOAT_EQ(axes.across.pixel(0), 10);
-    EXPECT_FLOAT_EQ(axes.across.pixel(0.2), 310);
-    EXPECT_LE(axes.up.low, -3.125);
-    EXPECT_GE(axes.up.high, 2.5);
-}
-
-TEST(plot, only_positive_values_count_on_a_logarithmic_axis) {
-    Plot plot = two_curves();
-    plot.logarithmic = true;
-    EXPECT_TRUE(has_values(plot));
-    EXPECT_GT(plot_axes(plot, {0, 0, 100, 100}).up.low, 0);
-    for (Curve& curve : plot.curves) curve.y = {0, -1, NAN};
-    EXPECT_FALSE(has_values(plot));
-}
 
 TEST(plot, names_that_are_taken_are_not_used_again) {
     const OwnFolder folder;
@@ -136,6 +67,7 @@ TEST(plot, drawing_a_long_run_stays_small) {
         desk.view.frame.time = 0.1 * i;
         desk.view.diagnostics.energy_error = 1e-6 * (1 + std::sin(0.3 * i));
         desk.view.tracked = Tracked{0, {std::sin(0.1 * i), 0, 0}, Vec3{std::cos(0.1 * i), 0, 0}};
+        desk.view.series.samples.push_back(sample_of(desk.view));
         desk.interface.record(desk.view);
     }
     desk.frame();

@@ -67,6 +67,7 @@ TEST(tooltip, of_a_plot_does_not_cover_the_curves) {
     desk.view.frame.step = 1;
     desk.view.frame.time = 0.1;
     desk.view.tracked = Tracked{3, {0.1, 0, 0}, {}};
+    desk.view.series.samples = {sample_of(desk.view)};
     desk.interface.record(desk.view);
     desk.frame();
     desk.point_at("displacement");

@@ -1,4 +1,4 @@
-#include "ui/plot/axis.hpp"
+#include "plot/plot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace steplab::ui {
+namespace steplab::plot {
 namespace {
 
 std::vector<std::string> labels(const std::vector<Tick>& ticks) {
@@ -17,33 +17,33 @@ std::vector<std::string> labels(const std::vector<Tick>& ticks) {
 
 using Texts = std::vector<std::string>;
 
-TEST(axis, linear_ticks_are_at_nice_numbers) {
+TEST(plot_axis, linear_ticks_are_at_nice_numbers) {
     EXPECT_EQ(labels(ticks({0, 12}, 4)), (Texts{"0", "5", "10"}));
     EXPECT_EQ(labels(ticks({-1, 1}, 4)), (Texts{"-1.0", "-0.5", "0", "0.5", "1.0"}));
     EXPECT_EQ(labels(ticks({0.001, 0.0023}, 3)), (Texts{"0.0010", "0.0015", "0.0020"}));
     EXPECT_EQ(labels(ticks({0, 2e6}, 4)), (Texts{"0", "5e5", "1.0e6", "1.5e6", "2.0e6"}));
 }
 
-TEST(axis, labels_are_short_where_the_step_is_tiny_beside_the_values) {
+TEST(plot_axis, labels_are_short_where_the_step_is_tiny_beside_the_values) {
     for (const Tick& tick : ticks({0.5, 0.5000001}, 4)) EXPECT_EQ(tick.label, "0.5");
 }
 
-TEST(axis, logarithmic_ticks_are_at_powers_of_ten) {
-    EXPECT_EQ(labels(ticks({1e-9, 1e-6, true}, 5)), (Texts{"1e-9", "1e-8", "1e-7", "1e-6"}));
-    EXPECT_EQ(labels(ticks({0.05, 2000, true}, 9)), (Texts{"0.1", "1", "10", "100", "1000"}));
-    EXPECT_EQ(ticks({1e-16, 1e4, true}, 4).size(), 5u);
+TEST(plot_axis, logarithmic_ticks_are_at_powers_of_ten) {
+    EXPECT_EQ(labels(ticks({1e-9, 1e-6, Scale::logarithmic}, 5)), (Texts{"1e-9", "1e-8", "1e-7", "1e-6"}));
+    EXPECT_EQ(labels(ticks({0.05, 2000, Scale::logarithmic}, 9)), (Texts{"0.1", "1", "10", "100", "1000"}));
+    EXPECT_EQ(ticks({1e-16, 1e4, Scale::logarithmic}, 4).size(), 5u);
 }
 
-TEST(axis, empty_ranges_have_no_ticks) {
+TEST(plot_axis, empty_ranges_have_no_ticks) {
     EXPECT_TRUE(ticks({1, 1}, 5).empty());
     EXPECT_TRUE(ticks({NAN, 1}, 5).empty());
-    EXPECT_TRUE(ticks({0, 1, true}, 5).empty());
-    EXPECT_TRUE(ticks({-1, 1, true}, 5).empty());
+    EXPECT_TRUE(ticks({0, 1, Scale::logarithmic}, 5).empty());
+    EXPECT_TRUE(ticks({-1, 1, Scale::logarithmic}, 5).empty());
 }
 
-TEST(axis, pixels_and_values_are_inverse) {
+TEST(plot_axis, pixels_and_values_are_inverse) {
     for (const bool logarithmic : {false, true}) {
-        const Axis axis{1e-3, 1e2, logarithmic, 300, 20};
+        const Axis axis{1e-3, 1e2, logarithmic ? Scale::logarithmic : Scale::linear, 300, 20};
         EXPECT_FLOAT_EQ(axis.pixel(1e-3), 300);
         EXPECT_FLOAT_EQ(axis.pixel(1e2), 20);
         // Pixels are floats: 7 digits of the range, of its logarithm (11.5) where it is logarithmic.
@@ -51,42 +51,41 @@ TEST(axis, pixels_and_values_are_inverse) {
     }
 }
 
-TEST(axis, decimation_bounds_the_points_and_keeps_every_peak) {
+TEST(plot_axis, decimation_bounds_the_points_and_keeps_every_peak) {
     constexpr std::size_t count = 100000;
     std::vector<double> x(count), y(count);
     std::iota(x.begin(), x.end(), 0.0);
     for (std::size_t i = 0; i < count; ++i) y[i] = std::sin(0.01 * x[i]);
     y[54321] = 7;
     y[77777] = -5;
-    const Axis across{0, count - 1.0, false, 0, 400};
-    const Axis up{-5, 7, false, 100, 0};
-    const auto points = decimated(x, y, across, up);
+    const Axis across{0, count - 1.0, Scale::linear, 0, 400};
+    const Axis up{-5, 7, Scale::linear, 100, 0};
+    const auto points = decimated(x, y, {across, up});
     EXPECT_LE(points.size(), 4u * 401u);
-    const auto higher = [](const PlotPoint& a, const PlotPoint& b) { return a.y < b.y; };
+    const auto higher = [](const Point& a, const Point& b) { return a.y < b.y; };
     EXPECT_FLOAT_EQ(std::min_element(points.begin(), points.end(), higher)->y, up.pixel(7));
     EXPECT_FLOAT_EQ(std::max_element(points.begin(), points.end(), higher)->y, up.pixel(-5));
-    EXPECT_TRUE(
-        std::is_sorted(points.begin(), points.end(), [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; }));
+    EXPECT_TRUE(std::is_sorted(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.x < b.x; }));
 }
 
-TEST(axis, few_points_are_all_kept) {
+TEST(plot_axis, few_points_are_all_kept) {
     const std::vector<double> x = {0, 1, 2, 3};
     const std::vector<double> y = {1, 5, 2, 4};
-    const auto points = decimated(x, y, {0, 3, false, 0, 300}, {0, 5, false, 100, 0});
+    const auto points = decimated(x, y, {{0, 3, Scale::linear, 0, 300}, {0, 5, Scale::linear, 100, 0}});
     ASSERT_EQ(points.size(), 4u);
     EXPECT_FLOAT_EQ(points[1].y, 0);
     EXPECT_FLOAT_EQ(points[3].x, 300);
 }
 
-TEST(axis, what_an_axis_cannot_show_is_left_out) {
+TEST(plot_axis, what_an_axis_cannot_show_is_left_out) {
     const std::vector<double> x = {0, 1, 2, 3};
     const std::vector<double> y = {0, NAN, -1, 4};
-    EXPECT_EQ(decimated(x, y, {0, 3, false, 0, 300}, {-1, 5, false, 100, 0}).size(), 3u);
-    EXPECT_EQ(decimated(x, y, {0, 3, false, 0, 300}, {0.1, 10, true, 100, 0}).size(), 1u);
-    EXPECT_TRUE(decimated({}, {}, {}, {}).empty());
+    EXPECT_EQ(decimated(x, y, {{0, 3, Scale::linear, 0, 300}, {-1, 5, Scale::linear, 100, 0}}).size(), 3u);
+    EXPECT_EQ(decimated(x, y, {{0, 3, Scale::linear, 0, 300}, {0.1, 10, Scale::logarithmic, 100, 0}}).size(), 1u);
+    EXPECT_TRUE(decimated({}, {}, {{}, {}}).empty());
 }
 
-TEST(axis, nearest_value_is_found) {
+TEST(plot_axis, nearest_value_is_found) {
     const std::vector<double> x = {0, 1, 2, 10};
     EXPECT_EQ(nearest(x, -5), 0u);
     EXPECT_EQ(nearest(x, 0.6), 1u);
@@ -97,4 +96,4 @@ TEST(axis, nearest_value_is_found) {
 }
 
 }  // namespace
-}  // namespace steplab::ui
+}  // namespace steplab::plot

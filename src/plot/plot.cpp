@@ -1,0 +1,215 @@
+#include "plot/plot.hpp"
+
+#include "core/number_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace steplab::plot {
+namespace {
+
+/// Smallest and largest value that can be drawn; low > high if there is none.
+struct Extent {
+    double low = INFINITY;
+    double high = -INFINITY;
+    double least_size = INFINITY;  ///< the smallest distance from 0 that is not 0
+
+    bool empty() const { return !(low <= high); }
+    void add(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+        if (value != 0) least_size = std::min(least_size, std::abs(value));
+    }
+    void add_all(std::span<const double> values, const Quantity& quantity) {
+        const Axis axis{.scale = quantity.scale};
+        for (const double value : values) {
+            if (axis.can_show(value)) add(value);
+        }
+    }
+    /// Those over a part of the other axis that is shown.
+    void add_over(std::span<const double> values, const Quantity& quantity, std::span<const double> x,
+                  const std::optional<Range>& shown) {
+        const Axis axis{.scale = quantity.scale};
+        for (std::size_t i = 0; i < std::min(values.size(), x.size()); ++i) {
+            const bool visible = !shown || (x[i] >= shown->low && x[i] <= shown->high);
+            if (visible && axis.can_show(values[i])) add(values[i]);
+        }
+    }
+};
+
+Extent extent_across(const Plot& plot) {
+    Extent extent;
+    for (const Curve& curve : plot.curves) extent.add_all(curve.x, plot.x);
+    for (const Band& band : plot.bands) extent.add_all(band.x, plot.x);
+    return extent;
+}
+
+Extent extent_up(const Plot& plot) {
+    Extent extent;
+    for (const Curve& curve : plot.curves) extent.add_over(curve.y, plot.y, curve.x, plot.x.range);
+    for (const Band& band : plot.bands) {
+        extent.add_over(band.low, plot.y, band.x, plot.x.range);
+        extent.add_over(band.high, plot.y, band.x, plot.x.range);
+    }
+    return extent;
+}
+
+/// A symmetric axis shows so many decades at most on either side: below lies what nobody could see.
+constexpr double most_decades = 12;
+
+double threshold_of(const Extent& extent) {
+    const double largest = std::max(std::abs(extent.low), std::abs(extent.high));
+    if (!(largest > 0)) return 1;
+    const double least = std::max(extent.least_size, largest * std::pow(10.0, -most_decades));
+    return std::max(std::pow(10.0, std::floor(std::log10(least))), 1e-300);
+}
+
+/// A little beyond the powers of ten around.
+Range symmetric_range(const Extent& extent) {
+    const auto beyond = [&](double value, double sign) {
+        const double size = sign * value;
+        return size > 0 ? sign * decade_range(size, size).high : 0;
+    };
+    const Range range{beyond(extent.low, -1), beyond(extent.high, 1)};
+    return range.low < range.high ? range : Range{-1, 1};
+}
+
+Range range_up(const Extent& extent, const Quantity& quantity, int most) {
+    if (quantity.range) return *quantity.range;
+    if (extent.empty()) return {};
+    switch (quantity.scale) {
+        case Scale::logarithmic:
+            return decade_range(extent.low, extent.high);
+        case Scale::symmetric_logarithmic:
+            return symmetric_range(extent);
+        default:
+            return nice_range(extent.low, extent.high, most);
+    }
+}
+
+/// As far as the data go: time moves on without jumps.
+Range range_across(const Extent& extent, const Quantity& quantity) {
+    if (quantity.range) return *quantity.range;
+    if (extent.empty()) return {};
+    if (extent.high > extent.low) return {extent.low, extent.high};
+    if (quantity.scale == Scale::logarithmic) return decade_range(extent.low, extent.high);
+    return {extent.low, extent.low + std::max(1.0, 1e-6 * std::abs(extent.low))};
+}
+
+/// The points of one column of pixels, in their order.
+struct Column {
+    Point first, lowest, highest, last;
+    std::size_t count = 0;
+
+    void add(Point point) {
+        if (count++ == 0) first = lowest = highest = point;
+        if (point.y > lowest.y) lowest = point;
+        if (point.y < highest.y) highest = point;
+        last = point;
+    }
+    void append_to(std::vector<Point>& points) {
+        if (count > 0) points.push_back(first);
+        if (count > 2) {
+            const bool low_first = lowest.x < highest.x;
+            points.push_back(low_first ? lowest : highest);
+            points.push_back(low_first ? highest : lowest);
+        }
+        if (count > 1) points.push_back(last);
+        count = 0;
+    }
+};
+
+/// The value of a curve at one of its own x; empty elsewhere.
+std::string cell(const Curve& curve, double x) {
+    const auto found = std::lower_bound(curve.x.begin(), curve.x.end(), x);
+    if (found == curve.x.end() || *found != x) return {};
+    const double y = curve.y[static_cast<std::size_t>(found - curve.x.begin())];
+    return std::isfinite(y) ? number_text(y) : std::string();
+}
+
+std::string table_of(const Plot& plot) {
+    std::string text = plot.x.name;
+    std::set<double> all;
+    for (const Curve& curve : plot.curves) {
+        text.append(",").append(curve.name);
+        all.insert(curve.x.begin(), curve.x.end());
+    }
+    text.append("\n");
+    for (const double x : all) {
+        text.append(number_text(x));
+        for (const Curve& curve : plot.curves) text.append(",").append(cell(curve, x));
+        text.append("\n");
+    }
+    return text;
+}
+
+std::string points_of(const Plot& plot) {
+    std::string text = "curve," + plot.x.name + "," + plot.y.name + "\n";
+    for (const Curve& curve : plot.curves) {
+        for (std::size_t i = 0; i < curve.x.size(); ++i)
+            text.append(curve.name + "," + number_text(curve.x[i]) + "," + number_text(curve.y[i]) + "\n");
+    }
+    return text;
+}
+
+}  // namespace
+
+Line line_of_run(std::size_t run) { return static_cast<Line>(std::min<std::size_t>(run, 3)); }
+
+std::span<const float> dashes_of(Line line) {
+    static constexpr std::array dashed{4.0f, 2.5f}, dotted{1.2f, 1.8f};
+    static constexpr std::array both{4.5f, 1.8f, 1.2f, 1.8f};
+    switch (line) {
+        case Line::dashed:
+            return dashed;
+        case Line::dotted:
+            return dotted;
+        case Line::dash_dotted:
+            return both;
+        default:
+            return {};
+    }
+}
+
+bool has_values(const Plot& plot) { return !extent_up(plot).empty(); }
+
+Axes axes(const Plot& plot, const Box& frame, int most) {
+    const Extent across = extent_across(plot), up = extent_up(plot);
+    const Range x = range_across(across, plot.x), y = range_up(up, plot.y, most);
+    return {{x.low, x.high, plot.x.scale, frame.x, frame.right(), threshold_of(across)},
+            {y.low, y.high, plot.y.scale, frame.bottom(), frame.y, threshold_of(up)}};
+}
+
+std::vector<Point> decimated(std::span<const double> x, std::span<const double> y, const Axes& axes) {
+    std::vector<Point> points;
+    Column column;
+    float pixel = 0;
+    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+        if (!axes.across.can_show(x[i]) || !axes.up.can_show(y[i])) continue;
+        const Point point{axes.across.pixel(x[i]), axes.up.pixel(y[i])};
+        if (column.count > 0 && std::floor(point.x) != pixel) column.append_to(points);
+        pixel = std::floor(point.x);
+        column.add(point);
+    }
+    column.append_to(points);
+    return points;
+}
+
+std::size_t nearest(std::span<const double> x, double value) {
+    if (x.empty()) return 0;
+    const auto above = std::lower_bound(x.begin(), x.end(), value);
+    if (above == x.begin()) return 0;
+    if (above == x.end()) return x.size() - 1;
+    const auto below = std::prev(above);
+    return static_cast<std::size_t>((value - *below <= *above - value ? below : above) - x.begin());
+}
+
+std::string csv(const Plot& plot) {
+    const bool ascending =
+        std::all_of(plot.curves.begin(), plot.curves.end(), [](const Curve& c) { return c.ascending; });
+    return ascending ? table_of(plot) : points_of(plot);
+}
+
+}  // namespace steplab::plot

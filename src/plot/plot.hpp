@@ -1,0 +1,112 @@
+#pragma once
+
+#include "core/ticks.hpp"
+#include "plot/scale.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace steplab::plot {
+
+/// How a curve is drawn between its points.
+enum class Line { solid, dashed, dotted, dash_dotted };
+/// The line of a run of the session, so that runs are told apart without colours too.
+Line line_of_run(std::size_t run);
+/// Lengths of dash and gap in turn, in thicknesses of the line; empty: solid.
+std::span<const float> dashes_of(Line line);
+
+/// A curve of a plot.
+struct Curve {
+    /// Colours that have a meaning, besides those of runs, which are numbers from 0.
+    static constexpr std::size_t exact = 100, quiet = 101;
+
+    std::string name = {};  ///< in the legend and in the header of the CSV file
+    std::size_t colour = 0;
+    Line line = Line::solid;
+    bool marks = false;  ///< a dot at each point
+    bool large = false;  ///< large dots
+    bool in_legend = true;
+    bool ascending = true;  ///< x ascends; else the curve may go anywhere, as a path does
+    std::vector<double> x = {};
+    std::vector<double> y = {};  ///< values that are not finite are gaps
+};
+
+/// What lies between two curves.
+struct Band {
+    std::size_t colour = 0;
+    std::vector<double> x = {};  ///< ascending
+    std::vector<double> low = {}, high = {};
+};
+
+/// A vertical line at something that happened.
+struct Moment {
+    double x = 0;
+    std::string text = {};
+};
+
+/// What an axis shows.
+struct Quantity {
+    std::string name = {};
+    std::string unit = {};
+    Scale scale = Scale::linear;
+    std::optional<Range> range = {};  ///< none: that of the data
+};
+
+/// The content of a plot, with everything that its picture says. It is drawn by draw_plot() of the
+/// window and written by csv() and svg().
+struct Plot {
+    std::string name = {};  ///< in the names of its files and widgets: "energy error"
+    std::string title = {};
+    std::string caption = {};  ///< of what run it is
+    Quantity x = {.name = "time", .unit = "s"};
+    Quantity y = {};
+    std::vector<Curve> curves = {};
+    std::vector<Band> bands = {};
+    std::vector<Moment> moments = {};
+    std::optional<double> now = {};  ///< where the run stands, if it is not at the end of its curves
+    bool nearest_alone = false;      ///< many curves: the pointer is told of the nearest point, not of all
+    std::string empty = {};          ///< shown if there is nothing to draw
+};
+
+/// A box on a picture, in pixels; y downwards.
+struct Box {
+    float x = 0, y = 0, width = 0, height = 0;
+
+    float right() const { return x + width; }
+    float bottom() const { return y + height; }
+    bool empty() const { return width <= 0 || height <= 0; }
+    bool contains(float px, float py) const { return px >= x && px < right() && py >= y && py < bottom(); }
+};
+
+/// The axes of a plot in a frame of pixels.
+struct Axes {
+    Axis across;
+    Axis up;
+};
+/// `most`: number of intervals between the ticks of the vertical axis, at most.
+Axes axes(const Plot& plot, const Box& frame, int most = 5);
+/// True if there is a value to draw.
+bool has_values(const Plot& plot);
+
+/// A point of a plotted line, in pixels.
+struct Point {
+    float x = 0;
+    float y = 0;
+};
+
+/// The line through (x, y), reduced to what its pixels can show: the first, lowest, highest and last point of each
+/// column of pixels that it passes through, so that no peak is lost. Points that an axis cannot show are left out.
+std::vector<Point> decimated(std::span<const double> x, std::span<const double> y, const Axes& axes);
+
+/// Index of the value in `x` (ascending) nearest to `value`; 0 if `x` is empty.
+std::size_t nearest(std::span<const double> x, double value);
+
+/// The data of a plot as CSV: a column for x, of all curves, and one for each curve, empty where it has no value; of
+/// curves that do not ascend the name, x and y of each point.
+std::string csv(const Plot& plot);
+
+}  // namespace steplab::plot

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "plot/plot.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace steplab::ui {
+
+/// What a plot of the window shows.
+enum class PlotKind { energy_error, energies, error, displacement, velocity, phase, momentum, speeds, spread, costs };
+
+struct PlotKindInfo {
+    PlotKind kind;
+    std::string_view id;    ///< its widget, and in the names of its files
+    std::string_view name;  ///< in the menu
+    std::string_view what;
+};
+inline constexpr std::array plot_kinds{
+    PlotKindInfo{PlotKind::energy_error, "energy error", "energy error",
+                 "E - E0, signed, relative to E0: a method that keeps the energy wobbles, one that does not drifts"},
+    PlotKindInfo{PlotKind::energies, "energies", "energies", "kinetic, potential and total energy"},
+    PlotKindInfo{PlotKind::error, "position error", "position error",
+                 "largest distance of a particle from the exact solution or the reference, for each run"},
+    PlotKindInfo{PlotKind::displacement, "displacement", "displacement",
+                 "of the selected particle, along the axis in which it moves most"},
+    PlotKindInfo{PlotKind::velocity, "velocity", "velocity", "of the selected particle, along the same axis"},
+    PlotKindInfo{PlotKind::phase, "phase portrait", "phase portrait",
+                 "velocity of the selected particle over its displacement: a closed curve where nothing is lost"},
+    PlotKindInfo{PlotKind::momentum, "momentum", "momentum", "|P - P0| of all particles together"},
+    PlotKindInfo{PlotKind::speeds, "speeds", "speeds", "how many particles have which speed now"},
+    PlotKindInfo{PlotKind::spread, "ensemble spread", "ensemble spread",
+                 "largest distance of a particle of the ensemble from where it is in the run"},
+    PlotKindInfo{PlotKind::costs, "speed against error", "speed against error",
+                 "all methods on this scene: what error a number of force evaluations buys"},
+};
+
+/// The name of a kind.
+const PlotKindInfo& info_of(PlotKind kind);
+
+/// A plot that is shown.
+struct PlotChoice {
+    PlotKind kind = PlotKind::energy_error;
+    plot::Scale scale = plot::Scale::linear;  ///< of the axis up
+};
+
+/// The plots below the scene.
+struct PlotsState {
+    static constexpr std::size_t most = 4;
+
+    std::vector<PlotChoice> shown{{PlotKind::energy_error}, {PlotKind::displacement}};
+    std::optional<Range> window = {};  ///< of time, which all of them show; none: their own
+    std::optional<bool> scanned = {};  ///< whether costs were asked for
+    std::optional<bool> sampled = {};  ///< whether samples were asked for
+};
+
+}  // namespace steplab::ui

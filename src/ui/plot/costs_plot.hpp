@@ -1,0 +1,20 @@
+#pragma once
+
+#include "plot/layout.hpp"
+#include "ui/context.hpp"
+
+#include <optional>
+
+namespace steplab::ui {
+
+/// The work-precision diagram of the scene: error against force evaluations of all methods, the runs of the session in
+/// it, and the line of those that nothing is better than.
+void costs_plot(plot::Plot& plot, const Context& context);
+
+/// The point of the scan that the pointer is at, if one is near.
+const CostPoint* cost_point_at(const Context& context, const plot::Layout& layout);
+
+/// "dop853, tolerance 1e-9 s, double": the run of a point, with its cost.
+std::string text_of(const CostPoint& point, const Context& context);
+
+}  // namespace steplab::ui

@@ -1,0 +1,131 @@
+#include "plot/plot.hpp"
+
+#include "plot/svg.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace steplab::plot {
+namespace {
+
+Plot two_curves() {
+    Plot plot;
+    plot.name = "test";
+    plot.curves = {{.name = "run", .x = {0, 0.1, 0.2}, .y = {1, 2.5, -3}},
+                   {.name = "exact", .colour = Curve::exact, .x = {0, 0.1, 0.2}, .y = {1, NAN, -3.125}}};
+    return plot;
+}
+
+TEST(plot, csv_has_a_column_for_each_curve) {
+    EXPECT_EQ(csv(two_curves()), "time,run,exact\n0,1,1\n0.1,2.5,\n0.2,-3,-3.125\n");
+}
+
+TEST(plot, csv_has_the_x_of_all_curves) {
+    Plot plot = two_curves();
+    plot.curves[1].x = {0.05, 0.1, 0.3};
+    EXPECT_EQ(csv(plot), "time,run,exact\n0,1,\n0.05,,1\n0.1,2.5,\n0.2,-3,\n0.3,,-3.125\n");
+}
+
+TEST(plot, csv_of_a_path_has_its_points_in_order) {
+    Plot plot{.x = {.name = "displacement"}, .y = {.name = "velocity"}};
+    plot.curves = {{.name = "run", .ascending = false, .x = {1, 0, -1, 0}, .y = {0, 2, 0, -2}}};
+    EXPECT_EQ(csv(plot), "curve,displacement,velocity\nrun,1,0\nrun,0,2\nrun,-1,0\nrun,0,-2\n");
+}
+
+TEST(plot, axes_hold_every_value) {
+    const Axes axes = plot::axes(two_curves(), {10, 20, 300, 100});
+    EXPECT_FLOAT_EQ(axes.across.pixel(0), 10);
+    EXPECT_FLOAT_EQ(axes.across.pixel(0.2), 310);
+    EXPECT_LE(axes.up.low, -3.125);
+    EXPECT_GE(axes.up.high, 2.5);
+}
+
+TEST(plot, only_positive_values_count_on_a_logarithmic_axis) {
+    Plot plot = two_curves();
+    plot.y.scale = Scale::logarithmic;
+    EXPECT_TRUE(has_values(plot));
+    EXPECT_GT(axes(plot, {0, 0, 100, 100}).up.low, 0);
+    for (Curve& curve : plot.curves) curve.y = {0, -1, NAN};
+    EXPECT_FALSE(has_values(plot));
+}
+
+TEST(plot, a_symmetric_axis_shows_small_values_of_both_signs_beside_large_ones) {
+    Plot plot;
+    plot.y.scale = Scale::symmetric_logarithmic;
+    plot.curves = {{.name = "run", .x = {0, 1, 2, 3}, .y = {-1e-3, 1e-9, 0, 1}}};
+    const Axis up = axes(plot, {0, 0, 300, 200}).up;
+    // decades apart in value are far apart in pixels, and 0 lies between the signs
+    EXPECT_GT(up.pixel(1e-9), up.pixel(1e-3) + 10);
+    EXPECT_LT(up.pixel(1e-3), up.pixel(0) - 10);
+    EXPECT_GT(up.pixel(-1e-3), up.pixel(0) + 10);
+    for (const double value : {-1e-3, -1e-7, 0.0, 1e-9, 0.5})
+        EXPECT_NEAR(up.value(up.pixel(value)), value, 1e-9 + 1e-3 * std::abs(value));
+    EXPECT_EQ(ticks(up, 6).size() % 2, 1u) << "0, and the same powers on both sides where both are shown";
+}
+
+TEST(plot, the_axis_up_is_that_of_what_is_shown) {
+    Plot plot = two_curves();
+    plot.x.range = Range{0.05, 0.15};
+    const Axes axes = plot::axes(plot, {0, 0, 100, 100});
+    EXPECT_EQ(axes.across.low, 0.05);
+    EXPECT_GT(axes.up.low, 0) << "2.5 alone lies within";
+}
+
+// A path that comes back to a column of pixels is not cut short there.
+TEST(plot, a_path_keeps_all_that_its_columns_show) {
+    std::vector<double> x, y;
+    for (int i = 0; i <= 1000; ++i) {
+        x.push_back(std::cos(0.0062831853 * i));
+        y.push_back(std::sin(0.0062831853 * i));
+    }
+    const Axes axes{{-1, 1, Scale::linear, 0, 100}, {-1, 1, Scale::linear, 100, 0}};
+    const auto points = decimated(x, y, axes);
+    EXPECT_LE(points.size(), 4u * 220u) << "each of 100 columns is passed through twice";
+    float lowest = 0, highest = 100;
+    for (const Point& point : points) {
+        lowest = std::max(lowest, point.y);
+        highest = std::min(highest, point.y);
+    }
+    EXPECT_NEAR(lowest, 100, 0.1f);
+    EXPECT_NEAR(highest, 0, 0.1f);
+}
+
+TEST(plot, runs_are_told_apart_by_their_lines) {
+    EXPECT_TRUE(dashes_of(line_of_run(0)).empty());
+    for (std::size_t a = 0; a < 4; ++a) {
+        for (std::size_t b = 0; b < a; ++b) EXPECT_NE(line_of_run(a), line_of_run(b));
+    }
+}
+
+TEST(svg, holds_title_axes_curves_and_caption) {
+    Plot plot = two_curves();
+    plot.title = "E < E0 & more";
+    plot.caption = "chain, rk4";
+    plot.moments = {{0.1, "dt 0.2"}};
+    const std::string text = svg(plot);
+    for (const char* const part :
+         {"E &lt; E0 &amp; more", "chain, rk4", "time [s]", "<title>run</title>", "dt 0.2", "polyline"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_EQ(text, svg(plot)) << "the same bytes each time";
+    EXPECT_EQ(text.find("nan"), std::string::npos);
+    EXPECT_EQ(text.find("inf"), std::string::npos);
+}
+
+TEST(svg, of_extreme_values_holds_numbers_only) {
+    constexpr double largest = std::numeric_limits<double>::max();
+    for (const double value : {0.0, 5e-324, 1e-300, 1.0, largest, -largest, std::numeric_limits<double>::infinity()}) {
+        for (const Scale scale : {Scale::linear, Scale::logarithmic, Scale::symmetric_logarithmic}) {
+            Plot plot;
+            plot.y.scale = scale;
+            plot.curves = {{.name = "run", .x = {0, 1}, .y = {value, 1}}};
+            const std::string text = svg(plot);
+            EXPECT_EQ(text.find("nan"), std::string::npos) << value;
+            EXPECT_EQ(text.find("inf"), std::string::npos) << value;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace steplab::plot

@@ -1,0 +1,167 @@
+#include "core/number_text.hpp"
+#include "ui/plot/choice.hpp"
+#include "ui/plot/recorded.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace steplab::ui {
+namespace {
+
+void choose(Desk& desk, std::size_t number, std::string_view kind) {
+    const std::string widget = "plot " + std::to_string(number);
+    desk.click(widget);
+    desk.frame();
+    desk.click(widget + "/" + std::string(kind));
+    desk.frame();
+}
+
+std::string saved_csv(Desk& desk, const std::string& kind) {
+    desk.click(kind + ".save");
+    desk.click(kind + ".csv");
+    std::string words = kind;
+    std::replace(words.begin(), words.end(), ' ', '-');
+    return text_of_file("steplab-" + words + "-1.csv");
+}
+
+std::string saved_svg(Desk& desk, int number) {
+    desk.click("energy error.save");
+    desk.click("energy error.svg");
+    desk.frame();
+    return text_of_file("steplab-energy-error-" + std::to_string(number) + ".svg");
+}
+
+TEST(plots, of_every_kind_are_chosen_and_drawn_in_every_scale) {
+    for (const char* const model : {"chain", "morse", "rope", "free"}) {
+        Recorded recorded(model);
+        recorded.desk.session.followers = {recorded.desk.view};
+        for (const PlotKindInfo& info : plot_kinds) {
+            SCOPED_TRACE(std::string(model) + " " + std::string(info.id));
+            choose(recorded.desk, 1, info.id);
+            for (int scale = 0; scale < 3; ++scale) {
+                EXPECT_TRUE(recorded.desk.has(std::string(info.id) + ".scale"));
+                recorded.desk.click(std::string(info.id) + ".scale");
+                recorded.desk.frame();
+            }
+        }
+    }
+}
+
+TEST(plots, without_samples_say_so) {
+    Desk desk(describe("chain"));
+    desk.view.series = {};
+    for (const PlotKindInfo& info : plot_kinds) {
+        choose(desk, 1, info.id);
+        EXPECT_TRUE(desk.has(info.id));
+    }
+}
+
+TEST(plots, of_energy_are_relative_where_the_scene_has_a_scale) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    std::string expected = "time,run\n";
+    for (const Sample& sample : recorded.desk.view.series.samples) {
+        const double start = sample.kinetic + sample.potential - sample.energy_error;
+        expected += number_text(sample.time) + "," + number_text(sample.energy_error / std::abs(start)) + "\n";
+    }
+    EXPECT_EQ(saved_csv(recorded.desk, "energy error"), expected);
+}
+
+TEST(plots, of_energies_add_up) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    choose(recorded.desk, 1, "energies");
+    std::istringstream lines(saved_csv(recorded.desk, "energies"));
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "time,kinetic,potential,total");
+    std::size_t rows = 0;
+    for (char comma = 0; std::getline(lines, line); ++rows) {
+        double time = 0, kinetic = 0, potential = 0, total = 0;
+        std::istringstream(line) >> time >> comma >> kinetic >> comma >> potential >> comma >> total;
+        EXPECT_EQ(kinetic + potential, total);
+    }
+    EXPECT_EQ(rows, 50u);
+}
+
+TEST(plots, of_a_path_hold_displacement_and_velocity) {
+    const OwnFolder folder;
+    Recorded recorded("oscillator");
+    choose(recorded.desk, 2, "phase portrait");
+    const std::string text = saved_csv(recorded.desk, "phase portrait");
+    const Sample& first = recorded.desk.view.series.samples.front();
+    EXPECT_NE(text.find("\nrun," + number_text(first.particle->displacement.x) + "," +
+                        number_text(first.particle->velocity.x) + "\n"),
+              std::string::npos)
+        << text.substr(0, 200);
+}
+
+TEST(plots, are_saved_as_drawings_of_what_run_they_are) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    recorded.desk.click("energy error.save");
+    recorded.desk.click("energy error.svg");
+    const std::string text = text_of_file("steplab-energy-error-1.svg");
+    EXPECT_NE(text.find("chain, rk4, dt 0.1 s, double"), std::string::npos) << text.substr(0, 300);
+    EXPECT_NE(text.find("<polyline"), std::string::npos);
+}
+
+TEST(plots, are_added_while_there_is_room_and_closed_down_to_one) {
+    Desk desk(describe("chain"), {1920, 1080, 1});
+    ASSERT_TRUE(desk.has("plots.add"));
+    desk.click("plots.add");
+    desk.frame();
+    EXPECT_TRUE(desk.has("plot 3"));
+    desk.click("plots.add");
+    desk.frame();
+    EXPECT_TRUE(desk.has("plot 4"));
+    EXPECT_FALSE(desk.has("plots.add")) << "four at most";
+    for (const char* const id : {"energy error", "displacement", "energies"}) {
+        desk.click(std::string(id) + ".close");
+        desk.frame();
+    }
+    EXPECT_TRUE(desk.has("plot 1"));
+    EXPECT_FALSE(desk.has("plot 2"));
+    EXPECT_FALSE(desk.has("position error.close")) << "one stays";
+}
+
+TEST(plots, of_a_kind_that_is_shown_elsewhere_change_places) {
+    Desk desk(describe("chain"));
+    choose(desk, 1, "displacement");
+    EXPECT_LT(desk.widget("displacement").left, desk.widget("energy error").left);
+}
+
+TEST(plots, show_one_part_of_time_until_a_double_click) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    Desk& desk = recorded.desk;
+    const std::string whole = saved_svg(desk, 1);
+    desk.point_at("displacement");  // all plots over time show the same part
+    desk.frame();
+    desk.wheel(3);
+    desk.frame();
+    const std::string part = saved_svg(desk, 2);
+    EXPECT_NE(part, whole);
+    desk.drag("displacement", 0.6f, 0.4f);
+    desk.frame();
+    EXPECT_NE(saved_svg(desk, 3), part);
+    desk.double_click("displacement");
+    desk.frame();
+    EXPECT_EQ(saved_svg(desk, 4), whole);
+}
+
+// Samples cost the run something.
+TEST(plots, ask_for_samples_while_they_are_shown) {
+    Desk desk(describe("chain"));
+    EXPECT_TRUE(desk.calls().empty()) << "asked for in the first frame";
+    desk.key(Key::tab);
+    desk.frame();
+    const auto calls = desk.calls();
+    EXPECT_EQ(std::count(calls.begin(), calls.end(), "samples off"), 1) << testing::PrintToString(calls);
+}
+
+}  // namespace
+}  // namespace steplab::ui
