@@ -55,9 +55,11 @@ Picture paint_scene(render::SceneRenderer& scene, const PictureRequest& request)
     const auto runs = shown_runs(request.view, request.followers);
     const auto size = render::leading_size(request.size, request.style.layout, runs.size());
     const render::Camera camera = render::camera_of(request.camera, request.view.frame, size);
-    return in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
+    Picture picture = in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
         scene.draw(runs, request.style, camera, target, render::Tile{request.size, place.left, place.top});
     });
+    picture.camera = render::view_text(camera);
+    return picture;
 }
 
 /// The panels as in the window, and the camera and style for the scene.
@@ -78,6 +80,7 @@ public:
         draw();
     }
 
+    const render::Camera& camera() const { return camera_; }
     render::PictureSize scene_size() const { return {interface_.scene().width, interface_.scene().height}; }
 
     void paint(render::SceneRenderer& scene, const Place& place, const render::RenderTarget& target) const {
@@ -108,9 +111,11 @@ Picture OffscreenPainter::paint(const PictureRequest& request) {
     if (!request.panel) return paint_scene(scene_, request);
     if (!panels_) panels_.emplace();
     const Panels panels(request, *panels_);
-    return in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
+    Picture picture = in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
         panels.paint(scene_, place, target);
     });
+    picture.camera = render::view_text(panels.camera());
+    return picture;
 }
 
 }  // namespace steplab
