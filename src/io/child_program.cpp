@@ -22,6 +22,7 @@ namespace steplab {
 namespace {
 
 constexpr int milliseconds_of_waiting = 10;
+constexpr int number_of_given_file = 3;
 
 [[noreturn]] void fail(const std::string& program) {
     throw FileError(fmt::format("cannot start {}: {}", program, std::generic_category().message(errno)));
@@ -30,8 +31,8 @@ constexpr int milliseconds_of_waiting = 10;
 /// What the program gets for its standard streams, and how signals reach it.
 class Setup {
 public:
-    /// `input`: to read from, or -1.
-    Setup(int input, int messages) {
+    /// `input`: to read from, or -1; `file`: for it to write, or -1.
+    Setup(int input, int messages, int file) {
         posix_spawn_file_actions_init(&files_);
         if (input < 0) {
             posix_spawn_file_actions_addopen(&files_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -40,6 +41,8 @@ public:
         }
         posix_spawn_file_actions_addopen(&files_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_adddup2(&files_, messages, STDERR_FILENO);
+        // Last: any of the others may have this number here.
+        if (file >= 0) posix_spawn_file_actions_adddup2(&files_, file, number_of_given_file);
         posix_spawnattr_init(&attributes_);
         // In a group of its own it does not get Ctrl+C, on which it would end with an error or half a file; signals
         // that are ignored here would stay ignored there.
@@ -74,7 +77,7 @@ private:
 
 }  // namespace
 
-ChildProgram::ChildProgram(std::vector<std::string> arguments, Input input) {
+ChildProgram::ChildProgram(std::vector<std::string> arguments, Input input, int file) {
     std::array<int, 2> ends{-1, -1};
     messages_ = memfd_create("messages", MFD_CLOEXEC);
     if (messages_ < 0) fail(arguments.front());
@@ -82,7 +85,7 @@ ChildProgram::ChildProgram(std::vector<std::string> arguments, Input input) {
         close(messages_);
         fail(arguments.front());
     }
-    process_ = Setup(ends[0], messages_).start(arguments);
+    process_ = Setup(ends[0], messages_, file).start(arguments);
     if (input == Input::nothing) return;
     close(ends[0]);
     input_ = ends[1];

@@ -25,7 +25,11 @@ public:
         missing,  ///< there is no such program, or it cannot be run
     };
 
-    explicit ChildProgram(std::vector<std::string> arguments, Input input = Input::nothing);
+    /// The name under which it finds the file that it is given.
+    static constexpr const char* given_file = "/dev/fd/3";
+
+    /// `file`: a descriptor of an open file, or -1.
+    explicit ChildProgram(std::vector<std::string> arguments, Input input = Input::nothing, int file = -1);
     ~ChildProgram();
     ChildProgram(const ChildProgram&) = delete;
     ChildProgram& operator=(const ChildProgram&) = delete;

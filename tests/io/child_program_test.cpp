@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdio>
+#include <filesystem>
 
 namespace steplab {
 namespace {
@@ -38,6 +41,19 @@ TEST(ChildProgram, gets_all_bytes) {
     EXPECT_EQ(copy.end(), End::done);
     EXPECT_EQ(text_of(folder.file("a")), bytes + "end");
     EXPECT_EQ(ChildProgram({"cat"}).end(), End::done) << "without input it does not wait for any";
+}
+
+TEST(ChildProgram, writes_the_file_that_it_is_given_even_if_its_name_is_gone) {
+    const TemporaryFolder folder;
+    std::FILE* const file = std::fopen(folder.file("a").c_str(), "w+");
+    std::filesystem::remove(folder.file("a"));
+    ChildProgram echo({"sh", "-c", "echo here >$0", ChildProgram::given_file}, Input::nothing, fileno(file));
+    EXPECT_EQ(echo.end(), End::done);
+    EXPECT_TRUE(folder.empty());
+    std::array<char, 10> text{};
+    EXPECT_EQ(std::fread(text.data(), 1, text.size(), file), 5u);
+    EXPECT_STREQ(text.data(), "here\n");
+    std::fclose(file);
 }
 
 TEST(ChildProgram, that_reads_no_more_ends_the_writing) {
