@@ -30,7 +30,7 @@ namespace {
 constexpr const char* record_examples =
     "Examples:\n"
     "  steplab record --model mesh --until 20 --out mesh.mp4\n"
-    "  steplab record --model rope --until 5 --run method=rk4,dt=0.01 --run method=euler,dt=0.05 --out rope.webm\n"
+    "  steplab record --model rope --until 5 --run dt=0.01 --run method=euler,dt=0.05 --out rope.webm\n"
     "  steplab record --scene figure-eight --speed 0.5 --out frames/%05d.png\n\n";
 
 class RecordCommand final : public Command {
