@@ -63,6 +63,7 @@ public:
     /// The number of the new process; -1 if the program cannot be run.
     pid_t start(std::vector<std::string>& arguments) const {
         std::vector<char*> words;
+        words.reserve(arguments.size() + 1);
         for (std::string& argument : arguments) words.push_back(argument.data());
         words.push_back(nullptr);
         pid_t process = -1;
