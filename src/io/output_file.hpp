@@ -56,6 +56,8 @@ public:
     /// written.
     std::optional<std::string> keep_partial();
 
+    /// The open file, for another program to write in place of write(). It has a name of its own only after commit().
+    int descriptor() const { return descriptor_; }
     /// The name for messages: "standard output" for "-".
     const std::string& name() const { return name_; }
 

@@ -127,6 +127,20 @@ bool Interface::resize(const Display& display) {
     return new_fonts;
 }
 
+void Interface::clear() {
+    Body& body = *body_;
+    body.state = {};
+    body.view_keeper = {};
+    body.follower = {};
+    body.trails = {};
+    body.layout = {};
+    body.widgets = {};
+    body.frame_seconds.reset();
+    body.new_view = true;
+    body.input_left = false;
+    body.unsettled = true;
+}
+
 void Interface::record(const RunView& view) {
     body_->state.history.record(view);
     body_->trails.record(view, body_->state.trail);

@@ -41,6 +41,8 @@ public:
 
     /// Sets the size and scale of the display. True if the fonts were rebuilt: their texture must then be rebuilt, too.
     bool resize(const Display& display);
+    /// As newly made, but for its fonts: for another snapshot.
+    void clear();
     /// Records a new view of the run for the plots. Call it once for each view, before drawing it.
     void record(const RunView& view);
     /// Says that the run's energy is impossible and where that is decided, in place of a card about the divergence.

@@ -7,6 +7,8 @@
 #include "app/cli/particle_list.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/view_options.hpp"
+#include "app/commands/film_options.hpp"
+#include "app/commands/film_times.hpp"
 #include "app/commands/run_outputs.hpp"
 #include "app/commands/snapshot_options.hpp"
 #include "core/error.hpp"
@@ -83,6 +85,15 @@ void read_snapshot(const std::vector<std::string>& words) {
     if (scene.takes(words, picture)) picture.request(scene.read());
 }
 
+void read_record(const std::vector<std::string>& words) {
+    Scene scene;
+    FilmOptions film;
+    if (!scene.takes(words, film)) return;
+    const RunDescription run = scene.read();
+    film.format(film.request(run).size);
+    FilmTimes(run, scene.time.end(run), scene.time.end_time(run), film.spacing()).end();
+}
+
 void read_view(const std::vector<std::string>& words) {
     CLI::App app("a command", "steplab");
     SceneOptions scene;
@@ -97,7 +108,7 @@ void read_view(const std::vector<std::string>& words) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::vector<std::string> words = lines({reinterpret_cast<const char*>(bytes), count});
     if (std::any_of(words.begin(), words.end(), is_large)) return 0;
-    for (const auto read : {read_run, read_snapshot, read_view}) {
+    for (const auto read : {read_run, read_snapshot, read_record, read_view}) {
         try {
             read(words);
         } catch (const Error&) {

@@ -21,7 +21,8 @@ int expected_code(const std::string& command) {
 #ifdef STEPLAB_GRAPHICS
     return opens_window(command) ? no_opengl : 0;
 #else
-    return opens_window(command) || command.starts_with("steplab snapshot") ? no_opengl : 0;
+    const bool draws = command.starts_with("steplab snapshot") || command.find("steplab record") != std::string::npos;
+    return opens_window(command) || draws ? no_opengl : 0;
 #endif
 }
 

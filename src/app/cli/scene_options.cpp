@@ -239,8 +239,12 @@ std::optional<double> TimeOptions::until(const RunDescription& description) cons
     return of_scene ? model_of(description).opening.until : std::nullopt;
 }
 
+double TimeOptions::end_time(const RunDescription& description) const {
+    return until(description).value_or(static_cast<double>(steps(description)) * description.dt);
+}
+
 double TimeOptions::duration(const RunDescription& description) const {
-    const double time = until(description).value_or(static_cast<double>(steps(description)) * description.dt);
+    const double time = end_time(description);
     if (!(time > 0)) throw UsageError("the end time must be > 0: give --until T, or --steps N with --dt X");
     return time;
 }

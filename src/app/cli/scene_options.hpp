@@ -85,7 +85,9 @@ public:
     std::uint64_t steps(const RunDescription& description) const;
     /// Where the run ends: after --steps, or by run_end() at --until or the scene's end. Throws UsageError.
     RunEnd end(const RunDescription& description) const;
-    /// The end time: --until, or the steps times dt. Throws UsageError unless it is > 0.
+    /// The end time: --until, the scene's end, or the steps times dt. Throws UsageError.
+    double end_time(const RunDescription& description) const;
+    /// The same. Throws UsageError unless it is > 0.
     double duration(const RunDescription& description) const;
     /// "4 steps of dt = 0.3 s end at t = 1.2 s, not at 1 s": where whole steps go beyond --until.
     std::optional<std::string> note(const RunDescription& description, const RunEnd& end) const;

@@ -11,6 +11,7 @@
 #include "app/commands/limits.hpp"
 #include "app/commands/list.hpp"
 #include "app/commands/observe.hpp"
+#include "app/commands/record.hpp"
 #include "app/commands/replay.hpp"
 #include "app/commands/report.hpp"
 #include "app/commands/run.hpp"
@@ -90,6 +91,7 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     all.push_back(observe_command());
     all.push_back(export_command());
     all.push_back(snapshot_command());
+    all.push_back(record_command());
     all.push_back(compare_command());
     all.push_back(replay_command());
     all.push_back(limits_command());

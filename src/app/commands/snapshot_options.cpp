@@ -7,40 +7,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-
 namespace steplab {
 namespace {
-
-constexpr int longest_side = 8192;
-constexpr render::PictureSize least_with_panel{400, 300};
-
-/// An integer number of pixels; 0 if `text` is none.
-int pixels(std::string_view text) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? value : 0;
-}
-
-render::PictureSize parse_size(std::string_view text) {
-    const std::size_t cross = std::min(text.find('x'), text.size());
-    const render::PictureSize size{pixels(text.substr(0, cross)),
-                                   cross < text.size() ? pixels(text.substr(cross + 1)) : 0};
-    const auto allowed = [](int side) { return side >= 1 && side <= longest_side; };
-    if (allowed(size.width) && allowed(size.height)) return size;
-    throw UsageError(fmt::format("--size must be WIDTHxHEIGHT in pixels, 1 to {} each, such as 1280x720 (got \"{}\")",
-                                 longest_side, shown(text)));
-}
-
-/// The scale at which text and lines have the proportions of a picture of the usual size, at least 1.
-double usual_scale(render::PictureSize size) {
-    const render::PictureSize usual;
-    const double smaller =
-        std::min(static_cast<double>(size.width) / usual.width, static_cast<double>(size.height) / usual.height);
-    return std::max(1.0, std::floor(4 * smaller) / 4);
-}
 
 void check_file(const std::string& name) {
     if (name.empty()) throw UsageError("--out FILE.png is required: the file of the picture");
@@ -49,40 +17,16 @@ void check_file(const std::string& name) {
     }
 }
 
-void check_room_for_panel(render::PictureSize size, double scale) {
-    const auto width = static_cast<int>(std::ceil(scale * least_with_panel.width));
-    const auto height = static_cast<int>(std::ceil(scale * least_with_panel.height));
-    if (size.width >= width && size.height >= height) return;
-    throw UsageError(fmt::format("--ui on needs a picture of at least {}x{} pixels", width, height));
-}
-
 }  // namespace
 
 void SnapshotOptions::declare(CLI::App& app) {
-    const std::string group = "Picture";
-    text_option(app, "--out", out_, "FILE.png", "File of the picture (required)", group);
-    text_option(app, "--size", size_, "WxH",
-                fmt::format("Width and height in pixels, up to {} each (default {})", longest_side, size_), group);
-    appearance_.declare(
-        app, {.group = group,
-              .particle = "Mark this particle",
-              .panel = "Draw the window's panels too (default off)",
-              .scale = "Scale of text, lines and panels, 0.5 to 8 (default: 1, more in pictures beyond 1280x720)"});
-    text_option(app, "--gl", gl_, "auto|osmesa|egl",
-                fmt::format("OpenGL context (default {}: the first that works)", gl_), group);
+    text_option(app, "--out", out_, "FILE.png", "File of the picture (required)", picture_group);
+    picture_.declare(app);
 }
 
 PictureRequest SnapshotOptions::request(const RunDescription& description) const {
     check_file(out_);
-    PictureRequest request;
-    request.size = parse_size(size_);
-    const std::string view = appearance_.view(description);
-    if (!view.empty()) request.camera = view;
-    request.panel = appearance_.panel().value_or(false);
-    request.style = appearance_.style(description);
-    request.style.pixel_scale = appearance_.scale().value_or(usual_scale(request.size));
-    if (request.panel) check_room_for_panel(request.size, request.style.pixel_scale);
-    return request;
+    return picture_.request(description);
 }
 
 }  // namespace steplab

@@ -1,13 +1,8 @@
 #pragma once
 
-#include "app/cli/appearance_options.hpp"
-#include "app/offscreen/modules.hpp"
+#include "app/commands/picture_options.hpp"
 
 #include <string>
-
-namespace CLI {
-class App;
-}
 
 namespace steplab {
 
@@ -19,14 +14,12 @@ public:
     PictureRequest request(const RunDescription& description) const;
 
     const std::string& out() const { return out_; }
-    const std::string& gl() const { return gl_; }
-    const std::string& size_text() const { return size_; }
+    const std::string& gl() const { return picture_.gl(); }
+    const std::string& size_text() const { return picture_.size_text(); }
 
 private:
     std::string out_;
-    std::string size_ = "1280x720";
-    std::string gl_ = "auto";
-    AppearanceOptions appearance_;
+    PictureOptions picture_;
 };
 
 }  // namespace steplab

@@ -28,6 +28,7 @@ struct PictureRequest {
 struct Picture {
     render::PictureSize size;
     std::vector<std::uint8_t> rgba;
+    std::string camera = {};  ///< as text that reads back exactly, for another picture with it
 };
 
 /// The result of a call into a module; exceptions do not cross its border.

@@ -17,14 +17,7 @@ namespace {
 // Longest side of a tile: its multisampled framebuffer takes 128 MiB.
 constexpr int tile_side = 2048;
 
-/// The place of a tile in the whole picture.
-struct Place {
-    int left;
-    int top;
-    render::PictureSize size;
-};
-
-void copy_into(Picture& picture, const Place& place, const std::vector<std::uint8_t>& tile) {
+void copy_into(Picture& picture, const OffscreenPainter::Place& place, const std::vector<std::uint8_t>& tile) {
     const std::size_t row = 4 * static_cast<std::size_t>(place.size.width);
     for (int y = 0; y < place.size.height; ++y) {
         const std::size_t to =
@@ -34,43 +27,17 @@ void copy_into(Picture& picture, const Place& place, const std::vector<std::uint
     }
 }
 
-/// Paints all tiles and assembles the picture.
-Picture in_tiles(render::PictureSize size,
-                 const std::function<void(const Place&, const render::RenderTarget&)>& paint) {
-    Picture picture{size, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size.width) *
-                                                    static_cast<std::size_t>(size.height))};
-    for (int top = 0; top < size.height; top += tile_side) {
-        for (int left = 0; left < size.width; left += tile_side) {
-            const Place place{
-                left, top, {std::min(tile_side, size.width - left), std::min(tile_side, size.height - top)}};
-            const render::RenderTarget target(place.size);
-            paint(place, target);
-            copy_into(picture, place, target.read());
-        }
-    }
-    return picture;
-}
-
-Picture paint_scene(render::SceneRenderer& scene, const PictureRequest& request) {
-    const auto runs = shown_runs(request.view, request.followers);
-    const auto size = render::leading_size(request.size, request.style.layout, runs.size());
-    const render::Camera camera = render::camera_of(request.camera, request.view.frame, size);
-    return in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
-        scene.draw(runs, request.style, camera, target, render::Tile{request.size, place.left, place.top});
-    });
-}
-
 /// The panels as in the window, and the camera and style for the scene.
 class Panels {
 public:
-    Panels(const PictureRequest& request, render::ImguiRenderer& renderer)
-        : interface_({request.size.width, request.size.height, static_cast<float>(request.style.pixel_scale)}),
+    /// Of an interface that is as newly made.
+    Panels(const PictureRequest& request, ui::Interface& interface, const render::ImguiRenderer& renderer)
+        : interface_(interface),
           view_{.leading = request.view, .followers = request.followers, .line = {}, .errors = request.errors},
           style_(request.style),
           renderer_(renderer) {
-        renderer_.upload_fonts(interface_.fonts());
         for (const RunView& moment : request.past) record(moment);
-        record(RunView(view_.leading));
+        record(request.view);
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
         camera_ = render::camera_of(request.camera, view_.leading.frame,
@@ -78,15 +45,11 @@ public:
         draw();
     }
 
-    /// For the plots.
-    void record(const RunView& moment) {
-        interface_.record(moment);
-        view_.leading.series.samples.push_back(sample_of(moment));
-    }
-
+    const render::Camera& camera() const { return camera_; }
     render::PictureSize scene_size() const { return {interface_.scene().width, interface_.scene().height}; }
 
-    void paint(render::SceneRenderer& scene, const Place& place, const render::RenderTarget& target) const {
+    void paint(render::SceneRenderer& scene, const OffscreenPainter::Place& place,
+               const render::RenderTarget& target) const {
         const ui::PixelRect rect = interface_.scene();
         scene.draw(shown_runs(view_.leading, view_.followers), style_, camera_, target,
                    render::Tile{scene_size(), place.left - rect.x, place.top - rect.y});
@@ -101,22 +64,68 @@ public:
 private:
     void draw() { interface_.draw_still(view_, {camera_, style_}); }
 
-    ui::Interface interface_;
+    /// For the plots.
+    void record(const RunView& moment) {
+        interface_.record(moment);
+        view_.leading.series.samples.push_back(sample_of(moment));
+    }
+
+    ui::Interface& interface_;
     SessionView view_;
     render::Style style_;
     render::Camera camera_;
-    render::ImguiRenderer& renderer_;
+    const render::ImguiRenderer& renderer_;
 };
 
 }  // namespace
 
 Picture OffscreenPainter::paint(const PictureRequest& request) {
-    if (!request.panel) return paint_scene(scene_, request);
-    if (!panels_) panels_.emplace();
-    const Panels panels(request, *panels_);
-    return in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
+    return request.panel ? paint_with_panels(request) : paint_scene(request);
+}
+
+Picture OffscreenPainter::paint_scene(const PictureRequest& request) {
+    const auto runs = shown_runs(request.view, request.followers);
+    const auto size = render::leading_size(request.size, request.style.layout, runs.size());
+    const render::Camera camera = render::camera_of(request.camera, request.view.frame, size);
+    Picture picture = in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
+        scene_.draw(runs, request.style, camera, target, render::Tile{request.size, place.left, place.top});
+    });
+    picture.camera = render::view_text(camera);
+    return picture;
+}
+
+Picture OffscreenPainter::paint_with_panels(const PictureRequest& request) {
+    const ui::Display display{request.size.width, request.size.height, static_cast<float>(request.style.pixel_scale)};
+    if (!panels_) {
+        panels_.emplace(display);
+    } else if (panels_->interface.resize(display)) {
+        panels_->renderer.upload_fonts(panels_->interface.fonts());
+    }
+    panels_->interface.clear();
+    const Panels panels(request, panels_->interface, panels_->renderer);
+    Picture picture = in_tiles(request.size, [&](const Place& place, const render::RenderTarget& target) {
         panels.paint(scene_, place, target);
     });
+    picture.camera = render::view_text(panels.camera());
+    return picture;
+}
+
+Picture OffscreenPainter::in_tiles(render::PictureSize size, const PaintTile& paint) {
+    Picture picture{size, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size.width) *
+                                                    static_cast<std::size_t>(size.height))};
+    for (int top = 0; top < size.height; top += tile_side) {
+        for (int left = 0; left < size.width; left += tile_side) {
+            const Place place{
+                left, top, {std::min(tile_side, size.width - left), std::min(tile_side, size.height - top)}};
+            if (!target_ || target_->size() != place.size) {
+                target_.reset();  // a large one first makes room for the other
+                target_.emplace(place.size);
+            }
+            paint(place, *target_);
+            copy_into(picture, place, target_->read());
+        }
+    }
+    return picture;
 }
 
 }  // namespace steplab

@@ -2,8 +2,8 @@
 
 #include "core/entry.hpp"
 #include "core/error.hpp"
-#include "core/interruption.hpp"
 #include "core/text.hpp"
+#include "io/child_program.hpp"
 #include "io/temporary_folder.hpp"
 #include "lab/report/curve_labels.hpp"
 #include "lab/report/svg.hpp"
@@ -12,17 +12,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
-#include <fcntl.h>
 #include <fstream>
-#include <poll.h>
-#include <spawn.h>
 #include <sstream>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace steplab {
 
@@ -139,51 +131,14 @@ std::string style() {
                        placeholder(grid), placeholder(ink));
 }
 
-/// A program that was started. It ends with this object at the latest.
-class Child {
-public:
-    explicit Child(pid_t process) : process_(process) {}
-    ~Child() {
-        if (process_ <= 0) return;
-        kill(process_, SIGKILL);
-        waitpid(process_, nullptr, 0);
-    }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-
-    /// Waits for its end and returns its status; -1 where the system does not know it. Throws Interrupted.
-    int wait() {
-        int status = 0;
-        pid_t ended = 0;
-        while ((ended = waitpid(process_, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
-            check_interruption();
-            poll(nullptr, 0, 10);  // milliseconds
-        }
-        process_ = -1;
-        return ended < 0 ? -1 : status;
-    }
-
-private:
-    pid_t process_;
-};
-
 /// Gnuplot's messages are not shown on the terminal: warnings are dropped, an error is quoted.
-void run_gnuplot(const std::string& script, const std::string& messages) {
-    const std::array<const char*, 3> arguments{"gnuplot", script.c_str(), nullptr};
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, messages.c_str(), O_WRONLY | O_CREAT, 0600);
-    pid_t child = 0;
-    const int error =
-        posix_spawnp(&child, arguments[0], &files, nullptr, const_cast<char**>(arguments.data()), environ);
-    posix_spawn_file_actions_destroy(&files);
-    const int status = error == 0 ? Child(child).wait() : 0;
-    check_interruption();  // Ctrl+C interrupts gnuplot too
-    if (error == 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-    const bool missing = error != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127);
-    throw FileError(missing ? "cannot run gnuplot, which draws the diagrams: install the package gnuplot-nox"
-                            : fmt::format("gnuplot, which draws the diagrams, failed: {}", file_text(messages)));
+void run_gnuplot(const std::string& script) {
+    ChildProgram gnuplot({"gnuplot", script});
+    const ChildProgram::End end = gnuplot.end();
+    if (end == ChildProgram::End::done) return;
+    throw FileError(end == ChildProgram::End::missing
+                        ? "cannot run gnuplot, which draws the diagrams: install the package gnuplot-nox"
+                        : fmt::format("gnuplot, which draws the diagrams, failed: {}", gnuplot.messages()));
 }
 
 }  // namespace
@@ -214,7 +169,7 @@ std::vector<std::string> svg_figures(std::span<const Figure> figures) {
         if (drawings[i].drawable()) script += drawings[i].commands(picture(i));
     }
     std::ofstream(folder.file("figures.gp")) << script;
-    run_gnuplot(folder.file("figures.gp"), folder.file("messages"));
+    run_gnuplot(folder.file("figures.gp"));
     std::vector<std::string> elements;
     for (std::size_t i = 0; i < figures.size(); ++i)
         elements.push_back(page_svg(file_text(picture(i)), drawings[i].names()));

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "sim/run/pieces.hpp"
 #include "sim/run/simulation.hpp"
 
 #include <cstdint>
-#include <functional>
+#include <utility>
 
 namespace steplab {
 
@@ -12,25 +13,21 @@ namespace steplab {
 /// runs ahead to the next one and comes back.
 class ConfirmedSteps {
 public:
-    /// Called with the step reached between pieces of some hundredths of a second; what it throws ends advance().
-    using BetweenPieces = std::function<void(std::uint64_t)>;
-
-    /// `end`: the last step of the run, where its energy is judged whatever the grid of checks.
+    /// `end`: the last step of the run, where its energy is judged whatever the grid of checks. What `between` throws
+    /// ends advance().
     explicit ConfirmedSteps(
-        std::uint64_t end, BetweenPieces between = [](std::uint64_t) {})
-        : end_(end), between_(std::move(between)) {}
+        std::uint64_t end, Pieces::Between between = [](std::uint64_t) {})
+        : end_(end), pieces_(std::move(between)) {}
 
     /// Up to `target` <= end, or to the last good step if the run diverges before.
     void advance(Simulation& simulation, std::uint64_t target);
 
 private:
-    void walk(Simulation& simulation, std::uint64_t target);
     void confirm(Simulation& simulation, std::uint64_t target);
 
     std::uint64_t end_;
-    BetweenPieces between_;
+    Pieces pieces_;
     std::uint64_t confirmed_ = 0;  ///< every step up to here is known to be good
-    std::uint64_t piece_ = 1;
 };
 
 }  // namespace steplab

@@ -45,6 +45,7 @@ std::string name_of(const Context& context, std::size_t run) {
 void add_runs(Plot& plot, const Context& context, const Value& value) {
     for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
         const RunView& view = run == 0 ? context.view : context.session.followers[run - 1];
+        if (view.series.samples.empty()) continue;  // in still pictures only the leading run has any
         plot.curves.push_back(over_time(name_of(context, run), run, view.series, value));
         plot.curves.back().line = plot::line_of_run(run);
     }

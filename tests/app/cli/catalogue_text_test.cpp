@@ -55,8 +55,12 @@ TEST(List, of_one_kind_holds_every_parameter_with_default_unit_and_range) {
 }
 
 TEST(Help, begins_with_the_commands_and_leaves_the_catalogue_to_list) {
-    for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"--help"}, {"-h"}, {"run", "--help"}, {"view", "--help"}, {"snapshot", "--help"}}) {
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
+                                                  {"-h"},
+                                                  {"run", "--help"},
+                                                  {"view", "--help"},
+                                                  {"snapshot", "--help"},
+                                                  {"record", "--help"}}) {
         const std::string help = run_program(words).out;
         EXPECT_TRUE(has_line(help, {"steplab list models", "steplab list methods"}));
         EXPECT_FALSE(has_line(help, {std::string(models().back().info.what.substr(0, 30))}));
@@ -72,7 +76,7 @@ TEST(Help, names_defaults_and_commands) {
     EXPECT_TRUE(has_line(help, {"--precision", "float|double", "default " + std::string(id(defaults.precision))}));
     EXPECT_TRUE(has_line(help, {"--dt", "default 0.1"}));
     EXPECT_TRUE(has_line(help, {"--steps", "default", "else 1000"}));
-    for (const char* command : {"list", "run", "snapshot", "view", "hard-cases", "help"})
+    for (const char* command : {"list", "run", "snapshot", "record", "view", "hard-cases", "help"})
         EXPECT_TRUE(has_line(run_program({"--help"}).out, {command}));
 }
 
@@ -80,6 +84,7 @@ TEST(Help, fits_a_terminal) {
     for (const std::vector<std::string>& words : {std::vector<std::string>{"--help"},
                                                   {"run", "--help"},
                                                   {"snapshot", "--help"},
+                                                  {"record", "--help"},
                                                   {"view", "--help"},
                                                   {"list"},
                                                   {"list", "models"},

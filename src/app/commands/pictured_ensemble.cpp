@@ -1,10 +1,10 @@
-#include "app/commands/snapshot_ensemble.hpp"
+#include "app/commands/pictured_ensemble.hpp"
 
 #include "core/interruption.hpp"
 
 namespace steplab {
 
-SnapshotEnsemble::SnapshotEnsemble(const RunDescription& description, std::size_t runs,
+PicturedEnsemble::PicturedEnsemble(const RunDescription& description, std::size_t runs,
                                    const std::vector<ParameterRange>& ranges)
     : segments_{{0, description}},
       ensemble_(nearest_live_ensemble(description, runs, ranges)),
@@ -14,17 +14,22 @@ SnapshotEnsemble::SnapshotEnsemble(const RunDescription& description, std::size_
     go_to(0);
 }
 
-void SnapshotEnsemble::put_into(RunView& view) {
+void PicturedEnsemble::put_into(RunView& view) {
     go_to(view.frame.step);
     view.ensemble = ensemble_;
     view.ensemble_spread = live_ensemble_.observe(view.frame);
 }
 
-void SnapshotEnsemble::go_to(std::uint64_t step) {
+void PicturedEnsemble::go_to(std::uint64_t step) {
     live_ensemble_.go_to(step, segments_, [] {
         check_interruption();
         return false;
     });
+}
+
+std::optional<PicturedEnsemble> pictured_ensemble(const EnsembleOptions& options, const RunDescription& description) {
+    if (!options.is_given()) return std::nullopt;
+    return PicturedEnsemble(description, options.count(), options.ranges(description));
 }
 
 }  // namespace steplab

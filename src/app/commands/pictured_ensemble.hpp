@@ -1,20 +1,22 @@
 #pragma once
 
+#include "app/cli/ensemble_options.hpp"
 #include "session/run_view.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
 #include "sim/ensemble/parameter_range.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace steplab {
 
 /// The ensemble shown in a picture.
-class SnapshotEnsemble {
+class PicturedEnsemble {
 public:
     /// Throws UsageError if a run is not possible, Interrupted.
-    SnapshotEnsemble(const RunDescription& description, std::size_t runs, const std::vector<ParameterRange>& ranges);
+    PicturedEnsemble(const RunDescription& description, std::size_t runs, const std::vector<ParameterRange>& ranges);
 
     /// Computes the ensemble at the step of a view, of a run without changes. Throws Interrupted.
     void put_into(RunView& view);
@@ -26,5 +28,8 @@ private:
     LiveEnsembleOptions ensemble_;
     LiveEnsemble live_ensemble_;
 };
+
+/// That of the options, of a run; none if they name none. Throws UsageError, Interrupted.
+std::optional<PicturedEnsemble> pictured_ensemble(const EnsembleOptions& options, const RunDescription& description);
 
 }  // namespace steplab

@@ -1,0 +1,123 @@
+#include "app/commands/pictured_runs.hpp"
+
+#include "core/error.hpp"
+#include "core/interruption.hpp"
+#include "session/compared.hpp"
+#include "session/run_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unistd.h>
+
+namespace steplab {
+namespace {
+
+// Samples of the run for the panel's plots; fewer of large scenes, where each takes long.
+constexpr std::uint64_t most_samples = 400;
+constexpr std::uint64_t most_particle_samples = 20'000'000;
+
+std::uint64_t samples_of(const Simulation& simulation, std::uint64_t steps) {
+    const std::uint64_t bound = std::max<std::uint64_t>(16, most_particle_samples / simulation.particles());
+    return std::min({steps, most_samples, bound});
+}
+
+RunView without_particles(RunView view) {
+    view.frame.positions = {};
+    view.frame.velocities = {};
+    return view;
+}
+
+/// Where the leading run ends, at the latest.
+double time_of(const RunEnd& end, double dt) { return end.time.value_or(static_cast<double>(end.step) * dt); }
+
+}  // namespace
+
+PicturedRuns::PicturedRuns(const std::vector<RunDescription>& runs, const RunEnd& end, PictureRequest request,
+                           std::optional<PicturedEnsemble> ensemble, std::string program)
+    : request_(std::move(request)), end_(end), ensemble_(std::move(ensemble)) {
+    for (const RunDescription& run : runs) add(run, end.step);
+    const Simulation& leading = runs_.front().simulation;
+    runs_.front().simulation.end_at(end);
+    particle_ = request_.style.selected;
+    if (request_.panel && !particle_) particle_ = first_followed(*leading.shape());
+    if (request_.panel) samples_ = samples_of(leading, end.step);
+    if (request_.panel && runs.size() > 1) {
+        for (const Run& run : runs_) errors_.add(run.simulation);
+    }
+    std::uint64_t steps = 0;
+    for (const Run& run : runs_) steps += run.steps.end();
+    progress_.emplace(steps, isatty(STDERR_FILENO) != 0, std::move(program));
+}
+
+void PicturedRuns::add(const RunDescription& description, std::uint64_t end) {
+    Simulation simulation(description);
+    const bool leading = runs_.empty();
+    if (!leading) end = step_at(time_of(end_, runs_.front().simulation.dt()), simulation.dt());
+    runs_.push_back({std::move(simulation), PlausibleSteps(end, [this](std::uint64_t) {
+                         check_interruption();
+                         std::uint64_t done = 0;
+                         for (const Run& run : runs_) done += run.simulation.step();
+                         progress_->at(done);
+                     })});
+}
+
+bool PicturedRuns::go_to(std::uint64_t step) {
+    take_samples(step);
+    runs_.front().steps.advance(runs_.front().simulation, step);
+    const double time = runs_.front().simulation.time();
+    for (std::size_t i = 1; i < runs_.size(); ++i) {
+        Run& run = runs_[i];
+        run.steps.advance(run.simulation, std::min(run.steps.end(), step_at(time, run.simulation.dt())));
+    }
+    const std::vector<Place> places = this->places();
+    if (places == shown_) return false;
+    look();
+    shown_ = places;
+    return true;
+}
+
+/// Those that lie before this step, for the plots.
+void PicturedRuns::take_samples(std::uint64_t step) {
+    Run& leading = runs_.front();
+    for (; sampled_ < samples_ && step_of_sample(sampled_) < step && !is_over(); ++sampled_) {
+        leading.steps.advance(leading.simulation, step_of_sample(sampled_));
+        if (!is_over()) request_.past.push_back(without_particles(view_of(leading.simulation, particle_)));
+    }
+}
+
+/// The same for every picture of a film: at most so many are kept, and no step is taken twice.
+std::uint64_t PicturedRuns::step_of_sample(std::uint64_t sample) const { return end_.step * sample / samples_; }
+
+std::vector<PicturedRuns::Place> PicturedRuns::places() const {
+    std::vector<Place> places;
+    for (const Run& run : runs_) places.push_back({run.simulation.step(), run.simulation.divergence().has_value()});
+    return places;
+}
+
+/// Puts the runs as they stand now into the request.
+void PicturedRuns::look() {
+    const Simulation& leading = runs_.front().simulation;
+    observe(leading, particle_, request_.view);
+    if (ensemble_) ensemble_->put_into(request_.view);
+    request_.followers.resize(runs_.size() - 1);
+    std::vector<const Simulation*> all{&leading};
+    for (std::size_t i = 1; i < runs_.size(); ++i) {
+        observe(runs_[i].simulation, particle_, request_.followers[i - 1]);
+        all.push_back(&runs_[i].simulation);
+    }
+    std::erase_if(request_.past, [&](const RunView& view) { return view.frame.step >= leading.step(); });
+    if (request_.panel && all.size() > 1) request_.errors = errors_.of(all);
+}
+
+void PicturedRuns::check_ends() const {
+    if (runs_.size() == 1 && is_over()) throw Error(ExitCode::diverged, request_.view.divergence->message);
+    std::string messages;
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+        const auto& divergence = runs_[i].simulation.divergence();
+        if (divergence) messages += fmt::format("{}run {}: {}", messages.empty() ? "" : "; ", i, divergence->message);
+    }
+    if (!messages.empty()) throw Error(ExitCode::diverged, messages);
+}
+
+}  // namespace steplab

@@ -1,0 +1,110 @@
+#include "app/commands/record.hpp"
+
+#include "app/cli/catalogue_text.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/cli/ensemble_options.hpp"
+#include "app/cli/scene_options.hpp"
+#include "app/cli/shown_runs_options.hpp"
+#include "app/commands/film.hpp"
+#include "app/commands/film_options.hpp"
+#include "app/commands/film_times.hpp"
+#include "app/commands/pictured_ensemble.hpp"
+#include "app/commands/pictured_runs.hpp"
+#include "app/offscreen/modules.hpp"
+#include "core/interruption.hpp"
+#include "core/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+constexpr const char* record_examples =
+    "Examples:\n"
+    "  steplab record --model mesh --until 20 --out mesh.mp4\n"
+    "  steplab record --model rope --until 5 --run dt=0.01 --run method=euler,dt=0.05 --out rope.webm\n"
+    "  steplab record --scene figure-eight --speed 0.5 --out frames/%05d.png\n\n";
+
+class RecordCommand final : public Command {
+public:
+    std::string_view name() const override { return "record"; }
+    std::string_view what() const override { return "Draw a run over time as a film, without a display"; }
+
+    void declare(CLI::App& app) override {
+        scene_.declare(app);
+        time_.declare(app);
+        film_.declare(app);
+        runs_.declare(app);
+        ensemble_.declare(app);
+        footer(app, [] { return record_examples + catalogue_hint(); });
+    }
+
+    int run() override {
+        const std::vector<RunDescription> runs = runs_.runs(scene_.description());
+        const RunDescription& description = runs.front();
+        const RunEnd end = time_.end(description);
+        PictureRequest request = film_.request(description);
+        runs_.put_into(request.style);
+        const FilmFormat format = film_.format(request.size);
+        const FilmTimes times(description, end, time_.end_time(description), film_.spacing());
+        catch_interruptions();
+        std::optional<PicturedEnsemble> ensemble = pictured_ensemble(ensemble_, description);
+        Offscreen offscreen(film_.gl());
+        const std::unique_ptr<Film> film = make_film(format);
+        PicturedRuns pictured(runs, times.end(), std::move(request), std::move(ensemble), "steplab record");
+        const std::uint64_t frames = write(pictured, times, offscreen, *film);
+        if (const auto note = times.note()) fmt::print(stderr, "steplab record: note: {}\n", *note);
+        print_result(frames, format.fps, offscreen.kind());
+        pictured.check_ends();
+        return static_cast<int>(ExitCode::done);
+    }
+
+private:
+    /// Every frame, to the last or to that of the leading run's last good step. Returns their number.
+    static std::uint64_t write(PicturedRuns& pictured, const FilmTimes& times, Offscreen& offscreen, Film& film) {
+        Picture picture;
+        std::uint64_t frame = 0;
+        try {
+            for (; frame < times.count() && !pictured.is_over(); ++frame) {
+                const bool moved = pictured.go_to(times.step(frame));
+                if (moved) picture = offscreen.draw(pictured.request());
+                // That of a word such as `default` would be another one for each frame.
+                if (frame == 0) pictured.keep_camera(picture.camera);
+                film.add(picture, !moved);
+            }
+            film.finish();
+        } catch (const Interrupted&) {
+            pictured.end_progress();
+            fmt::print(stderr, "steplab record: interrupted; {}\n", film.remainder());
+            throw;
+        }
+        pictured.end_progress();
+        return frame;
+    }
+
+    void print_result(std::uint64_t frames, double fps, const std::string& gl) const {
+        print(fmt::format("{}: {} frame{}, {} s, {} pixels, drawn with {}\n", film_.out(), frames,
+                          frames == 1 ? "" : "s", short_number(static_cast<double>(frames) / fps), film_.size_text(),
+                          gl));
+    }
+
+    SceneOptions scene_{SceneOptions::Time::both};
+    TimeOptions time_{1000, TimeOptions::Default::scene};
+    FilmOptions film_;
+    ShownRunsOptions runs_;
+    EnsembleOptions ensemble_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> record_command() { return std::make_unique<RecordCommand>(); }
+
+}  // namespace steplab
