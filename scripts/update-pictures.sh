@@ -62,6 +62,13 @@ xdotool key b; expect 'bookmarks 1'
 enter dt 0.1; expect 'branches 1'
 click play; expect 'step 14[0-9]'; click play; expect 'playing false'
 window_picture time-line
+say "docs/images/speed-against-error.png: plots of three runs"
+open_window --model chain --run method=velocity-verlet,dt=0.2 --run method=rk4,dt=0.2 --run method=euler-forward,dt=0.002 \
+    --speed 4 --play
+expect 'step 1[0-9][0-9]'; click play; expect 'playing false'
+choose 'plot 2' 'speed against error'; expect 'costs complete'
+xdotool mousemove 640 200; sleep 1
+window_picture speed-against-error
 say "docs/images/playback.png: a trajectory that is played"
 "$root/build/release/bin/steplab" run --model mesh --set dim=20 --set v0=9 --dt 0.05 --steps 400 --every 2 \
     --out "$folder/mesh.trajectory" >/dev/null

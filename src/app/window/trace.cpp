@@ -68,6 +68,7 @@ void Trace::report(const SessionView& session) {
     for (const RunView& run : session.followers) runs += ", " + text(run);
     report("runs", runs);
     report("compared", session.errors ? std::to_string(session.errors->runs.size()) : "none");
+    report("costs", !session.costs ? "none" : session.costs->complete ? "complete" : "being measured");
     report("reached", std::to_string(session.line.reached));
     report("changes", std::to_string(session.line.changes.size()));
     report("branches", std::to_string(session.line.branches.size()));
