@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace steplab::test {
@@ -150,6 +151,47 @@ TEST(RunSamples, of_a_view_grow_at_their_end) {
     samples.cut(10);
     samples.put_into(series);
     EXPECT_EQ(series.samples.size(), samples.all().size());
+}
+
+TEST(RunSamples, of_a_view_are_those_of_now_whatever_happened_between) {
+    RunSamples samples(1);
+    SampleSeries series;
+    const auto put_up_to = [&samples](std::uint64_t last) {
+        const std::uint64_t first = samples.all().empty() ? 0 : samples.all().back().step + 1;
+        for (std::uint64_t step = first; step <= last; ++step)
+            samples.put(sample_of(step, static_cast<double>(step), {}));
+    };
+    const auto expect_all = [&] {
+        samples.put_into(series);
+        ASSERT_EQ(series.samples.size(), samples.all().size());
+        for (std::size_t i = 0; i < series.samples.size(); ++i) {
+            ASSERT_EQ(series.samples[i].step, samples.all()[i].step);
+            ASSERT_EQ(series.samples[i].particle.has_value(), samples.all()[i].particle.has_value());
+        }
+    };
+    put_up_to(3000);
+    expect_all();
+    put_up_to(RunSamples::most + 10);  // every second one was left out meanwhile: more than the view has are left
+    ASSERT_GT(samples.all().size(), 3000u);
+    expect_all();
+    samples.follow(0);
+    expect_all();
+    Sample known = samples.all()[5];
+    known.particle = Sample::Particle{};
+    samples.put(known);  // gone through again
+    expect_all();
+    EXPECT_TRUE(series.samples[5].particle);
+}
+
+// dt is twice the limit: it diverges, and is taken back to its last good step.
+TEST(RunSamples, end_where_a_run_that_diverges_does) {
+    Session session = sampled(run_of("chain", "rk4", Precision::double_, 3, {}));
+    session.advance(5000);
+    ASSERT_TRUE(session.line().is_over());
+    const auto samples = samples_of(session);
+    ASSERT_FALSE(samples.empty());
+    EXPECT_LE(samples.back().step, session.run().step());
+    for (const Sample& sample : samples) EXPECT_TRUE(std::isfinite(sample.energy_error));
 }
 
 TEST(RunSamples, runs_beside_the_leading_one_have_theirs) {

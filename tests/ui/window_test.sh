@@ -124,7 +124,7 @@ plots_are_chosen_and_saved() {
     click energies.save; expect 'widget energies.svg [0-9].*'; click energies.svg
     expect 'widget energies.svg gone'
     grep -q '<polyline' steplab-energies-1.svg || fail 'the drawing of a plot has no line'
-    click 'energy error.close'; expect 'widget plot 3 gone'
+    click 'energy error.close'; expect 'widget plot 3 gone' 'widget plot 2 [0-9].*'
     choose 'plot 2' 'speed against error'; expect 'costs complete'
     close_window
 }

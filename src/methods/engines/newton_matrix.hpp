@@ -205,6 +205,7 @@ inline double blocks_of_factor(std::size_t particles, std::span<const std::array
     };
     const auto n = static_cast<Eigen::Index>(particles);
     std::vector<Eigen::Triplet<float, int>> entries;
+    entries.reserve(particles + bonds.size());
     for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 1.0f);
     for (const auto& [i, j] : bonds)
         entries.emplace_back(static_cast<int>(std::max(i, j)), static_cast<int>(std::min(i, j)), 1.0f);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/run/pieces.hpp"
+#include "sim/run/short_walks.hpp"
 #include "sim/run/simulation.hpp"
 
 #include <cstdint>
@@ -16,8 +16,8 @@ public:
     /// `end`: the last step of the run, where its energy is judged whatever the grid of checks. What `between` throws
     /// ends advance().
     explicit ConfirmedSteps(
-        std::uint64_t end, Pieces::Between between = [](std::uint64_t) {})
-        : end_(end), pieces_(std::move(between)) {}
+        std::uint64_t end, ShortWalks::Between between = [](std::uint64_t) {})
+        : end_(end), walks_(std::move(between)) {}
 
     /// Up to `target` <= end, or to the last good step if the run diverges before.
     void advance(Simulation& simulation, std::uint64_t target);
@@ -26,7 +26,7 @@ private:
     void confirm(Simulation& simulation, std::uint64_t target);
 
     std::uint64_t end_;
-    Pieces pieces_;
+    ShortWalks walks_;
     std::uint64_t confirmed_ = 0;  ///< every step up to here is known to be good
 };
 

@@ -55,6 +55,7 @@ void use_costs(const Context& context, const plot::Layout& layout) {
 
 std::vector<ComboItem> kind_items() {
     std::vector<ComboItem> items;
+    items.reserve(plot_kinds.size());
     for (const PlotKindInfo& info : plot_kinds)
         items.push_back({.id = info.id, .name = info.name, .tooltip = std::string(info.what)});
     return items;

@@ -30,9 +30,9 @@ void draw_dashes(ImDrawList& list, std::span<const ImVec2> points, std::span<con
     if (!(period > 0)) return;
     // where a dash or gap begins along the line, counted through: no length is left over by rounding
     const auto begin_of = [&](std::size_t dash) {
-        const std::size_t part = dash % dashes.size();
+        const std::size_t part = dash % dashes.size(), whole = dash / dashes.size();
         const double before = std::accumulate(dashes.begin(), dashes.begin() + static_cast<std::ptrdiff_t>(part), 0.0);
-        return static_cast<double>(dash / dashes.size()) * period + before * static_cast<double>(thickness);
+        return static_cast<double>(whole) * period + before * static_cast<double>(thickness);
     };
     double behind = 0;  // of the line, before the piece
     std::size_t dash = 0;

@@ -90,6 +90,19 @@ TEST(CostScan, errors_fall_as_the_orders_of_methods_say) {
     }
 }
 
+TEST(CostScan, methods_of_own_steps_go_through_tolerances) {
+    CostScan scan(oscillator());
+    double expected = 1e-2;
+    std::size_t seen = 0;
+    for (const CostPoint& point : all_points(scan)) {
+        if (point.run.method != "dop853" || point.run.precision != Precision::double_) continue;
+        EXPECT_DOUBLE_EQ(point.run.method_parameters["tolerance"], expected);
+        expected /= 10;
+        ++seen;
+    }
+    EXPECT_GE(seen, 8u);
+}
+
 TEST(CostScan, tells_what_a_run_of_ones_own_costs) {
     CostScan scan(oscillator());
     RunDescription run = oscillator();

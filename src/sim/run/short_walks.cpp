@@ -1,11 +1,11 @@
-#include "sim/run/pieces.hpp"
+#include "sim/run/short_walks.hpp"
 
 #include <algorithm>
 #include <chrono>
 
 namespace steplab {
 
-void Pieces::walk(Simulation& simulation, std::uint64_t target) {
+void ShortWalks::walk(Simulation& simulation, std::uint64_t target) {
     using Clock = std::chrono::steady_clock;
     while (simulation.step() < target && !simulation.divergence()) {
         const std::uint64_t steps = std::min(steps_, target - simulation.step());

@@ -9,12 +9,12 @@
 namespace steplab {
 
 /// Takes a simulation forward in pieces of some hundredths of a second.
-class Pieces {
+class ShortWalks {
 public:
     /// Called with the step reached after each of them; what it throws ends walk().
     using Between = std::function<void(std::uint64_t)>;
 
-    explicit Pieces(Between between) : between_(std::move(between)) {}
+    explicit ShortWalks(Between between) : between_(std::move(between)) {}
 
     /// Up to this step, or until the run diverges.
     void walk(Simulation& simulation, std::uint64_t target);
