@@ -254,14 +254,15 @@ std::unique_ptr<Stepper> make_stepper_with(const StepperSetup& setup,
         setup.scene.forces);
 }
 
-/// The same where only layouts that sweep are known; the others are behind one face.
+/// The same where only layouts that sweep are known, and all pairs, of which a few take so little time that a virtual
+/// call for each register of particles counts; the others are behind one face.
 template <class Method, class T>
 std::unique_ptr<Stepper> make_sweeping_stepper(const StepperSetup& setup,
                                                typename Method::template Integrator<T> integrator) {
     return std::visit(
         [&](const auto& forces) -> std::unique_ptr<Stepper> {
             using Force = decltype(engine<T>(forces));
-            if constexpr (Force::capabilities.sweeps) {
+            if constexpr (Force::capabilities.sweeps || std::is_same_v<Force, Pairs<T>>) {
                 return std::make_unique<StepperOf<Method, T, Force>>(setup, engine<T>(forces), std::move(integrator));
             } else {
                 return make_erased_stepper<Method, T>(setup, std::move(integrator));
