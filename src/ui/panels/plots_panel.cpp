@@ -122,8 +122,10 @@ void draw_count(const Context& context, std::size_t number, const Area& area) {
     tooltip(context, "another plot");
 }
 
-/// The controls of a plot, and what its axis up means; in a picture that is saved the latter alone.
-void draw_header(const Context& context, const plot::Plot& plot, std::size_t number, const Area& area) {
+/// The controls of a plot, and what its axis up means, in the frame where there is no room beside them; in a picture
+/// that is saved the latter alone.
+void draw_header(const Context& context, const plot::Plot& plot, std::size_t number, const Area& area,
+                 const Area& frame) {
     const float y = area.y + context.px(0.5f * header + 3);
     if (context.is_saved()) {
         const WithFont font(context.theme.fonts().heading);
@@ -136,7 +138,11 @@ void draw_header(const Context& context, const plot::Plot& plot, std::size_t num
     const WithFont font(context.theme.fonts().small);
     const float from = area.x + context.px(8 + 172 + 6 + 56 + 10);
     const float room = area.right() - context.px(100) - from;
-    if (ImGui::CalcTextSize(plot.title.c_str()).x <= room) text_left(from, y, plot.title, colour::text_dim);
+    if (ImGui::CalcTextSize(plot.title.c_str()).x <= room) {
+        text_left(from, y, plot.title, colour::text_dim);
+    } else {
+        text_left(frame.x + context.px(6), frame.y + context.px(10), plot.title, colour::text_faint);
+    }
     draw_count(context, number, area);
 }
 
@@ -173,7 +179,7 @@ void draw_chosen(const Context& context, std::size_t number, const Area& area) {
     const plot::Layout layout = plot_layout(context.theme, plot, area);
     move_window(context, plot, layout);
     if (context.state.plots.shown[number].kind == PlotKind::costs) use_costs(context, layout);
-    draw_header(context, plot, number, area);
+    draw_header(context, plot, number, area, layout.frame);
 }
 
 }  // namespace
