@@ -1,5 +1,6 @@
 #include "plot/svg.hpp"
 
+#include "core/markup.hpp"
 #include "plot/layout.hpp"
 
 #include <fmt/format.h>
@@ -19,26 +20,6 @@ std::string_view colour_of(std::size_t colour) {
     if (colour == Curve::exact) return "#1b2430";
     if (colour == Curve::quiet) return "#9aa5b1";
     return runs[colour % runs.size()];
-}
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '&':
-                out += "&amp;";
-                break;
-            default:
-                out += c;
-        }
-    }
-    return out;
 }
 
 std::string text_at(float x, float y, std::string_view anchor, std::string_view colour, std::string_view text,

@@ -7,7 +7,7 @@
 namespace steplab {
 namespace {
 
-/// A sample takes about as long as ten steps of a cheap method; of a scene so large it is taken at every step still.
+/// A sample takes as long as some steps of a cheap method; of a scene so large it is taken at every step still.
 constexpr std::size_t particles_at_every_step = 5000;
 
 Sample sample_of(const Simulation& run, std::optional<std::size_t> particle) {

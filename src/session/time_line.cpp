@@ -48,24 +48,22 @@ void TimeLine::advance(std::uint64_t steps) {
     note_reached();
 }
 
+/// Samples are no part of what the steps cost.
 void TimeLine::take_steps(std::uint64_t steps) {
     using Clock = std::chrono::steady_clock;
-    const std::uint64_t before = run_.advanced().step;
-    const auto begin = Clock::now();
-    samples_ ? advance_by_samples(before + steps) : run_.advance(steps);
-    const double spent = std::chrono::duration<double>(Clock::now() - begin).count();
+    const std::uint64_t before = run_.advanced().step, target = before + steps;
+    double spent = 0;
+    while (run_.advanced().step < target && !run_.advanced().diverged) {
+        const std::uint64_t step = run_.advanced().step, left = target - step;
+        const auto begin = Clock::now();
+        run_.advance(samples_ ? std::min(left, samples_->to_next(step)) : left);
+        spent += std::chrono::duration<double>(Clock::now() - begin).count();
+        if (samples_) samples_->offer(run_);
+    }
     const double fading = std::exp(-spent / remembered_seconds),
                  taken = static_cast<double>(run_.advanced().step) - static_cast<double>(before);
     spent_ = spent_ * fading + spent;
     simulated_ = simulated_ * fading + taken * std::abs(run_.dt());
-}
-
-void TimeLine::advance_by_samples(std::uint64_t target) {
-    while (run_.advanced().step < target && !run_.advanced().diverged) {
-        const std::uint64_t step = run_.advanced().step;
-        run_.advance(std::min(target - step, samples_->to_next(step)));
-        samples_->offer(run_);
-    }
 }
 
 void TimeLine::sample(bool on, std::optional<std::size_t> particle) {

@@ -106,7 +106,6 @@ public:
 
 private:
     void take_steps(std::uint64_t steps);
-    void advance_by_samples(std::uint64_t target);
     void take_effect(SegmentBegin& change);
     void take_due_changes();
     void note_reached();

@@ -115,6 +115,8 @@ struct Context {
     WidgetMap& widgets;
     Purpose purpose = Purpose::use;
 
+    /// A run of the session, the leading one being number 0.
+    const RunView& run(std::size_t number) const { return number == 0 ? view : session.followers[number - 1]; }
     float px(float units) const { return theme.px(units); }
     /// The sizes at which the particles of the view are drawn.
     const render::DrawnSizes& sizes() const;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/markup.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +19,5 @@ std::string markdown(const Table& table);
 std::string html(const Table& table);
 /// The same for cells that are already HTML.
 std::string html_of_markup(const Table& table);
-
-/// Text escaped for HTML, also within an attribute.
-std::string escaped(std::string_view text);
 
 }  // namespace steplab

@@ -19,10 +19,6 @@ namespace {
 using plot::Curve;
 using plot::Plot;
 
-const RunDescription& run_of(const Context& context, std::size_t run) {
-    return run == 0 ? context.view.description : context.session.followers[run - 1].description;
-}
-
 /// What a series of points belongs to.
 using SeriesKey = std::tuple<std::string, Precision, bool>;
 SeriesKey key_of(const RunDescription& run) { return {run.method, run.precision, chooses_its_steps(run)}; }
@@ -30,7 +26,7 @@ SeriesKey key_of(const RunDescription& run) { return {run.method, run.precision,
 /// The colour of a series: that of the run of the session that it is of, if there is one.
 std::size_t colour_of(const Context& context, const SeriesKey& key) {
     for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        if (key_of(run_of(context, run)) == key) return run;
+        if (key_of(context.run(run).description) == key) return run;
     }
     return Curve::quiet;
 }
@@ -76,7 +72,7 @@ Curve front_of(const CostsView& costs) {
 void add_runs(Plot& plot, const Context& context, const CostsView& costs) {
     for (std::size_t run = 0; run < costs.runs.size() && run <= context.session.followers.size(); ++run) {
         if (!costs.runs[run]) continue;
-        plot.curves.push_back({.name = run_name(run_of(context, run), context.view.description),
+        plot.curves.push_back({.name = run_name(context.run(run).description, context.view.description),
                                .colour = run,
                                .large = true,
                                .ascending = false,

@@ -37,14 +37,13 @@ Curve over_time(std::string name, std::size_t colour, const SampleSeries& series
 
 std::string name_of(const Context& context, std::size_t run) {
     if (context.session.followers.empty()) return "run";
-    const RunView& view = run == 0 ? context.view : context.session.followers[run - 1];
-    return run_name(view.description, context.view.description);
+    return run_name(context.run(run).description, context.view.description);
 }
 
 /// The same of all runs, each in its colour and line.
 void add_runs(Plot& plot, const Context& context, const Value& value) {
     for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        const RunView& view = run == 0 ? context.view : context.session.followers[run - 1];
+        const RunView& view = context.run(run);
         if (view.series.samples.empty()) continue;  // in still pictures only the leading run has any
         plot.curves.push_back(over_time(name_of(context, run), run, view.series, value));
         plot.curves.back().line = plot::line_of_run(run);
@@ -118,8 +117,6 @@ void spread_plot(Plot& plot, const Context& context) {
 
 // of the selected particle
 
-double along(Vec3 vector, int axis) { return component(vector, axis); }
-
 bool knows_exact(const SampleSeries& series) {
     return std::any_of(series.samples.begin(), series.samples.end(),
                        [](const Sample& sample) { return sample.particle && sample.particle->exact_displacement; });
@@ -139,12 +136,12 @@ void displacement_plot(Plot& plot, const Context& context) {
     if (!begin_particle_plot(plot, context, "displacement")) return;
     const int axis = context.state.history.direction();
     add_runs(plot, context, [axis](const Sample& sample) {
-        return sample.particle ? along(sample.particle->displacement, axis) : unknown;
+        return sample.particle ? component(sample.particle->displacement, axis) : unknown;
     });
     if (!knows_exact(context.view.series)) return;
     plot.curves.push_back(over_time("exact", Curve::exact, context.view.series, [axis](const Sample& sample) {
         const auto& particle = sample.particle;
-        return particle && particle->exact_displacement ? along(*particle->exact_displacement, axis) : unknown;
+        return particle && particle->exact_displacement ? component(*particle->exact_displacement, axis) : unknown;
     }));
     plot.curves.back().line = plot::Line::dashed;
 }
@@ -154,7 +151,7 @@ void velocity_plot(Plot& plot, const Context& context) {
     if (!begin_particle_plot(plot, context, "velocity")) return;
     const int axis = context.state.history.direction();
     add_runs(plot, context, [axis](const Sample& sample) {
-        return sample.particle ? along(sample.particle->velocity, axis) : unknown;
+        return sample.particle ? component(sample.particle->velocity, axis) : unknown;
     });
 }
 
@@ -164,12 +161,12 @@ void phase_plot(Plot& plot, const Context& context) {
     if (!begin_particle_plot(plot, context, "velocity")) return;
     const int axis = context.state.history.direction();
     for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        const RunView& view = run == 0 ? context.view : context.session.followers[run - 1];
+        const RunView& view = context.run(run);
         Curve curve{.name = name_of(context, run), .colour = run, .line = plot::line_of_run(run), .ascending = false};
         for (const Sample& sample : view.series.samples) {
             if (!sample.particle) continue;
-            curve.x.push_back(along(sample.particle->displacement, axis));
-            curve.y.push_back(along(sample.particle->velocity, axis));
+            curve.x.push_back(component(sample.particle->displacement, axis));
+            curve.y.push_back(component(sample.particle->velocity, axis));
         }
         plot.curves.push_back(std::move(curve));
     }
