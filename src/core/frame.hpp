@@ -30,8 +30,10 @@ struct Frame {
     /// From the reference positions, with all digits that the run has; empty unless they are asked for.
     std::vector<Vec3> displacements = {};
     std::vector<Vec3> forces = {};  ///< [N] on each particle; empty unless they are asked for
-    Lattice reference = {};         ///< position = reference + displacement, rounded to the run's precision
-    double mass = 0;                ///< of each particle; 0: not known, or they differ
+    /// Shape of the scene's fastest oscillation: displacements of which the longest is 1; empty unless it is asked for.
+    std::vector<Vec3> oscillation = {};
+    Lattice reference = {};  ///< position = reference + displacement, rounded to the run's precision
+    double mass = 0;         ///< of each particle; 0: not known, or they differ
 
     /// The position at which a particle is drawn (Shape::seen).
     Vec3 seen(std::size_t particle) const { return shape->seen(positions[particle]); }

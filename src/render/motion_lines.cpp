@@ -71,6 +71,8 @@ std::vector<Rod> motion_arrows(const Shot& shot) {
     const Palette& colours = palette(shot.style.background);
     if (shot.style.velocities) add_arrows(lines, shot, shot.frame.velocities, vertex_colour(colours.text, 230));
     if (shot.style.forces) add_arrows(lines, shot, shot.frame.forces, vertex_colour(colours.force, 230));
+    if (shot.style.oscillation && shot.frame.oscillation.size() == shot.frame.positions.size())
+        add_arrows(lines, shot, shot.frame.oscillation, vertex_colour(colours.selection, 255));
     return lines;
 }
 

@@ -36,6 +36,7 @@ struct Style {
     bool legend = true;                        ///< for the colour scale, if there is one
     bool velocities = false;                   ///< as arrows
     bool forces = false;                       ///< as arrows, if the frame has them
+    bool oscillation = false;                  ///< the fastest one, as arrows, if the frame has it
     std::optional<std::size_t> selected = {};  ///< particle to mark
     ParticleList selected_too = {};            ///< others to mark
     /// Where it and particles selected before have been, the newest place of each last; null: not drawn.

@@ -20,7 +20,6 @@ Tracked tracked_now(const Simulation& simulation, const Frame& frame, std::size_
 
 void observe(const Simulation& simulation, std::optional<std::size_t> particle, RunView& view) {
     view.divergence = simulation.divergence();
-    view.remedies = view.divergence && !view.divergence->stop ? simulation.remedies() : Remedies{};
     view.description = simulation.description();
     view.diagnostics = simulation.observe(view.frame);
     view.tracked.reset();

@@ -45,7 +45,6 @@ struct RunView {
     std::optional<Tracked> tracked;
     SampleSeries series;  ///< of the whole way of the run, if samples are wanted
     std::optional<Divergence> divergence;
-    Remedies remedies;  ///< where it diverged
     std::optional<StabilityLimit> limit;
     std::optional<Resolution> resolution;  ///< of the fastest oscillation
     Conservation conservation;

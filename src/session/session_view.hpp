@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lab/limits/blow_up.hpp"
+#include "lab/limits/present_limit.hpp"
 #include "lab/study/cost_scan.hpp"
 #include "session/compared.hpp"
 #include "session/run_view.hpp"
@@ -78,7 +80,10 @@ struct SessionView {
     bool equal_cost = false;
     std::optional<SessionErrors> errors = {};     ///< if they are wanted; of this moment, or of one before it
     std::shared_ptr<const CostsView> costs = {};  ///< if they are wanted and known
-    std::optional<PlaybackView> playback = {};    ///< if a trajectory is played
+    /// How the steps of the leading run stand to its scene at this moment, or one before; null: not known.
+    std::shared_ptr<const PresentLimit> present = {};
+    std::shared_ptr<const BlowUp> blow_up = {};  ///< why it diverged, as far as that is known
+    std::optional<PlaybackView> playback = {};   ///< if a trajectory is played
 };
 
 }  // namespace steplab

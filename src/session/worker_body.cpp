@@ -12,8 +12,6 @@ namespace {
 
 /// Computing time between two polls of the events: short enough for a change to take effect at once.
 constexpr Pace::Duration slice{0.008};
-/// A view waits so long for its errors; where they take longer it has those of a moment before.
-constexpr Pace::Duration patience{0.004};
 /// A view that was not taken is replaced by a newer one after this time.
 constexpr Pace::Duration stale{0.05};
 
@@ -208,73 +206,11 @@ void Worker::Body::keep_moment() {
     moments.took(begin, Clock::now());
 }
 
-/// How far the runs are from the motion of their scene, where that is wanted: of this moment if it is known at once.
-void Worker::Body::compare() {
-    view.errors.reset();
-    if (!session->wants_errors()) return errors.forget();
-    if (errors_alone) {  // a question asked again would be answered again, for ever
-        view.errors = errors.newest(Pace::Duration(0));
-        return;
-    }
-    const auto shown = [](const TimeLine& line) {
-        return LiveErrors::Shown{
-            moment_of(line.run(), line.start_momentum()), {line.past().begin(), line.past().end()}, line.is_over()};
-    };
-    std::vector<LiveErrors::Shown> runs{shown(session->line())};
-    for (const FollowerRun& follower : session->followers()) runs.push_back(shown(follower.line()));
-    errors.ask(session->run().time(), std::move(runs));
-    view.errors = errors.newest(patience);
-}
-
-/// Called from the thread that compares: if nothing moves, a view is due for them.
-void Worker::Body::errors_came() {
-    {
-        const std::lock_guard lock(mutex);
-        compared = true;
-    }
-    changed.notify_one();
-}
-
-/// What accuracy costs on the scene, with its parameters of now, where that is wanted.
-void Worker::Body::scan_costs() {
-    if (!session->wants_costs()) {
-        view.costs.reset();
-        return costs.forget();
-    }
-    std::vector<RunDescription> runs{session->run().description()};
-    for (const FollowerRun& follower : session->followers()) runs.push_back(follower.run().description());
-    costs.ask(std::move(runs));
-    view.costs = costs.newest();
-}
-
 /// True if a view would cost the run no more than its part, or the run has time to spare.
 bool Worker::Body::affordable() const {
     const auto now = Clock::now();
     const bool spare = !session->goal() && pace.next_due(now, session->rate(), session->run().dt()) > now;
     return !under_way() || views.due(now) || spare;
-}
-
-/// Makes `view` one of the present moment.
-void Worker::Body::see() {
-    RunView& leading = view.leading;
-    if (playback) {
-        playback->observe(view);
-    } else {
-        view.playback.reset();
-        session->observe(view);
-        compare();
-        scan_costs();
-        if (leading.divergence && !session->plays_backwards()) session->stop();
-        leading.cost = session->line().cost();
-        for (std::size_t i = 0; i < view.followers.size(); ++i)
-            view.followers[i].cost = session->followers()[i].line().cost();
-    }
-    leading.run += runs_before;
-    newest_run = leading.run;
-    leading.error = error;
-    leading.failures = failures;
-    leading.steps_per_second = pace.steps_per_second();
-    leading.evaluations_per_second = pace.evaluations_per_second();
 }
 
 /// Hands over a view of the present moment, unless the last one is still waiting and has not grown stale. A moment

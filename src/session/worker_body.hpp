@@ -2,6 +2,7 @@
 
 #include "session/live_costs.hpp"
 #include "session/live_errors.hpp"
+#include "session/live_verdict.hpp"
 #include "session/pace.hpp"
 #include "session/playback.hpp"
 #include "session/replay.hpp"
@@ -77,6 +78,7 @@ struct Worker::Body {
     Share views{part_for_views, longest_without_view}, moments{part_for_history};
     LiveErrors errors{[this] { errors_came(); }};
     LiveCosts costs{[this] { errors_came(); }};
+    LiveVerdict verdict{[this] { errors_came(); }};
     std::thread thread;
 
     Body(const Beginning& beginning, std::size_t up_to) : hashed(up_to) {
@@ -128,6 +130,7 @@ struct Worker::Body {
     void compare();
     void errors_came();
     void scan_costs();
+    void judge_steps();
     bool affordable() const;
     void see();
     void publish(bool at_once, bool judged);

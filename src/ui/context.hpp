@@ -82,7 +82,8 @@ struct InterfaceState {
     std::optional<bool> panel;                  ///< chosen by the user; none: shown where the window has room
     std::optional<std::size_t> first_selected;  ///< the particle to select first; none: the usual one
     render::Following following = render::Following::nothing;
-    bool trail = false;  ///< of the selected particle, and of those selected meanwhile, is drawn
+    bool oscillation = false;  ///< the fastest one of the scene as it is now is drawn
+    bool trail = false;        ///< of the selected particle, and of those selected meanwhile, is drawn
     bool help_open = false;
     ScenesPage scenes;
     std::optional<std::size_t> pointed;  ///< the particle under the pointer, which a click selects

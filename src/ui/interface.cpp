@@ -93,6 +93,12 @@ void set_style(render::Style& style, const RunView& view, const Selection& selec
     style.pixel_scale = static_cast<double>(display.scale);
 }
 
+/// By choice, or where a card explains a blow-up.
+bool shows_oscillation(const SessionView& view, const InterfaceState& state) {
+    const bool explained = view.blow_up && view.leading.divergence;
+    return state.oscillation || (explained && state.dismissed_divergence != view.leading.divergence->step);
+}
+
 }  // namespace
 
 struct Interface::Body {
@@ -242,6 +248,8 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
         use_pointer(context);
     }
     set_style(stage.style, view.leading, body.state.selection, body.display);
+    stage.style.oscillation =
+        shows_oscillation(view, body.state) || (purpose == Purpose::still && stage.style.oscillation);
     stage.style.trails = body.state.trail ? body.trails.places() : nullptr;
     draw_panels(context);
     ImGui::Render();

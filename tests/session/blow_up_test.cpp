@@ -69,6 +69,38 @@ TEST_P(BlowUp, is_never_shown_while_playing) {
     EXPECT_EQ(view.divergence->message, left_alone().divergence()->message);
 }
 
+// On a thread of its own, after the card; what restarts the run takes it away.
+TEST_P(BlowUp, is_explained_and_remedies_are_tried) {
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
+    ASSERT_TRUE(see([&](const RunView&) { return session.blow_up && session.blow_up->complete; }));
+    const Simulation alone = left_alone();
+    ASSERT_TRUE(view.divergence);
+    EXPECT_EQ(session.blow_up->divergence.step, alone.step());
+    BlowUpStudy study(std::vector<SegmentBegin>{{0, GetParam()}}, *alone.divergence());
+    while (study.next()) {
+    }
+    EXPECT_EQ(session.blow_up->why, study.found().why);
+    EXPECT_EQ(view.frame.oscillation, study.found().limit.oscillation.shape);
+    worker.send(event::Restart{});
+    ASSERT_TRUE(see([](const RunView& v) { return !v.divergence; }));
+    EXPECT_FALSE(session.blow_up);
+}
+
+// Back from the end, it is known again.
+TEST_P(BlowUp, can_be_gone_through_again) {
+    worker.send(event::SetRate{{true, 1}});
+    worker.send(event::Play{true});
+    ASSERT_TRUE(see([&](const RunView&) { return session.blow_up && session.blow_up->complete; }));
+    const std::string why = session.blow_up->why;
+    const std::uint64_t end = view.frame.step, begin = session.blow_up->step;
+    worker.send(event::Seek{begin});
+    ASSERT_TRUE(see([=](const RunView& v) { return !v.divergence && v.frame.step == begin; }));
+    worker.send(event::Seek{end + 1});
+    ASSERT_TRUE(see([&](const RunView& v) { return v.divergence && session.blow_up; }));
+    EXPECT_EQ(session.blow_up->why, why);
+}
+
 std::string run_name(const testing::TestParamInfo<RunDescription>& run) {
     const RunDescription& of = run.param;
     std::string name = of.model + "_" + of.method + "_" + std::string(id(of.precision));

@@ -34,6 +34,7 @@ private:
     struct Take {
         Recorder& to;
 
+        void operator()(const event::Seek&) const { to.calls.emplace_back("seek"); }
         void operator()(const event::Play& play) const { to.calls.emplace_back(play.on ? "play" : "pause"); }
         void operator()(const event::Step& step) const {
             to.calls.emplace_back(step.steps > 0 ? "step forward" : "step back");

@@ -108,6 +108,25 @@ void PicturedRuns::look() {
     }
     std::erase_if(request_.past, [&](const RunView& view) { return view.frame.step >= leading.step(); });
     if (request_.panel && all.size() > 1) request_.errors = errors_.of(all);
+    if (request_.panel) judge_steps();
+}
+
+/// How the steps of the leading run stand to its scene as it is now, and why it diverged.
+void PicturedRuns::judge_steps() {
+    const Simulation& leading = runs_.front().simulation;
+    if (leading.particles() <= PresentLimits::most_particles) {
+        request_.present = std::make_shared<const PresentLimit>(
+            limits_.at(leading.description(), leading.state(), leading.step(), leading.time()));
+        request_.view.frame.oscillation = request_.present->oscillation.shape;
+    }
+    if (!is_over()) return;
+    const std::vector<SegmentBegin> changes{{0, leading.description()}};
+    BlowUpStudy study(changes, *leading.divergence());
+    while (study.next()) {
+    }
+    request_.blow_up = std::make_shared<const BlowUp>(study.found());
+    request_.view.frame.oscillation = request_.blow_up->limit.oscillation.shape;
+    request_.style.oscillation = true;
 }
 
 void PicturedRuns::check_ends() const {

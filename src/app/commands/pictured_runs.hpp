@@ -58,12 +58,14 @@ private:
     std::uint64_t step_of_sample(std::uint64_t sample) const;
     std::vector<Place> places() const;
     void look();
+    void judge_steps();
 
     PictureRequest request_;
     RunEnd end_;
     std::optional<PicturedEnsemble> ensemble_;
     std::vector<Run> runs_;
     PicturedErrors errors_;
+    PresentLimits limits_;
     std::optional<std::size_t> particle_;  ///< the one that the panel follows
     std::uint64_t samples_ = 0, sampled_ = 0;
     std::optional<Progress> progress_;

@@ -6,6 +6,7 @@
 #include "session/session_view.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,10 +19,12 @@ struct PictureRequest {
     render::Style style;
     std::string camera = "default";  ///< see render::camera_of()
     render::PictureSize size;
-    bool panel = false;                        ///< with the panels of the window
-    std::vector<RunView> past = {};            ///< earlier views, for the plots
-    std::vector<RunView> followers = {};       ///< the runs beside it, at the same time
-    std::optional<SessionErrors> errors = {};  ///< of all of them, for the panel
+    bool panel = false;                                ///< with the panels of the window
+    std::vector<RunView> past = {};                    ///< earlier views, for the plots
+    std::vector<RunView> followers = {};               ///< the runs beside it, at the same time
+    std::optional<SessionErrors> errors = {};          ///< of all of them, for the panel
+    std::shared_ptr<const PresentLimit> present = {};  ///< of the leading run, for the panel
+    std::shared_ptr<const BlowUp> blow_up = {};        ///< if that diverged
 };
 
 /// A picture: rows from the top, 4 bytes per pixel (red, green, blue, alpha).

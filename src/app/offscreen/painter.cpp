@@ -33,7 +33,12 @@ public:
     /// Of an interface that is as newly made.
     Panels(const PictureRequest& request, ui::Interface& interface, const render::ImguiRenderer& renderer)
         : interface_(interface),
-          view_{.leading = request.view, .followers = request.followers, .line = {}, .errors = request.errors},
+          view_{.leading = request.view,
+                .followers = request.followers,
+                .line = {},
+                .errors = request.errors,
+                .present = request.present,
+                .blow_up = request.blow_up},
           style_(request.style),
           renderer_(renderer) {
         for (const RunView& moment : request.past) record(moment);

@@ -289,26 +289,6 @@ int Viewer::enlarged(Clock::time_point now, const ui::PixelRect& scene) {
     return enlarged;
 }
 
-void Viewer::carry_out(const ui::Request& request) {
-    switch (request.kind) {
-        case ui::Request::Kind::save_snapshot:
-            return save_snapshot(request);
-        case ui::Request::Kind::copy_text:
-            window_.copy(request.text);
-            return trace_.report("copied", request.text);
-        case ui::Request::Kind::open_scene:
-            return files_.open(request.text);
-        case ui::Request::Kind::save_scene:
-            return save_scene();
-        case ui::Request::Kind::save_session:
-            return files_.save_session(worker_->recording());
-        case ui::Request::Kind::full_screen:
-            return window_.toggle_full_screen();
-        case ui::Request::Kind::quit:
-            quit_ = true;
-    }
-}
-
 /// Draws the frame again off-screen: the buffer of the window lacks the parts that other windows cover.
 void Viewer::save_snapshot(const ui::Request& request) {
     if (painted_.enlarged > 1) {  // of the picture in full, which is drawn now

@@ -66,6 +66,7 @@ private:
     int enlarged(Clock::time_point now, const ui::PixelRect& scene);
     void carry_out(const ui::Request& request);
     void save_snapshot(const ui::Request& request);
+    void show_page(const std::string& name);
     void save_scene();
     void save_session();
     void begin(Beginning beginning);

@@ -152,7 +152,7 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
     // float has 7 digits for the distance of a pair: vibrations must be larger
     const double size = (held.precision == Precision::float_ ? 1e-3 : 1e-6) * spacing_;
     const ModeRun run(method, held.method_parameters, held.precision, scene_,
-                      linearised_.field(modes_.vectors.col(first.mode)), first.omega, size, departure());
+                      linearised_.displacements(modes_.vectors.col(first.mode)), first.omega, size, departure());
     const Above above = just_above(method, held.method_parameters, first.omega, scene_.drag, first.limit);
     const std::uint64_t steps =
         steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count);

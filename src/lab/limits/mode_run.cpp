@@ -122,7 +122,9 @@ ModeRun::ModeRun(const Method& method, const ParameterValues& parameters, Precis
     double largest = 0;
     for (const double number : shape.flat()) largest = std::max(largest, std::abs(number));
     for (double& number : shape_.flat()) number *= size / largest;
-    norm_ = dot(shape_, shape_);
+    weighted_ = shape_;
+    for (std::size_t i = 0; i < scene.masses.size(); ++i) weighted_.set(i, scene.masses[i] * shape_.at(i));
+    norm_ = dot(weighted_, shape_);
 }
 
 std::uint64_t ModeRun::block(double dt) const {
@@ -151,7 +153,7 @@ void ModeRun::take(Course& course) const {
         stepper->advance(1);
         stepper->synchronised(state);
         for (std::size_t k = 0; k < shape_.flat().size(); ++k) state.displacement.flat()[k] -= start_.flat()[k];
-        course.measure({dot(shape_, state.displacement) / norm_, dot(shape_, state.velocity) / norm_});
+        course.measure({dot(weighted_, state.displacement) / norm_, dot(weighted_, state.velocity) / norm_});
     }
     course.end_block();
 }
@@ -168,7 +170,7 @@ void ModeRun::take(std::span<Course> courses, EnsembleStepper& group) const {
     std::array<Along, most_lanes> along;
     for (std::uint64_t steps = block(courses.front().dt()); steps > 0; --steps) {
         group.advance(1);
-        group.along(shape_, start_, along);
+        group.along(weighted_, start_, along);
         for (const std::size_t run : open)
             courses[run].measure({along[run].displacement / norm_, along[run].velocity / norm_});
     }

@@ -56,6 +56,8 @@ private:
     const Plan& scene_;
     Field<double> start_;  ///< initial displacements of the scene
     Field<double> shape_;  ///< its largest displacement is `size`
+    /// The shape times the masses: other modes are at right angles to it.
+    Field<double> weighted_;
     double norm_ = 0;
     double omega_, rate_, departure_;
 };

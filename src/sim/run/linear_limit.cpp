@@ -69,6 +69,14 @@ double linear_limit(const Method& method, const ParameterValues& parameters, dou
     return first_growth(method, parameters, omega, gamma);
 }
 
+double linear_limit(const RunDescription& run, double omega) {
+    const double gamma = facts_of(run).drag;
+    const auto limit = [&](double frequency) {
+        return linear_limit(method(run.method), run.method_parameters, frequency, gamma);
+    };
+    return std::min(limit(omega), limit(0));
+}
+
 std::array<std::complex<double>, 2> step_eigenvalues(const Method& method, const ParameterValues& parameters,
                                                      double omega, double gamma, double dt) {
     const FlushSubnormals flush;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/catalogue.hpp"
+#include "sim/run/run_description.hpp"
 
 #include <array>
 #include <complex>
@@ -12,6 +13,10 @@ namespace steplab {
 /// is the entry's linear_limit over omega. The curiosities, which are unstable in other ways, are not asked: they get
 /// the limit without drag, as do the adaptive ones, whose steps follow the motion.
 double linear_limit(const Method& method, const ParameterValues& parameters, double omega, double gamma);
+
+/// That of a run whose scene's fastest oscillation has this frequency [rad/s], with the scene's drag: of this
+/// oscillation and of motion that nothing drives back. 0: unstable at any dt.
+double linear_limit(const RunDescription& run, double omega);
 
 /// The eigenvalues of that matrix for a step of dt.
 std::array<std::complex<double>, 2> step_eigenvalues(const Method& method, const ParameterValues& parameters,

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace steplab {
 
@@ -27,18 +28,23 @@ Eigen::VectorXd arbitrary_vector(Eigen::Index size) {
     return v.normalized();
 }
 
+/// Of the matrix with these elements on its diagonal and, but for the last, beside it.
+Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> tridiagonal(const std::vector<double>& alpha,
+                                                           const std::vector<double>& beta) {
+    const auto steps = static_cast<Eigen::Index>(alpha.size());
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(alpha.data(), steps),
+                                  Eigen::Map<const Eigen::VectorXd>(beta.data(), steps - 1));
+    return solver;
+}
+
 /// The tridiagonal matrix of the Lanczos method, and its basis vectors.
 struct Krylov {
     std::vector<double> alpha, beta;  ///< diagonal and off-diagonal elements; the last beta leads out of the space
     Eigen::MatrixXd basis;
     Eigen::Index steps = 0;
 
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solve() const {
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-        solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(alpha.data(), steps),
-                                      Eigen::Map<const Eigen::VectorXd>(beta.data(), steps - 1));
-        return solver;
-    }
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solve() const { return tridiagonal(alpha, beta); }
 
     /// Adds a vector; false if the space is closed under the matrix.
     bool step(const LinearMap& matrix) {
@@ -59,7 +65,66 @@ struct Krylov {
     double largest = 0;  ///< norm of the matrix times a unit vector
 };
 
+/// The recurrence of three vectors: the same each time it begins with a vector.
+class ThreeTerms {
+public:
+    ThreeTerms(const LinearMap& matrix, const Eigen::VectorXd& start) : matrix_(matrix), now_(start) {}
+
+    const Eigen::VectorXd& vector() const { return now_; }
+    /// On to the next vector; false if there is none.
+    bool step() {
+        Eigen::VectorXd next = matrix_(now_);
+        largest_ = std::max(largest_, next.norm());
+        alpha.push_back(now_.dot(next));
+        next -= alpha.back() * now_;
+        if (alpha.size() > 1) next -= beta.back() * before_;
+        beta.push_back(next.norm());
+        if (!(beta.back() > 1e-12 * largest_)) return false;
+        before_ = std::exchange(now_, next / beta.back());
+        return true;
+    }
+
+    std::vector<double> alpha, beta;  ///< as in Krylov
+
+private:
+    const LinearMap& matrix_;
+    Eigen::VectorXd before_, now_;
+    double largest_ = 0;
+};
+
 }  // namespace
+
+Eigenpair largest_eigenpair(const LinearMap& matrix, const Eigen::VectorXd& along, double accuracy) {
+    constexpr double part_of_others = 0.01;  // `along` may have nothing of the vector
+    const Eigen::Index size = along.size();
+    if (size == 0) return {};
+    Eigen::VectorXd start = arbitrary_vector(size);
+    if (const double length = along.norm(); length > 0 && std::isfinite(length))
+        start = (along / length + part_of_others * start).normalized();
+    ThreeTerms terms(matrix, start);
+    Eigenpair found;
+    Eigen::VectorXd weights;
+    const Eigen::Index most = std::min(2 * size, complete_up_to);  // rounding may repeat some
+    for (Eigen::Index steps = 1; steps <= most; ++steps) {
+        check_interruption();
+        const bool last = !terms.step() || steps == most;
+        if (!last && steps % 5 != 0) continue;
+        const auto solver = tridiagonal(terms.alpha, terms.beta);
+        found.value = solver.eigenvalues()[steps - 1];
+        weights = solver.eigenvectors().col(steps - 1);
+        found.residual = terms.beta.back() * std::abs(weights[steps - 1]);
+        if (last || found.residual <= accuracy * std::abs(found.value)) break;
+    }
+    ThreeTerms again(matrix, start);
+    found.vector = Eigen::VectorXd::Zero(size);
+    for (Eigen::Index k = 0; k < weights.size(); ++k) {
+        check_interruption();
+        found.vector += weights[k] * again.vector();
+        if (k + 1 < weights.size()) again.step();
+    }
+    found.vector.normalize();
+    return found;
+}
 
 Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size) {
     if (size == 0) return {.values = {}, .vectors = {}, .complete = true};
@@ -85,7 +150,10 @@ Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size) {
 }
 
 LinearisedScene::LinearisedScene(const Plan& scene, const Shape& shape)
-    : start_(scene.start.state().displacement),
+    : LinearisedScene(scene, shape, scene.start.state().displacement) {}
+
+LinearisedScene::LinearisedScene(const Plan& scene, const Shape& shape, Field<double> displacement)
+    : place_(std::move(displacement)),
       accelerations_(std::visit(
           [](const auto& forces) -> decltype(accelerations_) {
               return [force = engine<Number>(forces)](const Field<Number>& x, Field<Number>& a) mutable {
@@ -93,8 +161,8 @@ LinearisedScene::LinearisedScene(const Plan& scene, const Shape& shape)
               };
           },
           scene.forces)) {
-    const std::size_t stride = start_.flat().size() / 3;
-    for (std::size_t i = 0; i < start_.count(); ++i) {
+    const std::size_t stride = place_.flat().size() / 3;
+    for (std::size_t i = 0; i < place_.count(); ++i) {
         if (shape.roles[i] == Role::fixed) continue;
         for (std::size_t component = 0; component < 3; ++component) {
             moving_.push_back(component * stride + i);
@@ -104,7 +172,7 @@ LinearisedScene::LinearisedScene(const Plan& scene, const Shape& shape)
 }
 
 Eigen::VectorXd LinearisedScene::stiffness(const Eigen::VectorXd& u) const {
-    Field<Number> x = converted<Number>(start_), a(start_.count());
+    Field<Number> x = converted<Number>(place_), a(place_.count());
     const auto at = [](Eigen::Index k) { return static_cast<std::size_t>(k); };
     for (Eigen::Index k = 0; k < u.size(); ++k) x.flat()[moving_[at(k)]].derivative = u[k] / roots_[at(k)];
     accelerations_(x, a);
@@ -114,9 +182,21 @@ Eigen::VectorXd LinearisedScene::stiffness(const Eigen::VectorXd& u) const {
 }
 
 Field<double> LinearisedScene::field(const Eigen::VectorXd& u) const {
-    Field<double> field(start_.count());
+    Field<double> field(place_.count());
     for (Eigen::Index k = 0; k < u.size(); ++k) field.flat()[moving_[static_cast<std::size_t>(k)]] = u[k];
     return field;
+}
+
+Field<double> LinearisedScene::displacements(const Eigen::VectorXd& u) const {
+    Eigen::VectorXd unweighted(u.size());
+    for (Eigen::Index k = 0; k < u.size(); ++k) unweighted[k] = u[k] / roots_[static_cast<std::size_t>(k)];
+    return field(unweighted);
+}
+
+Eigen::VectorXd LinearisedScene::weighted(const Field<double>& displacements) const {
+    Eigen::VectorXd u = vector(displacements);
+    for (Eigen::Index k = 0; k < u.size(); ++k) u[k] *= roots_[static_cast<std::size_t>(k)];
+    return u;
 }
 
 Eigen::VectorXd LinearisedScene::vector(const Field<double>& displacements) const {

@@ -3,21 +3,21 @@
 #include "models/plan.hpp"
 #include "sim/run/run_description.hpp"
 
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace steplab {
 
-/// What to change about a run that diverged. Both are clearly below the stability limit of the scene and keep its
-/// motion (Resolution), judged at its largest frequency and at that of the motion it starts with.
-struct Remedies {
-    std::optional<double> dt;           ///< a smaller dt for the same method
-    std::optional<std::string> method;  ///< the id of the cheapest other explicit method, for the same dt
+/// What may help a run that diverged, as linear theory has it: each is clearly below the stability limit and keeps the
+/// motion (Resolution), judged at a largest frequency and at that of the motion that the scene starts with.
+struct RemedyCandidates {
+    std::vector<double> dts;           ///< smaller ones for the same method, the largest first
+    std::vector<std::string> methods;  ///< ids of other explicit methods for the same dt, the cheapest first
 };
 
-/// Of a run on this scene, the present one of `run`. Where no limit is known, a quarter of dt alone; nothing for a
-/// method that chooses its own steps. Takes up to some hundred milliseconds with drag, and memory for some states of
-/// the scene.
-Remedies remedies(const RunDescription& run, const Plan& scene);
+/// Of a run on this scene, whose fastest oscillation is to be `omega` [rad/s]; 0 = not known: then parts of dt alone.
+/// Nothing for a method that chooses its own steps. Takes up to some hundred milliseconds with drag, and memory for
+/// some states of the scene.
+RemedyCandidates remedy_candidates(const RunDescription& run, const Plan& scene, double omega);
 
 }  // namespace steplab

@@ -232,14 +232,9 @@ std::string command_line(const RunDescription& description) {
 }
 
 std::optional<StabilityLimit> stability_limit(const RunDescription& description) {
-    const Model& scene = model_of(description);
-    const auto omega = scene.omega_max(description.scene);
+    const auto omega = model_of(description).omega_max(description.scene);
     if (!omega) return std::nullopt;
-    const double gamma = facts_of(description).drag;
-    const auto limit = [&](double frequency) {
-        return linear_limit(method(description.method), description.method_parameters, frequency, gamma);
-    };
-    return StabilityLimit{std::min(limit(*omega), limit(0)), *omega};
+    return StabilityLimit{linear_limit(description, *omega), *omega};
 }
 
 double fastest_frequency(const RunDescription& description) {

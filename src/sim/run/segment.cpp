@@ -82,9 +82,4 @@ ParticleForces& Segment::forces() const {
     return *forces_;
 }
 
-const Remedies& Segment::remedies() const {
-    if (!remedies_) remedies_ = steplab::remedies(description, scene);
-    return *remedies_;
-}
-
 }  // namespace steplab

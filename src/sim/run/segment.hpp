@@ -4,7 +4,6 @@
 #include "sim/run/energy.hpp"
 #include "sim/run/execution.hpp"
 #include "sim/run/particle_forces.hpp"
-#include "sim/run/remedy.hpp"
 #include "sim/run/resolution.hpp"
 #include "sim/run/run_description.hpp"
 
@@ -45,14 +44,12 @@ struct Segment {
     const std::optional<StabilityLimit>& limit() const;
     /// Of the fastest oscillation, if its frequency is known.
     const std::optional<Resolution>& resolution() const;
-    const Remedies& remedies() const;
     ParticleForces& forces() const;
 
 private:
     mutable std::optional<ParticleForces> forces_;
     mutable std::optional<std::optional<StabilityLimit>> limit_;
     mutable std::optional<std::optional<Resolution>> resolution_;
-    mutable std::optional<Remedies> remedies_;
 };
 
 }  // namespace steplab

@@ -44,7 +44,6 @@ std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
 bool Simulation::has_exact() const { return body_->exact() != nullptr; }
 const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
 const std::optional<Resolution>& Simulation::resolution() const { return body_->segment.resolution(); }
-const Remedies& Simulation::remedies() const { return body_->segment.remedies(); }
 Conservation Simulation::conservation() const { return steplab::conservation(body_->segment.scene); }
 const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
 

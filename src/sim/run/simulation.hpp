@@ -5,7 +5,6 @@
 #include "models/conservation.hpp"
 #include "sim/run/act.hpp"
 #include "sim/run/execution.hpp"
-#include "sim/run/remedy.hpp"
 #include "sim/run/resolution.hpp"
 #include "sim/run/run_description.hpp"
 #include "sim/steppers/stepper.hpp"
@@ -88,8 +87,6 @@ public:
     /// stability_limit() of the present description, and how its steps treat the fastest oscillation: computed once.
     const std::optional<StabilityLimit>& limit() const;
     const std::optional<Resolution>& resolution() const;
-    /// What would work in place of the present description; computed once.
-    const Remedies& remedies() const;
     /// What the scene as it is now lets a method keep.
     Conservation conservation() const;
 

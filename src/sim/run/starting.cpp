@@ -74,10 +74,9 @@ Field<double> mode_of(const Plan& plan, const Shape& shape, std::size_t mode) {
                                      most_in_modes, plan.reference.count));
     const LinearisedScene scene(plan, shape);
     const auto solver = all_modes(scene);
-    Field<double> field = scene.field(solver.eigenvectors().col(place_of(mode, solver.eigenvalues())));
+    Field<double> field = scene.displacements(solver.eigenvectors().col(place_of(mode, solver.eigenvalues())));
     double largest = 0, sign = 1, component = 0;
     for (std::size_t i = 0; i < field.count(); ++i) {
-        if (!plan.masses.empty()) field.set(i, 1 / std::sqrt(plan.masses[i]) * field.at(i));
         const Vec3 at = field.at(i);
         largest = std::max(largest, length(at));
         for (const double along : {at.x, at.y, at.z}) {

@@ -74,6 +74,11 @@ void draw_parts(const Context& context, render::Style& style) {
     ImGui::SameLine(second + context.px(104));
     if (check_row(context, "forces", "forces", style.forces)) context.events.send(event::ShowForces{style.forces});
     tooltip(context, "draw the force on each particle as an arrow, drag and damping included");
+    if (context.session.playback) return;
+    check_row(context, "oscillation", "fastest oscillation", context.state.oscillation);
+    tooltip(context,
+            "draw the fastest oscillation of the scene as it is now, which sets the stability limit: how far each "
+            "particle moves in it");
 }
 
 }  // namespace

@@ -13,8 +13,9 @@ namespace {
 
 /// Of the run as it is: nothing is said of a change that it has not made yet.
 StepVerdict shown_verdict(const Context& context) {
-    if (context.description() == context.view.description) return step_verdict(context.view);
-    return {Lamp::none, "waiting for the run", "the change has been requested"};
+    if (context.description() == context.view.description)
+        return step_verdict(context.view, context.session.present.get());
+    return {Lamp::none, "waiting for the run", {}, "the change has been requested"};
 }
 
 ImU32 ink_of(Lamp lamp, ImU32 none) {
@@ -43,15 +44,21 @@ void draw_verdict(const Context& context, const StepVerdict& verdict) {
     }
     explanation(context, verdict.text, ink);
     tooltip(context, verdict.tooltip);
+    if (verdict.detail.empty()) return;
+    if (verdict.lamp != Lamp::none) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(14));
+    explanation(context, verdict.detail);
+    tooltip(context, verdict.tooltip);
 }
 
 /// The stability limit, as long as it is that of the scene and method on the panel.
 std::optional<double> limit_mark(const Context& context) {
     RunDescription asked = context.description();
     asked.dt = context.view.description.dt;
-    const auto& known = context.view.limit;
-    if (!known || !(known->limit > 0) || std::isinf(known->limit)) return std::nullopt;
-    return asked == context.view.description ? std::optional(known->limit) : std::nullopt;
+    if (asked != context.view.description) return std::nullopt;
+    const auto& present = context.session.present;
+    const auto& at_rest = context.view.limit;
+    const auto limit = present ? present->limit : at_rest ? std::optional(at_rest->limit) : std::nullopt;
+    return limit && *limit > 0 && !std::isinf(*limit) ? limit : std::nullopt;
 }
 
 }  // namespace

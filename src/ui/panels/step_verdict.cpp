@@ -27,49 +27,87 @@ std::string steps_text(double steps) {
     return fmt::format("{} {} per period", number, number == "1" ? "step" : "steps");
 }
 
-std::string tooltip_of(const StabilityLimit& known, const std::optional<Resolution>& resolution) {
+/// What a verdict is based on.
+struct Basis {
+    double omega = 0;  ///< of the fastest oscillation [rad/s]
+    double limit = 0;
+    std::optional<Resolution> resolution;
+    std::optional<double> time;  ///< when the scene was so; none: at rest
+};
+
+std::optional<Basis> basis_of(const RunView& view, const PresentLimit* present) {
+    if (present && present->limit)
+        return Basis{present->oscillation.omega, *present->limit, present->resolution, present->time};
+    if (!view.limit) return std::nullopt;
+    return Basis{view.limit->omega_max, view.limit->limit, view.resolution, std::nullopt};
+}
+
+/// "amplitude kept", "amplitude −3.1 % in each"
+std::string damping_text(const Resolution& resolution) {
+    const double change = 100 * (resolution.amplification - 1);
+    if (std::abs(change) < 1e-6) return "amplitude kept";
+    if (change > 1000 || !std::isfinite(change)) return "amplitude explodes";
+    return fmt::format("amplitude {}{} % in each", change > 0 ? "+" : "−", rounded_text(std::abs(change)));
+}
+
+std::string detail_of(const Basis& basis) {
+    if (!basis.resolution) return {};
+    return fmt::format("{}, {}", steps_text(basis.resolution->steps_per_period), damping_text(*basis.resolution));
+}
+
+std::string when_text(const Basis& basis) {
+    if (!basis.time) return "from linear theory for the scene at rest";
+    return fmt::format("from linear theory for the scene as it is at t = {} s", reading_text(*basis.time));
+}
+
+std::string tooltip_of(const Basis& basis, const RunView& view) {
     std::string text =
-        fmt::format("from linear theory for the scene at rest\nlargest angular frequency ω_max = {} rad/s",
-                    reading_text(known.omega_max));
-    if (!resolution) return text;
-    text += fmt::format("\n{} of that oscillation", steps_text(resolution->steps_per_period));
-    if (resolution->error < 1)
+        fmt::format("{}\nlargest angular frequency ω_max = {} rad/s", when_text(basis), reading_text(basis.omega));
+    if (basis.time && view.limit && std::abs(view.limit->omega_max - basis.omega) > 0.005 * basis.omega)
+        text += fmt::format("; at rest {} rad/s, limit {} s", reading_text(view.limit->omega_max),
+                            reading_text(view.limit->limit));
+    if (!basis.resolution) return text;
+    text += fmt::format("\n{} of that oscillation", steps_text(basis.resolution->steps_per_period));
+    if (basis.resolution->error < 1)
         text +=
             fmt::format("; in each, its amplitude is multiplied by {}, and its error grows by {} % of the amplitude",
-                        setting_text(resolution->amplification, 3), rounded_text(100 * resolution->error));
+                        setting_text(basis.resolution->amplification, 3), rounded_text(100 * basis.resolution->error));
     return text;
 }
 
-StepVerdict below_limit(double dt, double limit, const std::optional<Resolution>& resolution) {
-    if (resolution && !resolution->is_good())
-        return {Lamp::caution, "stable, but only " + steps_text(resolution->steps_per_period), {}};
-    if (std::isinf(limit)) return {Lamp::good, "stable at any dt", {}};
-    const bool close = dt > near_limit * limit;
-    return {
-        close ? Lamp::caution : Lamp::good, (close ? "stable, but only just: " : "stable: ") + of_limit(dt, limit), {}};
+StepVerdict below_limit(double dt, const Basis& basis) {
+    if (basis.resolution && !basis.resolution->is_good())
+        return {Lamp::caution, "stable, but only " + steps_text(basis.resolution->steps_per_period), {}, {}};
+    if (std::isinf(basis.limit)) return {Lamp::good, "stable at any dt", {}, {}};
+    const bool close = dt > near_limit * basis.limit;
+    const std::string text = (close ? "stable, but only just: " : "stable: ") + of_limit(dt, basis.limit);
+    return {close ? Lamp::caution : Lamp::good, text, {}, {}};
 }
 
-StepVerdict against_limit(const RunView& view) {
-    const double dt = view.description.dt, limit = view.limit->limit;
-    if (limit == 0) return {Lamp::bad, "unstable at any dt: the energy grows", {}};
-    if (dt > limit) return {Lamp::bad, "unstable: " + of_limit(dt, limit), {}};
-    return below_limit(dt, limit, view.resolution);
+StepVerdict against_limit(double dt, const Basis& basis) {
+    if (basis.limit == 0) return {Lamp::bad, "unstable at any dt: the energy grows", {}, {}};
+    if (dt > basis.limit) return {Lamp::bad, "unstable: " + of_limit(dt, basis.limit), {}, {}};
+    return below_limit(dt, basis);
 }
 
-StepVerdict without_notes(const RunView& view) {
+StepVerdict without_notes(const RunView& view, const PresentLimit* present) {
     if (chooses_its_steps(view.description))
-        return {Lamp::good, "step size chosen by the method",
+        return {Lamp::good,
+                "step size chosen by the method",
+                {},
                 "the method keeps its tolerance; dt is the time between two frames"};
-    if (!view.limit) return {Lamp::none, "stability limit unknown", "linear theory does not cover this scene"};
-    StepVerdict verdict = against_limit(view);
-    verdict.tooltip = tooltip_of(*view.limit, view.resolution);
+    const auto basis = basis_of(view, present);
+    if (!basis) return {Lamp::none, "stability limit unknown", {}, "linear theory does not cover this scene"};
+    StepVerdict verdict = against_limit(std::abs(view.description.dt), *basis);
+    verdict.detail = detail_of(*basis);
+    verdict.tooltip = tooltip_of(*basis, view);
     return verdict;
 }
 
 }  // namespace
 
-StepVerdict step_verdict(const RunView& view) {
-    StepVerdict verdict = without_notes(view);
+StepVerdict step_verdict(const RunView& view, const PresentLimit* present) {
+    StepVerdict verdict = without_notes(view, present);
     if (!view.notes.empty() && verdict.lamp != Lamp::bad) verdict.lamp = Lamp::caution;
     return verdict;
 }

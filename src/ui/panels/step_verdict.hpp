@@ -1,6 +1,6 @@
 #pragma once
 
-#include "session/run_view.hpp"
+#include "session/session_view.hpp"
 
 #include <string>
 
@@ -18,8 +18,10 @@ enum class Lamp {
 struct StepVerdict {
     Lamp lamp = Lamp::none;
     std::string text;
+    std::string detail;  ///< how the steps treat the fastest oscillation; empty if there is none
     std::string tooltip;
 };
-StepVerdict step_verdict(const RunView& view);
+/// By the scene as it is now, or as it is at rest where `present` is null.
+StepVerdict step_verdict(const RunView& view, const PresentLimit* present = nullptr);
 
 }  // namespace steplab::ui

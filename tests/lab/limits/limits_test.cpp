@@ -3,6 +3,7 @@
 #include "lab/limits/all_limits.hpp"
 #include "lab/limits/mode_run.hpp"
 #include "support/runs.hpp"
+#include "support/scene_texts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,9 +43,41 @@ Settings scene_for(const MethodInfo& method, const Model& model) {
     return model.info.id == "mesh" ? small_mesh : model.info.id == "morse" ? small_cube : defaults;
 }
 
-class Limits : public testing::TestWithParam<MethodCase> {};
+/// Masses that differ by a factor of 50, in a network whose modes are of all of them.
+constexpr const char* mixed_masses = R"(steplab = 1
+[[particles]]
+group = "net"
+grid = { count = [3, 3], steps = [[1, 0, 0], [0, 0, 1]] }
+[[fix]]
+particles = ["net[0,0]", "net[2,2]"]
+fixed = true
+[[fix]]
+particles = ["net[1,1]", "net[0,1]"]
+mass = 50
+[[fix]]
+particles = ["net[2,0]"]
+mass = 7
+[[springs]]
+between = "net"
+along = "both"
+k = 3
+)";
 
-TEST_P(Limits, theory_and_runs_agree_on_every_model) {
+// The shape of a mode is that of displacements, and modes are at right angles with the masses as weights.
+TEST(Limits, of_mixed_masses_agree_with_theory) {
+    RunDescription run = describe(read_scene(mixed_masses));
+    for (const char* const method : {"velocity-verlet", "rk4", "pefrl"}) {
+        run = with_method(run, method);
+        const Limit limit = StabilityLab(run).limit(run);
+        ASSERT_TRUE(limit.ratio()) << limit.note;
+        EXPECT_NEAR(*limit.ratio(), 1, 1e-3) << method << ": " << limit.note;
+        EXPECT_EQ(limit.note, "") << method;
+    }
+}
+
+class CatalogueLimits : public testing::TestWithParam<MethodCase> {};
+
+TEST_P(CatalogueLimits, theory_and_runs_agree_on_every_model) {
     // a crystal has 375 modes and more: below, by two methods
     for (const Model* const model : models_where([](const Model& it) { return it.info.id != "crystal"; })) {
         const bool linear = model->info.id != "mesh" && model->info.id != "morse";
@@ -64,7 +97,7 @@ TEST(LimitsOfCrystal, agree_with_runs) {
         expect_agreement(limit_of("crystal", method, Precision::double_, {{"edge", 5}}), 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, Limits, testing::ValuesIn(working_methods()), case_name);
+INSTANTIATE_TEST_SUITE_P(Catalogue, CatalogueLimits, testing::ValuesIn(working_methods()), case_name);
 
 class LimitsOfFixedSteps : public testing::TestWithParam<MethodCase> {};
 

@@ -1,6 +1,8 @@
 #include "sim/run/linearised.hpp"
 
 #include "models/forces/layouts.hpp"
+#include "models/scene/planner.hpp"
+#include "models/scene/scene.hpp"
 #include "support/runs.hpp"
 
 #include <gtest/gtest.h>
@@ -77,6 +79,66 @@ TEST(Lanczos, finds_what_a_dense_solver_finds) {
             EXPECT_LT((matrix * v - found.values[i] * v).norm(), 1e-10 * largest);
         }
     }
+}
+
+TEST(LargestEigenpair, is_that_of_a_dense_solver) {
+    for (const auto& scene :
+         {linearised("mesh", {{"dim", 6}}), linearised("morse", {{"edge", 2}}), linearised("rope")}) {
+        const Eigen::MatrixXd matrix = dense(scene);
+        const Eigen::VectorXd all = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
+        const double largest = all[all.size() - 1];
+        const auto product = [&](const Eigen::VectorXd& u) { return scene.stiffness(u); };
+        for (const double accuracy : {1e-3, 1e-9}) {
+            const Eigenpair found = largest_eigenpair(product, Eigen::VectorXd::Zero(scene.size()), accuracy);
+            EXPECT_NEAR(found.value, largest, 2 * accuracy * largest);  // the residual bounds the error
+            EXPECT_NEAR(found.vector.norm(), 1, 1e-12);
+            // without reorthogonalisation the vector is as good as the residual, but for some roundings
+            EXPECT_LE((matrix * found.vector - found.value * found.vector).norm(), 2 * accuracy * largest);
+        }
+    }
+}
+
+// 4 is the eigenvalue of three directions.
+TEST(LargestEigenpair, of_a_multiple_eigenvalue_is_along_what_is_given) {
+    Eigen::VectorXd diagonal(5), along(5), expected(5);
+    diagonal << 4, 1, 4, 2, 4;
+    along << 1, 5, 2, -3, 0;
+    expected << 1, 0, 2, 0, 0;
+    const auto matrix = [&](const Eigen::VectorXd& u) { return Eigen::VectorXd(diagonal.cwiseProduct(u)); };
+    const Eigenpair found = largest_eigenpair(matrix, along, 1e-12);
+    EXPECT_NEAR(found.value, 4, 1e-12);
+    EXPECT_GT(std::abs(found.vector.dot(expected.normalized())), 0.999);  // but for a hundredth of anything
+    // and where `along` has nothing of them
+    EXPECT_NEAR(largest_eigenpair(matrix, Eigen::VectorXd::Unit(5, 1), 1e-12).value, 4, 1e-12);
+}
+
+// The partner: one entry of the diagonal is 1 % off.
+TEST(LargestEigenpair, of_a_wrong_matrix_is_another) {
+    const LinearisedScene scene = linearised("mesh", {{"dim", 6}});
+    const auto wrong = [&](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+        Eigen::VectorXd out = scene.stiffness(u);
+        out[30] += 0.01 * 8 * u[30];
+        return out;
+    };
+    const double largest = std::pow(highest_frequency(modes(scene)), 2);
+    EXPECT_GT(std::abs(largest_eigenpair(wrong, Eigen::VectorXd::Zero(scene.size()), 1e-9).value / largest - 1), 1e-5);
+}
+
+// Two masses 4 and 1 between walls, all k = 1: (K - omega^2 M) u = 0 with K = [2 -1; -1 2] along the row.
+TEST(LinearisedScene, gives_displacements_without_the_weights_of_masses) {
+    Scene scene;
+    scene.particles = {{.group = "row", .mass = 1, .arrangement = LineArrangement{4, {1, 0, 0}}}};
+    scene.fixes = {{.particles = {"row[0]", "row[-1]"}, .fixed = true}, {.particles = {"row[1]"}, .mass = 4}};
+    scene.springs = {{.pairs = {{"row[0]", "row[1]"}, {"row[1]", "row[2]"}, {"row[2]", "row[3]"}}, .k = 1}};
+    Shape shape;
+    shape.roles = {Role::fixed, Role::moving, Role::moving, Role::fixed};
+    const LinearisedScene linear(planned(scene), shape);
+    const auto product = [&](const Eigen::VectorXd& u) { return linear.stiffness(u); };
+    const Eigenpair fastest = largest_eigenpair(product, Eigen::VectorXd::Zero(linear.size()), 1e-12);
+    const double value = (10 + std::sqrt(52.0)) / 8;  // of (2 - 4 w)(2 - w) = 1
+    EXPECT_NEAR(fastest.value, value, 1e-12);
+    const Field<double> u = linear.displacements(fastest.vector);
+    EXPECT_NEAR(u.at(1).x / u.at(2).x, 1 / (2 - 4 * value), 1e-9) << "the heavy one moves against the light one";
 }
 
 // The Jacobian is that of the forces: differences of them over 2e-6 agree within their own error, about 1e-9.

@@ -8,11 +8,28 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace steplab::test {
 namespace {
 
-Remedies remedies_of(const RunDescription& run) { return remedies(run, model_of(run).plan(run.scene)); }
+/// The first of each kind: they are tried in this order.
+struct Remedies {
+    std::optional<double> dt;
+    std::optional<std::string> method;
+};
+
+Remedies remedies_of(const RunDescription& run, double omega) {
+    const RemedyCandidates found = remedy_candidates(run, model_of(run).plan(run.scene), omega);
+    Remedies first;
+    if (!found.dts.empty()) first.dt = found.dts.front();
+    if (!found.methods.empty()) first.method = found.methods.front();
+    return first;
+}
+
+Remedies remedies_of(const RunDescription& run) { return remedies_of(run, fastest_frequency(run)); }
 
 TEST(Remedy, is_no_method_where_none_is_stable) {
     EXPECT_FALSE(remedies_of(run_of("chain", "euler", Precision::double_, 1000)).method);
@@ -112,7 +129,7 @@ TEST(Remedy, is_no_dt_for_what_fails_at_any) {
 }
 
 TEST(Remedy, of_a_scene_without_known_limit_is_a_quarter_of_dt) {
-    const Remedies found = remedies_of(run_of("morse", "euler", Precision::double_, 0.4));
+    const Remedies found = remedies_of(run_of("morse", "euler", Precision::double_, 0.4), 0);
     EXPECT_EQ(found.dt, 0.1);
     EXPECT_FALSE(found.method);
 }
@@ -137,6 +154,26 @@ TEST(Remedy, keeps_away_from_the_limit) {
         EXPECT_LE(*remedies.dt, 0.9 * stability_limit(run)->limit);
     }
     EXPECT_TRUE(any_method);
+}
+
+TEST(Remedy, of_the_first_kind_halves_dt_from_one_to_the_next) {
+    for (const double omega : {0.0, 2.0}) {
+        const RunDescription run = run_of("oscillator", "rk4", Precision::double_, 2);
+        const std::vector<double> dts = remedy_candidates(run, model_of(run).plan(run.scene), omega).dts;
+        ASSERT_GT(dts.size(), 3u) << omega;
+        for (std::size_t i = 1; i < dts.size(); ++i) EXPECT_LE(dts[i], 0.51 * dts[i - 1]);
+        EXPECT_LE(dts.front(), 0.51 * run.dt);
+    }
+}
+
+TEST(Remedy, of_the_second_kind_costs_more_from_one_to_the_next) {
+    const RunDescription run = run_of("oscillator", "midpoint", Precision::double_, 0.5);
+    const auto methods = remedy_candidates(run, model_of(run).plan(run.scene), 1).methods;
+    ASSERT_GT(methods.size(), 3u);
+    const auto cost = [&](const std::string& id) {
+        return evaluations_per_step(method(id).info, with_method(run, id).method_parameters);
+    };
+    for (std::size_t i = 1; i < methods.size(); ++i) EXPECT_LE(cost(methods[i - 1]), cost(methods[i])) << methods[i];
 }
 
 // Nothing moves yet: that of the first motion, which the springs of a lattice give, omega <= sqrt(16 k / m) = 4.

@@ -1,8 +1,13 @@
+#include "lab/limits/blow_up.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/desk.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
 
 namespace steplab::ui {
 namespace {
@@ -25,7 +30,24 @@ protected:
         desk.interface.record(desk.view);
         desk.frame();
         desk.frame();
+        explain();
         desk.calls();
+    }
+
+    void explain() {
+        BlowUpStudy study(std::vector<SegmentBegin>{{0, desk.view.description}}, *desk.view.divergence);
+        while (study.next()) {
+        }
+        desk.session.blow_up = std::make_shared<const BlowUp>(study.found());
+        desk.frame();
+        desk.frame();
+    }
+    /// The remedy of the card that keeps the method, or the other.
+    const TriedRemedy& remedy(bool keeps_method) const {
+        const auto& tried = desk.session.blow_up->tried;
+        return *std::find_if(tried.begin(), tried.end(), [&](const TriedRemedy& it) {
+            return it.works && (it.run.method == desk.view.description.method) == keeps_method;
+        });
     }
     Desk desk{[] {
         RunDescription description = describe("chain", "euler");
@@ -36,11 +58,44 @@ protected:
 
 TEST_F(Diverged, card_appears_with_its_remedies) {
     ASSERT_TRUE(desk.view.divergence);
-    ASSERT_TRUE(desk.view.remedies.dt);
     EXPECT_FALSE(desk.view.divergence->message.empty());
     EXPECT_TRUE(desk.has("divergence"));
     EXPECT_TRUE(desk.has("remedy.dt"));
     EXPECT_TRUE(desk.has("remedy.method"));
+}
+
+TEST_F(Diverged, card_offers_nothing_that_was_not_tried) {
+    BlowUp untried = *desk.session.blow_up;
+    for (TriedRemedy& tried : untried.tried) tried.works = false;
+    desk.session.blow_up = std::make_shared<const BlowUp>(untried);
+    desk.frame();
+    EXPECT_FALSE(desk.has("remedy.dt"));
+    EXPECT_FALSE(desk.has("remedy.method"));
+    desk.session.blow_up.reset();
+    desk.frame();
+    EXPECT_FALSE(desk.has("remedy.dt"));
+    EXPECT_TRUE(desk.has("remedy.restart"));
+}
+
+TEST_F(Diverged, beginning_is_shown_with_the_oscillation_that_grew) {
+    EXPECT_TRUE(desk.style.oscillation) << "while the card stands";
+    desk.click("divergence.beginning");
+    EXPECT_THAT(desk.calls(), ElementsAre("pause", "seek"));
+    desk.view.divergence.reset();
+    desk.session.blow_up.reset();
+    desk.frame();
+    EXPECT_TRUE(desk.style.oscillation) << "there, too";
+    desk.click("oscillation");
+    desk.frame();
+    EXPECT_FALSE(desk.style.oscillation);
+}
+
+TEST_F(Diverged, card_leads_to_its_page) {
+    desk.click("divergence.page");
+    const std::vector<Request> requests = desk.interface.take_requests();
+    ASSERT_EQ(requests.size(), 1u);
+    EXPECT_EQ(requests.front().kind, Request::Kind::open_page);
+    EXPECT_EQ(requests.front().text, "divergence.md");
 }
 
 // ImGui knows the size of a new card one frame later: it must be drawn without any input.
@@ -53,17 +108,15 @@ TEST(Divergence, card_asks_for_frames_until_it_stands) {
     int frames = 1;
     for (; desk.interface.seconds_until_change() <= 0 && frames < 100; ++frames) desk.frame();
     EXPECT_LT(frames, 10);
-    const WidgetRect stands = desk.widget("remedy.dt");
+    const WidgetRect stands = desk.widget("remedy.restart");
     for (int i = 0; i < 5; ++i) desk.frame();
-    EXPECT_EQ(desk.widget("remedy.dt"), stands);
+    EXPECT_EQ(desk.widget("remedy.restart"), stands);
 }
 
 TEST_F(Diverged, smaller_dt_restarts_and_plays) {
     desk.click("remedy.dt");
     EXPECT_THAT(desk.calls(), ElementsAre("change", "restart", "play"));
-    RunDescription expected = desk.view.description;
-    expected.dt = desk.view.remedies.dt.value();
-    EXPECT_EQ(desk.wanted(), expected);
+    EXPECT_EQ(desk.wanted(), remedy(true).run);
     EXPECT_LT(desk.wanted().dt, 2 / 1.97272261) << "below Euler's limit of 2 / omega_max of ten points";
 }
 

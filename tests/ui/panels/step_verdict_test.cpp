@@ -61,6 +61,29 @@ TEST(step_verdict, is_amber_close_to_the_limit) {
     EXPECT_EQ(step_verdict(view_of(Simulation(description))).lamp, Lamp::good);
 }
 
+// The scene has stiffened: what is stable at rest is not.
+TEST(step_verdict, is_of_the_scene_as_it_is_now) {
+    RunDescription description = describe("chain", "rk4");
+    const RunView view = view_of(Simulation(description));
+    PresentLimit now{.step = 7, .time = 0.7};
+    now.oscillation.omega = 40;
+    now.limit = 0.0707;
+    const StepVerdict found = step_verdict(view, &now);
+    EXPECT_EQ(found.lamp, Lamp::bad);
+    EXPECT_EQ(found.text, "unstable: 1.41 of the limit 0.0707 s");
+    EXPECT_THAT(found.tooltip, HasSubstr("as it is at t = 0.70"));
+    EXPECT_THAT(found.tooltip, HasSubstr("at rest 1.97 rad/s, limit 1.43 s"));
+    EXPECT_EQ(step_verdict(view).lamp, Lamp::good);
+}
+
+TEST(step_verdict, says_what_a_period_costs_the_amplitude) {
+    EXPECT_EQ(verdict("chain", "velocity-verlet", 0.1).detail, "32 steps per period, amplitude kept");
+    EXPECT_THAT(verdict("chain", "rk4", 1.0).detail, StartsWith("3.2 steps per period, amplitude −"));
+    EXPECT_THAT(verdict("chain", "midpoint", 0.3).detail, HasSubstr("amplitude +"));
+    EXPECT_EQ(verdict("free", "rk4", 5).detail, "");
+    EXPECT_EQ(verdict("morse", "dopri5", 5).detail, "");
+}
+
 TEST(step_verdict, is_red_beyond_the_limit) {
     const StepVerdict found = verdict("chain", "rk4", 2);
     EXPECT_EQ(found.lamp, Lamp::bad);

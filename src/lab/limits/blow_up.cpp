@@ -1,0 +1,186 @@
+#include "lab/limits/blow_up.hpp"
+
+#include "lab/limits/remedy_trial.hpp"
+#include "lab/limits/replayed_run.hpp"
+#include "sim/catalogue.hpp"
+#include "sim/run/remedy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+/// Energy measurements of one pass over a range of steps.
+constexpr std::uint64_t measurements = 1024;
+/// An excess of energy that belongs to no usable run, as part of the energy at its start.
+constexpr double excess = 0.01;
+/// Moments between the last good energy and the end whose oscillations are compared.
+constexpr std::uint64_t compared_moments = 16;
+/// The cheapest ones that may work.
+constexpr std::size_t most_methods = 4;
+
+double scale_of(const Diagnostics& diagnostics) { return diagnostics.kinetic + std::abs(diagnostics.potential); }
+
+/// Of these displacements in the kinetic energy of a state.
+double share_of(const FastestOscillation& oscillation, const Plan& scene, const State<double>& state) {
+    double along = 0, shape = 0, all = 0;
+    for (std::size_t i = 0; i < oscillation.shape.size(); ++i) {
+        const double mass = scene.masses.empty() ? 1 : scene.masses[i];
+        const Vec3 v = state.velocity.at(i), u = oscillation.shape[i];
+        along += mass * dot(v, u);
+        shape += mass * dot(u, u);
+        all += mass * dot(v, v);
+    }
+    return shape > 0 && all > 0 ? along * along / (shape * all) : 0;
+}
+
+/// dt over the limit; how long a step is for the scene.
+double ratio(const RunDescription& run, const PresentLimit& limit) {
+    if (!limit.limit || std::isinf(*limit.limit)) return 0;
+    return *limit.limit > 0 ? std::abs(run.dt) / *limit.limit : infinity;
+}
+
+}  // namespace
+
+struct BlowUpStudy::Body {
+    ReplayedRun replay;
+    PresentLimits limits;
+    BlowUp found;
+    std::optional<ReplayedRun::Moment> good;  ///< the last one before the energy left its range
+    std::optional<RemedyTrial> trial;
+    std::vector<RunDescription> dts, methods;  ///< to be tried yet, the next one last
+    double baseline = 0;                       ///< size of the energy there [J]
+    std::optional<std::uint64_t> baseline_step;
+
+    Body(std::span<const SegmentBegin> changes, const Divergence& divergence) : replay(changes) {
+        found.divergence = divergence;
+    }
+
+    const Simulation& run() const { return replay.run(); }
+    bool can_be_linearised() const { return run().particles() <= PresentLimits::most_particles; }
+
+    PresentLimit here() {
+        if (can_be_linearised()) return limits.at(run().description(), run().state(), run().step(), run().time());
+        PresentLimit known{.step = run().step(), .time = run().time()};
+        if (run().limit()) known.limit = run().limit()->limit, known.oscillation.omega = run().limit()->omega_max;
+        known.resolution = run().resolution();
+        return known;
+    }
+
+    void find_cause() {
+        found.start = here();
+        find_last_good();
+        found.step = run().step();
+        found.time = run().time();
+        measure_growth();
+        replay.go_back_to(*good);
+        find_limit();
+        replay.advance_to(found.divergence.step);
+        found.run = run().description();
+        if (can_be_linearised())
+            found.share = share_of(found.limit.oscillation, limits.plan(run().description()), run().state());
+        prepare_trials();
+        found.why = explanation_of(found);
+    }
+
+    /// Leaves the run at the last step before its energy left the range of its start for good.
+    void find_last_good() {
+        std::uint64_t stride = std::max<std::uint64_t>(1, found.divergence.step / measurements);
+        good = replay.moment();
+        measure_up_to(found.divergence.step, stride);
+        while (stride > 1) {
+            replay.go_back_to(*good);
+            const std::uint64_t end = std::min(found.divergence.step, run().step() + stride);
+            stride = std::max<std::uint64_t>(1, stride / measurements);
+            measure_up_to(end, stride);
+        }
+        replay.go_back_to(*good);
+    }
+
+    /// From where the run stands; what is good on the way is remembered.
+    void measure_up_to(std::uint64_t end, std::uint64_t stride) {
+        while (true) {
+            if (std::exchange(baseline_step, run().baseline_step()) != run().baseline_step())
+                baseline = scale_of(run().diagnostics());
+            if (run().energy_error() <= excess * baseline) good = replay.moment();
+            if (run().step() >= end || run().divergence()) return;
+            replay.advance_to(std::min(end, run().step() + stride));
+        }
+    }
+
+    /// From there until the excess is as large as the energy itself: before the motion becomes another.
+    void measure_growth() {
+        const double first = std::max(run().energy_error(), excess * baseline);
+        const std::uint64_t end = found.divergence.step, stride = 1 + (end - found.step) / measurements;
+        while (run().step() < end && run().energy_error() < baseline)
+            replay.advance_to(std::min(end, run().step() + stride));
+        const double steps = static_cast<double>(run().step() - found.step), ratio = run().energy_error() / first;
+        if (steps > 0 && ratio > 1) found.growth = std::pow(ratio, 1 / steps);
+    }
+
+    /// At the first moment at which dt is beyond the limit, or that at which it is nearest to it.
+    void find_limit() {
+        const std::uint64_t begin = run().step(), steps = found.divergence.step - begin;
+        for (std::uint64_t i = 0; i <= compared_moments; ++i) {
+            const std::uint64_t step = begin + steps * i / compared_moments;
+            if (i > 0 && step == run().step()) continue;
+            replay.advance_to(step);
+            const PresentLimit limit = here();
+            if (i == 0 || limit.oscillation.omega > found.limit.oscillation.omega) found.limit = limit;
+            if (ratio(run().description(), found.limit) > 1 || !can_be_linearised()) break;
+        }
+    }
+
+    void prepare_trials() {
+        const RunDescription& now = run().description();
+        const double cost = static_cast<double>(run().evaluations()) / std::abs(run().time());
+        trial.emplace(good->snapshot, now, std::abs(run().time()), cost);
+        if (found.divergence.stop) return;
+        // how far the scene stiffens is for the trials to find
+        const double omega =
+            found.start.oscillation.omega > 0 ? found.start.oscillation.omega : found.limit.oscillation.omega;
+        RemedyCandidates candidates = remedy_candidates(now, limits.plan(now), omega);
+        for (const double dt : candidates.dts) {
+            dts.push_back(now);
+            dts.back().dt = dt;
+        }
+        if (candidates.methods.size() > most_methods) candidates.methods.resize(most_methods);
+        for (const std::string& id : candidates.methods) methods.push_back(with_method(now, id));
+        std::reverse(dts.begin(), dts.end());
+        std::reverse(methods.begin(), methods.end());
+    }
+
+    /// One of these; the rest is not needed once one works.
+    void try_next(std::vector<RunDescription>& candidates) {
+        const RunDescription candidate = std::move(candidates.back());
+        candidates.pop_back();
+        found.tried.push_back(trial->of(candidate));
+        if (found.tried.back().works) candidates.clear();
+    }
+};
+
+BlowUpStudy::BlowUpStudy(std::span<const SegmentBegin> changes, const Divergence& divergence)
+    : body_(std::make_unique<Body>(changes, divergence)) {}
+
+BlowUpStudy::~BlowUpStudy() = default;
+BlowUpStudy::BlowUpStudy(BlowUpStudy&&) noexcept = default;
+BlowUpStudy& BlowUpStudy::operator=(BlowUpStudy&&) noexcept = default;
+
+bool BlowUpStudy::next() {
+    if (!body_->trial) {
+        body_->find_cause();
+    } else if (!body_->dts.empty()) {
+        body_->try_next(body_->dts);
+    } else if (!body_->methods.empty()) {
+        body_->try_next(body_->methods);
+    }
+    body_->found.complete = body_->dts.empty() && body_->methods.empty();
+    return !body_->found.complete;
+}
+
+const BlowUp& BlowUpStudy::found() const { return body_->found; }
+
+}  // namespace steplab

@@ -1,0 +1,191 @@
+#include "session/live_verdict.hpp"
+
+#include "core/interruption.hpp"
+#include "session/share.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Of the time of one processor; a blow-up, after which nothing runs, has all of it.
+constexpr double part_for_moments = 0.1;
+/// A read-out that changes more often cannot be read.
+constexpr std::chrono::milliseconds between_answers{100};
+constexpr std::chrono::seconds longest_wait{2};
+
+}  // namespace
+
+struct LiveVerdict::Body {
+    /// Which blow-up is to be explained.
+    struct Why {
+        std::vector<SegmentBegin> changes;
+        Divergence divergence;
+    };
+
+    std::function<void()> ready;
+    mutable std::mutex mutex;
+    std::condition_variable changed, told;
+    std::shared_ptr<const Moment> moment;      ///< to be answered
+    RunDescription newest_run;                 ///< asked about last
+    std::optional<std::uint64_t> newest_step;  ///< of it; none: it is to be asked about again
+    std::shared_ptr<const Why> wanted;         ///< null: none
+    std::shared_ptr<const PresentLimit> limit;
+    std::shared_ptr<const BlowUp> blow_up;
+    std::atomic<bool> given_up = false;  ///< the study under way is not wanted any more
+    bool stopping = false;
+    std::thread thread;
+
+    // the thread's own
+    PresentLimits limits;
+    std::shared_ptr<const Why> studied;
+    std::optional<BlowUpStudy> study;
+    bool complete = true;  ///< nothing is left to be studied
+    Share share{part_for_moments, longest_wait};
+    Clock::time_point answered{};
+
+    explicit Body(std::function<void()> call) : ready(std::move(call)) {}
+
+    /// What is shown of another dt or method is wrong until there is an answer.
+    bool is_urgent() const { return moment && !limit; }
+    bool has_study() const { return wanted && (wanted != studied || !complete); }
+    bool is_due() const { return share.due(Clock::now()) && Clock::now() >= answered + between_answers; }
+
+    void wait(std::unique_lock<std::mutex>& lock) {
+        while (!stopping && !has_study()) {
+            if (!moment) {
+                changed.wait(lock);
+            } else if (!is_urgent() && !is_due()) {
+                changed.wait_for(lock, between_answers / 4);
+            } else {
+                return;
+            }
+        }
+    }
+
+    void loop() {
+        const InterruptibleBy interruptible(given_up);
+        while (true) {
+            std::unique_lock lock(mutex);
+            wait(lock);
+            if (stopping) return;
+            given_up = false;
+            try {
+                has_study() ? go_on(lock, wanted) : answer(lock, *std::exchange(moment, nullptr));
+            } catch (const Interrupted&) {  // something else is asked for
+                if (!lock.owns_lock()) lock.lock();
+                newest_step.reset();
+            } catch (const std::exception&) {
+                complete = true;  // as a rule there is no memory left: no verdict
+            }
+        }
+    }
+
+    void go_on(std::unique_lock<std::mutex>& lock, std::shared_ptr<const Why> why) {
+        lock.unlock();
+        if (why != studied) {
+            complete = false;
+            study.reset();
+            studied = why;
+            study.emplace(why->changes, why->divergence);
+        }
+        complete = !study->next();
+        auto found = std::make_shared<const BlowUp>(study->found());
+        lock.lock();
+        if (wanted != why) return;
+        blow_up = std::move(found);
+        lock.unlock();
+        ready();
+    }
+
+    void answer(std::unique_lock<std::mutex>& lock, const Moment& asked) {
+        lock.unlock();
+        const auto begin = Clock::now();
+        auto found = std::make_shared<const PresentLimit>(limits.at(asked.run, asked.state, asked.step, asked.time));
+        answered = Clock::now();
+        share.took(begin, answered);
+        lock.lock();
+        if (newest_run != asked.run) return;
+        limit = std::move(found);
+        lock.unlock();
+        told.notify_all();
+        ready();
+    }
+
+    void begin_thread() {
+        if (!thread.joinable()) thread = std::thread([this] { loop(); });
+    }
+};
+
+LiveVerdict::LiveVerdict(std::function<void()> ready) : body_(std::make_unique<Body>(std::move(ready))) {}
+
+LiveVerdict::~LiveVerdict() {
+    {
+        const std::lock_guard lock(body_->mutex);
+        body_->stopping = true;
+        body_->given_up = true;
+    }
+    body_->changed.notify_one();
+    if (body_->thread.joinable()) body_->thread.join();
+}
+
+void LiveVerdict::ask(Moment moment) {
+    {
+        const std::lock_guard lock(body_->mutex);
+        if (body_->newest_run != moment.run) body_->limit.reset();
+        body_->newest_run = moment.run;
+        body_->newest_step = moment.step;
+        body_->moment = std::make_shared<const Moment>(std::move(moment));
+        body_->begin_thread();
+    }
+    body_->changed.notify_one();
+}
+
+bool LiveVerdict::is_new(const RunDescription& run, std::uint64_t step) const {
+    const std::lock_guard lock(body_->mutex);
+    return body_->newest_step != step || body_->newest_run != run;
+}
+
+void LiveVerdict::ask_why(std::vector<SegmentBegin> changes, const Divergence& divergence) {
+    {
+        const std::lock_guard lock(body_->mutex);
+        const auto& now = body_->wanted;
+        if (now && now->divergence.step == divergence.step && now->changes == changes) return;
+        body_->wanted = std::make_shared<const Body::Why>(Body::Why{std::move(changes), divergence});
+        body_->blow_up.reset();
+        body_->given_up = true;
+        body_->begin_thread();
+    }
+    body_->changed.notify_one();
+}
+
+void LiveVerdict::forget_why() {
+    const std::lock_guard lock(body_->mutex);
+    if (!body_->wanted) return;
+    body_->wanted.reset();
+    body_->blow_up.reset();
+    body_->given_up = true;
+}
+
+std::shared_ptr<const PresentLimit> LiveVerdict::limit(std::chrono::duration<double> most) const {
+    std::unique_lock lock(body_->mutex);
+    if (body_->thread.joinable()) body_->told.wait_for(lock, most, [this] { return body_->limit != nullptr; });
+    return body_->limit;
+}
+
+std::shared_ptr<const BlowUp> LiveVerdict::blow_up() const {
+    const std::lock_guard lock(body_->mutex);
+    return body_->blow_up;
+}
+
+}  // namespace steplab
