@@ -244,6 +244,22 @@ divergence_is_reported_and_cured() {
     close_window
 }
 
+blow_up_is_explained_and_gone_through() {
+    start_display 1280x800
+    open_window --model chain --method rk4 --dt 2
+    click fastest; expect 'rate fastest'
+    xdotool key space
+    expect 'widget divergence [0-9].*' 'widget divergence.beginning [0-9].*' 'widget remedy.dt [0-9].*'
+    click divergence.beginning
+    expect 'widget divergence gone' 'pictured [0-9]*'
+    xdotool key Right; expect 'step [0-9]*'
+    click oscillation
+    xdotool key space
+    expect 'widget divergence.page [0-9].*'
+    click divergence.page; expect 'page divergence.md'
+    close_window
+}
+
 # Two seconds a step: were it not for the first step beyond the bound, the check would come after minutes.
 blow_up_is_announced_at_once() {
     start_display 1280x800

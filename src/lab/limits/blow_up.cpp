@@ -52,10 +52,12 @@ struct BlowUpStudy::Body {
     std::optional<ReplayedRun::Moment> good;  ///< the last one before the energy left its range
     std::optional<RemedyTrial> trial;
     std::vector<RunDescription> dts, methods;  ///< to be tried yet, the next one last
-    double baseline = 0;                       ///< size of the energy there [J]
+    ReplayedRun::Moment start;
+    double baseline = 0, least_baseline = 0;  ///< size of the energy there [J]
     std::optional<std::uint64_t> baseline_step;
 
-    Body(std::span<const SegmentBegin> changes, const Divergence& divergence) : replay(changes) {
+    Body(std::span<const SegmentBegin> changes, const Divergence& divergence)
+        : replay(changes), start(replay.moment()) {
         found.divergence = divergence;
     }
 
@@ -80,6 +82,7 @@ struct BlowUpStudy::Body {
         find_limit();
         replay.advance_to(found.divergence.step);
         found.run = run().description();
+        find_limit_on_last_way();
         if (can_be_linearised())
             found.share = share_of(found.limit.oscillation, limits.plan(run().description()), run().state());
         prepare_trials();
@@ -88,6 +91,10 @@ struct BlowUpStudy::Body {
 
     /// Leaves the run at the last step before its energy left the range of its start for good.
     void find_last_good() {
+        replay.advance_to(found.divergence.step);
+        // an error is possible up to 1000 times the size of the energy, which may be 0 at the start (divergence.md)
+        least_baseline = std::max(run().energy_error() / 1000, 0.0);
+        replay.go_back_to(start);
         std::uint64_t stride = std::max<std::uint64_t>(1, found.divergence.step / measurements);
         good = replay.moment();
         measure_up_to(found.divergence.step, stride);
@@ -104,7 +111,7 @@ struct BlowUpStudy::Body {
     void measure_up_to(std::uint64_t end, std::uint64_t stride) {
         while (true) {
             if (std::exchange(baseline_step, run().baseline_step()) != run().baseline_step())
-                baseline = scale_of(run().diagnostics());
+                baseline = std::max(scale_of(run().diagnostics()), least_baseline);
             if (run().energy_error() <= excess * baseline) good = replay.moment();
             if (run().step() >= end || run().divergence()) return;
             replay.advance_to(std::min(end, run().step() + stride));
@@ -118,7 +125,7 @@ struct BlowUpStudy::Body {
         while (run().step() < end && run().energy_error() < baseline)
             replay.advance_to(std::min(end, run().step() + stride));
         const double steps = static_cast<double>(run().step() - found.step), ratio = run().energy_error() / first;
-        if (steps > 0 && ratio > 1) found.growth = std::pow(ratio, 1 / steps);
+        if (steps > 0 && ratio > 1 && std::isfinite(ratio)) found.growth = std::pow(ratio, 1 / steps);
     }
 
     /// At the first moment at which dt is beyond the limit, or that at which it is nearest to it.
@@ -131,6 +138,20 @@ struct BlowUpStudy::Body {
             const PresentLimit limit = here();
             if (i == 0 || limit.oscillation.omega > found.limit.oscillation.omega) found.limit = limit;
             if (ratio(run().description(), found.limit) > 1 || !can_be_linearised()) break;
+        }
+    }
+
+    /// Particles may pass through in one step what no step shows: along their straight ways from the last valid one.
+    void find_limit_on_last_way() {
+        if (!can_be_linearised() || ratio(run().description(), found.limit) > 1) return;
+        State<double> state = run().state();
+        for (std::uint64_t i = 1; i <= compared_moments && ratio(run().description(), found.limit) <= 1; ++i) {
+            const double part = run().dt() / static_cast<double>(compared_moments);
+            for (std::size_t k = 0; k < state.displacement.flat().size(); ++k)
+                state.displacement.flat()[k] += part * state.velocity.flat()[k];
+            const double time = run().time() + static_cast<double>(i) * part;
+            const PresentLimit limit = limits.at(run().description(), state, run().step(), time);
+            if (limit.oscillation.omega > found.limit.oscillation.omega) found.limit = limit;
         }
     }
 

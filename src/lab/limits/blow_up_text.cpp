@@ -80,12 +80,15 @@ std::string beyond_from_the_start(const RunDescription& run, const PresentLimit&
                        times_the_limit(run, *limit.limit), oscillation_text(limit), growth_text(run, limit));
 }
 
+/// "0.8", "less than 0.01": dt as part of a limit.
+std::string part_text(double part) { return part < 0.01 ? "less than 0.01" : significant(part, 2); }
+
 std::string stiffened(const RunDescription& run, const PresentLimit& start, const PresentLimit& then) {
     return fmt::format(
         "At the start dt = {} s was {} of the limit. The scene stiffened as it moved: at t = {} s its fastest "
         "oscillation "
         "had ω = {} instead of {} rad/s ({}), and dt was {} there: {}.",
-        significant(run.dt, 4), significant(std::abs(run.dt) / *start.limit, 2), reading_text(then.time),
+        significant(run.dt, 4), part_text(std::abs(run.dt) / *start.limit), reading_text(then.time),
         reading_text(then.oscillation.omega), reading_text(start.oscillation.omega),
         carriers_text(then.oscillation.weights), times_the_limit(run, *then.limit), growth_text(run, then));
 }
@@ -99,7 +102,7 @@ std::string too_coarse(const RunDescription& run, const PresentLimit& limit) {
         "dt = {} s stayed below the stability limit of every oscillation (at most {} of it): no oscillation is "
         "unstable, "
         "but the motion is so violent that the forces change completely within one step.",
-        significant(run.dt, 4), significant(std::abs(run.dt) / *limit.limit, 2));
+        significant(run.dt, 4), part_text(std::abs(run.dt) / *limit.limit));
 }
 
 std::string cause(const BlowUp& blow_up) {

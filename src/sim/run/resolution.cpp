@@ -15,9 +15,10 @@ namespace {
 
 constexpr double most_damping = 0.01, most_error = 0.1, fewest_steps = 4;
 
-/// The eigenvalue that changes most in size: of an oscillation both are of the same.
+/// The eigenvalue that changes most in size: of an oscillation both are of the same. One that grows rules in the end.
 double size_of_worst(const std::array<std::complex<double>, 2>& eigenvalues) {
-    const double one = std::abs(eigenvalues[0]), other = std::abs(eigenvalues[1]);
+    const double one = std::abs(eigenvalues[0]), other = std::abs(eigenvalues[1]), larger = std::max(one, other);
+    if (larger > 1 + 1e-6) return larger;
     return std::abs(std::log(one)) > std::abs(std::log(other)) ? one : other;
 }
 

@@ -28,7 +28,8 @@ std::string trial_text(const TriedRemedy& tried) {
         tried.from == 0 ? fmt::format("tried for {} s", reading_text(std::abs(tried.until)))
                         : fmt::format("tried from t = {} to {} s", reading_text(tried.from), reading_text(tried.until));
     if (tried.energy_error) text += fmt::format(": energy error {} %", rounded_text(100 * *tried.energy_error));
-    return text + fmt::format(", {} times the cost", rounded_text(tried.cost));
+    const std::string cost = rounded_text(tried.cost);
+    return text + (cost == "1" ? ", the same cost" : fmt::format(", {} times the cost", cost));
 }
 
 /// A remedy that worked, and how well.

@@ -42,17 +42,19 @@ std::optional<Basis> basis_of(const RunView& view, const PresentLimit* present) 
     return Basis{view.limit->omega_max, view.limit->limit, view.resolution, std::nullopt};
 }
 
-/// "amplitude kept", "amplitude −3.1 % in each"
+/// "amplitude kept", "amplitude −3.1 %"
 std::string damping_text(const Resolution& resolution) {
     const double change = 100 * (resolution.amplification - 1);
     if (std::abs(change) < 1e-6) return "amplitude kept";
     if (change > 1000 || !std::isfinite(change)) return "amplitude explodes";
-    return fmt::format("amplitude {}{} % in each", change > 0 ? "+" : "−", rounded_text(std::abs(change)));
+    return fmt::format("amplitude {}{} %", change > 0 ? "+" : "−", rounded_text(std::abs(change)));
 }
 
 std::string detail_of(const Basis& basis) {
     if (!basis.resolution) return {};
-    return fmt::format("{}, {}", steps_text(basis.resolution->steps_per_period), damping_text(*basis.resolution));
+    const std::string steps = rounded_text(basis.resolution->steps_per_period);
+    return fmt::format("per period: {} {}, {}", steps, steps == "1" ? "step" : "steps",
+                       damping_text(*basis.resolution));
 }
 
 std::string when_text(const Basis& basis) {

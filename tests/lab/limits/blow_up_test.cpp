@@ -90,6 +90,18 @@ TEST(BlowUp, beyond_the_limit_is_that_of_the_oscillation) {
     }
 }
 
+// From rest, and without any energy at the start: there is nothing to measure its error by but the bound itself.
+TEST(BlowUp, of_a_scene_at_rest_is_measured_by_the_bound) {
+    RunDescription run = with_method(describe("rope"), "velocity-verlet");
+    run.dt = 3 * stability_limit(run)->limit;
+    const BlowUp found = blow_up_of(run);
+    EXPECT_GT(found.divergence.step, found.step);
+    ASSERT_TRUE(found.growth);
+    EXPECT_TRUE(std::isfinite(*found.growth));
+    EXPECT_GT(*found.growth, 1);
+    EXPECT_THAT(found.why, Not(HasSubstr("inf")));
+}
+
 TEST(BlowUp, of_a_method_without_limit_says_so) {
     const BlowUp found = blow_up_of(run_of("chain", "euler-forward", Precision::double_, 0.3));
     EXPECT_THAT(found.why, HasSubstr("makes every oscillation larger at any dt"));
@@ -114,6 +126,18 @@ TEST(BlowUp, of_a_scene_that_stiffens_says_when) {
     EXPECT_GT(run.dt, *found.limit.limit);
     EXPECT_GE(found.limit.step, found.step);
     EXPECT_THAT(found.why, HasSubstr("particles 0 and 1"));
+}
+
+// From far apart to on top of each other in one step: no step stands where the force is.
+TEST(BlowUp, of_an_encounter_within_one_step_finds_it_on_the_way) {
+    RunDescription run = violent();
+    run.dt = 0.5;
+    const BlowUp found = blow_up_of(run);
+    EXPECT_EQ(found.step, found.divergence.step) << "the energy was right, and then impossible";
+    EXPECT_GT(run.dt, *found.limit.limit);
+    EXPECT_GT(found.limit.time, found.divergence.time);
+    EXPECT_LE(found.limit.time, found.divergence.time + run.dt);
+    EXPECT_THAT(found.why, HasSubstr("stiffened"));
 }
 
 TEST(BlowUp, follows_what_was_done_to_the_run) {

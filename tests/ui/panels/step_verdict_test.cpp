@@ -77,9 +77,12 @@ TEST(step_verdict, is_of_the_scene_as_it_is_now) {
 }
 
 TEST(step_verdict, says_what_a_period_costs_the_amplitude) {
-    EXPECT_EQ(verdict("chain", "velocity-verlet", 0.1).detail, "32 steps per period, amplitude kept");
-    EXPECT_THAT(verdict("chain", "rk4", 1.0).detail, StartsWith("3.2 steps per period, amplitude −"));
+    EXPECT_EQ(verdict("chain", "velocity-verlet", 0.1).detail, "per period: 32 steps, amplitude kept");
+    EXPECT_THAT(verdict("chain", "rk4", 1.0).detail, StartsWith("per period: 3.2 steps, amplitude −"));
     EXPECT_THAT(verdict("chain", "midpoint", 0.3).detail, HasSubstr("amplitude +"));
+    // one of its two motions grows, the other decays as fast
+    EXPECT_THAT(verdict("chain", "velocity-verlet", 1.1).detail, HasSubstr("amplitude +"));
+    EXPECT_THAT(verdict("chain", "rk4", 2).detail, HasSubstr("explodes"));
     EXPECT_EQ(verdict("free", "rk4", 5).detail, "");
     EXPECT_EQ(verdict("morse", "dopri5", 5).detail, "");
 }
