@@ -1,7 +1,5 @@
 #include "plot/plot.hpp"
 
-#include "plot/svg.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -96,34 +94,6 @@ TEST(plot, runs_are_told_apart_by_their_lines) {
     EXPECT_TRUE(dashes_of(line_of_run(0)).empty());
     for (std::size_t a = 0; a < 4; ++a) {
         for (std::size_t b = 0; b < a; ++b) EXPECT_NE(line_of_run(a), line_of_run(b));
-    }
-}
-
-TEST(svg, holds_title_axes_curves_and_caption) {
-    Plot plot = two_curves();
-    plot.title = "E < E0 & more";
-    plot.caption = "chain, rk4";
-    plot.moments = {{0.1, "dt 0.2"}};
-    const std::string text = svg(plot);
-    for (const char* const part :
-         {"E &lt; E0 &amp; more", "chain, rk4", "time [s]", "<title>run</title>", "dt 0.2", "polyline"})
-        EXPECT_NE(text.find(part), std::string::npos) << part;
-    EXPECT_EQ(text, svg(plot)) << "the same bytes each time";
-    EXPECT_EQ(text.find("nan"), std::string::npos);
-    EXPECT_EQ(text.find("inf"), std::string::npos);
-}
-
-TEST(svg, of_extreme_values_holds_numbers_only) {
-    constexpr double largest = std::numeric_limits<double>::max();
-    for (const double value : {0.0, 5e-324, 1e-300, 1.0, largest, -largest, std::numeric_limits<double>::infinity()}) {
-        for (const Scale scale : {Scale::linear, Scale::logarithmic, Scale::symmetric_logarithmic}) {
-            Plot plot;
-            plot.y.scale = scale;
-            plot.curves = {{.name = "run", .x = {0, 1}, .y = {value, 1}}};
-            const std::string text = svg(plot);
-            EXPECT_EQ(text.find("nan"), std::string::npos) << value;
-            EXPECT_EQ(text.find("inf"), std::string::npos) << value;
-        }
     }
 }
 

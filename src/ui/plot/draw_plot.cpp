@@ -65,7 +65,7 @@ void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, co
     draw_line(list, corners, curve.line, ink, thickness_of(context));
     const bool few = static_cast<float>(corners.size()) < layout.frame.width / context.px(12);
     if (curve.large) draw_marks(list, corners, ink, context.px(5));
-    if (curve.marks || (few && curve.colour != Curve::exact)) draw_marks(list, corners, ink, context.px(2.4f));
+    if (curve.has_marks(few)) draw_marks(list, corners, ink, context.px(2.4f));
 }
 
 /// What was done, and where the run stands, as vertical lines.
@@ -205,7 +205,7 @@ bool save_button(const Context& context, const Plot& plot, const Area& area) {
 /// The name of the axis across; beside it, in a picture that is saved, of what run the plot is.
 void draw_axis_name(const Context& context, const Plot& plot, const Area& area, const Area& frame) {
     const WithFont font(context.theme.fonts().small);
-    const std::string name = plot.x.unit.empty() ? plot.x.name : fmt::format("{} [{}]", plot.x.name, plot.x.unit);
+    const std::string name = text_of(plot.x);
     const float width = ImGui::CalcTextSize(name.c_str()).x;
     const float y = area.bottom() - context.px(12), right = frame.right();
     const std::string& caption = context.is_saved() ? plot.caption : std::string();

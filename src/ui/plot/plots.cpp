@@ -269,7 +269,7 @@ Plot plot_of(const Context& context, const PlotChoice& choice) {
     fill_of(choice.kind)(plot, context);
     plot.y.scale = choice.scale;
     if (plot.x.name == "time") add_time(plot, context, choice.kind);
-    plot.title = plot.y.unit.empty() ? plot.y.name : fmt::format("{} [{}]", plot.y.name, plot.y.unit);
+    plot.title = text_of(plot.y);
     return plot;
 }
 
