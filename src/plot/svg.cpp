@@ -44,6 +44,7 @@ std::string line_between(float x0, float y0, float x1, float y1, std::string_vie
 }
 
 std::string stroke_of(const Curve& curve) {
+    if (curve.line == Line::none) return " stroke-width=\"0\"";
     const float thickness = curve.colour == Curve::quiet ? 0.9f : 1.6f;
     std::string lengths;
     for (const float length : dashes_of(curve.line)) lengths += fmt::format("{:.1f} ", length * thickness);
@@ -174,10 +175,15 @@ private:
 
     std::string moments() const {
         std::string text;
+        const Box& frame = layout_.frame;
+        float free_from = frame.x;
         for (const Moment& moment : plot_.moments) {
             const float x = layout_.axes.across.pixel(moment.x);
-            text += line_between(x, layout_.frame.y, x, layout_.frame.bottom(), inks_.quiet);
-            text += text_at(x + 3, layout_.frame.bottom() - 4, "start", inks_.dim, moment.text, " font-size=\"10\"");
+            if (x < frame.x || x > frame.right()) continue;
+            text += line_between(x, frame.y, x, frame.bottom(), inks_.quiet);
+            if (x < free_from) continue;
+            text += text_at(x + 3, frame.bottom() - 4, "start", inks_.dim, moment.text, " font-size=\"10\"");
+            free_from = x + 6 + width_of(moment.text);
         }
         return text;
     }
