@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -40,15 +42,30 @@ void add_law(Plot& plot, const PairLaw& law, std::size_t number, const std::stri
     plot.curves.push_back(std::move(force));
     Curve now = pairs_now(law, name + "pairs now", frame);
     now.colour = 2 * number;
+    now.in_legend = name.empty();  // of several forces they are told by their colour
     if (!now.x.empty()) plot.curves.push_back(std::move(now));
 }
 
-/// Around what lies below 0; a steep wall would leave no room for it.
+/// What there is to see of a curve: its well as far up as down; of one without a well what lies beyond the nearest
+/// tenth, where it may be without bound.
+Range seen_of(const Curve& curve) {
+    const auto lowest = std::min_element(curve.y.begin(), curve.y.end());
+    if (lowest != curve.y.begin() && *lowest < 0) return {1.15 * *lowest, -1.15 * *lowest};
+    const auto from = curve.y.begin() + static_cast<std::ptrdiff_t>(curve.y.size() / 10);
+    const auto [low, high] = std::minmax_element(from, curve.y.end());
+    const double margin = 0.15 * std::max(std::abs(*low), std::abs(*high));
+    return {std::min(0.0, *low) - margin, std::max(0.0, *high) + margin};
+}
+
+/// Of all curves of potentials and forces; none where they are all 0.
 std::optional<Range> range_of(const Plot& plot) {
-    double lowest = 0;
-    for (const Curve& curve : plot.curves) lowest = std::min(lowest, *std::min_element(curve.y.begin(), curve.y.end()));
-    if (lowest == 0 || !std::isfinite(lowest)) return std::nullopt;
-    return Range{1.15 * lowest, -1.15 * lowest};
+    Range all{0, 0};
+    for (const Curve& curve : plot.curves) {
+        if (curve.line == plot::Line::none) continue;
+        const Range seen = seen_of(curve);
+        all = {std::min(all.low, seen.low), std::max(all.high, seen.high)};
+    }
+    return all.low < all.high && std::isfinite(all.high - all.low) ? std::optional(all) : std::nullopt;
 }
 
 }  // namespace
