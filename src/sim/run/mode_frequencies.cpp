@@ -11,8 +11,11 @@ namespace steplab {
 std::optional<std::vector<double>> mode_frequencies(const RunDescription& description, std::size_t most) {
     Plan plan = plan_of(description);
     if (plan.reference.count > most) return std::nullopt;
-    plan.start = {plan.reference.count, [](std::size_t) { return Start::Particle{}; }};
-    const Eigen::VectorXd values = all_modes({plan, model_of(description).shape(description.scene)}).values;
+    const Shape shape = model_of(description).shape(description.scene);
+    plan.start = {plan.reference.count, [&shape, reference = plan.reference](std::size_t i) {
+                      return Start::Particle{shape.rest[i] - reference.at(i), {}};
+                  }};
+    const Eigen::VectorXd values = all_modes({plan, shape}).values;
     std::vector<double> frequencies;
     for (Eigen::Index k = count_of_still(values); k < values.size(); ++k) frequencies.push_back(std::sqrt(values[k]));
     return frequencies;

@@ -1,11 +1,13 @@
 #include "sim/run/mode_frequencies.hpp"
 
 #include "sim/catalogue.hpp"
+#include "sim/run/starting.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <initializer_list>
+#include <memory>
 #include <numbers>
 #include <string_view>
 #include <utility>
@@ -40,11 +42,29 @@ TEST(mode_frequencies, of_a_chain_are_those_of_the_formula_in_order) {
     }
 }
 
-TEST(mode_frequencies, do_not_depend_on_the_start) {
-    const auto kicked = mode_frequencies(scene("chain", {{"n", 5}, {"v0", 1}}), 64);
-    ASSERT_TRUE(kicked);
-    EXPECT_EQ(*kicked, *mode_frequencies(scene("chain", {{"n", 5}, {"v0", 3}}), 64));
-    EXPECT_NE(*kicked, *mode_frequencies(scene("chain", {{"n", 5}, {"k", 7}}), 64));
+// Two masses m at a distance d: omega^2 = 2 V''(d) / m along the line that joins them.
+TEST(mode_frequencies, of_a_pair_is_that_of_the_curvature_of_its_potential) {
+    const RunDescription pair = scene("morse", {{"edge", 1}, {"r0", 10}, {"k", 3}, {"D", 2}});
+    const auto rest = model_of(pair).shape(pair.scene).rest;
+    const double b = std::sqrt(3 / (2 * 2.0)), e = std::exp(-b * (length(rest[1] - rest[0]) - 10));
+    const auto found = mode_frequencies(pair, 64);
+    ASSERT_TRUE(found && !found->empty());
+    EXPECT_NEAR(found->back(), std::sqrt(2 * 2 * 2 * b * b * e * (2 * e - 1) / pair.scene["m"]), 1e-9);
+}
+
+// A Morse pair that starts elsewhere has another Jacobian there.
+TEST(mode_frequencies, are_those_about_the_rest_positions_wherever_the_scene_starts) {
+    const RunDescription pair = scene("morse", {{"edge", 1}, {"r0", 10}, {"k", 3}});
+    RunDescription moved = pair;
+    auto values = std::make_shared<StartingValues>();
+    values->positions = model_of(pair).shape(pair.scene).rest;
+    values->positions[0].x += 0.05;
+    values->velocities.resize(2);
+    moved.start.from = values;
+    ASSERT_NE(plan_of(moved).start[0].displacement.x, plan_of(pair).start[0].displacement.x);
+    ASSERT_FALSE(mode_frequencies(pair, 64)->empty());
+    EXPECT_EQ(*mode_frequencies(moved, 64), *mode_frequencies(pair, 64));
+    EXPECT_NE(*mode_frequencies(scene("morse", {{"edge", 1}, {"r0", 10}, {"k", 2}}), 64), *mode_frequencies(pair, 64));
 }
 
 TEST(mode_frequencies, are_not_computed_of_many_particles) {
