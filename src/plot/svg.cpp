@@ -82,24 +82,26 @@ public:
         return text_at(14, height_ - 8, "start", inks_.dim, plot_.caption, " font-size=\"10\"");
     }
 
-    /// One below the other in the right upper corner.
+    /// One below the other on a card in the right upper corner.
     std::string legend() const {
         if (plot_.curves.size() + plot_.bands.size() < 2) return {};
         std::string text;
-        float y = layout_.frame.y + 14;
-        const float right = layout_.frame.right() - 8;
+        const float right = layout_.frame.right() - 8, top = layout_.frame.y + 14;
+        float y = top, widest = 0;
         const auto add = [&](const std::string& name, const std::string& sample) {
             text += sample + text_at(right - 30, y, "end", inks_.text, name);
+            widest = std::max(widest, width_of(name));
             y += 16;
         };
         for (const Curve& curve : plot_.curves) {
-            if (!curve.in_legend) continue;
-            add(curve.name, line_between(right - 24, y - 4, right, y - 4, ink_of(curve.colour), stroke_of(curve)));
+            if (curve.in_legend) add(curve.name, sample_of(curve, right, y));
         }
-        for (const Band& band : plot_.bands)
-            add(band.name, fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"24\" height=\"8\" {}/>\n", right - 24,
-                                       y - 8, area_of(band)));
-        return text;
+        for (const Band& band : plot_.bands) add(band.name, sample_of(band, right, y));
+        return fmt::format(
+                   "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" "
+                   "fill-opacity=\"0.8\"/>\n",
+                   right - 34 - widest, top - 13, widest + 38, y - top + 1, inks_.paper) +
+               text;
     }
 
     std::string names() const {
@@ -116,6 +118,18 @@ private:
         if (colour == Curve::exact) return inks_.exact;
         if (colour == Curve::quiet) return inks_.quiet;
         return inks_.curves[colour % inks_.curves.size()];
+    }
+
+    std::string sample_of(const Curve& curve, float right, float y) const {
+        if (curve.line == Line::none)
+            return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"{}\"/>\n", right - 12, y - 4,
+                               ink_of(curve.colour));
+        return line_between(right - 24, y - 4, right, y - 4, ink_of(curve.colour), stroke_of(curve));
+    }
+
+    std::string sample_of(const Band& band, float right, float y) const {
+        return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"24\" height=\"8\" {}/>\n", right - 24, y - 8,
+                           area_of(band));
     }
 
     std::string area_of(const Band& band) const {

@@ -58,6 +58,23 @@ Curve traced(const Course& course, std::string name, std::size_t run) {
     return curve;
 }
 
+bool has_size(const Course& errors) {
+    const auto values = errors.values();
+    return std::any_of(values.begin(), values.end(), [](double value) { return value > 0; });
+}
+
+/// Where errors are known, and not 0 as at the start, which a logarithmic axis does not show: a band alone would say
+/// nothing.
+void add_error_of_reference(Plot& plot, const History& history) {
+    const Course& known = history.reference_error();
+    if (!has_size(known) || std::none_of(history.errors().begin(), history.errors().end(), has_size)) return;
+    plot::Band band{.name = "error of the reference", .colour = Curve::quiet};
+    band.x.assign(known.times().begin(), known.times().end());
+    band.low.assign(band.x.size(), 0);
+    band.high.assign(known.values().begin(), known.values().end());
+    plot.bands.push_back(std::move(band));
+}
+
 /// Of samples where the scene has an exact solution, else as far as the runs were compared with the reference.
 void error_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "position error", .unit = "m"};
@@ -67,14 +84,7 @@ void error_plot(Plot& plot, const Context& context) {
     const auto errors = context.state.history.errors();
     for (std::size_t run = 0; run < std::min(errors.size(), context.session.followers.size() + 1); ++run)
         plot.curves.push_back(traced(errors[run], name_of_run(context, run), run));
-    const Course& floor = context.state.history.reference_error();
-    const auto known = floor.values();
-    if (std::none_of(known.begin(), known.end(), [](double error) { return error > 0; })) return;
-    plot::Band band{.name = "error of the reference", .colour = Curve::quiet};
-    band.x.assign(floor.times().begin(), floor.times().end());
-    band.low.assign(known.size(), 0);
-    band.high.assign(known.begin(), known.end());
-    plot.bands.push_back(std::move(band));
+    add_error_of_reference(plot, context.state.history);
 }
 
 void momentum_plot(Plot& plot, const Context& context) {

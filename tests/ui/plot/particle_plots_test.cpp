@@ -151,8 +151,8 @@ TEST(particle_plots, an_ensemble_is_a_band_around_the_displacement) {
     EXPECT_NEAR(last.at(4), u.x + 0.5, 1e-12);
 }
 
-TEST(particle_plots, the_error_of_the_reference_is_a_band_below_which_no_error_is_known) {
-    const OwnFolder folder;
+/// The position errors of a run of five steps of this error, as a table.
+std::string errors_against_reference(double error) {
     Desk desk(describe("morse"));
     desk.view.series.samples = {Sample{}};
     desk.view.has_exact = false;
@@ -160,15 +160,25 @@ TEST(particle_plots, the_error_of_the_reference_is_a_band_below_which_no_error_i
         desk.view.frame.step = step;
         Compared compared;
         compared.time = 0.25 * static_cast<double>(step);
-        compared.error = 1e-3;
+        compared.error = error;
         compared.reference_error = 1e-9;
         desk.session.errors = SessionErrors{.runs = {compared}};
         desk.interface.record(desk.view);
         desk.frame();
     }
     choose(desk, 1, "position error");
-    EXPECT_THAT(saved_csv(desk, "position error"),
+    return saved_csv(desk, "position error");
+}
+
+TEST(particle_plots, the_error_of_the_reference_is_a_band_below_which_no_error_is_known) {
+    const OwnFolder folder;
+    EXPECT_THAT(errors_against_reference(1e-3),
                 HasSubstr("time,run,error of the reference low,error of the reference high\n0,0.001,0,1e-09\n"));
+}
+
+TEST(particle_plots, there_is_no_band_of_the_reference_while_no_error_is_known) {
+    const OwnFolder folder;
+    EXPECT_THAT(errors_against_reference(0), Not(HasSubstr("error of the reference")));
 }
 
 TEST(particle_plots, the_pair_potential_is_that_of_the_scene_with_the_pairs_on_it) {
