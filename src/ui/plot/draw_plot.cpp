@@ -188,6 +188,18 @@ std::size_t point_at(const Curve& curve, const plot::Axes& axes, ImVec2 pointer)
     return best;
 }
 
+/// The ends of the bands over the pointer.
+std::string bands_at(const Plot& plot, double x) {
+    std::string text;
+    for (const plot::Band& band : plot.bands) {
+        if (band.x.empty()) continue;
+        const std::size_t i = plot::nearest(band.x, x);
+        text += fmt::format("\n{}: {} to {}", band.name, setting_text(band.low[i], 5),
+                            with_unit(setting_text(band.high[i], 5), plot.y.unit));
+    }
+    return text;
+}
+
 /// A vertical line at the pointer, and the values of the curves there.
 void draw_values_under_pointer(const Context& context, const Plot& plot, const plot::Layout& layout, const Area& area) {
     const ImVec2 pointer = ImGui::GetIO().MousePos;
@@ -206,6 +218,7 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const p
                                  ink_of(context, curve.colour));
         text.append("\n" + curve.name + ": " + with_unit(setting_text(curve.y[i], 5), plot.y.unit));
     }
+    text += bands_at(plot, across.value(pointer.x));
     tooltip_beside(context, {pointer.x, area.y, pointer.x, area.bottom()}, text);
 }
 
