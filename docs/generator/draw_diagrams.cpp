@@ -2,6 +2,7 @@
 /// speed]...
 
 #include "lab/report/page.hpp"
+#include "plot/svg.hpp"
 #include "speed_figures.hpp"
 #include "tables.hpp"
 
@@ -11,22 +12,14 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <regex>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace {
 
-/// Without tabs and blanks at the end of a line, which gnuplot leaves.
-std::string tidy(const std::string& text) {
-    static const std::regex tabs("\t"), ends("[ \t\r]+\n");
-    return std::regex_replace(std::regex_replace(text, ends, "\n"), tabs, " ");
-}
-
-void draw(const std::string& path, const steplab::Figure& figure) {
-    std::ofstream(path) << tidy(steplab::svg_file(steplab::svg_figures(std::span(&figure, 1)).front()));
+void draw(const std::string& path, const steplab::plot::Plot& figure) {
+    std::ofstream(path) << steplab::plot::svg_element(figure, steplab::light_inks());
     fmt::print("{}\n", path);
 }
 

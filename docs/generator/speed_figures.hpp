@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/report/figure.hpp"
+#include "plot/plot.hpp"
 #include "results.hpp"
 
 #include <string>
@@ -12,7 +12,7 @@ namespace steplab::docs {
 /// A diagram of results and its file in docs/images.
 struct SpeedFigure {
     std::string file;
-    Figure figure;
+    plot::Plot figure;
 };
 
 /// Time per particle and step against the number of particles ("growing"), and the roofline ("roofline"; Williams,

@@ -121,25 +121,42 @@ struct Column {
     }
 };
 
-/// The value of a curve at one of its own x; empty elsewhere.
-std::string cell(const Curve& curve, double x) {
-    const auto found = std::lower_bound(curve.x.begin(), curve.x.end(), x);
-    if (found == curve.x.end() || *found != x) return {};
-    const double y = curve.y[static_cast<std::size_t>(found - curve.x.begin())];
-    return std::isfinite(y) ? number_text(y) : std::string();
+/// A column of a table.
+struct Values {
+    std::string name;
+    std::span<const double> x, y;
+
+    /// The value at one of its own x; empty elsewhere.
+    std::string at(double place) const {
+        const auto found = std::lower_bound(x.begin(), x.end(), place);
+        if (found == x.end() || *found != place) return {};
+        const double value = y[static_cast<std::size_t>(found - x.begin())];
+        return std::isfinite(value) ? number_text(value) : std::string();
+    }
+};
+
+std::vector<Values> columns_of(const Plot& plot) {
+    std::vector<Values> columns;
+    for (const Curve& curve : plot.curves) columns.push_back({curve.name, curve.x, curve.y});
+    for (const Band& band : plot.bands) {
+        columns.push_back({band.name + " low", band.x, band.low});
+        columns.push_back({band.name + " high", band.x, band.high});
+    }
+    return columns;
 }
 
 std::string table_of(const Plot& plot) {
     std::string text = plot.x.name;
     std::set<double> all;
-    for (const Curve& curve : plot.curves) {
-        text.append(",").append(curve.name);
-        all.insert(curve.x.begin(), curve.x.end());
+    const std::vector<Values> columns = columns_of(plot);
+    for (const Values& column : columns) {
+        text.append(",").append(column.name);
+        all.insert(column.x.begin(), column.x.end());
     }
     text.append("\n");
     for (const double x : all) {
         text.append(number_text(x));
-        for (const Curve& curve : plot.curves) text.append(",").append(cell(curve, x));
+        for (const Values& column : columns) text.append(",").append(column.at(x));
         text.append("\n");
     }
     return text;
@@ -173,13 +190,26 @@ std::span<const float> dashes_of(Line line) {
     }
 }
 
+void Curve::add(double across, double up) {
+    x.push_back(across);
+    y.push_back(up);
+}
+
+bool Curve::has_marks(bool few) const {
+    return marks == Marks::always || (marks == Marks::if_few && few && colour != exact && colour != quiet);
+}
+
+std::string text_of(const Quantity& quantity) {
+    return quantity.unit.empty() ? quantity.name : quantity.name + " [" + quantity.unit + "]";
+}
+
 bool has_values(const Plot& plot) { return !extent_up(plot).empty(); }
 
 Axes axes(const Plot& plot, const Box& frame, int most) {
     const Extent across = extent_across(plot), up = extent_up(plot);
     const Range x = range_across(across, plot.x), y = range_up(up, plot.y, most);
-    return {{x.low, x.high, plot.x.scale, frame.x, frame.right(), threshold_of(across)},
-            {y.low, y.high, plot.y.scale, frame.bottom(), frame.y, threshold_of(up)}};
+    return {{x.low, x.high, plot.x.scale, frame.x, frame.right(), threshold_of(across), plot.x.numbers},
+            {y.low, y.high, plot.y.scale, frame.bottom(), frame.y, threshold_of(up), plot.y.numbers}};
 }
 
 std::vector<Point> decimated(std::span<const double> x, std::span<const double> y, const Axes& axes) {
@@ -195,6 +225,22 @@ std::vector<Point> decimated(std::span<const double> x, std::span<const double> 
     }
     column.append_to(points);
     return points;
+}
+
+std::vector<Strip> strips(const Band& band, const Axes& axes) {
+    std::vector<Strip> found;
+    for (std::size_t i = 0; i < band.x.size(); ++i) {
+        if (!axes.across.can_show(band.x[i]) || !axes.up.can_show(band.high[i]) || std::isnan(band.low[i])) continue;
+        const Strip strip{axes.across.pixel(band.x[i]), axes.up.pixel(band.high[i]),
+                          axes.up.can_show(band.low[i]) ? axes.up.pixel(band.low[i]) : axes.up.from};
+        if (found.empty() || std::floor(strip.x) != std::floor(found.back().x)) {
+            found.push_back(strip);
+        } else {
+            found.back().top = std::min(found.back().top, strip.top);
+            found.back().bottom = std::max(found.back().bottom, strip.bottom);
+        }
+    }
+    return found;
 }
 
 std::size_t nearest(std::span<const double> x, double value) {

@@ -12,31 +12,44 @@
 
 namespace steplab::plot {
 
-/// How a curve is drawn between its points.
-enum class Line { solid, dashed, dotted, dash_dotted };
+/// How a curve is drawn between its points; none: not at all.
+enum class Line { solid, dashed, dotted, dash_dotted, none };
 /// The line of a run of the session, so that runs are told apart without colours too.
 Line line_of_run(std::size_t run);
+constexpr Line dashed_if(bool dashed) { return dashed ? Line::dashed : Line::solid; }
 /// Lengths of dash and gap in turn, in thicknesses of the line; empty: solid.
 std::span<const float> dashes_of(Line line);
 
+/// Where a curve has dots at its points.
+enum class Marks {
+    if_few,  ///< where they are few enough to be told apart; none on quiet and exact curves
+    always,
+    never,
+};
+
 /// A curve of a plot.
 struct Curve {
-    /// Colours that have a meaning, besides those of runs, which are numbers from 0.
+    /// Colours that have a meaning, besides those of runs, which are numbers from 0. Quiet: behind the others.
     static constexpr std::size_t exact = 100, quiet = 101;
 
     std::string name = {};  ///< in the legend and in the header of the CSV file
     std::size_t colour = 0;
     Line line = Line::solid;
-    bool marks = false;  ///< a dot at each point
+    Marks marks = Marks::if_few;
     bool large = false;  ///< large dots
     bool in_legend = true;
     bool ascending = true;  ///< x ascends; else the curve may go anywhere, as a path does
     std::vector<double> x = {};
     std::vector<double> y = {};  ///< values that are not finite are gaps
+
+    void add(double across, double up);
+    /// `few`: there are few enough points to be told apart.
+    bool has_marks(bool few) const;
 };
 
 /// What lies between two curves.
 struct Band {
+    std::string name = {};  ///< in the legend; with "low" and "high" in the header of the CSV file
     std::size_t colour = 0;
     std::vector<double> x = {};  ///< ascending
     std::vector<double> low = {}, high = {};
@@ -54,13 +67,16 @@ struct Quantity {
     std::string unit = {};
     Scale scale = Scale::linear;
     std::optional<Range> range = {};  ///< none: that of the data
+    Numbers numbers = Numbers::typed;
 };
+/// "position error [m]".
+std::string text_of(const Quantity& quantity);
 
 /// The content of a plot, with everything that its picture says. It is drawn by draw_plot() of the
 /// window and written by csv() and svg().
 struct Plot {
-    std::string name = {};  ///< in the names of its files and widgets: "energy error"
-    std::string title = {};
+    std::string name = {};     ///< in the names of its files and widgets: "energy error"
+    std::string title = {};    ///< above it; empty: what its axis up shows
     std::string caption = {};  ///< of what run it is
     Quantity x = {.name = "time", .unit = "s"};
     Quantity y = {};
@@ -102,11 +118,20 @@ struct Point {
 /// column of pixels that it passes through, so that no peak is lost. Points that an axis cannot show are left out.
 std::vector<Point> decimated(std::span<const double> x, std::span<const double> y, const Axes& axes);
 
+/// A band over a column of pixels.
+struct Strip {
+    float x = 0;
+    float top = 0, bottom = 0;
+};
+/// The band, reduced to its widest extent in each column of pixels. What lies below a logarithmic axis is cut off
+/// there; points without a value are left out.
+std::vector<Strip> strips(const Band& band, const Axes& axes);
+
 /// Index of the value in `x` (ascending) nearest to `value`; 0 if `x` is empty.
 std::size_t nearest(std::span<const double> x, double value);
 
-/// The data of a plot as CSV: a column for x, of all curves, and one for each curve, empty where it has no value; of
-/// curves that do not ascend the name, x and y of each point.
+/// The data of a plot as CSV: a column for x, of all curves and bands, one for each curve, and two for each band, empty
+/// where it has no value; of curves that do not ascend the name, x and y of each point.
 std::string csv(const Plot& plot);
 
 }  // namespace steplab::plot

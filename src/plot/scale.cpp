@@ -1,5 +1,6 @@
 #include "plot/scale.hpp"
 
+#include "core/duration.hpp"
 #include "core/number_text.hpp"
 #include "core/ticks.hpp"
 
@@ -55,10 +56,19 @@ std::vector<Tick> linear_ticks_of(const Axis& axis, int most) {
     return found.empty() ? ends_of(axis) : found;
 }
 
-Tick power_of_ten(int exponent, double sign = 1) {
+std::string text_of_power(int exponent, Numbers numbers) {
+    const double value = std::pow(10.0, exponent);
+    if (numbers == Numbers::seconds) return duration_text(value);
+    if (numbers == Numbers::counts && exponent >= 0 && exponent < 7)
+        return grouped(static_cast<unsigned long long>(std::llround(value)));
+    if (numbers != Numbers::typed) return exponent == 0 ? "1" : readable(value);
     const bool plain = exponent >= -2 && exponent <= 3;
-    const double value = sign * std::pow(10.0, exponent);
-    return {value, plain ? number_text(value) : fmt::format("{}1e{}", sign < 0 ? "-" : "", exponent)};
+    return plain ? number_text(value) : fmt::format("1e{}", exponent);
+}
+
+Tick power_of_ten(int exponent, Numbers numbers, double sign = 1) {
+    return {sign * std::pow(10.0, exponent),
+            fmt::format("{}{}", sign < 0 ? "-" : "", text_of_power(exponent, numbers))};
 }
 
 /// Of so many ticks every how many are shown, if there are to be at most so many intervals.
@@ -71,7 +81,7 @@ std::vector<Tick> logarithmic_ticks_of(const Axis& axis, int most) {
     const std::vector<int> exponents = decades(axis.low, axis.high);
     std::vector<Tick> found;
     for (std::size_t i = 0; i < exponents.size(); i += every_of(exponents.size(), most))
-        found.push_back(power_of_ten(exponents[i]));
+        found.push_back(power_of_ten(exponents[i], axis.numbers));
     return found;
 }
 
@@ -83,8 +93,8 @@ std::vector<Tick> symmetric_ticks_of(const Axis& axis, int most) {
     const std::size_t every = every_of(exponents.size(), both ? std::max(1, most / 2) : most);
     std::vector<Tick> below, above;
     for (std::size_t i = every - 1; i < exponents.size(); i += every) {
-        below.push_back(power_of_ten(exponents[i], -1));
-        above.push_back(power_of_ten(exponents[i]));
+        below.push_back(power_of_ten(exponents[i], axis.numbers, -1));
+        above.push_back(power_of_ten(exponents[i], axis.numbers));
     }
     std::vector<Tick> found(below.rbegin(), below.rend());
     found.push_back({0, "0"});

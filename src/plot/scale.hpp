@@ -12,6 +12,14 @@ enum class Scale {
     symmetric_logarithmic,  ///< arsinh(value / threshold): logarithmic on both sides of 0, linear around it
 };
 
+/// How the powers of ten of a logarithmic axis are written.
+enum class Numbers {
+    typed,     ///< "1e-7"
+    readable,  ///< "10⁻⁷"
+    seconds,   ///< "10 µs"
+    counts,    ///< "10 000"
+};
+
 /// An axis of a plot: maps values to pixels.
 struct Axis {
     double low = 0;
@@ -20,6 +28,7 @@ struct Axis {
     float from = 0;        ///< pixel of `low`
     float to = 1;          ///< pixel of `high`
     double threshold = 1;  ///< of a symmetric logarithmic axis: it is about linear up to this distance from 0
+    Numbers numbers = Numbers::typed;
 
     /// True if the axis has a place for the value.
     bool can_show(double value) const;

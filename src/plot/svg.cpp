@@ -1,26 +1,36 @@
 #include "plot/svg.hpp"
 
 #include "core/markup.hpp"
+#include "plot/curve_names.hpp"
 #include "plot/layout.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <string_view>
 
 namespace steplab::plot {
 namespace {
 
-constexpr float width = 720, height = 440, font_height = 12;
-constexpr std::string_view ink = "#1b2430", dim = "#5b6675", grid = "#dfe4ea";
+constexpr float font_height = 12;
 
 /// Of runs: dark enough on white, and told apart by those who see no red or green (Okabe, Ito 2008).
-std::string_view colour_of(std::size_t colour) {
-    constexpr std::array runs{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"};
-    if (colour == Curve::exact) return "#1b2430";
-    if (colour == Curve::quiet) return "#9aa5b1";
-    return runs[colour % runs.size()];
+Inks inks_on_white() {
+    return {.paper = "#ffffff",
+            .text = "#1b2430",
+            .dim = "#5b6675",
+            .grid = "#dfe4ea",
+            .exact = "#1b2430",
+            .quiet = "#9aa5b1",
+            .curves = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"}};
 }
+
+float width_of(const std::string& text) {
+    const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
+    return 0.58f * font_height * static_cast<float>(std::count_if(text.begin(), text.end(), begins));
+}
+
+Lettering lettering() { return {width_of, font_height, 1}; }
 
 std::string text_at(float x, float y, std::string_view anchor, std::string_view colour, std::string_view text,
                     std::string_view more = "") {
@@ -28,100 +38,216 @@ std::string text_at(float x, float y, std::string_view anchor, std::string_view 
                        colour, more, escaped(text));
 }
 
-std::string line_between(float x0, float y0, float x1, float y1, std::string_view colour, float thickness = 1) {
-    return fmt::format(
-        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-width=\"{:.1f}\"/>\n", x0,
-        y0, x1, y1, colour, thickness);
+std::string line_between(float x0, float y0, float x1, float y1, std::string_view colour, std::string_view more = "") {
+    return fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"{}/>\n", x0, y0, x1,
+                       y1, colour, more);
 }
 
-std::string dashes(Line line, float thickness) {
+std::string stroke_of(const Curve& curve) {
+    if (curve.line == Line::none) return " stroke-width=\"0\"";
+    const float thickness = curve.colour == Curve::quiet ? 0.9f : 1.6f;
     std::string lengths;
-    for (const float length : dashes_of(line)) lengths += fmt::format("{:.1f} ", length * thickness);
-    return lengths.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", lengths.substr(0, lengths.size() - 1));
+    for (const float length : dashes_of(curve.line)) lengths += fmt::format("{:.1f} ", length * thickness);
+    std::string stroke = fmt::format(" stroke-width=\"{:.1f}\"", thickness);
+    if (!lengths.empty()) stroke += fmt::format(" stroke-dasharray=\"{}\"", lengths.substr(0, lengths.size() - 1));
+    return stroke;
 }
 
-std::string ticks_of(const Layout& layout) {
-    const Box& frame = layout.frame;
-    std::string text;
-    for (const PlacedTick& tick : layout.up) {
-        text += line_between(frame.x, tick.pixel, frame.right(), tick.pixel, grid);
-        text += text_at(tick.place.right(), tick.pixel + 4, "end", ink, tick.label);
-    }
-    for (const PlacedTick& tick : layout.across) {
-        text += line_between(tick.pixel, frame.y, tick.pixel, frame.bottom(), grid);
-        text += text_at(tick.place.x + 0.5f * tick.place.width, frame.bottom() + 17, "middle", ink, tick.label);
-    }
-    return text;
-}
+/// Writes the parts of a picture.
+class Drawing {
+public:
+    Drawing(const Plot& plot, const Inks& inks, float width, float height, float below)
+        : plot_(plot),
+          inks_(inks),
+          width_(width),
+          height_(height),
+          layout_(layout_of(plot, {0, 0, width, height - below}, lettering())) {}
 
-std::string path_of(const Curve& curve, const Axes& axes) {
-    constexpr float thickness = 1.6f;
-    std::string points, dots;
-    const auto shown = decimated(curve.x, curve.y, axes);
-    for (const Point& point : shown) {
-        points += fmt::format("{:.2f},{:.2f} ", point.x, point.y);
-        if (curve.marks || shown.size() < 40)
-            dots += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"2.4\"/>", point.x, point.y);
+    /// All but texts about the curves, with the end left open.
+    std::string content() const {
+        const Box& frame = layout_.frame;
+        std::string text = fmt::format(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+            "font-family=\"sans-serif\" font-size=\"{2}\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"{3}\"/>\n",
+            width_, height_, font_height, inks_.paper);
+        text += ticks() + border() + in_frame();
+        return text + text_at(frame.x + 0.5f * frame.width, frame.bottom() + 36, "middle", inks_.dim, text_of(plot_.x));
     }
-    const std::string_view colour = colour_of(curve.colour);
-    return fmt::format(
-        "<g stroke=\"{0}\" fill=\"{0}\"><title>{1}</title><polyline fill=\"none\" stroke-width=\"{2:.1f}\"{3} "
-        "stroke-linejoin=\"round\" points=\"{4}\"/>{5}</g>\n",
-        colour, escaped(curve.name), thickness, dashes(curve.line, thickness), points, dots);
-}
 
-std::string moments_of(const Plot& plot, const Layout& layout) {
-    std::string text;
-    for (const Moment& moment : plot.moments) {
-        const float x = layout.axes.across.pixel(moment.x);
-        text += line_between(x, layout.frame.y, x, layout.frame.bottom(), "#9aa5b1");
-        text += text_at(x + 3, layout.frame.bottom() - 4, "start", dim, moment.text, " font-size=\"10\"");
+    std::string title(std::string_view more) const {
+        return text_at(14, 22, "start", inks_.text, plot_.title.empty() ? text_of(plot_.y) : plot_.title, more);
     }
-    return text;
-}
 
-/// One below the other in the right upper corner.
-std::string legend_of(const Plot& plot, const Layout& layout) {
-    if (plot.curves.size() < 2) return {};
-    std::string text;
-    float y = layout.frame.y + 14;
-    const float right = layout.frame.right() - 8;
-    for (const Curve& curve : plot.curves) {
-        text += fmt::format(
-            "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-width=\"1.6\"{}/>\n",
-            right - 24, y - 4, right, y - 4, colour_of(curve.colour), dashes(curve.line, 1.6f));
-        text += text_at(right - 30, y, "end", ink, curve.name);
-        y += 16;
+    std::string caption() const {
+        return text_at(14, height_ - 8, "start", inks_.dim, plot_.caption, " font-size=\"10\"");
     }
-    return text;
-}
 
-std::string frame_of(const Box& frame) {
-    return fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\"/>\n", frame.x,
-        frame.y, frame.width, frame.height, dim);
+    /// One below the other on a card in the right upper corner.
+    std::string legend() const {
+        if (plot_.curves.size() + plot_.bands.size() < 2) return {};
+        std::string text;
+        const float right = layout_.frame.right() - 8, top = layout_.frame.y + 14;
+        float y = top, widest = 0;
+        const auto add = [&](const std::string& name, const std::string& sample) {
+            text += sample + text_at(right - 30, y, "end", inks_.text, name);
+            widest = std::max(widest, width_of(name));
+            y += 16;
+        };
+        for (const Curve& curve : plot_.curves) {
+            if (curve.in_legend) add(curve.name, sample_of(curve, right, y));
+        }
+        for (const Band& band : plot_.bands) add(band.name, sample_of(band, right, y));
+        return fmt::format(
+                   "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" "
+                   "fill-opacity=\"0.8\"/>\n",
+                   right - 34 - widest, top - 13, widest + 38, y - top + 1, inks_.paper) +
+               text;
+    }
+
+    std::string names() const {
+        std::string text;
+        const std::string halo = fmt::format(
+            " stroke=\"{}\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"", inks_.paper);
+        for (const CurveName& name : curve_names(plot_, layout_, lettering()))
+            text += text_at(name.place.x + 2, name.place.bottom() - 3, "start", ink_of(name.colour), name.text, halo);
+        return text;
+    }
+
+private:
+    const std::string& ink_of(std::size_t colour) const {
+        if (colour == Curve::exact) return inks_.exact;
+        if (colour == Curve::quiet) return inks_.quiet;
+        return inks_.curves[colour % inks_.curves.size()];
+    }
+
+    std::string sample_of(const Curve& curve, float right, float y) const {
+        if (curve.line == Line::none)
+            return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\" fill=\"{}\"/>\n", right - 12, y - 4,
+                               ink_of(curve.colour));
+        return line_between(right - 24, y - 4, right, y - 4, ink_of(curve.colour), stroke_of(curve));
+    }
+
+    std::string sample_of(const Band& band, float right, float y) const {
+        return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"24\" height=\"8\" {}/>\n", right - 24, y - 8,
+                           area_of(band));
+    }
+
+    std::string area_of(const Band& band) const {
+        return fmt::format("fill=\"{}\" fill-opacity=\"0.22\" stroke=\"none\"", ink_of(band.colour));
+    }
+
+    std::string ticks() const {
+        const Box& frame = layout_.frame;
+        std::string text;
+        for (const PlacedTick& tick : layout_.up) {
+            text += line_between(frame.x, tick.pixel, frame.right(), tick.pixel, inks_.grid);
+            text += text_at(tick.place.right(), tick.pixel + 4, "end", inks_.text, tick.label);
+        }
+        for (const PlacedTick& tick : layout_.across) {
+            text += line_between(tick.pixel, frame.y, tick.pixel, frame.bottom(), inks_.grid);
+            text +=
+                text_at(tick.place.x + 0.5f * tick.place.width, frame.bottom() + 17, "middle", inks_.text, tick.label);
+        }
+        return text;
+    }
+
+    std::string border() const {
+        const Box& frame = layout_.frame;
+        return fmt::format(
+            "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\"/>\n",
+            frame.x, frame.y, frame.width, frame.height, inks_.quiet);
+    }
+
+    /// What is cut off at the frame, by an element of its own: it needs no name, which would have to be unique in a
+    /// page. Quiet curves lie behind the others.
+    std::string in_frame() const {
+        constexpr float over = 2;  // half a line or dot at the border
+        const Box& frame = layout_.frame;
+        std::string text = fmt::format(
+            "<svg x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"{3:.1f}\" "
+            "viewBox=\"{0:.1f} {1:.1f} {2:.1f} {3:.1f}\" overflow=\"hidden\">\n",
+            frame.x - over, frame.y - over, frame.width + 2 * over, frame.height + 2 * over);
+        for (const Band& band : plot_.bands) text += area(band);
+        text += moments();
+        for (const bool in_front : {false, true}) {
+            for (const Curve& curve : plot_.curves) {
+                if ((curve.colour != Curve::quiet) == in_front) text += path(curve);
+            }
+        }
+        return text + "</svg>\n";
+    }
+
+    std::string area(const Band& band) const {
+        const std::vector<Strip> all = strips(band, layout_.axes);
+        std::string points;
+        for (const Strip& strip : all) points += fmt::format("{:.2f},{:.2f} ", strip.x, strip.top);
+        for (auto strip = all.rbegin(); strip != all.rend(); ++strip)
+            points += fmt::format("{:.2f},{:.2f} ", strip->x, strip->bottom);
+        return fmt::format("<polygon {} points=\"{}\"><title>{}</title></polygon>\n", area_of(band), points,
+                           escaped(band.name));
+    }
+
+    std::string moments() const {
+        std::string text;
+        const Box& frame = layout_.frame;
+        float free_from = frame.x;
+        for (const Moment& moment : plot_.moments) {
+            const float x = layout_.axes.across.pixel(moment.x);
+            if (x < frame.x || x > frame.right()) continue;
+            text += line_between(x, frame.y, x, frame.bottom(), inks_.quiet);
+            if (x < free_from) continue;
+            text += text_at(x + 3, frame.bottom() - 4, "start", inks_.dim, moment.text, " font-size=\"10\"");
+            free_from = x + 6 + width_of(moment.text);
+        }
+        return text;
+    }
+
+    std::string path(const Curve& curve) const {
+        constexpr std::size_t few = 40;
+        const std::vector<Point> shown = decimated(curve.x, curve.y, layout_.axes);
+        const float radius = curve.large ? 5.0f : 2.2f;
+        std::string points, dots;
+        for (const Point& point : shown) {
+            points += fmt::format("{:.2f},{:.2f} ", point.x, point.y);
+            if (curve.large || curve.has_marks(shown.size() < few))
+                dots += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.1f}\"/>", point.x, point.y, radius);
+        }
+        if (shown.empty()) return {};
+        return fmt::format(
+            "<g class=\"curve\" data-name=\"{}\" stroke=\"{}\" fill=\"{}\"><title>{}</title><polyline "
+            "fill=\"none\"{} stroke-linejoin=\"round\" points=\"{}\"/>{}</g>\n",
+            escaped(curve.name.substr(0, curve.name.find(' '))), ink_of(curve.colour), ink_of(curve.colour),
+            escaped(curve.name), stroke_of(curve), points, dots);
+    }
+
+    const Plot& plot_;
+    const Inks& inks_;
+    float width_, height_;
+    Layout layout_;
+};
+
+/// Powers of ten as in the texts of a page.
+Plot with_readable_powers(Plot plot) {
+    for (Quantity* quantity : {&plot.x, &plot.y}) {
+        if (quantity->numbers == Numbers::typed) quantity->numbers = Numbers::readable;
+    }
+    return plot;
 }
 
 }  // namespace
 
 std::string svg(const Plot& plot) {
-    const Lettering lettering{
-        [](const std::string& text) { return 0.58f * font_height * static_cast<float>(text.size()); }, font_height, 1};
-    const Layout layout = layout_of(plot, {0, 0, width, height - 18}, lettering);
-    const Box& frame = layout.frame;
-    const std::string across = plot.x.unit.empty() ? plot.x.name : fmt::format("{} [{}]", plot.x.name, plot.x.unit);
-    std::string text = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-        "font-family=\"sans-serif\" font-size=\"{2}\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
-        "<clipPath id=\"frame\"><rect x=\"{3:.1f}\" y=\"{4:.1f}\" width=\"{5:.1f}\" height=\"{6:.1f}\"/></clipPath>\n",
-        width, height, font_height, frame.x, frame.y, frame.width, frame.height);
-    text += text_at(14, 22, "start", ink, plot.title, " font-size=\"14\" font-weight=\"bold\"");
-    text += ticks_of(layout) + frame_of(frame) + "<g clip-path=\"url(#frame)\">\n" + moments_of(plot, layout);
-    for (const Curve& curve : plot.curves) text += path_of(curve, layout.axes);
-    text += "</g>\n" + legend_of(plot, layout);
-    text += text_at(frame.x + 0.5f * frame.width, frame.bottom() + 36, "middle", dim, across);
-    text += text_at(14, height - 8, "start", dim, plot.caption, " font-size=\"10\"");
-    return text + "</svg>\n";
+    const Inks inks = inks_on_white();
+    const Drawing drawing(plot, inks, 720, 440, 18);
+    return drawing.content() + drawing.title(" font-size=\"14\" font-weight=\"bold\"") + drawing.legend() +
+           drawing.caption() + "</svg>\n";
+}
+
+std::string svg_element(const Plot& plot, const Inks& inks) {
+    if (!has_values(plot)) return {};
+    const Plot readable = with_readable_powers(plot);
+    const Drawing drawing(readable, inks, 600, 400, 0);
+    return drawing.content() + drawing.title("") + drawing.names() + "</svg>\n";
 }
 
 }  // namespace steplab::plot

@@ -1,7 +1,5 @@
 #include "plot/plot.hpp"
 
-#include "plot/svg.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -99,32 +97,55 @@ TEST(plot, runs_are_told_apart_by_their_lines) {
     }
 }
 
-TEST(svg, holds_title_axes_curves_and_caption) {
-    Plot plot = two_curves();
-    plot.title = "E < E0 & more";
-    plot.caption = "chain, rk4";
-    plot.moments = {{0.1, "dt 0.2"}};
-    const std::string text = svg(plot);
-    for (const char* const part :
-         {"E &lt; E0 &amp; more", "chain, rk4", "time [s]", "<title>run</title>", "dt 0.2", "polyline"})
-        EXPECT_NE(text.find(part), std::string::npos) << part;
-    EXPECT_EQ(text, svg(plot)) << "the same bytes each time";
-    EXPECT_EQ(text.find("nan"), std::string::npos);
-    EXPECT_EQ(text.find("inf"), std::string::npos);
+Plot with_band(Scale scale) {
+    Plot plot;
+    plot.y.scale = scale;
+    plot.curves = {{.name = "run", .x = {0, 1}, .y = {1, 1}}};
+    plot.bands = {{.name = "spread", .x = {0, 1, 2}, .low = {0.5, -1, NAN}, .high = {2, 100, 3}}};
+    return plot;
 }
 
-TEST(svg, of_extreme_values_holds_numbers_only) {
-    constexpr double largest = std::numeric_limits<double>::max();
-    for (const double value : {0.0, 5e-324, 1e-300, 1.0, largest, -largest, std::numeric_limits<double>::infinity()}) {
-        for (const Scale scale : {Scale::linear, Scale::logarithmic, Scale::symmetric_logarithmic}) {
-            Plot plot;
-            plot.y.scale = scale;
-            plot.curves = {{.name = "run", .x = {0, 1}, .y = {value, 1}}};
-            const std::string text = svg(plot);
-            EXPECT_EQ(text.find("nan"), std::string::npos) << value;
-            EXPECT_EQ(text.find("inf"), std::string::npos) << value;
-        }
+TEST(bands, have_two_columns_of_the_csv_and_room_on_the_axes) {
+    const Plot plot = with_band(Scale::linear);
+    EXPECT_EQ(csv(plot), "time,run,spread low,spread high\n0,1,0.5,2\n1,1,-1,100\n2,,,3\n");
+    const Axes axes = plot::axes(plot, {0, 0, 100, 100});
+    EXPECT_EQ(axes.across.high, 2);
+    EXPECT_LE(axes.up.low, -1);
+    EXPECT_GE(axes.up.high, 100);
+}
+
+TEST(bands, are_strips_from_low_to_high_and_end_where_a_logarithmic_axis_does) {
+    const Box frame{0, 0, 100, 100};
+    const Plot linear = with_band(Scale::linear), logarithmic = with_band(Scale::logarithmic);
+    const Axes on_linear = axes(linear, frame), on_logarithmic = axes(logarithmic, frame);
+    const auto found = strips(linear.bands.front(), on_linear);
+    ASSERT_EQ(found.size(), 2u) << "the last place has no lower end";
+    EXPECT_EQ(found[1].x, on_linear.across.pixel(1));
+    EXPECT_EQ(found[1].top, on_linear.up.pixel(100));
+    EXPECT_EQ(found[1].bottom, on_linear.up.pixel(-1));
+    EXPECT_EQ(strips(logarithmic.bands.front(), on_logarithmic)[1].bottom, frame.bottom());
+    EXPECT_EQ(strips(logarithmic.bands.front(), on_logarithmic)[0].bottom, on_logarithmic.up.pixel(0.5));
+}
+
+TEST(bands, of_many_points_keep_the_widest_extent_of_each_column) {
+    Plot plot;
+    Band band;
+    for (int i = 0; i <= 10000; ++i) {
+        band.x.push_back(i);
+        band.low.push_back(i == 5003 ? -7 : -1);
+        band.high.push_back(i == 5009 ? 9 : 1);
     }
+    plot.bands = {band};
+    const Axes axes = plot::axes(plot, {0, 0, 100, 100});
+    const auto found = strips(band, axes);
+    EXPECT_LE(found.size(), 102u);
+    float top = 100, bottom = 0;
+    for (const Strip& strip : found) {
+        top = std::min(top, strip.top);
+        bottom = std::max(bottom, strip.bottom);
+    }
+    EXPECT_EQ(top, axes.up.pixel(9));
+    EXPECT_EQ(bottom, axes.up.pixel(-7));
 }
 
 }  // namespace

@@ -34,6 +34,16 @@ TEST(plot_axis, logarithmic_ticks_are_at_powers_of_ten) {
     EXPECT_EQ(ticks({1e-16, 1e4, Scale::logarithmic}, 4).size(), 5u);
 }
 
+TEST(plot_axis, powers_of_ten_are_written_as_the_quantity_is) {
+    const auto texts = [](double low, double high, Numbers numbers) {
+        return labels(ticks({.low = low, .high = high, .scale = Scale::logarithmic, .numbers = numbers}, 9));
+    };
+    EXPECT_EQ(texts(2e-7, 2e-3, Numbers::seconds), (Texts{"1 µs", "10 µs", "100 µs", "1 ms"}));
+    EXPECT_EQ(texts(5e4, 2e6, Numbers::counts), (Texts{"100\u202f000", "1\u202f000\u202f000"}));
+    EXPECT_EQ(texts(1e-7, 1e-5, Numbers::readable).front(), "10⁻⁷");
+    EXPECT_EQ(texts(1e-7, 1e-5, Numbers::typed).front(), "1e-7");
+}
+
 TEST(plot_axis, empty_ranges_have_no_ticks) {
     EXPECT_TRUE(ticks({1, 1}, 5).empty());
     EXPECT_TRUE(ticks({NAN, 1}, 5).empty());

@@ -20,7 +20,7 @@ const std::map<std::string, Folders>& arrows() {
         {"models", {"core"}},
         {"sim", {"core", "methods", "models"}},
         {"io", {"core", "models", "sim"}},
-        {"lab", {"core", "methods", "models", "sim", "io"}},
+        {"lab", {"core", "plot", "methods", "models", "sim", "io"}},
         {"session", {"core", "methods", "models", "sim", "io", "lab"}},
         {"render", {"core"}},
         {"ui", {"core", "plot", "sim", "io", "session", "render"}},

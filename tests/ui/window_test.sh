@@ -124,6 +124,12 @@ plots_are_chosen_and_saved() {
     click energies.save; expect 'widget energies.svg [0-9].*'; click energies.svg
     expect 'widget energies.svg gone'
     grep -q '<polyline' steplab-energies-1.svg || fail 'the drawing of a plot has no line'
+    choose 'plot 3' spectrum; expect 'widget spectrum [0-9].*'
+    choose 'plot 3' 'pair potential'; expect 'widget spectrum gone' 'widget pair potential [0-9].*'
+    point_at energies.axis; xdotool click 4
+    click energies.save; expect 'widget energies.svg [0-9].*'; click energies.svg
+    expect 'widget energies.svg gone'
+    cmp -s steplab-energies-1.svg steplab-energies-2.svg && fail 'the wheel over the values of a plot changes nothing'
     click 'energy error.close'; expect 'widget plot 3 gone' 'widget plot 2 [0-9].*'
     choose 'plot 2' 'speed against error'; expect 'costs complete'
     close_window

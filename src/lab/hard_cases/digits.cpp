@@ -56,12 +56,11 @@ Table long_table() {
 }
 
 /// The phase difference between float and double, at logarithmically spaced times.
-Curve float_phase_curve(std::string_view method, bool compensated, int colour) {
-    Curve curve{.name = std::string(method) + (compensated ? ", comp." : ""),
-                .points = {},
-                .colour = colour,
-                .dashed = compensated,
-                .marks = false};
+plot::Curve float_phase_curve(std::string_view method, bool compensated, std::size_t colour) {
+    plot::Curve curve{.name = std::string(method) + (compensated ? ", comp." : ""),
+                      .colour = colour,
+                      .line = plot::dashed_if(compensated),
+                      .marks = plot::Marks::never};
     Simulation in_float = swing(Precision::float_, compensated, 0).with(method);
     Simulation in_double = swing(Precision::double_, compensated, 0).with(method);
     for (double steps = 10; steps <= 2e5; steps = std::ceil(steps * 1.3)) {
@@ -69,16 +68,18 @@ Curve float_phase_curve(std::string_view method, bool compensated, int colour) {
             simulation->advance(static_cast<std::uint64_t>(steps) - simulation->step());
         const double t = in_double.time();
         const double apart = phase_ahead(in_float.state(), t) - phase_ahead(in_double.state(), t);
-        curve.points.emplace_back(steps, std::abs(std::remainder(apart, 6.283185307179586)));
+        curve.add(steps, std::abs(std::remainder(apart, 6.283185307179586)));
     }
     return curve;
 }
 
-Figure long_figure() {
-    Figure figure{.x = {.label = "steps"},
-                  .y = {.label = "phase difference of float from double [rad]", .range = {{1e-8, 1}}},
-                  .curves = {}};
-    int colour = 0;
+plot::Plot long_figure() {
+    plot::Plot figure{.x = {.name = "steps", .scale = plot::Scale::logarithmic},
+                      .y = {.name = "phase difference of float from double",
+                            .unit = "rad",
+                            .scale = plot::Scale::logarithmic,
+                            .range = Range{1e-8, 1}}};
+    std::size_t colour = 0;
     for (const char* method : {"velocity-verlet", "rk4", "pefrl", "stoermer"}) {
         for (const bool compensated : {false, true})
             figure.curves.push_back(float_phase_curve(method, compensated, colour));
@@ -120,21 +121,19 @@ Table stagnation_table() {
 }
 
 /// The distance covered in two seconds, for every dt.
-Figure stagnation_figure() {
-    Figure figure{.x = {.label = "dt [s]"},
-                  .y = linear_axis("fraction of the distance covered", std::pair(0, 2.2)),
-                  .curves = {}};
+plot::Plot stagnation_figure() {
+    plot::Plot figure{.x = {.name = "dt", .unit = "s", .scale = plot::Scale::logarithmic},
+                      .y = {.name = "fraction of the distance covered", .range = Range{0, 2.2}}};
     const auto add = [&](const char* method, bool compensated) {
-        Curve curve{.name = std::string(method) + (compensated ? ", comp." : ""),
-                    .points = {},
-                    .colour = static_cast<int>(figure.curves.size()),
-                    .dashed = compensated,
-                    .marks = false};
+        plot::Curve curve{.name = std::string(method) + (compensated ? ", comp." : ""),
+                          .colour = figure.curves.size(),
+                          .line = plot::dashed_if(compensated),
+                          .marks = plot::Marks::never};
         for (double dt = 5e-5; dt < 0.05; dt *= 1.1) {
             const Trial trial = crawling(Precision::float_, compensated, dt);
             Simulation simulation = trial.with(method);
             simulation.advance(trial.steps() - simulation.step());
-            curve.points.emplace_back(dt, fraction_covered(simulation) * crawl_time / simulation.time());
+            curve.add(dt, fraction_covered(simulation) * crawl_time / simulation.time());
         }
         figure.curves.push_back(std::move(curve));
     };
@@ -177,13 +176,15 @@ Table decay_table() {
     return over_methods(columns);
 }
 
-Figure decay_figure() {
-    Figure figure{.x = linear_axis("time [s]"),
-                  .y = {.label = "amplitude |(x, v)| [m, m/s]", .range = {{1e-320, 1}}},
-                  .curves = {}};
+plot::Plot decay_figure() {
+    plot::Plot figure{.x = {.name = "time", .unit = "s"},
+                      .y = {.name = "amplitude |(x, v)|",
+                            .unit = "m, m/s",
+                            .scale = plot::Scale::logarithmic,
+                            .range = Range{1e-320, 1}}};
     for (const char* method : {"velocity-verlet", "rk4", "tr-bdf2", "dopri5", "gauss-16"}) {
         figure.curves.push_back(curve_over_time(
-            decaying(Precision::double_), method, static_cast<int>(figure.curves.size()),
+            decaying(Precision::double_), method, figure.curves.size(),
             [](const Simulation& s) { return std::hypot(s.state().displacement.x()[1], s.state().velocity.x()[1]); }));
     }
     return figure;

@@ -91,23 +91,22 @@ TableColumn end_column(std::string head, const Trial& trial, const std::function
             }};
 }
 
-Curve curve_over_time(const Trial& trial, std::string_view method, int colour,
-                      const std::function<double(const Simulation&)>& y, std::uint64_t moments) {
-    Curve curve{.name = std::string(method), .points = {}, .colour = colour, .marks = false};
+plot::Curve curve_over_time(const Trial& trial, std::string_view method, std::size_t colour,
+                            const std::function<double(const Simulation&)>& y, std::uint64_t moments) {
+    plot::Curve curve{.name = std::string(method), .colour = colour, .marks = plot::Marks::never};
     Simulation simulation = trial.with(method);
-    observed(simulation, trial.steps(), moments,
-             [&](const Simulation& s) { curve.points.emplace_back(s.time(), y(s)); });
+    observed(simulation, trial.steps(), moments, [&](const Simulation& s) { curve.add(s.time(), y(s)); });
     return curve;
 }
 
-std::vector<Curve> energy_curves_of(const Trial& trial, std::span<const std::string_view> methods, double scale) {
-    std::vector<Curve> curves;
+std::vector<plot::Curve> energy_curves_of(const Trial& trial, std::span<const std::string_view> methods, double scale) {
+    std::vector<plot::Curve> curves;
     for (const std::string_view method : methods) {
         double worst = 0;
         const auto largest_so_far = [&](const Simulation& simulation) {
             return worst = std::max(worst, std::abs(simulation.energy_error()) / scale);
         };
-        curves.push_back(curve_over_time(trial, method, static_cast<int>(curves.size()), largest_so_far));
+        curves.push_back(curve_over_time(trial, method, curves.size(), largest_so_far));
     }
     return curves;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lab/report/figure.hpp"
 #include "lab/report/table.hpp"
+#include "plot/plot.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
 
@@ -23,7 +23,7 @@ struct HardCase {
     std::string_view shows;    ///< the scene and the table, in a few sentences
     std::string_view caption;  ///< of the diagram
     Table (*table)();          ///< results of all methods of the catalogue, one row each. Throws Interrupted
-    Figure (*figure)();
+    plot::Plot (*figure)();
 };
 
 /// All of them, in the order of the page.
@@ -82,9 +82,10 @@ TableColumn energy_column(std::string head, const Trial& trial, double scale = 1
 TableColumn end_column(std::string head, const Trial& trial, const std::function<std::string(Simulation&)>& found);
 
 /// y of a run over time, at `moments` times; until it diverges.
-Curve curve_over_time(const Trial& trial, std::string_view method, int colour,
-                      const std::function<double(const Simulation&)>& y, std::uint64_t moments = 200);
+plot::Curve curve_over_time(const Trial& trial, std::string_view method, std::size_t colour,
+                            const std::function<double(const Simulation&)>& y, std::uint64_t moments = 200);
 /// The running maximum of |E - E0| / scale over time, for several methods.
-std::vector<Curve> energy_curves_of(const Trial& trial, std::span<const std::string_view> methods, double scale = 1);
+std::vector<plot::Curve> energy_curves_of(const Trial& trial, std::span<const std::string_view> methods,
+                                          double scale = 1);
 
 }  // namespace steplab

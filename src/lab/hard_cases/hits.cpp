@@ -12,9 +12,9 @@ namespace {
 constexpr std::string_view of_each_kind[] = {"velocity-verlet", "pefrl",  "srkn-11b",  "rk4",
                                              "dopri5",          "dop853", "rkn-12-10", "gauss-16"};
 
-Figure energy_figure(const Trial& trial, double scale = 1) {
-    return {.x = linear_axis("time [s]"),
-            .y = {.label = "maximum |energy error| up to this time [J]"},
+plot::Plot energy_figure(const Trial& trial, double scale = 1) {
+    return {.x = {.name = "time", .unit = "s"},
+            .y = {.name = "maximum |energy error| up to this time", .unit = "J", .scale = plot::Scale::logarithmic},
             .curves = energy_curves_of(trial, of_each_kind, scale)};
 }
 
@@ -33,16 +33,17 @@ std::string error_cell(Simulation& simulation) {
     return error ? number_cell(*error) : "unknown";
 }
 
-Curve error_curve(const Trial& trial, std::string_view method, int colour) {
+plot::Curve error_curve(const Trial& trial, std::string_view method, std::size_t colour) {
     return curve_over_time(trial, method, colour, [](const Simulation& simulation) {
         return std::max(1e-15, simulation.diagnostics().error.value_or(0));
     });
 }
 
-Figure error_figure(const Trial& trial) {
-    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "position error [m]"}, .curves = {}};
+plot::Plot error_figure(const Trial& trial) {
+    plot::Plot figure{.x = {.name = "time", .unit = "s"},
+                      .y = {.name = "position error", .unit = "m", .scale = plot::Scale::logarithmic}};
     for (const std::string_view method : of_each_kind)
-        figure.curves.push_back(error_curve(trial, method, static_cast<int>(figure.curves.size())));
+        figure.curves.push_back(error_curve(trial, method, figure.curves.size()));
     return figure;
 }
 
@@ -107,13 +108,14 @@ Table grazing_table() {
     return over_methods(columns);
 }
 
-Figure grazing_figure() {
-    Figure figure{.x = {.label = "impact parameter [m]"}, .y = {.label = "largest |energy error| [J]"}, .curves = {}};
+plot::Plot grazing_figure() {
+    plot::Plot figure{.x = {.name = "impact parameter", .unit = "m", .scale = plot::Scale::logarithmic},
+                      .y = {.name = "largest |energy error|", .unit = "J", .scale = plot::Scale::logarithmic}};
     for (const std::string_view method : of_each_kind) {
-        Curve curve{.name = std::string(method), .points = {}, .colour = static_cast<int>(figure.curves.size())};
+        plot::Curve curve{.name = std::string(method), .colour = figure.curves.size()};
         for (double aside = 1; aside > 1e-7; aside /= 10) {
-            const Curve energy = energy_curves_of(grazing(aside), std::span(&method, 1)).front();
-            curve.points.emplace_back(aside, std::max(1e-16, energy.points.back().second));
+            const plot::Curve energy = energy_curves_of(grazing(aside), std::span(&method, 1)).front();
+            curve.add(aside, std::max(1e-16, energy.y.back()));
         }
         figure.curves.push_back(std::move(curve));
     }
@@ -160,16 +162,14 @@ Table escape_table() {
     return over_methods(columns);
 }
 
-Figure escape_figure() {
-    Figure figure{.x = linear_axis("time [s]"),
-                  .y = linear_axis("distance of the particles [m]", std::pair(0, 45)),
-                  .curves = {}};
+plot::Plot escape_figure() {
+    plot::Plot figure{.x = {.name = "time", .unit = "s"},
+                      .y = {.name = "distance of the particles", .unit = "m", .range = Range{0, 45}}};
     const auto add = [&](Precision precision, std::string_view method) {
         const bool in_float = precision == Precision::float_;
-        Curve curve =
-            curve_over_time(escape(precision), method, static_cast<int>(figure.curves.size()), separation, 200);
+        plot::Curve curve = curve_over_time(escape(precision), method, figure.curves.size(), separation, 200);
         if (in_float) curve.name += ", float";
-        curve.dashed = in_float;
+        curve.line = plot::dashed_if(in_float);
         figure.curves.push_back(std::move(curve));
     };
     for (const std::string_view method : {"gauss-16", "velocity-verlet", "rk4", "implicit-midpoint", "tr-bdf2"})

@@ -66,11 +66,11 @@ Table stiff_table() {
     return over_methods(columns);
 }
 
-Figure stiff_figure() {
-    Figure figure{.x = linear_axis("time [s]"), .y = {.label = "distance from equilibrium [m]"}, .curves = {}};
+plot::Plot stiff_figure() {
+    plot::Plot figure{.x = {.name = "time", .unit = "s"},
+                      .y = {.name = "distance from equilibrium", .unit = "m", .scale = plot::Scale::logarithmic}};
     for (const char* method : {"dop853", "tr-bdf2", "implicit-midpoint"})
-        figure.curves.push_back(
-            curve_over_time(settling(), method, static_cast<int>(figure.curves.size()), distance_from_rest));
+        figure.curves.push_back(curve_over_time(settling(), method, figure.curves.size(), distance_from_rest));
     return figure;
 }
 
@@ -115,16 +115,16 @@ Table chaos_table() {
     return over_methods(columns);
 }
 
-Figure chaos_figure() {
+plot::Plot chaos_figure() {
     std::vector<double> times;
     for (int i = 1; i <= 30; ++i) times.push_back(0.6 * i);
     const Reference right = chaos_reference(times);
-    Figure figure{
-        .x = linear_axis("time [s]"), .y = {.label = "position error [m]", .range = {{1e-16, 100}}}, .curves = {}};
+    plot::Plot figure{
+        .x = {.name = "time", .unit = "s"},
+        .y = {.name = "position error", .unit = "m", .scale = plot::Scale::logarithmic, .range = Range{1e-16, 100}}};
     const auto add = [&](std::string name, const std::vector<double>& values) {
-        Curve curve{
-            .name = std::move(name), .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
-        for (std::size_t i = 0; i < values.size(); ++i) curve.points.emplace_back(times[i], values[i]);
+        plot::Curve curve{.name = std::move(name), .colour = figure.curves.size(), .marks = plot::Marks::never};
+        for (std::size_t i = 0; i < values.size(); ++i) curve.add(times[i], values[i]);
         figure.curves.push_back(std::move(curve));
     };
     for (const char* id : {"velocity-verlet", "pefrl", "srkn-11b", "rk4", "dop853", "gauss-16"})
@@ -137,9 +137,9 @@ Figure chaos_figure() {
         certain.push_back(right.moments[i].error);
     }
     add(fmt::format("e^({:.1f} t)", exponent), growth);
-    figure.curves.back().dashed = true;
+    figure.curves.back().line = plot::Line::dashed;
     add("error of the reference", certain);
-    figure.curves.back().dashed = true;
+    figure.curves.back().line = plot::Line::dashed;
     return figure;
 }
 

@@ -69,27 +69,27 @@ Table marginal_table() {
 }
 
 /// The amplitude at each of these steps: the largest |x| of the last three observations.
-Curve swing_curve(const std::string& id, double factor, int colour) {
-    Curve curve{.name = fmt::format("{}, {}", id, factor),
-                .points = {},
-                .colour = colour,
-                .dashed = factor > 1,
-                .marks = false};
+plot::Curve swing_curve(const std::string& id, double factor, std::size_t colour) {
+    plot::Curve curve{.name = fmt::format("{}, {}", id, factor),
+                      .colour = colour,
+                      .line = plot::dashed_if(factor > 1),
+                      .marks = plot::Marks::never};
     Simulation simulation = marginal(method(id), factor).with(id);
     double last = 0, one_before = 0;
     run_observed(simulation, static_cast<std::uint64_t>(marginal_number), [&](Simulation& s) {
         const double now = s.diagnostics().max_displacement;
-        curve.points.emplace_back(static_cast<double>(s.step()), std::max({now, last, one_before}));
+        curve.add(static_cast<double>(s.step()), std::max({now, last, one_before}));
         one_before = std::exchange(last, now);
     });
     return curve;
 }
 
-Figure marginal_figure() {
-    Figure figure{.x = {.label = "steps"},
-                  .y = {.label = "largest displacement [m], exact: 1", .range = {{1e-4, 1e4}}},
-                  .curves = {}};
-    int colour = 0;
+plot::Plot marginal_figure() {
+    plot::Plot figure{.x = {.name = "steps", .scale = plot::Scale::logarithmic},
+                      .y = {.name = "largest displacement [m], exact: 1",
+                            .scale = plot::Scale::logarithmic,
+                            .range = Range{1e-4, 1e4}}};
+    std::size_t colour = 0;
     for (const char* id : {"verlet", "pefrl", "kahan-li-8", "rk4"}) {
         for (const double factor : {0.999, 1.001}) figure.curves.push_back(swing_curve(id, factor, colour));
         ++colour;
@@ -139,22 +139,22 @@ Table change_table() {
     return over_methods(columns);
 }
 
-Figure change_figure() {
-    Figure figure{.x = linear_axis("periods"), .y = {.label = "|energy error| / energy"}, .curves = {}};
-    int colour = 0;
+plot::Plot change_figure() {
+    plot::Plot figure{.x = {.name = "periods"},
+                      .y = {.name = "|energy error| / energy", .scale = plot::Scale::logarithmic}};
+    std::size_t colour = 0;
     for (const char* id : {"velocity-verlet", "pefrl", "srkn-11b", "rk4", "implicit-midpoint"}) {
         for (const Changes changes : {Changes::none, Changes::always}) {
             const bool changed = changes == Changes::always;
-            Curve curve{.name = std::string(id) + (changed ? ", dt changed" : ", dt constant"),
-                        .points = {},
-                        .colour = colour,
-                        .dashed = !changed,
-                        .marks = false};
+            plot::Curve curve{.name = std::string(id) + (changed ? ", dt changed" : ", dt constant"),
+                              .colour = colour,
+                              .line = plot::dashed_if(!changed),
+                              .marks = plot::Marks::never};
             double worst = 0;
             int samples = 0;
             swing(id, changes, [&](Simulation& simulation) {
                 worst = std::max(worst, 2 * std::abs(simulation.energy_error()));
-                if (samples++ % 4 == 0) curve.points.emplace_back(simulation.time() / (4 * quarter), worst);
+                if (samples++ % 4 == 0) curve.add(simulation.time() / (4 * quarter), worst);
             });
             figure.curves.push_back(std::move(curve));
         }
@@ -212,14 +212,14 @@ Table resonance_table() {
     return over_methods(columns);
 }
 
-Figure resonance_figure() {
-    Figure figure{.x = linear_axis("ω dt"),
-                  .y = {.label = "growth of the amplitude per step", .range = {{1e-5, 1}}},
-                  .curves = {}};
+plot::Plot resonance_figure() {
+    plot::Plot figure{
+        .x = {.name = "ω dt"},
+        .y = {.name = "growth of the amplitude per step", .scale = plot::Scale::logarithmic, .range = Range{1e-5, 1}}};
     for (const char* id : {"pefrl", "mclachlan-atela-5", "kahan-li-8", "srkn-11b"}) {
-        Curve curve{.name = id, .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
+        plot::Curve curve{.name = id, .colour = figure.curves.size(), .marks = plot::Marks::never};
         for (double phase = 2.95; phase<3.55; phase += phase> 3.14 && phase < 3.144 ? 4e-5 : 2e-3)
-            curve.points.emplace_back(phase, std::max(growth_at(method(id), phase), 1e-9));
+            curve.add(phase, std::max(growth_at(method(id), phase), 1e-9));
         figure.curves.push_back(std::move(curve));
     }
     return figure;
@@ -240,14 +240,15 @@ Table drag_table() {
     return over_methods(columns);
 }
 
-Figure drag_figure() {
-    Figure figure{.x = {.label = "damping γ/ω"}, .y = {.label = "stability limit of ω dt"}, .curves = {}};
+plot::Plot drag_figure() {
+    plot::Plot figure{.x = {.name = "damping γ/ω", .scale = plot::Scale::logarithmic},
+                      .y = {.name = "stability limit of ω dt", .scale = plot::Scale::logarithmic}};
     for (const char* id : {"euler", "rk4", "verlet", "velocity-verlet", "forest-ruth", "pefrl", "mclachlan-atela-5",
                            "srkn-11b", "kahan-li-8"}) {
-        Curve curve{.name = id, .points = {}, .colour = static_cast<int>(figure.curves.size()), .marks = false};
+        plot::Curve curve{.name = id, .colour = figure.curves.size(), .marks = plot::Marks::never};
         const Method& method = steplab::method(id);
         for (double ratio = 0.01; ratio < 150; ratio *= 1.25)
-            curve.points.emplace_back(ratio, linear_limit(method, ParameterValues(method.info.parameters), 1, ratio));
+            curve.add(ratio, linear_limit(method, ParameterValues(method.info.parameters), 1, ratio));
         figure.curves.push_back(std::move(curve));
     }
     return figure;

@@ -1,5 +1,6 @@
 #include "lab/report/figures.hpp"
 
+#include "core/entry.hpp"
 #include "lab/study/answers.hpp"
 
 #include <fmt/format.h>
@@ -23,37 +24,44 @@ std::vector<Measurement> of_precision(const Study& study, Precision precision) {
     return runs;
 }
 
-Curve error_curve(const Study& study, const std::string& method, Precision precision, Against against,
-                  bool by_tolerance) {
-    Curve curve{.name = method, .points = {}};
+plot::Curve error_curve(const Study& study, const std::string& method, Precision precision, Against against,
+                        bool by_tolerance) {
+    plot::Curve curve{.name = method, .ascending = false};
     for (const Measurement& run : study.runs) {
         if (run.run.method != method || run.run.precision != precision || run.diverged() || !run.wall_seconds ||
             chooses_its_steps(run.run) != by_tolerance)
             continue;
         const double cost = against == Against::time ? *run.wall_seconds : static_cast<double>(run.result.evaluations);
-        curve.points.emplace_back(cost, run.error);
+        curve.add(cost, run.error);
     }
     return curve;
 }
 
-std::optional<int> colour_of(const std::string& method, const std::vector<std::string>& coloured,
-                             const MethodColours& colours) {
+std::size_t colour_of(const std::string& method, const std::vector<std::string>& coloured,
+                      const MethodColours& colours) {
     const bool shown = std::find(coloured.begin(), coloured.end(), method) != coloured.end();
-    return shown ? std::optional(colours.at(method)) : std::nullopt;
+    return shown ? colours.at(method) : plot::Curve::quiet;
 }
 
-Figure work_precision(const Study& study, Precision precision, Against against, const MethodColours& colours) {
-    Figure figure{.x = against == Against::time ? Axis{.label = "wall time", .quantity = Quantity::seconds}
-                                                : Axis{.label = "force evaluations", .quantity = Quantity::count},
-                  .y = {.label = "error at the end [m]"},
-                  .curves = {}};
+plot::Quantity cost_axis(Against against) {
+    plot::Quantity axis{
+        .name = "force evaluations", .scale = plot::Scale::logarithmic, .numbers = plot::Numbers::counts};
+    if (against == Against::evaluations) return axis;
+    axis.name = "wall time";
+    axis.numbers = plot::Numbers::seconds;
+    return axis;
+}
+
+plot::Plot work_precision(const Study& study, Precision precision, Against against, const MethodColours& colours) {
+    plot::Plot figure{.x = cost_axis(against),
+                      .y = {.name = "error at the end", .unit = "m", .scale = plot::Scale::logarithmic}};
     const std::vector<std::string> coloured = coloured_methods(study);
     for (const std::string& method : study.plan.methods) {
         for (const bool by_tolerance : {false, true}) {
-            Curve curve = error_curve(study, method, precision, against, by_tolerance);
+            plot::Curve curve = error_curve(study, method, precision, against, by_tolerance);
             curve.colour = colour_of(method, coloured, colours);
-            curve.dashed = by_tolerance && takes_dt(method);
-            if (curve.dashed) curve.name += " by tolerance";
+            curve.line = plot::dashed_if(by_tolerance && takes_dt(method));
+            if (curve.line == plot::Line::dashed) curve.name += " by tolerance";
             figure.curves.push_back(std::move(curve));
         }
     }
@@ -61,11 +69,16 @@ Figure work_precision(const Study& study, Precision precision, Against against, 
 }
 
 /// The figures of all precisions against one kind of cost have the same range of it.
-void give_common_cost(std::vector<Figure>& figures, std::size_t first, std::size_t second) {
-    std::vector<Curve> all;
-    for (const std::size_t i : {first, second})
-        all.insert(all.end(), figures[i].curves.begin(), figures[i].curves.end());
-    for (const std::size_t i : {first, second}) figures[i].x.range = range_of(all, true, true);
+void give_common_cost(std::vector<plot::Plot>& figures, std::size_t first, std::size_t second) {
+    Range range{infinity, -infinity};
+    for (const std::size_t i : {first, second}) {
+        for (const plot::Curve& curve : figures[i].curves) {
+            for (const double cost : curve.x) range = {std::min(range.low, cost), std::max(range.high, cost)};
+        }
+    }
+    if (!(range.low <= range.high)) return;
+    constexpr double beside = 1.5;  // room for dots at the ends
+    for (const std::size_t i : {first, second}) figures[i].x.range = Range{range.low / beside, range.high * beside};
 }
 
 double median_cost(const Study& study) {
@@ -78,13 +91,13 @@ double median_cost(const Study& study) {
     return static_cast<double>(costs[costs.size() / 2]);
 }
 
-Figure energy_figure(const Study& study, const MethodColours& colours) {
-    Figure figure{.x = {.label = "simulated time [s]", .logarithmic = false},
-                  .y = {.label = "energy error [J]"},
-                  .curves = energy_curves(study, median_cost(study))};
+plot::Plot energy_figure(const Study& study, const MethodColours& colours) {
+    plot::Plot figure{.x = {.name = "simulated time", .unit = "s"},
+                      .y = {.name = "energy error", .unit = "J", .scale = plot::Scale::logarithmic},
+                      .curves = energy_curves(study, median_cost(study))};
     const std::vector<std::string> coloured = coloured_methods(study);
-    for (Curve& curve : figure.curves) curve.colour = colour_of(curve.name, coloured, colours);
-    if (!figure.curves.empty()) figure.x.range = std::pair(0.0, study.plan.time);
+    for (plot::Curve& curve : figure.curves) curve.colour = colour_of(curve.name, coloured, colours);
+    if (!figure.curves.empty()) figure.x.range = Range{0, study.plan.time};
     return figure;
 }
 
@@ -110,7 +123,7 @@ MethodColours method_colours(const std::vector<Study>& studies) {
     for (const Study& study : studies) {
         for (const std::string& method : coloured_methods(study)) colours.emplace(method, 0);
     }
-    int next = 0;
+    std::size_t next = 0;
     for (auto& [method, colour] : colours) colour = method == baseline ? 0 : ++next;
     return colours;
 }

@@ -1,11 +1,11 @@
 #include "lab/report/page.hpp"
 
-#include "lab/report/svg.hpp"
 #include "lab/report/table.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace steplab {
@@ -43,12 +43,11 @@ tbody tr:hover { background: var(--tint); } td small { color: var(--faint); font
 .diagrams { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 500px), 1fr)); gap: 1.2em 1.5em; margin: 1em 0 .6em; }
 .diagrams:has(> :only-child) { max-width: 640px; }
 figure { margin: 0; overflow-x: auto; background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: .7em .7em .3em; min-width: 0; }
-figure svg { display: block; width: 100%; min-width: 500px; max-width: 680px; height: auto; }
-figure svg text, figure svg tspan { font-family: inherit; } figcaption { font-weight: 600; font-size: .92em; margin: 0 0 .2em .2em; }
-figure svg text { paint-order: stroke; stroke: var(--card); stroke-width: 3px; stroke-linejoin: round; }
-.legend { font-size: .88em; line-height: 1.9; max-width: none; } .legend [data-method] { white-space: nowrap; margin-right: 1em; }
+figure > svg { display: block; width: 100%; min-width: 500px; max-width: 680px; height: auto; font-family: inherit; }
+figcaption { font-weight: 600; font-size: .92em; margin: 0 0 .2em .2em; }
+.legend { font-size: .88em; line-height: 1.9; max-width: none; } .legend [data-name] { white-space: nowrap; margin-right: 1em; }
 .dot { display: inline-block; width: .62em; height: .62em; border-radius: 50%; margin-right: .4em; }
-[data-method] { cursor: default; } .curve.on path { stroke: var(--hot); stroke-width: 3; } .curve.on use { color: var(--hot); }
+[data-name] { cursor: default; } .curve.on { stroke: var(--hot); fill: var(--hot); } .curve.on polyline { stroke-width: 3; }
 span.on { color: var(--hot); }
 @media (max-width: 600px) { body { padding: 1.5em 1em 4em; } h1 { font-size: 1.7em; } }
 @media print { figure { break-inside: avoid; } nav { display: none; } }
@@ -57,9 +56,9 @@ span.on { color: var(--hot); }
 /// Moving the mouse over a method's name or curve highlights its curves.
 constexpr const char* script = R"(<script>
 addEventListener('pointerover', event => {
-  const method = event.target.closest?.('[data-method]')?.dataset.method;
+  const method = event.target.closest?.('[data-name]')?.dataset.name;
   for (const old of document.querySelectorAll('.on')) old.classList.remove('on');
-  if (method) for (const one of document.querySelectorAll(`[data-method="${method}"]`)) {
+  if (method) for (const one of document.querySelectorAll(`[data-name="${method}"]`)) {
     one.classList.add('on');
     if (one.matches('.curve')) one.parentNode.append(one);
   }
@@ -75,6 +74,7 @@ constexpr std::array shades{
     Shades{"paper", "#fbfbf9", "#14171b"}, Shades{"card", "#ffffff", "#1a1e24"}, Shades{"ink", "#1d2329", "#e4e7ea"},
     Shades{"faint", "#626b75", "#9aa4ae"}, Shades{"line", "#e4e6e8", "#2b3138"}, Shades{"strong", "#b9bfc5", "#4a525b"},
     Shades{"tint", "#f0f2f3", "#22272e"},  Shades{"link", "#2457a6", "#7db0ff"}, Shades{"hot", "#e0457b", "#ff77a8"},
+    Shades{"quiet", "#c3c8cd", "#474e57"},
 };
 
 /// rk4 first, then colours that can be distinguished in light and dark mode.
@@ -85,27 +85,10 @@ constexpr std::array palette{
     Shades{"", "#6b7a12", "#bccb55"}, Shades{"", "#44509c", "#a0acff"}, Shades{"", "#d9691e", "#ff9c55"},
 };
 
-/// The shades of a colour of figures (lab/report/svg.hpp).
-Shades shades_of(int colour) {
-    switch (colour) {
-        case ink:
-            return shades[3];
-        case quiet:
-            return shades[5];
-        case grid:
-            return shades[4];
-        case background_curve:
-            return {"", "#c3c8cd", "#474e57"};
-        default:
-            const int i = colour - first_of_palette;
-            return palette[i == 0 ? 0 : 1 + static_cast<std::size_t>(i - 1) % (palette.size() - 1)];
-    }
-}
+constexpr std::size_t most_colours = 32;  // of the methods of a page
 
-std::vector<int> figure_colours() {
-    std::vector<int> all{ink, quiet, grid, background_curve};
-    for (int i = 0; i < most_colours; ++i) all.push_back(first_of_palette + i);
-    return all;
+const Shades& shades_of(std::size_t colour) {
+    return palette[colour == 0 ? 0 : 1 + (colour - 1) % (palette.size() - 1)];
 }
 
 std::string variables(bool dark) {
@@ -114,13 +97,27 @@ std::string variables(bool dark) {
         text += fmt::format("--{}:{};", name, dark ? shade.dark : shade.light);
     };
     for (const Shades& shade : shades) add(shade.name, shade);
-    for (const int colour : figure_colours()) add(fmt::format("c{}", colour), shades_of(colour));
+    for (std::size_t i = 0; i < most_colours; ++i) add(fmt::format("c{}", i), shades_of(i));
     return text;
 }
 
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-        text.replace(at, what.size(), by);
+/// `ink` makes a colour of a variable of the page.
+template <class Ink>
+plot::Inks inks_of(const Ink& ink) {
+    plot::Inks inks{.paper = ink("card"),
+                    .text = ink("faint"),
+                    .dim = ink("faint"),
+                    .grid = ink("line"),
+                    .exact = ink("ink"),
+                    .quiet = ink("quiet"),
+                    .curves = {}};
+    for (std::size_t i = 0; i < most_colours; ++i) inks.curves.push_back(ink(fmt::format("c{}", i)));
+    return inks;
+}
+
+/// They follow light and dark mode.
+plot::Inks page_inks() {
+    return inks_of([](const std::string& name) { return fmt::format("var(--{})", name); });
 }
 
 }  // namespace
@@ -130,7 +127,7 @@ const char* const page_end = "</body></html>\n";
 std::string page_head(const std::string& title, const std::string& what, const Circumstances& made) {
     std::string page = before_title + title + " – steplab</title>\n<style>\n:root{color-scheme:light dark;" +
                        variables(false) + "}\n@media (prefers-color-scheme: dark){:root{" + variables(true) + "}}" +
-                       style_sheet + "</style>\n" + script + "</head><body>\n" + svg_marks();
+                       style_sheet + "</style>\n" + script + "</head><body>\n";
     page += fmt::format("<h1>{}</h1>\n<p class=\"lead\">{}</p>\n<dl class=\"made\">", title, what);
     for (const auto& [name, value] :
          {std::pair("machine", made.processor), std::pair("compiler", made.compiler),
@@ -139,24 +136,21 @@ std::string page_head(const std::string& title, const std::string& what, const C
     return page + "</dl>\n";
 }
 
-std::string svg_file(std::string svg) {
-    for (const int colour : figure_colours())
-        replace_all(svg, fmt::format("var(--c{})", colour), shades_of(colour).light);
-    svg.insert(svg.find('>') + 1, fmt::format("\n<style>text {{ font-family: sans-serif; }}</style>\n<defs>{}</defs>\n"
-                                              "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>",
-                                              svg_mark));
-    return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n" + svg;
+plot::Inks light_inks() {
+    std::map<std::string, std::string> light;
+    for (const Shades& shade : shades) light[shade.name] = shade.light;
+    for (std::size_t i = 0; i < most_colours; ++i) light[fmt::format("c{}", i)] = shades_of(i).light;
+    return inks_of([&](const std::string& name) { return light.at(name); });
 }
 
-std::string captioned(const std::string& caption, const std::string& svg) {
-    return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", caption, svg);
+std::string captioned(const std::string& caption, const plot::Plot& figure) {
+    return fmt::format("<figure><figcaption>{}</figcaption>{}</figure>\n", caption, svg_element(figure, page_inks()));
 }
 
-std::string method_name(const std::string& id, std::optional<int> colour) {
+std::string method_name(const std::string& id, std::optional<std::size_t> colour) {
     const std::string dot =
-        colour ? fmt::format("<span class=\"dot\" style=\"background:var(--c{})\"></span>", first_of_palette + *colour)
-               : "";
-    return fmt::format("<span data-method=\"{0}\">{1}{0}</span>", id, dot);
+        colour ? fmt::format("<span class=\"dot\" style=\"background:var(--c{})\"></span>", *colour) : "";
+    return fmt::format("<span data-name=\"{0}\">{1}{0}</span>", id, dot);
 }
 
 }  // namespace steplab

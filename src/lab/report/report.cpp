@@ -2,7 +2,6 @@
 
 #include "io/folder_lock.hpp"
 #include "io/output_file.hpp"
-#include "io/temporary_folder.hpp"
 #include "lab/limits/all_limits.hpp"
 #include "lab/report/report_page.hpp"
 #include "lab/study/saved_study.hpp"
@@ -59,9 +58,6 @@ Study measured(const StudyPlan& plan, const SavedStudies& saved, const StudyProg
             .limits = std::move(*state.limits)};
 }
 
-/// Before the work rather than at its end.
-void check_figures_can_be_drawn() { const TemporaryFolder can_be_made; }
-
 void write_file(const std::string& folder, const char* name, const std::string& text) {
     OutputFile file((std::filesystem::path(folder) / name).string());
     file.write(text);
@@ -71,7 +67,6 @@ void write_file(const std::string& folder, const char* name, const std::string& 
 }  // namespace
 
 void write_report(const ReportRequest& request, const ReportProgress& progress) {
-    check_figures_can_be_drawn();
     const SavedStudies saved(request.folder);
     const FolderLock lock(request.folder, "another report is being written");
     std::vector<Study> studies;
@@ -92,7 +87,6 @@ void write_report(const ReportRequest& request, const ReportProgress& progress) 
 }
 
 void write_thesis_page(const std::string& folder) {
-    check_figures_can_be_drawn();
     make_folder(folder);
     write_file(folder, "thesis.html", thesis_page());
 }

@@ -77,9 +77,10 @@ std::string legend(const Study& study, const MethodColours& colours) {
     return text + (others.empty() ? "" : "<span class=\"quiet\">grey: " + others + "</span>") + "</p>\n";
 }
 
-std::string diagrams(const StudyFigures& figures, std::span<const std::string> svg) {
+/// All but the last, which has a section of its own.
+std::string diagrams(const StudyFigures& all) {
     std::string text = "<div class=\"diagrams\">\n";
-    for (std::size_t i = 0; i + 1 < svg.size(); ++i) text += captioned(figures.captions[i], svg[i]);
+    for (std::size_t i = 0; i + 1 < all.figures.size(); ++i) text += captioned(all.captions[i], all.figures[i]);
     return text + "</div>\n";
 }
 
@@ -107,8 +108,8 @@ std::string cut_text(const Study& study) {
     return text + "</p>\n";
 }
 
-std::string study_section(const Study& study, std::span<const double> errors, const StudyFigures& figures,
-                          std::span<const std::string> svg, const MethodColours& colours) {
+std::string study_section(const Study& study, std::span<const double> errors, const MethodColours& colours) {
+    const StudyFigures all = study_figures(study, colours);
     const RunDescription& scene = study.plan.scene;
     std::string text = fmt::format("<section>\n<h2 id=\"{0}\">{0}</h2>\n<p>{1} Simulated until t = {2} s{3}.</p>\n",
                                    escaped(scene.model), escaped(model_of(scene).info.what),
@@ -116,12 +117,12 @@ std::string study_section(const Study& study, std::span<const double> errors, co
     text += answers_in_words(study, errors) + reference_text(study);
     if (const std::string chaos = chaos_note(scene, study.plan.time, study.reference_error); !chaos.empty())
         text += fmt::format("<p><strong>{}</strong></p>\n", chaos);
-    text += std::string("<h3>Error against cost</h3>\n") + diagrams_explained + diagrams(figures, svg) +
-            legend(study, colours) + cut_text(study);
+    text += std::string("<h3>Error against cost</h3>\n") + diagrams_explained + diagrams(all) + legend(study, colours) +
+            cut_text(study);
     text += "<h3>Pareto front</h3>\n<p>No other run is both faster and more accurate than any of these.</p>\n" +
             pareto_table(study, colours);
     text += std::string("<h3>Energy</h3>\n") + energy_explained + "<div class=\"diagrams\">\n" +
-            captioned(figures.captions.back(), svg.back()) + "</div>\n";
+            captioned(all.captions.back(), all.figures.back()) + "</div>\n";
     text += std::string("<div class=\"columns\"><div><h3>Orders</h3>\n") + orders_explained + orders_table(study);
     text += std::string("</div><div><h3>Stability</h3>\n") + limits_explained + limits_table(study) + "</div></div>\n";
     return text + "</section>\n";
@@ -137,22 +138,10 @@ std::string left_out_of(const std::vector<Study>& studies) {
 
 std::string report_page(const std::vector<Study>& studies, std::span<const double> errors, const Circumstances& made) {
     const MethodColours colours = method_colours(studies);
-    std::vector<StudyFigures> of_study;
-    std::vector<Figure> figures;
-    for (const Study& study : studies) {
-        of_study.push_back(study_figures(study, colours));
-        figures.insert(figures.end(), of_study.back().figures.begin(), of_study.back().figures.end());
-    }
-    const std::vector<std::string> svg = svg_figures(figures);
     std::string page = page_head("Speed against error", contents, made) + links(studies) + "<h2>Answers</h2>\n" +
                        answers_explained + answers_table(studies, errors, colours) + times_explained +
                        left_out_of(studies);
-    std::size_t used = 0;
-    for (std::size_t i = 0; i < studies.size(); ++i) {
-        const std::size_t count = of_study[i].figures.size();
-        page += study_section(studies[i], errors, of_study[i], std::span(svg).subspan(used, count), colours);
-        used += count;
-    }
+    for (const Study& study : studies) page += study_section(study, errors, colours);
     return page + page_end;
 }
 

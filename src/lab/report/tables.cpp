@@ -16,7 +16,7 @@ namespace steplab {
 
 namespace {
 
-std::optional<int> colour_of(const std::string& method, const MethodColours& colours) {
+std::optional<std::size_t> colour_of(const std::string& method, const MethodColours& colours) {
     const auto found = colours.find(method);
     return found == colours.end() ? std::nullopt : std::optional(found->second);
 }

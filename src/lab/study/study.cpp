@@ -48,8 +48,8 @@ const Measurement* at_cost(const Study& study, const std::string& method, double
 /// Number of samples of the energy, and of intervals whose largest error is plotted.
 constexpr std::uint64_t moments = 600, spans = 60;
 
-Curve energy_curve(const Measurement& run, const Execution& execution) {
-    Curve curve{.name = run.run.method, .points = {}, .marks = false};
+plot::Curve energy_curve(const Measurement& run, const Execution& execution) {
+    plot::Curve curve{.name = run.run.method, .marks = plot::Marks::never};
     Simulation simulation(run.run, execution);
     Samples samples(run.steps, moments);
     const std::uint64_t samples_per_span = std::max<std::uint64_t>(1, samples.count() / spans);
@@ -58,7 +58,7 @@ Curve energy_curve(const Measurement& run, const Execution& execution) {
         check_interruption();
         largest = std::max(largest, std::abs(simulation.energy_error()));
         if (samples.number() % samples_per_span != 0) continue;
-        curve.points.emplace_back(simulation.time(), largest);
+        curve.add(simulation.time(), largest);
         largest = 0;
     }
     return curve;
@@ -114,13 +114,13 @@ double share_of_work(const StudyPlan& plan) {
     return 1;
 }
 
-std::vector<Curve> energy_curves(const Study& study, double evaluations) {
+std::vector<plot::Curve> energy_curves(const Study& study, double evaluations) {
     std::vector<const Measurement*> runs;
     for (const std::string& id : study.plan.methods) {
         const Measurement* const run = method(id).info.adaptive ? nullptr : at_cost(study, id, evaluations);
         if (run) runs.push_back(run);
     }
-    std::vector<Curve> curves(runs.size());
+    std::vector<plot::Curve> curves(runs.size());
     parallel_for_each(runs.size(), most_bytes(study.plan), [&](std::size_t i, const Execution& execution) {
         curves[i] = energy_curve(*runs[i], execution);
     });

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lab/limits/limits.hpp"
-#include "lab/report/figure.hpp"
 #include "lab/study/speed_error.hpp"
+#include "plot/plot.hpp"
 
 #include <span>
 #include <string>
@@ -41,7 +41,7 @@ double share_of_work(const StudyPlan& plan);
 
 /// Energy error over time of each method with fixed steps in double, for the run closest to this cost: the maximum in
 /// each of sixty intervals of the time, which shows the trend rather than every oscillation. Throws Interrupted.
-std::vector<Curve> energy_curves(const Study& study, double evaluations);
+std::vector<plot::Curve> energy_curves(const Study& study, double evaluations);
 
 /// Program and machine of the measurements.
 struct Circumstances {

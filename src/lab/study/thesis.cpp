@@ -92,42 +92,40 @@ double usable_dt(const Published& row) {
     return limit && limit->limit > 0 ? 0.95 * limit->limit : row.ten_points;
 }
 
-Curve displacement_curve(const RunDescription& run, std::size_t particle, std::uint64_t steps, std::string name,
-                         int colour) {
-    Curve curve{.name = std::move(name), .points = {}, .colour = colour, .marks = false};
+plot::Curve displacement_curve(const RunDescription& run, std::size_t particle, std::uint64_t steps, std::string name,
+                               std::size_t colour) {
+    plot::Curve curve{.name = std::move(name), .colour = colour, .marks = plot::Marks::never};
     Simulation simulation(run);
     const double rest = simulation.shape()->rest[particle].x;
     for (std::uint64_t i = 0; i <= steps && !simulation.divergence(); ++i) {
-        curve.points.emplace_back(simulation.time(), simulation.frame().positions[particle].x - rest);
+        curve.add(simulation.time(), simulation.frame().positions[particle].x - rest);
         simulation.advance(1);
     }
     return curve;
 }
 
-Curve exact_curve(const RunDescription& run, std::size_t particle, double time) {
-    Curve curve{.name = "exact", .points = {}, .colour = 0, .dashed = true, .marks = false};
+plot::Curve exact_curve(const RunDescription& run, std::size_t particle, double time) {
+    plot::Curve curve{.name = "exact", .colour = 0, .line = plot::Line::dashed, .marks = plot::Marks::never};
     const auto exact = model_of(run).exact(run.scene);
     for (int i = 0; i <= 400; ++i) {
         const double t = time * i / 400;
-        curve.points.emplace_back(t, exact->displacement(particle, t).x);
+        curve.add(t, exact->displacement(particle, t).x);
     }
     return curve;
 }
 
-double largest(const Curve& curve) {
+double largest(const plot::Curve& curve) {
     double value = 0;
-    for (const auto& [x, y] : curve.points) value = std::max(value, std::abs(y));
+    for (const double y : curve.y) value = std::max(value, std::abs(y));
     return value;
 }
 
 /// The range of the chart is that of the exact motion: unstable curves leave it.
 ThesisChart displacement_chart(std::string title, std::string_view model_id, Precision precision, double dt,
                                double time) {
-    Figure figure{.x = {.label = "time [s]", .logarithmic = false},
-                  .y = {.label = "displacement [m]", .logarithmic = false},
-                  .curves = {}};
+    plot::Plot figure{.x = {.name = "time", .unit = "s"}, .y = {.name = "displacement", .unit = "m"}};
     const std::size_t particle = model_id == "chain" ? 9 : 1;
-    int colour = 1;
+    std::size_t colour = 1;
     for (const Published& row : published) {
         RunDescription run = describe(model_id, row.method);
         run.dt = dt;
@@ -136,21 +134,22 @@ ThesisChart displacement_chart(std::string title, std::string_view model_id, Pre
             displacement_curve(run, particle, static_cast<std::uint64_t>(time / dt), row.method, colour++));
     }
     figure.curves.push_back(exact_curve(describe(model_id, "rk4"), particle, time));
-    figure.y.range = std::pair(-1.6 * largest(figure.curves.back()), 1.6 * largest(figure.curves.back()));
+    const double range = 1.6 * largest(figure.curves.back());
+    figure.y.range = Range{-range, range};
     return {std::move(title), std::move(figure)};
 }
 
 ThesisChart morse_chart() {
-    Figure figure{.x = {.label = "distance [m]", .logarithmic = false},
-                  .y = {.label = "potential [J], force [N]", .logarithmic = false},
-                  .curves = {{.name = "potential", .points = {}, .colour = 1, .marks = false},
-                             {.name = "force", .points = {}, .colour = 2, .marks = false}}};
+    plot::Plot figure{.x = {.name = "distance", .unit = "m"},
+                      .y = {.name = "potential [J], force [N]"},
+                      .curves = {{.name = "potential", .colour = 1, .marks = plot::Marks::never},
+                                 {.name = "force", .colour = 2, .marks = plot::Marks::never}}};
     const double b = std::sqrt(0.5);
     const MorseConstants<double> morse{1, b, 2, 2 * b};
     for (int i = 0; i <= 200; ++i) {
         const double r = 1 + 9.0 * i / 200;
-        figure.curves[0].points.emplace_back(r, morse_energy(morse, r));
-        figure.curves[1].points.emplace_back(r, morse_pull(morse, Vector<double>{r, 0, 0}).x);
+        figure.curves[0].add(r, morse_energy(morse, r));
+        figure.curves[1].add(r, morse_pull(morse, Vector<double>{r, 0, 0}).x);
     }
     return {"Morse potential and force, D = 1, k = 1, r0 = 2", std::move(figure)};
 }
@@ -251,11 +250,6 @@ std::vector<ThesisChart> thesis_charts() {
 }
 
 std::string thesis_page() {
-    std::vector<Figure> figures;
-    const std::vector<ThesisChart> charts = thesis_charts();
-    figures.reserve(charts.size());
-    for (const ThesisChart& chart : charts) figures.push_back(chart.figure);
-    const std::vector<std::string> svg = svg_figures(figures);
     std::string page = page_head(
         "The thesis, recomputed",
         "The tables and charts of the thesis of 2008, compared with results of the correct formulas.", circumstances());
@@ -265,7 +259,7 @@ std::string thesis_page() {
     page += section("Table 3: time for 1000 steps of ten points", table_3_explained, thesis_table_3());
     page += section("Table 4: cost at the largest dt of each method", table_4_explained, thesis_table_4());
     page += std::string("<h2>Charts</h2>\n") + charts_explained + "<div class=\"diagrams\">\n";
-    for (std::size_t i = 0; i < charts.size(); ++i) page += captioned(charts[i].title, svg[i]);
+    for (const ThesisChart& chart : thesis_charts()) page += captioned(chart.title, chart.figure);
     return page + "</div>\n" + page_end;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lab/report/figure.hpp"
 #include "lab/report/table.hpp"
+#include "plot/plot.hpp"
 
 #include <vector>
 
@@ -24,7 +24,7 @@ Table thesis_table_4();
 /// force for D = 1, k = 1, r0 = 2.
 struct ThesisChart {
     std::string title;
-    Figure figure;
+    plot::Plot figure;
 };
 std::vector<ThesisChart> thesis_charts();
 

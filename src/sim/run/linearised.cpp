@@ -213,6 +213,19 @@ Eigenpairs modes(const LinearisedScene& scene) {
     return lanczos(product, scene.size());
 }
 
+Eigenpairs all_modes(const LinearisedScene& scene) {
+    Eigen::MatrixXd matrix(scene.size(), scene.size());
+    for (Eigen::Index k = 0; k < scene.size(); ++k)
+        matrix.col(k) = scene.stiffness(Eigen::VectorXd::Unit(scene.size(), k));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (matrix + matrix.transpose()));
+    return {.values = solver.eigenvalues(), .vectors = solver.eigenvectors(), .complete = true};
+}
+
+Eigen::Index count_of_still(const Eigen::VectorXd& values) {
+    const double zero = values.size() > 0 ? 1e-10 * values.cwiseAbs().maxCoeff() : 0;
+    return (values.array() <= zero).count();
+}
+
 double highest_frequency(const Eigenpairs& modes) {
     const double largest = modes.values.size() > 0 ? modes.values[modes.values.size() - 1] : 0;
     return std::sqrt(std::max(0.0, largest));

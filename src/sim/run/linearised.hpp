@@ -74,6 +74,12 @@ private:
 
 /// The modes of a linearised scene: eigenvalues omega^2 of K. A negative one means an unstable equilibrium.
 Eigenpairs modes(const LinearisedScene& scene);
+/// The same from the whole matrix: all of them, degenerate ones as often as they are there. Takes the third power of
+/// the number of particles.
+Eigenpairs all_modes(const LinearisedScene& scene);
+/// How many of the ascending eigenvalues are no vibrations: those that rounding leaves of zero, and those of unstable
+/// directions.
+Eigen::Index count_of_still(const Eigen::VectorXd& values);
 /// The largest angular frequency, 0 if nothing oscillates.
 double highest_frequency(const Eigenpairs& modes);
 

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -48,19 +47,9 @@ Start reversed(const Start& start) {
             }};
 }
 
-Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all_modes(const LinearisedScene& scene) {
-    Eigen::MatrixXd matrix(scene.size(), scene.size());
-    for (Eigen::Index k = 0; k < scene.size(); ++k)
-        matrix.col(k) = scene.stiffness(Eigen::VectorXd::Unit(scene.size(), k));
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(0.5 * (matrix + matrix.transpose()));
-}
-
-/// The place of a mode among the ascending eigenvalues omega^2. Those that rounding leaves of zero, and those of
-/// unstable directions, are no vibrations.
+/// The place of a mode among the ascending eigenvalues omega^2.
 Eigen::Index place_of(std::size_t mode, const Eigen::VectorXd& values) {
-    const Eigen::Index all = values.size();
-    const double zero = all > 0 ? 1e-10 * values.cwiseAbs().maxCoeff() : 0;
-    const Eigen::Index left_out = (values.array() <= zero).count(),
+    const Eigen::Index all = values.size(), left_out = count_of_still(values),
                        place = left_out + static_cast<Eigen::Index>(mode) - 1;
     if (place < all) return place;
     throw UsageError(
@@ -73,8 +62,8 @@ Field<double> mode_of(const Plan& plan, const Shape& shape, std::size_t mode) {
         throw UsageError(fmt::format("normal modes are computed of at most {} particles, the scene has {}",
                                      most_in_modes, plan.reference.count));
     const LinearisedScene scene(plan, shape);
-    const auto solver = all_modes(scene);
-    Field<double> field = scene.displacements(solver.eigenvectors().col(place_of(mode, solver.eigenvalues())));
+    const Eigenpairs all = all_modes(scene);
+    Field<double> field = scene.displacements(all.vectors.col(place_of(mode, all.values)));
     double largest = 0, sign = 1, component = 0;
     for (std::size_t i = 0; i < field.count(); ++i) {
         const Vec3 at = field.at(i);

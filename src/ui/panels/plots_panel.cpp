@@ -1,6 +1,7 @@
 #include "ui/panels/panels.hpp"
 #include "ui/plot/costs_plot.hpp"
 #include "ui/plot/draw_plot.hpp"
+#include "ui/plot/move_axes.hpp"
 #include "ui/plot/plots.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -63,7 +64,7 @@ std::vector<ComboItem> kind_items() {
 
 /// Errors of methods differ by powers of ten.
 PlotChoice default_choice(PlotKind kind) {
-    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error;
+    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error || kind == PlotKind::spectrum;
     return {kind, logarithmic ? plot::Scale::logarithmic : plot::Scale::linear};
 }
 
@@ -91,7 +92,7 @@ void draw_scale(const Context& context, PlotChoice& choice) {
     const auto scale = static_cast<std::size_t>(choice.scale);
     const std::string widget = std::string(info_of(choice.kind).id) + ".scale";
     if (text_button(context, widget, names[scale], false, context.px(56)))
-        choice.scale = static_cast<plot::Scale>((scale + 1) % names.size());
+        choice = {choice.kind, static_cast<plot::Scale>((scale + 1) % names.size())};
     tooltip(context, "the axis up: linear, logarithmic (of values above 0), or logarithmic on both sides of 0");
 }
 
@@ -122,6 +123,15 @@ void draw_count(const Context& context, std::size_t number, const Area& area) {
     tooltip(context, "another plot");
 }
 
+/// Where what the axis up means stands in the line of controls.
+float title_from(const Context& context, const Area& area) { return area.x + context.px(8 + 172 + 6 + 56 + 10); }
+
+bool has_room_for_title(const Context& context, const plot::Plot& plot, const Area& area) {
+    const WithFont font(context.theme.fonts().small);
+    const float room = area.right() - context.px(100) - title_from(context, area);
+    return context.is_saved() || ImGui::CalcTextSize(plot.title.c_str()).x <= room;
+}
+
 /// The controls of a plot, and what its axis up means, in the frame where there is no room beside them; in a picture
 /// that is saved the latter alone.
 void draw_header(const Context& context, const plot::Plot& plot, std::size_t number, const Area& area,
@@ -136,38 +146,12 @@ void draw_header(const Context& context, const plot::Plot& plot, std::size_t num
     ImGui::SameLine(0, context.px(6));
     draw_scale(context, context.state.plots.shown[number]);
     const WithFont font(context.theme.fonts().small);
-    const float from = area.x + context.px(8 + 172 + 6 + 56 + 10);
-    const float room = area.right() - context.px(100) - from;
-    if (ImGui::CalcTextSize(plot.title.c_str()).x <= room) {
-        text_left(from, y, plot.title, colour::text_dim);
+    if (has_room_for_title(context, plot, area)) {
+        text_left(title_from(context, area), y, plot.title, colour::text_dim);
     } else {
         text_left(frame.x + context.px(6), frame.y + context.px(10), plot.title, colour::text_faint);
     }
     draw_count(context, number, area);
-}
-
-/// Wheel and drag over a plot over time change the part of it that all plots show; a double click ends that.
-void move_window(const Context& context, const plot::Plot& plot, const plot::Layout& layout) {
-    if (context.purpose != Purpose::use || plot.x.name != "time" || !plot::has_values(plot)) return;
-    auto& window = context.state.plots.window;
-    const ImGuiIO& io = ImGui::GetIO();
-    const plot::Axis& axis = layout.axes.across;
-    const bool over = layout.frame.contains(io.MousePos.x, io.MousePos.y) &&
-                      ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-    const bool held =
-        ImGui::IsMouseDragging(0) && layout.frame.contains(io.MouseClickedPos[0].x, io.MouseClickedPos[0].y);
-    const double length = axis.high - axis.low;
-    if (over && ImGui::IsMouseDoubleClicked(0)) {
-        window.reset();
-    } else if (over && io.MouseWheel != 0) {
-        const double at = axis.value(io.MousePos.x), factor = std::pow(0.8, static_cast<double>(io.MouseWheel));
-        const Range zoomed{at + factor * (axis.low - at), at + factor * (axis.high - at)};
-        const double size = std::max(std::abs(zoomed.low), std::abs(zoomed.high));
-        if (zoomed.high - zoomed.low > 1e-9 * size && std::isfinite(zoomed.high - zoomed.low)) window = zoomed;
-    } else if (held && io.MouseDelta.x != 0 && layout.frame.width > 0) {
-        const double moved = -length * static_cast<double>(io.MouseDelta.x / layout.frame.width);
-        window = Range{axis.low + moved, axis.high + moved};
-    }
 }
 
 void draw_chosen(const Context& context, std::size_t number, const Area& area) {
@@ -175,9 +159,9 @@ void draw_chosen(const Context& context, std::size_t number, const Area& area) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({area.x, area.y}, {area.right(), area.bottom()}, colour::panel, context.px(5));
     list.AddRect({area.x, area.y}, {area.right(), area.bottom()}, colour::line, context.px(5));
-    draw_plot(context, plot, area);
+    draw_plot(context, plot, area, !has_room_for_title(context, plot, area));
     const plot::Layout layout = plot_layout(context.theme, plot, area);
-    move_window(context, plot, layout);
+    move_axes(context, plot, layout, area, context.state.plots.shown[number]);
     if (context.state.plots.shown[number].kind == PlotKind::costs) use_costs(context, layout);
     draw_header(context, plot, number, area, layout.frame);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "plot/plot.hpp"
+#include "ui/plot/scene_laws.hpp"
 
 #include <array>
 #include <optional>
@@ -10,7 +11,20 @@
 namespace steplab::ui {
 
 /// What a plot of the window shows.
-enum class PlotKind { energy_error, energies, error, displacement, velocity, phase, momentum, speeds, spread, costs };
+enum class PlotKind {
+    energy_error,
+    energies,
+    error,
+    displacement,
+    velocity,
+    phase,
+    spectrum,
+    momentum,
+    speeds,
+    pairs,
+    spread,
+    costs
+};
 
 struct PlotKindInfo {
     PlotKind kind;
@@ -29,8 +43,13 @@ inline constexpr std::array plot_kinds{
     PlotKindInfo{PlotKind::velocity, "velocity", "velocity", "of the selected particle, along the same axis"},
     PlotKindInfo{PlotKind::phase, "phase portrait", "phase portrait",
                  "velocity of the selected particle over its displacement: a closed curve where nothing is lost"},
+    PlotKindInfo{
+        PlotKind::spectrum, "spectrum", "spectrum",
+        "how strongly the selected particle vibrates at which frequency, beside the normal modes of the scene"},
     PlotKindInfo{PlotKind::momentum, "momentum", "momentum", "|P - P0| of all particles together"},
     PlotKindInfo{PlotKind::speeds, "speeds", "speeds", "how many particles have which speed now"},
+    PlotKindInfo{PlotKind::pairs, "pair potential", "pair potential",
+                 "potential and force between two particles over their distance, and the distances of pairs now"},
     PlotKindInfo{PlotKind::spread, "ensemble spread", "ensemble spread",
                  "largest distance of a particle of the ensemble from where it is in the run"},
     PlotKindInfo{PlotKind::costs, "speed against error", "speed against error",
@@ -44,6 +63,8 @@ const PlotKindInfo& info_of(PlotKind kind);
 struct PlotChoice {
     PlotKind kind = PlotKind::energy_error;
     plot::Scale scale = plot::Scale::linear;  ///< of the axis up
+    std::optional<Range> up = {};             ///< of the axis up, where it was moved; none: that of the data
+    std::optional<Range> across = {};         ///< the same of the axis across, where that is not time
 };
 
 /// The plots below the scene.
@@ -54,6 +75,7 @@ struct PlotsState {
     std::optional<Range> window = {};  ///< of time, which all of them show; none: their own
     std::optional<bool> scanned = {};  ///< whether costs were asked for
     std::optional<bool> sampled = {};  ///< whether samples were asked for
+    SceneLaws laws = {};
 };
 
 }  // namespace steplab::ui

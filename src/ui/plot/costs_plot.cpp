@@ -46,7 +46,7 @@ void add_series(Plot& plot, const Context& context, const CostsView& costs) {
             curve.name = std::get<0>(key);
             curve.colour = colour;
             curve.line = std::get<1>(key) == Precision::float_ ? plot::Line::dotted : plot::Line::solid;
-            curve.marks = true;
+            curve.marks = plot::Marks::always;
             curve.ascending = false;
             curve.in_legend = false;
             plot.curves.push_back(std::move(curve));

@@ -32,6 +32,7 @@ void draw_solid(ImDrawList& list, const std::vector<ImVec2>& corners, ImU32 ink,
 }
 
 void draw_line(ImDrawList& list, const std::vector<ImVec2>& corners, plot::Line line, ImU32 ink, float thickness) {
+    if (line == plot::Line::none) return;
     if (line == plot::Line::solid) return draw_solid(list, corners, ink, thickness);
     draw_dashes(list, corners, plot::dashes_of(line), ink, thickness);
 }
@@ -65,7 +66,7 @@ void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, co
     draw_line(list, corners, curve.line, ink, thickness_of(context));
     const bool few = static_cast<float>(corners.size()) < layout.frame.width / context.px(12);
     if (curve.large) draw_marks(list, corners, ink, context.px(5));
-    if (curve.marks || (few && curve.colour != Curve::exact)) draw_marks(list, corners, ink, context.px(2.4f));
+    if (curve.has_marks(few)) draw_marks(list, corners, ink, context.px(2.4f));
 }
 
 /// What was done, and where the run stands, as vertical lines.
@@ -87,46 +88,81 @@ void draw_moments(ImDrawList& list, const Context& context, const Plot& plot, co
     list.AddLine({x, frame.y}, {x, frame.bottom()}, colour::accent);
 }
 
+ImU32 area_ink(const Context& context, const plot::Band& band) {
+    constexpr ImU32 alpha = 0x38;
+    return (ink_of(context, band.colour) & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
+}
+
+/// Quadrilateral by quadrilateral: as a whole it is not convex.
+void draw_band(ImDrawList& list, const Context& context, const plot::Band& band, const plot::Layout& layout) {
+    const std::vector<plot::Strip> strips = plot::strips(band, layout.axes);
+    const ImDrawListFlags flags = list.Flags;
+    list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // whose soft edges would show where they meet
+    for (std::size_t i = 1; i < strips.size(); ++i) {
+        const plot::Strip &a = strips[i - 1], &b = strips[i];
+        list.AddQuadFilled({a.x, a.top}, {b.x, b.top}, {b.x, b.bottom}, {a.x, a.bottom}, area_ink(context, band));
+    }
+    list.Flags = flags;
+}
+
 void draw_curves(const Context& context, const Plot& plot, const plot::Layout& layout) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Area& frame = layout.frame;
     const float thickness = thickness_of(context);
     list.PushClipRect({frame.x, frame.y - thickness}, {frame.right() + 1, frame.bottom() + thickness}, true);
+    for (const plot::Band& band : plot.bands) draw_band(list, context, band, layout);
     draw_moments(list, context, plot, layout);
     for (const Curve& curve : plot.curves) draw_curve(list, context, curve, layout);
     list.PopClipRect();
 }
 
-/// Where the name of a curve stands in the legend: its right end, and the middle of its line.
+/// Where the name of a curve or band stands in the legend: its right end, and the middle of its line.
 struct LegendPlace {
-    const Curve* curve;
+    const std::string* name;
+    const Curve* curve;                 ///< null: of a band
+    const plot::Band* band;             ///< null: of a curve
     float right = 0, y = 0, width = 0;  ///< width: with the sample of its line
 };
 
 /// From right to left and in as many rows as it takes, the last curve first.
-std::vector<LegendPlace> legend_places(const Context& context, const Plot& plot, const Area& frame) {
+std::vector<LegendPlace> legend_places(const Context& context, const Plot& plot, const Area& frame, float top) {
     const float row = ImGui::GetTextLineHeight() + context.px(2), last = frame.right() - context.px(8);
     std::vector<LegendPlace> places;
-    float right = last, y = frame.y + 0.5f * row + context.px(4);
-    for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve) {
-        if (!curve->in_legend) continue;
-        const float width = ImGui::CalcTextSize(curve->name.c_str()).x + context.px(27);
+    float right = last, y = top + 0.5f * row;
+    const auto add = [&](const std::string& name, const Curve* curve, const plot::Band* band) {
+        const float width = ImGui::CalcTextSize(name.c_str()).x + context.px(27);
         if (right - width < frame.x && right < last) {
             right = last;
             y += row;
         }
-        places.push_back({&*curve, right, y, width});
+        places.push_back({&name, curve, band, right, y, width});
         right -= width + context.px(12);
+    };
+    for (const plot::Band& band : plot.bands) add(band.name, nullptr, &band);
+    for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve) {
+        if (curve->in_legend) add(curve->name, &*curve, nullptr);
     }
     return places;
 }
 
-/// For each curve a short line in its style and its name, on a card at the top of the frame.
-void draw_legend(const Context& context, const Plot& plot, const Area& frame) {
-    if (plot.curves.size() < 2) return;
+/// What a curve or band looks like.
+void draw_sample(ImDrawList& list, const Context& context, const LegendPlace& place) {
+    const float from = place.right - place.width, to = from + context.px(22);
+    if (place.band)
+        return list.AddRectFilled({from, place.y - context.px(4)}, {to, place.y + context.px(4)},
+                                  area_ink(context, *place.band));
+    const Curve& curve = *place.curve;
+    const ImU32 ink = ink_of(context, curve.colour);
+    draw_line(list, {{from, place.y}, {to, place.y}}, curve.line, ink, thickness_of(context));
+    if (curve.line == plot::Line::none) draw_marks(list, {{0.5f * (from + to), place.y}}, ink, context.px(2.4f));
+}
+
+/// For each curve a short line in its style and its name, on a card near the top of the frame.
+void draw_legend(const Context& context, const Plot& plot, const Area& frame, float top) {
+    if (plot.curves.size() + plot.bands.size() < 2) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const WithFont font(context.theme.fonts().small);
-    const std::vector<LegendPlace> places = legend_places(context, plot, frame);
+    const std::vector<LegendPlace> places = legend_places(context, plot, frame, top);
     if (places.empty()) return;
     const float half = 0.5f * ImGui::GetTextLineHeight() + context.px(2);
     float left = frame.right();
@@ -134,11 +170,8 @@ void draw_legend(const Context& context, const Plot& plot, const Area& frame) {
     list.AddRectFilled({left - context.px(5), places.front().y - half}, {frame.right() - 1, places.back().y + half},
                        colour::card, context.px(4));
     for (const LegendPlace& place : places) {
-        const Curve& curve = *place.curve;
-        text_right(place.right, place.y, curve.name, colour::text_dim);
-        const float from = place.right - place.width;
-        draw_line(list, {{from, place.y}, {from + context.px(22), place.y}}, curve.line, ink_of(context, curve.colour),
-                  thickness_of(context));
+        text_right(place.right, place.y, *place.name, colour::text_dim);
+        draw_sample(list, context, place);
     }
 }
 
@@ -153,6 +186,18 @@ std::size_t point_at(const Curve& curve, const plot::Axes& axes, ImVec2 pointer)
         if (distance(i) < distance(best)) best = i;
     }
     return best;
+}
+
+/// The ends of the bands over the pointer.
+std::string bands_at(const Plot& plot, double x) {
+    std::string text;
+    for (const plot::Band& band : plot.bands) {
+        if (band.x.empty()) continue;
+        const std::size_t i = plot::nearest(band.x, x);
+        text += fmt::format("\n{}: {} to {}", band.name, setting_text(band.low[i], 5),
+                            with_unit(setting_text(band.high[i], 5), plot.y.unit));
+    }
+    return text;
 }
 
 /// A vertical line at the pointer, and the values of the curves there.
@@ -173,6 +218,7 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const p
                                  ink_of(context, curve.colour));
         text.append("\n" + curve.name + ": " + with_unit(setting_text(curve.y[i], 5), plot.y.unit));
     }
+    text += bands_at(plot, across.value(pointer.x));
     tooltip_beside(context, {pointer.x, area.y, pointer.x, area.bottom()}, text);
 }
 
@@ -205,7 +251,7 @@ bool save_button(const Context& context, const Plot& plot, const Area& area) {
 /// The name of the axis across; beside it, in a picture that is saved, of what run the plot is.
 void draw_axis_name(const Context& context, const Plot& plot, const Area& area, const Area& frame) {
     const WithFont font(context.theme.fonts().small);
-    const std::string name = plot.x.unit.empty() ? plot.x.name : fmt::format("{} [{}]", plot.x.name, plot.x.unit);
+    const std::string name = text_of(plot.x);
     const float width = ImGui::CalcTextSize(name.c_str()).x;
     const float y = area.bottom() - context.px(12), right = frame.right();
     const std::string& caption = context.is_saved() ? plot.caption : std::string();
@@ -216,14 +262,15 @@ void draw_axis_name(const Context& context, const Plot& plot, const Area& area, 
     text_left(frame.x + 0.5f * (frame.width - width), y, name, colour::text_dim);
 }
 
-void draw_content(const Context& context, const Plot& plot, const Area& area, const plot::Layout& layout) {
+void draw_content(const Context& context, const Plot& plot, const Area& area, const plot::Layout& layout,
+                  bool title_in_frame) {
     {
         const WithFont font(context.theme.fonts().small);
         draw_ticks(layout);
     }
     draw_axis_name(context, plot, area, layout.frame);
     draw_curves(context, plot, layout);
-    draw_legend(context, plot, layout.frame);
+    draw_legend(context, plot, layout.frame, layout.frame.y + context.px(title_in_frame ? 20 : 4));
     ImGui::SetCursorScreenPos({layout.frame.x, layout.frame.y});
     if (context.purpose == Purpose::use && !plot.nearest_alone) draw_values_under_pointer(context, plot, layout, area);
 }
@@ -244,7 +291,7 @@ plot::Layout plot_layout(const Theme& theme, const Plot& plot, const Area& area)
     return plot::layout_of(plot, area, {width, font.FontSize, theme.px(1)});
 }
 
-void draw_plot(const Context& context, const Plot& plot, const Area& area) {
+void draw_plot(const Context& context, const Plot& plot, const Area& area, bool title_in_frame) {
     const WithId id(plot.name);
     const plot::Layout layout = plot_layout(context.theme, plot, area);
     const Area& frame = layout.frame;
@@ -254,7 +301,7 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area) {
     context.mark(plot.name);
     if (save || ImGui::IsItemClicked(1)) ImGui::OpenPopup("save");
     if (plot::has_values(plot)) {
-        draw_content(context, plot, area, layout);
+        draw_content(context, plot, area, layout, title_in_frame);
     } else {
         draw_empty(context, plot, frame);
     }

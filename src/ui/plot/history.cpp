@@ -53,12 +53,32 @@ void History::record(const RunView& view) {
 void History::record_beside(const SessionView& view) {
     const Frame& frame = view.leading.frame;
     if (!frame.ensemble.empty()) spread_.put(frame.step, frame.time, view.leading.ensemble_spread.largest);
+    record_ensemble(view.leading);
     if (!view.errors) return;
     if (errors_.size() != view.errors->runs.size()) errors_.assign(view.errors->runs.size(), {});
     for (std::size_t run = 0; run < errors_.size(); ++run) {
         if (const auto& compared = view.errors->runs[run])
             errors_[run].put(frame.step, compared->time, compared->error);
     }
+    if (const auto& leading = view.errors->runs.front())
+        reference_error_.put(frame.step, leading->time, leading->reference_error);
+}
+
+void History::record_ensemble(const RunView& view) {
+    const Frame& frame = view.frame;
+    if (!view.tracked || frame.ensemble.empty()) return;
+    const std::size_t particle = view.tracked->particle;
+    const Vec3 rest = frame.positions[particle] - view.tracked->displacement;
+    double low = INFINITY, high = -INFINITY;
+    for (std::size_t i = particle; i < frame.ensemble.size(); i += frame.positions.size()) {
+        const double at = component(frame.ensemble[i] - rest, direction_);
+        if (!std::isfinite(at)) continue;
+        low = std::min(low, at);
+        high = std::max(high, at);
+    }
+    if (!(low <= high)) return;
+    ensemble_.low.put(frame.step, frame.time, low);
+    ensemble_.high.put(frame.step, frame.time, high);
 }
 
 void History::begin(const RunView& view) {
@@ -71,14 +91,17 @@ void History::follow(const std::optional<Tracked>& tracked) {
     if (particle != particle_) {
         particle_ = particle;
         reach_ = {};
+        ensemble_ = {};
     }
     if (!tracked) return;
     const Vec3 u = tracked->displacement;
     reach_ = {std::max(reach_.x, std::abs(u.x)), std::max(reach_.y, std::abs(u.y)), std::max(reach_.z, std::abs(u.z))};
+    const int before = direction_;
     // Another axis must be clearly ahead, so that the plots do not alternate between two of similar size.
     for (int axis = 0; axis < 3; ++axis) {
         if (component(reach_, axis) > 1.2 * component(reach_, direction_)) direction_ = axis;
     }
+    if (direction_ != before) ensemble_ = {};
 }
 
 }  // namespace steplab::ui

@@ -28,6 +28,12 @@ private:
     std::vector<double> times_, values_;
 };
 
+/// Where the followed particle is in the runs of an ensemble: its lowest and highest displacement along the direction
+/// in which it moves most.
+struct EnsembleReach {
+    Course low, high;
+};
+
 /// What the interface remembers of the views of a run: what is not in the samples that they hold.
 class History {
 public:
@@ -44,6 +50,9 @@ public:
     /// Position errors of the runs, the leading one first, as far as they were compared.
     std::span<const Course> errors() const { return errors_; }
     const Course& spread() const { return spread_; }
+    /// Estimated error of the reference that the runs were compared with, at their times.
+    const Course& reference_error() const { return reference_error_; }
+    const EnsembleReach& ensemble() const { return ensemble_; }
 
 private:
     /// In the run up to a step.
@@ -55,6 +64,7 @@ private:
 
     void begin(const RunView& view);
     void follow(const std::optional<Tracked>& tracked);
+    void record_ensemble(const RunView& view);
 
     std::optional<std::uint64_t> run_;
     std::optional<std::size_t> particle_;
@@ -62,7 +72,8 @@ private:
     int direction_ = 1;
     std::vector<Reached> reached_;
     std::vector<Course> errors_;
-    Course spread_;
+    Course spread_, reference_error_;
+    EnsembleReach ensemble_;
 };
 
 /// The component of a vector along an axis: 0 x, 1 y, 2 z.

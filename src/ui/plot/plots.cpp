@@ -3,52 +3,20 @@
 #include "session/run_name.hpp"
 #include "sim/catalogue.hpp"
 #include "ui/plot/costs_plot.hpp"
+#include "ui/plot/pair_plot.hpp"
+#include "ui/plot/particle_plots.hpp"
+#include "ui/plot/run_curves.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace steplab::ui {
 namespace {
 
 using plot::Curve;
 using plot::Plot;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view axis_names[] = {"x", "y", "z"};
-
-using Value = std::function<double(const Sample&)>;
-
-/// A curve over time of what samples hold. Runs that go backward in time ascend, too.
-Curve over_time(std::string name, std::size_t colour, const SampleSeries& series, const Value& value) {
-    Curve curve{.name = std::move(name), .colour = colour};
-    for (const Sample& sample : series.samples) {
-        curve.x.push_back(sample.time);
-        curve.y.push_back(value(sample));
-    }
-    if (curve.x.size() > 1 && curve.x.front() > curve.x.back()) {
-        std::reverse(curve.x.begin(), curve.x.end());
-        std::reverse(curve.y.begin(), curve.y.end());
-    }
-    return curve;
-}
-
-std::string name_of(const Context& context, std::size_t run) {
-    if (context.session.followers.empty()) return "run";
-    return run_name(context.run(run).description, context.view.description);
-}
-
-/// The same of all runs, each in its colour and line.
-void add_runs(Plot& plot, const Context& context, const Value& value) {
-    for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        const RunView& view = context.run(run);
-        if (view.series.samples.empty()) continue;  // in still pictures only the leading run has any
-        plot.curves.push_back(over_time(name_of(context, run), run, view.series, value));
-        plot.curves.back().line = plot::line_of_run(run);
-    }
-}
 
 double relative_energy_error(const Sample& sample) {
     return sample.energy_error / std::abs(sample.kinetic + sample.potential - sample.energy_error);
@@ -90,6 +58,23 @@ Curve traced(const Course& course, std::string name, std::size_t run) {
     return curve;
 }
 
+bool has_size(const Course& errors) {
+    const auto values = errors.values();
+    return std::any_of(values.begin(), values.end(), [](double value) { return value > 0; });
+}
+
+/// Where errors are known, and not 0 as at the start, which a logarithmic axis does not show: a band alone would say
+/// nothing.
+void add_error_of_reference(Plot& plot, const History& history) {
+    const Course& known = history.reference_error();
+    if (!has_size(known) || std::none_of(history.errors().begin(), history.errors().end(), has_size)) return;
+    plot::Band band{.name = "error of the reference", .colour = Curve::quiet};
+    band.x.assign(known.times().begin(), known.times().end());
+    band.low.assign(band.x.size(), 0);
+    band.high.assign(known.values().begin(), known.values().end());
+    plot.bands.push_back(std::move(band));
+}
+
 /// Of samples where the scene has an exact solution, else as far as the runs were compared with the reference.
 void error_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "position error", .unit = "m"};
@@ -98,7 +83,8 @@ void error_plot(Plot& plot, const Context& context) {
         return add_runs(plot, context, [](const Sample& sample) { return sample.error.value_or(unknown); });
     const auto errors = context.state.history.errors();
     for (std::size_t run = 0; run < std::min(errors.size(), context.session.followers.size() + 1); ++run)
-        plot.curves.push_back(traced(errors[run], name_of(context, run), run));
+        plot.curves.push_back(traced(errors[run], name_of_run(context, run), run));
+    add_error_of_reference(plot, context.state.history);
 }
 
 void momentum_plot(Plot& plot, const Context& context) {
@@ -113,63 +99,6 @@ void spread_plot(Plot& plot, const Context& context) {
     plot.empty = "no ensemble beside the run";
     if (!context.state.history.spread().times().empty())
         plot.curves.push_back(traced(context.state.history.spread(), "largest", 0));
-}
-
-// of the selected particle
-
-bool knows_exact(const SampleSeries& series) {
-    return std::any_of(series.samples.begin(), series.samples.end(),
-                       [](const Sample& sample) { return sample.particle && sample.particle->exact_displacement; });
-}
-
-bool begin_particle_plot(Plot& plot, const Context& context, std::string_view what) {
-    plot.empty = "click a particle to plot what it does";
-    if (!context.view.tracked) return false;
-    const std::string_view axis = axis_names[context.state.history.direction()];
-    plot.y.name = fmt::format("{} {} of particle {}", what, axis, context.view.tracked->particle);
-    plot.empty = "no data yet";
-    return true;
-}
-
-void displacement_plot(Plot& plot, const Context& context) {
-    plot.y = {.name = "displacement", .unit = "m"};
-    if (!begin_particle_plot(plot, context, "displacement")) return;
-    const int axis = context.state.history.direction();
-    add_runs(plot, context, [axis](const Sample& sample) {
-        return sample.particle ? component(sample.particle->displacement, axis) : unknown;
-    });
-    if (!knows_exact(context.view.series)) return;
-    plot.curves.push_back(over_time("exact", Curve::exact, context.view.series, [axis](const Sample& sample) {
-        const auto& particle = sample.particle;
-        return particle && particle->exact_displacement ? component(*particle->exact_displacement, axis) : unknown;
-    }));
-    plot.curves.back().line = plot::Line::dashed;
-}
-
-void velocity_plot(Plot& plot, const Context& context) {
-    plot.y = {.name = "velocity", .unit = "m/s"};
-    if (!begin_particle_plot(plot, context, "velocity")) return;
-    const int axis = context.state.history.direction();
-    add_runs(plot, context, [axis](const Sample& sample) {
-        return sample.particle ? component(sample.particle->velocity, axis) : unknown;
-    });
-}
-
-void phase_plot(Plot& plot, const Context& context) {
-    plot.x = {.name = "displacement", .unit = "m"};
-    plot.y = {.name = "velocity", .unit = "m/s"};
-    if (!begin_particle_plot(plot, context, "velocity")) return;
-    const int axis = context.state.history.direction();
-    for (std::size_t run = 0; run <= context.session.followers.size(); ++run) {
-        const RunView& view = context.run(run);
-        Curve curve{.name = name_of(context, run), .colour = run, .line = plot::line_of_run(run), .ascending = false};
-        for (const Sample& sample : view.series.samples) {
-            if (!sample.particle) continue;
-            curve.x.push_back(component(sample.particle->displacement, axis));
-            curve.y.push_back(component(sample.particle->velocity, axis));
-        }
-        plot.curves.push_back(std::move(curve));
-    }
 }
 
 /// Of the particles that move, in as many classes as the root of their number.
@@ -216,6 +145,10 @@ Fill fill_of(PlotKind kind) {
             return velocity_plot;
         case PlotKind::phase:
             return phase_plot;
+        case PlotKind::spectrum:
+            return spectrum_plot;
+        case PlotKind::pairs:
+            return pair_plot;
         case PlotKind::momentum:
             return momentum_plot;
         case PlotKind::speeds:
@@ -226,6 +159,14 @@ Fill fill_of(PlotKind kind) {
             break;
     }
     return spread_plot;
+}
+
+/// Of a spectrum, where there is more than rounding.
+std::optional<Range> upper_decades(const Plot& plot) {
+    double highest = 0;
+    for (const Curve& curve : plot.curves)
+        highest = std::max(highest, *std::max_element(curve.y.begin(), curve.y.end()));
+    return highest > 0 ? std::optional(decade_range(1e-6 * highest, highest)) : std::nullopt;
 }
 
 /// The last part of the run: an oscillation over all of it would be a bar.
@@ -264,12 +205,17 @@ Plot plot_of(const Context& context, const PlotChoice& choice) {
         plot.empty = "not known: the file does not have a whole scene";
         return plot;
     }
-    const bool of_samples = choice.kind != PlotKind::speeds && choice.kind != PlotKind::costs;
+    const bool of_samples =
+        choice.kind != PlotKind::speeds && choice.kind != PlotKind::costs && choice.kind != PlotKind::pairs;
     if (context.view.series.samples.empty() && of_samples) return plot;
     fill_of(choice.kind)(plot, context);
     plot.y.scale = choice.scale;
+    if (choice.kind == PlotKind::spectrum && choice.scale == plot::Scale::logarithmic)
+        plot.y.range = upper_decades(plot);
+    if (choice.up) plot.y.range = choice.up;
+    if (choice.across) plot.x.range = choice.across;
     if (plot.x.name == "time") add_time(plot, context, choice.kind);
-    plot.title = plot.y.unit.empty() ? plot.y.name : fmt::format("{} [{}]", plot.y.name, plot.y.unit);
+    plot.title = text_of(plot.y);
     return plot;
 }
 

@@ -71,7 +71,7 @@ TEST(ReportPage, has_every_diagram_and_table) {
           "Error against evaluations, float", "Energy error over time, double", "Pareto front", "Orders", "Stability"})
         EXPECT_THAT(page, HasSubstr(title));
     EXPECT_EQ(count(page, "<figure>"), 5u);
-    EXPECT_EQ(count(page, "class=\"curve\" data-method=\"pefrl\""), 5u);
+    EXPECT_EQ(count(page, "class=\"curve\" data-name=\"pefrl\""), 5u);
     for (const char* cell : {"<td>1.4142</td>", "<td>1.4139</td>", "a note on pefrl", "exact solution"})
         EXPECT_THAT(page, HasSubstr(cell));
 }
@@ -85,7 +85,7 @@ TEST(ReportPage, has_no_diagram_of_what_was_not_measured) {
     less.limits.clear();
     const std::string page = page_of(less);
     EXPECT_THAT(page, Not(HasSubstr("Error against time, float")));
-    EXPECT_EQ(count(page, "class=\"curve\" data-method=\"pefrl\""), 0u);
+    EXPECT_EQ(count(page, "class=\"curve\" data-name=\"pefrl\""), 0u);
     EXPECT_THAT(page, Not(HasSubstr("1.4142")));
     EXPECT_THAT(page, HasSubstr("cannot run it"));
 }
@@ -119,7 +119,9 @@ TEST(ReportPage, is_self_contained) {
     const std::string page = page_of(study());
     for (const char* word : {"src=", "<link", "@import", "url(", "http://www.g", "https:", "fetch("})
         EXPECT_THAT(page, Not(HasSubstr(word)));
-    EXPECT_EQ(count(page, "rgb("), 0u);  // every colour is one that follows light and dark
+    // every colour of a diagram is one that follows light and dark
+    for (const char* colour : {"rgb(", "fill=\"#", "stroke=\"#"}) EXPECT_EQ(count(page, colour), 0u) << colour;
+    EXPECT_GT(count(page, "fill=\"var(--"), 0u);
     EXPECT_THAT(page, HasSubstr("prefers-color-scheme: dark"));
     EXPECT_THAT(page, HasSubstr("</html>"));
 }

@@ -11,27 +11,13 @@
 namespace steplab::ui {
 namespace {
 
-void choose(Desk& desk, std::size_t number, std::string_view kind) {
-    const std::string widget = "plot " + std::to_string(number);
-    desk.click(widget);
-    desk.frame();
-    desk.click(widget + "/" + std::string(kind));
-    desk.frame();
-}
-
-std::string saved_csv(Desk& desk, const std::string& kind) {
+std::string saved_svg(Desk& desk, int number, const std::string& kind = "energy error") {
     desk.click(kind + ".save");
-    desk.click(kind + ".csv");
+    desk.click(kind + ".svg");
+    desk.frame();
     std::string words = kind;
     std::replace(words.begin(), words.end(), ' ', '-');
-    return text_of_file("steplab-" + words + "-1.csv");
-}
-
-std::string saved_svg(Desk& desk, int number) {
-    desk.click("energy error.save");
-    desk.click("energy error.svg");
-    desk.frame();
-    return text_of_file("steplab-energy-error-" + std::to_string(number) + ".svg");
+    return text_of_file("steplab-" + words + "-" + std::to_string(number) + ".svg");
 }
 
 TEST(plots, of_every_kind_are_chosen_and_drawn_in_every_scale) {
@@ -151,6 +137,59 @@ TEST(plots, show_one_part_of_time_until_a_double_click) {
     desk.double_click("displacement");
     desk.frame();
     EXPECT_EQ(saved_svg(desk, 4), whole);
+}
+
+// From below to above a widget that is higher than wide.
+void drag_up(Desk& desk, const std::string& name) {
+    const WidgetRect place = desk.widget(name);
+    const float x = 0.5f * (place.left + place.right);
+    desk.move_to(x, place.bottom - 10);
+    desk.frame();
+    desk.press();
+    desk.frame();
+    desk.move_to(x, place.top + 10);
+    desk.frame();
+    desk.release();
+    desk.frame();
+}
+
+TEST(plots, show_one_part_of_their_values_until_a_double_click) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    Desk& desk = recorded.desk;
+    choose(desk, 1, "energies");  // above 0, so that every scale shows them
+    int number = 0;
+    for (const char* const scale : {"linear", "logarithmic", "symmetric"}) {
+        const std::string whole = saved_svg(desk, ++number, "energies");
+        desk.point_at("energies.axis");
+        desk.frame();
+        desk.wheel(2);
+        desk.frame();
+        const std::string nearer = saved_svg(desk, ++number, "energies");
+        EXPECT_TRUE(nearer != whole) << scale;
+        drag_up(desk, "energies.axis");
+        const std::string moved = saved_svg(desk, ++number, "energies");
+        EXPECT_TRUE(moved != nearer && moved != whole) << scale;
+        desk.double_click("energies.axis");
+        desk.frame();
+        EXPECT_TRUE(saved_svg(desk, ++number, "energies") == whole) << scale;
+        desk.click("energies.scale");
+        desk.frame();
+    }
+}
+
+TEST(plots, over_other_things_than_time_are_moved_alone) {
+    const OwnFolder folder;
+    Recorded recorded("chain");
+    Desk& desk = recorded.desk;
+    choose(desk, 2, "phase portrait");
+    const std::string whole = saved_svg(desk, 1, "phase portrait"), other = saved_svg(desk, 1);
+    desk.point_at("phase portrait");
+    desk.frame();
+    desk.wheel(3);
+    desk.frame();
+    EXPECT_TRUE(saved_svg(desk, 2, "phase portrait") != whole);
+    EXPECT_TRUE(saved_svg(desk, 2) == other);
 }
 
 // Samples cost the run something.

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace steplab::ui {
@@ -32,11 +34,12 @@ private:
     std::filesystem::path folder_;
 };
 
-/// A desk with 50 recorded steps of a run.
+/// A desk with the recorded steps of a run.
 struct Recorded {
-    explicit Recorded(const std::string& model) : desk(describe(model)) {
-        Simulation simulation(describe(model));
-        for (int i = 0; i < 50; ++i) {
+    explicit Recorded(const std::string& model) : Recorded(describe(model), 50) {}
+    Recorded(const RunDescription& description, int steps) : desk(description) {
+        Simulation simulation(description);
+        for (int i = 0; i < steps; ++i) {
             RunView view = view_of(simulation, simulation.particles() - 1);
             view.series.samples = std::move(desk.view.series.samples);
             view.series.samples.push_back(sample_of(view));
@@ -49,11 +52,30 @@ struct Recorded {
     Desk desk;
 };
 
+/// Another kind in place of the plot of this number, from 1.
+inline void choose(Desk& desk, std::size_t number, std::string_view kind) {
+    const std::string widget = "plot " + std::to_string(number);
+    desk.click(widget);
+    desk.frame();
+    desk.click(widget + "/" + std::string(kind));
+    desk.frame();
+}
+
 /// A file of the working directory.
 inline std::string text_of_file(const std::string& name) {
     std::stringstream text;
     text << std::ifstream(name).rdbuf();
     return text.str();
+}
+
+/// The table of a plot that is shown, saved for the first time.
+inline std::string saved_csv(Desk& desk, const std::string& kind) {
+    desk.click(kind + ".save");
+    desk.click(kind + ".csv");
+    desk.frame();
+    std::string words = kind;
+    std::replace(words.begin(), words.end(), ' ', '-');
+    return text_of_file("steplab-" + words + "-1.csv");
 }
 
 }  // namespace steplab::ui
