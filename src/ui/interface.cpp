@@ -25,6 +25,7 @@ class NoEvents final : public EventSink {
 public:
     void send(const Event&) override {}
     void begin(const RunDescription&) override {}
+    void play_part(const FilmPart&) override {}
 };
 
 /// A context that reads and writes no files.
