@@ -174,4 +174,10 @@ std::string explanations(std::string_view text) {
     return lines;
 }
 
+std::string with_explanations(std::string_view text, std::string_view shown) {
+    const std::string terms = explanations(shown);
+    const bool both = !text.empty() && !terms.empty();
+    return std::string(text) + (both ? "\n\n" : "") + terms;
+}
+
 }  // namespace steplab

@@ -26,4 +26,7 @@ bool mentions(std::string_view text, const Term& term);
 /// The explanations of all terms that a text mentions, in its order, one to a line: "order: ...". Empty if it has none.
 std::string explanations(std::string_view text);
 
+/// A text, and below it the explanations of the terms that another one mentions, if it has any.
+std::string with_explanations(std::string_view text, std::string_view shown);
+
 }  // namespace steplab

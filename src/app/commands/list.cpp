@@ -4,6 +4,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/scene_listing.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/text_table.hpp"
 #include "core/error.hpp"
 #include "core/terms.hpp"
 #include "core/text.hpp"
@@ -94,9 +95,9 @@ private:
     }
 
     static std::string table(const std::vector<Titled>& all) {
-        std::string text;
-        for (const Titled& each : all) text += fmt::format("{:<24}{}\n", each.id, each.title);
-        return text;
+        std::vector<Row> rows;
+        for (const Titled& each : all) rows.push_back({each.id, each.title});
+        return rows.empty() ? "" : aligned(rows, 0);
     }
     static std::string json(const std::vector<Titled>& all) {
         auto list = nlohmann::ordered_json::array();

@@ -46,6 +46,9 @@ struct PlotChoice {
     plot::Scale scale = plot::Scale::linear;  ///< of the axis up
 };
 
+/// A plot of this kind with the scale that suits it.
+PlotChoice default_choice(PlotKind kind);
+
 /// The plots below the scene.
 struct PlotsState {
     static constexpr std::size_t most = 4;
