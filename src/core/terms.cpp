@@ -108,7 +108,7 @@ constexpr std::array all_terms{
          "chaotic"},
     Term{"Lyapunov time",
          "The time in which the distance of two neighbouring motions grows by a factor e = 2.718. One "
-         "more correct digit at the start is gained back for only 2.3 of them.",
+         "more correct digit at the start delays the loss by only 2.3 of them.",
          "lyapunov|lyapunov times"},
     Term{"twin", "The same run in the other precision beside it: where they differ, rounding matters.", ""},
     Term{"equal cost",

@@ -14,7 +14,7 @@ struct Term {
     std::string_view words;  ///< other forms in which texts have it, separated by '|'
 };
 
-/// All of them, in the order in which somebody who begins needs them.
+/// All of them, in the order in which beginners need them.
 std::span<const Term> terms();
 
 /// The term of this name; null if there is none.

@@ -50,7 +50,7 @@ Rate Worker::Body::wanted_rate() const {
 
 void Worker::Body::pause_film() { film_plays = false; }
 
-/// Beyond the end of a part, and backwards, the run goes on by itself.
+/// Beyond the end of a part, and backwards, the run continues by itself.
 void Worker::Body::continue_film(const event::Play& play) {
     film_plays = film.has_value();
     const bool ended = film && part && film->handled() >= part->to;

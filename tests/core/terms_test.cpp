@@ -36,12 +36,22 @@ TEST(Terms, are_found_as_whole_words) {
     EXPECT_TRUE(mentions("the step size", *find_term("dt")));
 }
 
+// What the panel says of a method has its words explained: every property that an entry can have.
+TEST(Terms, have_the_properties_of_methods) {
+    for (const char* const id : {"order", "symplectic", "time-reversible", "adaptive", "implicit", "tolerance",
+                                 "compensated", "stability limit", "force evaluations"})
+        EXPECT_NE(find_term(id), nullptr) << id;
+}
+
 TEST(Terms, of_a_text_are_explained_in_its_order) {
     const std::string lines = explanations("symplectic · order 2");
     EXPECT_THAT(lines, StartsWith("symplectic: "));
     EXPECT_THAT(lines, HasSubstr("\norder: "));
     EXPECT_THAT(lines, Not(HasSubstr("tolerance")));
     EXPECT_EQ(explanations("a line of other words"), "");
+    EXPECT_EQ(with_explanations("what it is", "other words"), "what it is");
+    EXPECT_THAT(with_explanations("what it is", "order 2"), StartsWith("what it is\n\norder: "));
+    EXPECT_THAT(with_explanations("", "order 2"), StartsWith("order: "));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Parts of a recording in the session that is played, as lessons have them.
 
+#include "session/playback_test.hpp"
 #include "session/replay.hpp"
 #include "session/worker_test.hpp"
 
@@ -72,6 +73,14 @@ TEST_F(FilmPartTest, begins_in_the_middle_of_the_recording) {
     EXPECT_EQ(session.line.bookmarks.size(), 2u);
 }
 
+// At a thousandth of real time, step 20 would be 2000 s away.
+TEST_F(FilmPartTest, hastens_to_where_it_begins) {
+    worker.send(event::SetRate{{.as_fast_as_possible = false, .seconds_per_second = 1e-3}});
+    worker.play_part(part(2, 3));
+    ASSERT_TRUE(stands_at(20));
+    EXPECT_EQ(session.line.changes.size(), 1u);
+}
+
 TEST_F(FilmPartTest, is_undone_to_what_there_was_before) {
     worker.send(event::Step{7});
     worker.play_part(part(0, 2));
@@ -90,6 +99,18 @@ TEST_F(FilmPartTest, is_over_where_the_run_is_played_on) {
     worker.send(event::Play{true});
     ASSERT_TRUE(see([](const RunView& now) { return now.frame.step > 60; }));
     EXPECT_TRUE(session.line.changes.empty());
+}
+
+TEST(FilmPart, takes_the_place_of_a_trajectory) {
+    const Written written(chain());
+    Worker worker(TrajectoryFile{written.path});
+    worker.on_view(News::wake);
+    worker.send(event::SetRate{{.as_fast_as_possible = true}});
+    worker.play_part(part(0, 2));
+    SessionView view;
+    const auto ended = [&] { return worker.take(view) && !view.playback && view.leading.frame.step == 20; };
+    while (!ended()) ASSERT_TRUE(News::wait());
+    EXPECT_EQ(view.leading.description.model, "oscillator");
 }
 
 TEST_F(FilmPartTest, is_recorded_so_that_it_can_be_replayed) {
