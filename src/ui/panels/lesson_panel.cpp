@@ -72,19 +72,22 @@ void draw_page(const Context& context, const LessonPage& page) {
     draw_terms(context, page);
 }
 
-void show_plots(PlotsState& plots, const std::vector<std::string>& wanted) {
-    if (wanted.empty()) return;
-    plots.shown.clear();
-    plots.window.reset();
+/// As many of them as can be read where there is little room: the first ones say most.
+void show_plots(const Context& context, const std::vector<std::string>& wanted) {
+    constexpr float readable = 310;  // units of the layout, with the legend of several runs
+    PlotsState& plots = context.state.plots;
+    const auto room = static_cast<std::size_t>(std::max(1.0f, context.layout.plots.width / context.px(readable)));
+    if (!wanted.empty()) plots.shown.clear();
     for (const std::string& id : wanted) {
         const auto info =
             std::find_if(plot_kinds.begin(), plot_kinds.end(), [&](const auto& each) { return each.id == id; });
-        if (info != plot_kinds.end()) plots.shown.push_back(default_choice(info->kind));
+        if (info != plot_kinds.end() && plots.shown.size() < room) plots.shown.push_back(default_choice(info->kind));
     }
+    plots.window.reset();
 }
 
 void do_page(const Context& context, const Lesson& lesson, const LessonPage& page) {
-    show_plots(context.state.plots, page.plots);
+    show_plots(context, page.plots);
     if (page.speed) context.state.wanted.set_rate({false, *page.speed}, context.events);
     context.state.wanted.dismiss();
     context.events.play_part({lesson.session, page.from, page.to});

@@ -90,6 +90,18 @@ TEST(lesson_panel, stands_beside_the_scene_in_a_small_window) {
     EXPECT_TRUE(opened.desk.has("lesson.do"));
 }
 
+// Two plots with the legends of several runs could not be read there.
+TEST(lesson_panel, shows_one_plot_in_a_small_window_and_two_in_a_usual_one) {
+    Opened small("one-step", {800, 600, 1}), usual("one-step", {1280, 720, 1});
+    for (Desk* const desk : {&small.desk, &usual.desk}) {
+        desk->click("lesson.do");
+        desk->frame();
+        EXPECT_TRUE(desk->has("energy error.save"));
+    }
+    EXPECT_FALSE(small.desk.has("displacement.save"));
+    EXPECT_TRUE(usual.desk.has("displacement.save"));
+}
+
 TEST(lesson_panel, explains_its_words) {
     Opened opened;
     opened.desk.point_at("lesson.term/dt");
