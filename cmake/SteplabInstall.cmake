@@ -27,6 +27,7 @@ foreach(target IN LISTS all_targets)
 endforeach()
 
 install(DIRECTORY assets/scenes/ DESTINATION share/steplab/scenes)
+install(DIRECTORY assets/lessons/ DESTINATION share/steplab/lessons)
 if(STEPLAB_GRAPHICS)
   install(DIRECTORY assets/pictures/ DESTINATION share/steplab/pictures)
   install(DIRECTORY shaders/ DESTINATION share/steplab/shaders)

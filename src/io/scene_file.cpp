@@ -183,20 +183,14 @@ std::string content_of(const std::string& path) {
 }
 
 SceneOrigin origin_of(std::string text, const std::string& name, ParticleFiles files) {
-    try {
-        auto document = std::make_shared<const Document>(text, name, std::move(files));
-        auto file = std::make_shared<SceneFile>();
-        file->parts.push_back({.name = "", .content = std::move(text)});
-        file->parts.insert(file->parts.end(), document->parts().begin(), document->parts().end());
-        file->given = name;
-        file->defaults = document->texts().defaults;
-        file->model = std::make_shared<const Model>(model_of(document, name));
-        return SceneOrigin(std::move(file));
-    } catch (const toml::parse_error& error) {
-        throw FileError(place_text(name, error.source().begin) + std::string(error.description()));
-    } catch (const SceneProblem& problem) {
-        throw FileError(place_text(name, problem.place()) + problem.what());
-    }
+    auto document = in_file(name, [&] { return std::make_shared<const Document>(text, name, std::move(files)); });
+    auto file = std::make_shared<SceneFile>();
+    file->parts.push_back({.name = "", .content = std::move(text)});
+    file->parts.insert(file->parts.end(), document->parts().begin(), document->parts().end());
+    file->given = name;
+    file->defaults = document->texts().defaults;
+    file->model = std::make_shared<const Model>(in_file(name, [&] { return model_of(document, name); }));
+    return SceneOrigin(std::move(file));
 }
 
 SceneOrigin origin_of_file(const std::filesystem::path& path, const std::string& name) {
@@ -211,18 +205,7 @@ SceneOrigin scene_from(std::vector<SceneFile::Part> parts, const std::string& na
     return origin_of(std::move(text), name, ParticleFiles::carried(std::move(parts)));
 }
 
-std::vector<std::string> shipped_scenes() {
-    std::vector<std::string> names;
-    for (const auto& folder : shared_folders("scenes")) {
-        std::error_code error;
-        for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-            if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-        }
-        if (!names.empty()) break;
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
+std::vector<std::string> shipped_scenes() { return shared_names("scenes", ".toml"); }
 
 std::filesystem::path scene_path(const std::string& name) {
     const bool is_file = name.find('/') != std::string::npos || name.ends_with(".toml");

@@ -1,5 +1,6 @@
 #include "io/scene_toml.hpp"
 
+#include "core/error.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
 
@@ -14,6 +15,14 @@ namespace {
 bool before(toml::source_position a, toml::source_position b) { return a < b; }
 
 }  // namespace
+
+void fail_in(const std::string& file, const toml::parse_error& error) {
+    throw FileError(place_text(file, error.source().begin) + std::string(error.description()));
+}
+
+void fail_in(const std::string& file, const SceneProblem& problem) {
+    throw FileError(place_text(file, problem.place()) + problem.what());
+}
 
 void fail_at(const toml::node& node, const std::string& message) { throw SceneProblem(node.source().begin, message); }
 

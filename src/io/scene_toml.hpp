@@ -24,6 +24,22 @@ private:
     toml::source_position place_;
 };
 
+/// The error of a file whose text is no TOML, or has something wrong in it: "FILE:LINE:COLUMN: what is wrong".
+[[noreturn]] void fail_in(const std::string& file, const toml::parse_error& error);
+[[noreturn]] void fail_in(const std::string& file, const SceneProblem& problem);
+
+/// Calls `work`, which reads the TOML text of a file. What is wrong there is thrown as FileError with its place.
+template <class Work>
+auto in_file(const std::string& file, const Work& work) {
+    try {
+        return work();
+    } catch (const toml::parse_error& error) {
+        fail_in(file, error);
+    } catch (const SceneProblem& problem) {
+        fail_in(file, problem);
+    }
+}
+
 [[noreturn]] void fail_at(const toml::node& node, const std::string& message);
 
 /// "FILE:LINE:COLUMN: ", with which a message about a file begins.

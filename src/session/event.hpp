@@ -44,6 +44,10 @@ struct SeekTime {
 };
 /// From the start again, with the present settings.
 struct Restart {};
+/// A run alone from its start, in place of all runs that there are.
+struct Begin {
+    RunDescription description;
+};
 /// The leading run goes on with another method, dt, precision or live parameter; or the session begins again where the
 /// description restarts it.
 struct Change {
@@ -117,8 +121,8 @@ struct TakeBranch {
 }  // namespace event
 
 using Event =
-    std::variant<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart, event::Change,
-                 event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
+    std::variant<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart, event::Begin,
+                 event::Change, event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
                  event::ShowForces, event::ShowErrors, event::ShowSamples, event::ShowCosts, event::AddRun,
                  event::ChangeRun, event::EqualCost, event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
 

@@ -17,6 +17,7 @@ struct EventWord {
     std::string_view operator()(const event::Seek&) const { return "seek"; }
     std::string_view operator()(const event::SeekTime&) const { return "seek-time"; }
     std::string_view operator()(const event::Restart&) const { return "restart"; }
+    std::string_view operator()(const event::Begin&) const { return "begin"; }
     std::string_view operator()(const event::Change&) const { return "change"; }
     std::string_view operator()(const event::Do& act) const { return std::visit(ActWord{}, act.act); }
     std::string_view operator()(const event::Undo&) const { return "undo"; }

@@ -2,6 +2,7 @@
 
 #include "core/interruption.hpp"
 #include "lab/study/reference_motion.hpp"
+#include "session/session.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -114,6 +115,16 @@ void LiveErrors::forget() {
     body_->question.reset();
     body_->answer.reset();
     ++body_->forgotten;
+}
+
+std::vector<LiveErrors::Shown> shown_runs(const Session& session) {
+    const auto shown = [](const TimeLine& line) {
+        return LiveErrors::Shown{
+            moment_of(line.run(), line.start_momentum()), {line.past().begin(), line.past().end()}, line.is_over()};
+    };
+    std::vector<LiveErrors::Shown> runs{shown(session.line())};
+    for (const FollowerRun& follower : session.followers()) runs.push_back(shown(follower.line()));
+    return runs;
 }
 
 }  // namespace steplab

@@ -40,4 +40,9 @@ private:
     std::unique_ptr<Body> body_;
 };
 
+class Session;
+
+/// The runs of a session where they stand.
+std::vector<LiveErrors::Shown> shown_runs(const Session& session);
+
 }  // namespace steplab

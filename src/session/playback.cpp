@@ -105,6 +105,7 @@ struct Playback::Handle {
         of.with_forces_ = show.on;
     }
     void operator()(const event::Bookmark& mark) const { of.bookmark(mark.text); }
+    void operator()(const event::Begin&) const { refuse("another run takes the place of the trajectory"); }
     void operator()(const event::Change&) const { refuse("its method, dt and parameters are those of its run"); }
     void operator()(const event::Do&) const { refuse("its particles cannot be moved"); }
     void operator()(const event::Undo&) const { refuse("nothing was done that could be undone"); }

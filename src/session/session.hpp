@@ -118,6 +118,7 @@ private:
 
     // what is done to the leading run
     void begin(const RunDescription& description);
+    void begin_alone(const RunDescription& description);
     void begun();
     void change(const RunDescription& description);
     void act(const Act& asked);

@@ -78,6 +78,15 @@ void Session::begin(const RunDescription& description) {
     begun();
 }
 
+/// What there was comes back as one when it is undone.
+void Session::begin_alone(const RunDescription& description) {
+    leave(TimeLine(description, bytes_), beside());
+    followers_.clear();
+    equal_cost_ = false;
+    ensemble_ = {};
+    begun();
+}
+
 /// Another run is at its start.
 void Session::begun() {
     ++number_;

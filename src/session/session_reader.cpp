@@ -3,17 +3,16 @@
 #include "core/text.hpp"
 #include "io/input_file.hpp"
 #include "io/scene_file.hpp"
-#include "io/scene_toml.hpp"
 #include "io/starting_values_file.hpp"
 #include "session/event_words.hpp"
 #include "session/session.hpp"
 #include "session/session_file.hpp"
+#include "session/toml_values.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -24,28 +23,6 @@ namespace {
 
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 30;
 constexpr std::size_t most_listed = std::size_t{1} << 32;
-
-double number_of(const toml::node& node) {
-    const auto* const integer = node.as_integer();
-    const auto* const real = node.as_floating_point();
-    if (!integer && !real) fail_at(node, "must be a number");
-    const double number = integer ? static_cast<double>(integer->get()) : real->get();
-    if (!std::isfinite(number)) fail_at(node, "must be a finite number");
-    return number;
-}
-
-std::int64_t integer_of(const toml::node& node) {
-    constexpr std::int64_t most = std::int64_t{1} << 53;
-    const auto* const integer = node.as_integer();
-    if (integer && integer->get() >= -most && integer->get() <= most) return integer->get();
-    fail_at(node, fmt::format("must be an integer from {} to {}", -most, most));
-}
-
-std::uint64_t count_of(const toml::node& node) {
-    const std::int64_t integer = integer_of(node);
-    if (integer < 0) fail_at(node, "must be an integer >= 0");
-    return static_cast<std::uint64_t>(integer);
-}
 
 Vec3 vector_of(const toml::node& node) {
     const auto elements = elements_of(node, "three numbers, [x, y, z]", 3, 3);
@@ -58,12 +35,6 @@ std::string hash_of(const toml::node& node) {
     fail_at(node, "a hash must be 16 hexadecimal digits");
 }
 
-/// What a key of a table must have. Throws SceneProblem.
-const toml::node& needed(const toml::table& table, std::string_view what, std::string_view key) {
-    if (const toml::node* const node = table.get(key)) return *node;
-    fail_at(table, fmt::format("{} needs '{}'", what, key));
-}
-
 /// Calls `work`, whose refusals are problems of this place.
 template <class Work>
 auto placed(const toml::node& node, const Work& work) {
@@ -72,13 +43,6 @@ auto placed(const toml::node& node, const Work& work) {
     } catch (const Error& error) {
         fail_at(node, error.what());
     }
-}
-
-/// The keys of a table are among these.
-void check_keys(const toml::table& table, std::string_view what, std::span<const std::string_view> keys) {
-    std::vector<KeyHandler> handlers;
-    for (const std::string_view key : keys) handlers.push_back({key, [](const toml::node&) {}});
-    read_keys(table, what, handlers);
 }
 
 void set_parameters(const toml::node& node, std::string_view of, ParameterValues& values) {
@@ -158,15 +122,24 @@ private:
     void add_scene(const toml::table& table) {
         constexpr std::array<std::string_view, 2> keys{"name", "files"}, file_keys{"name", "content"};
         check_keys(table, "[[scenes]]", keys);
+        const std::string name = text_of(needed(table, "a scene", "name"));
+        if (!table.contains("files")) return scenes_.push_back(shipped_scene(table, name));
         std::vector<SceneFile::Part> parts;
-        needed(table, "a scene", "files");
         each_table(table, "files", [&](const toml::table& file) {
             check_keys(file, "[[scenes.files]]", file_keys);
             parts.push_back({text_of(needed(file, "a file", "name")), text_of(needed(file, "a file", "content"))});
         });
         if (parts.empty()) fail_at(table, "a scene needs [[scenes.files]]");
-        const std::string name = text_of(needed(table, "a scene", "name"));
         scenes_.push_back(placed(table, [&] { return scene_from(std::move(parts), name); }));
+    }
+
+    /// One without its text.
+    static SceneOrigin shipped_scene(const toml::table& table, const std::string& name) {
+        const std::vector<std::string> names = shipped_scenes();
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            fail_at(table, fmt::format("'{}' is no scene that comes with the program: [[scenes.files]] must have it",
+                                       shown(name)));
+        return placed(table, [&] { return find_scene(name); });
     }
 
     void add_start(const toml::table& table) {
@@ -228,6 +201,7 @@ const std::vector<EventKind>& event_kinds() {
         {"seek", {"to"}, [](const Given& given) -> Event { return event::Seek{count_of(given["to"])}; }},
         {"seek-time", {"time"}, [](const Given& given) -> Event { return event::SeekTime{number_of(given["time"])}; }},
         {"restart", {}, [](const Given&) -> Event { return event::Restart{}; }},
+        {"begin", {"run"}, [](const Given& given) -> Event { return event::Begin{given.run()}; }},
         {"change", {"run"}, [](const Given& given) -> Event { return event::Change{given.run()}; }},
         {"pull",
          {"particle", "position", "others"},
@@ -312,13 +286,7 @@ Recording recording_of(const toml::table& root) {
 }  // namespace
 
 Recording parse_session(const std::string& text, const std::string& name) {
-    try {
-        return recording_of(toml::parse(text, name));
-    } catch (const toml::parse_error& error) {
-        throw FileError(place_text(name, error.source().begin) + std::string(error.description()));
-    } catch (const SceneProblem& problem) {
-        throw FileError(place_text(name, problem.place()) + problem.what());
-    }
+    return in_file(name, [&] { return recording_of(toml::parse(text, name)); });
 }
 
 Recording read_session_file(const std::string& path) {

@@ -137,6 +137,7 @@ struct EventLines {
     Lines operator()(const event::Step& step) const { return {{"steps", std::to_string(step.steps)}}; }
     Lines operator()(const event::Seek& seek) const { return {{"to", std::to_string(seek.step)}}; }
     Lines operator()(const event::SeekTime& seek) const { return {{"time", real(seek.time)}}; }
+    Lines operator()(const event::Begin& begin) const { return {{"run", runs.inline_table(begin.description)}}; }
     Lines operator()(const event::Change& change) const { return {{"run", runs.inline_table(change.description)}}; }
     Lines operator()(const event::Do& act) const { return std::visit(*this, act.act); }
     Lines operator()(const Pull& pull) const { return of_particles(pull, {{"position", vector(pull.position)}}); }

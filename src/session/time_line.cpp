@@ -102,7 +102,7 @@ void TimeLine::keep_moment() { moments_.offer(run_, taken_, first_of_last(past()
 /// Behind the last good step of a run that diverged lies nothing, however far it had got before that was found.
 void TimeLine::note_reached() {
     const auto [step, evaluations, over] = run_.advanced();
-    if (step <= reached_ && !(over && step < reached_)) return;
+    if (step <= reached_ && !over) return;
     if (over) moments_.cut(step, taken_);
     if (over && samples_) samples_->cut(step);
     reached_ = step;

@@ -31,7 +31,16 @@ void Worker::begin(Beginning beginning) {
     {
         const std::lock_guard lock(body_->mutex);
         body_->next = std::move(beginning);
+        body_->next_part.reset();
         body_->events.clear();
+    }
+    body_->changed.notify_one();
+}
+
+void Worker::play_part(const FilmPart& part) {
+    {
+        const std::lock_guard lock(body_->mutex);
+        body_->next_part = part;
     }
     body_->changed.notify_one();
 }

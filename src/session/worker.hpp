@@ -14,6 +14,15 @@
 
 namespace steplab {
 
+/// Events of a recording that happen in the session which is played, at their steps while it plays, as those of a film:
+/// the part of a lesson. It then pauses, and the part that begins where this one ends may follow; another one begins
+/// from the start of the recording, alone, and hastens to where it begins.
+struct FilmPart {
+    std::shared_ptr<const Recording> recording = {};
+    std::size_t from = 0, to = 0;  ///< how many events have happened where it begins and ends
+    friend bool operator==(const FilmPart&, const FilmPart&) = default;
+};
+
 /// Takes events: the interface talks to this alone; tests put a recorder in its place.
 class EventSink {
 public:
@@ -21,6 +30,8 @@ public:
     virtual void send(const Event& event) = 0;
     /// In place of what is played, a session of a run begins.
     virtual void begin(const RunDescription& description) = 0;
+    /// A part of a recording is played.
+    virtual void play_part(const FilmPart& part) = 0;
 };
 
 /// A trajectory file that is played.
@@ -51,6 +62,8 @@ public:
     /// nothing changed. Rate, tracked particle and forces stay as they are shown.
     void begin(Beginning beginning);
     void begin(const RunDescription& description) override { begin(Beginning(description)); }
+    /// After the events that were sent. What the person does then ends it, as it does any film.
+    void play_part(const FilmPart& part) override;
 
     /// Swaps the newest view into `view` if there is one that was not taken yet; false if nothing is new. Never waits.
     bool take(SessionView& view);

@@ -33,7 +33,8 @@ void Worker::Body::loop() {
         }
         answer(true);
         const bool begun = begin_next();
-        bool to_show = handle_events() || begun;
+        const bool happened = handle_events();
+        bool to_show = begin_part() || happened || begun;
         if (playback) {
             play_frames(to_show);
             continue;
@@ -70,29 +71,6 @@ void Worker::Body::answer(bool with_end) {
     }
 }
 
-void Worker::Body::end_film() {
-    film.reset();
-    session->stop();
-}
-
-/// Has the next event of the film happen if the run stands there; true if something did.
-bool Worker::Body::show_film() {
-    const auto now = Clock::now();
-    if (now < film_due || session->is_behind()) return false;
-    film->approach(0);  // back, where it lies behind
-    if (!film->is_due()) return false;
-    const bool well = went_well([this] {
-        const auto difference = film->perform();
-        if (difference) throw UsageError("this is not as it was recorded: " + *difference);
-    });
-    film_due = now + between_film_events;
-    session->keep_playing();
-    if (!well || film->is_done()) end_film();
-    pace.forget_speed();
-    pace.begin(Clock::now());
-    return true;
-}
-
 void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
     if (playback) return wait_for_frame(lock);
@@ -100,7 +78,7 @@ void Worker::Body::wait_for_work() {
     const bool film_waits = film && film_plays && film->is_due();
     if (!session->playing() && !film_waits) return changed.wait(lock, [this] { return called(); });
     const auto now = Clock::now();
-    const auto due = film_waits ? film_due : pace.next_due(now, session->rate(), session->run().dt());
+    const auto due = film_waits ? film_due : pace.next_due(now, wanted_rate(), session->run().dt());
     if (due > now)
         changed.wait_until(lock, due, [this] { return called(); });  // what is over at once would still ask the system
 }
@@ -132,10 +110,12 @@ void Worker::Body::handle(const Event& event) {
     }
     if (session->playing() && !session->plays_backwards() && session->run().divergence())
         session->stop();  // before it begins something new
-    if (const auto* const play = std::get_if<event::Play>(&event)) {
-        film_plays = play->on;
+    if (const auto* const play = std::get_if<event::Play>(&event); play && !play->on) {
+        pause_film();
+    } else if (play) {
+        continue_film(*play);
     } else if (is_recorded(event)) {
-        film.reset();
+        forget_film();
     }
     session->handle(event);
     if (is_any<event::Track, event::ShowForces, event::ShowSamples, event::ShowCosts, event::Bookmark>(event)) return;
@@ -150,30 +130,23 @@ void Worker::Body::catch_up(Pace::Duration most) {
     pace.begin(Clock::now());
 }
 
-/// The steps up to the next event.
-std::uint64_t Worker::Body::play_film(std::uint64_t due) {
-    const std::uint64_t before = session->run().step();
-    session->advance(std::min(due, film->ahead()));
-    return std::max(session->run().step(), before) - before;
-}
-
 /// Of all runs, so that they stay together. Whether all numbers are finite is checked when they are read: after every
 /// few steps it would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
     if (!under_way() || session->is_behind()) return;
     const auto begin = Clock::now();
     const Simulation& run = session->run();
-    const Rate wanted_rate = session->goal() ? Rate{.as_fast_as_possible = true} : session->rate();
-    std::uint64_t due = pace.steps_due(begin, wanted_rate, run.dt(), slice);
+    const Rate rate = wanted_rate();
+    std::uint64_t due = pace.steps_due(begin, rate, run.dt(), slice);
     if (const auto goal = session->goal()) due = std::min(due, *goal - std::min(*goal, run.step()));
     const auto before = run.advanced();
     const std::uint64_t taken = film ? play_film(due) : session->play_on(due);
     if (run.step() != before.step) session->catch_up([] { return false; });
     const auto after = run.advanced();
     pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
-              static_cast<double>(taken) * run.dt(), begin, Clock::now(), wanted_rate);
+              static_cast<double>(taken) * run.dt(), begin, Clock::now(), rate);
     keep_moment();
-    if (!session->goal() && wanted_rate.as_fast_as_possible) pace.begin(Clock::now());
+    if (!session->goal() && rate.as_fast_as_possible) pace.begin(Clock::now());
 }
 
 /// To the next check of the energy without regard to the pace, but no longer at a time than events may wait.

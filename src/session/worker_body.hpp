@@ -43,6 +43,7 @@ struct Worker::Body {
     std::condition_variable changed;
     std::optional<Beginning> next;  // in place of what is played; before these
     std::deque<Event> events;
+    std::optional<FilmPart> next_part;           // of a film, after these
     std::vector<std::promise<Recording>> asked;  // for what happened so far
     std::atomic<bool> stopping = false;          // also in the middle of a long step
     bool fresh = false;                          // `ready` has not been taken yet
@@ -55,7 +56,8 @@ struct Worker::Body {
     std::unique_ptr<Session> session;  // one of these two
     std::unique_ptr<Playback> playback;
     Pace pace;
-    std::optional<Replay> film;  // until it has ended
+    std::optional<Replay> film;    // until it has ended
+    std::optional<FilmPart> part;  // of the film that is played; none: all of it
     bool film_plays = false;
     Clock::time_point film_due{};  // its next event, if the run is there
     bool errors_alone = false;     // nothing but errors has come since the last view
@@ -106,20 +108,29 @@ struct Worker::Body {
         return playback ? playback->playing() : session->playing() || session->goal().has_value();
     }
     void begin(const Beginning& beginning);
+    void begin_in_place(const Beginning& beginning);
     bool begin_next();
     void loop();
     void wait_for_work();
     bool handle_events();
     void handle(const Event& event);
     void answer(bool with_end);
+    bool begin_part();
+    void play_part(const FilmPart& next_one);
+    bool follows_film(const FilmPart& next_one) const;
+    bool hastens() const;
+    Rate wanted_rate() const;
     bool show_film();
+    void pause_film();
+    void continue_film(const event::Play& play);
+    void forget_film();
     void end_film();
     std::uint64_t play_film(std::uint64_t due);
     void take_steps();
     void step_to_check();
     void judge();
     /// With the mutex held: there is something to do at once.
-    bool called() const { return stopping || next || !events.empty() || !asked.empty() || compared; }
+    bool called() const { return stopping || next || next_part || !events.empty() || !asked.empty() || compared; }
     void wait_for_frame(std::unique_lock<std::mutex>& lock);
     Clock::time_point next_frame_due() const;
     void play_frame(Clock::time_point now);

@@ -24,15 +24,22 @@ void Worker::Body::begin(const Beginning& beginning) {
         begun = std::make_unique<Session>(recorded ? recorded->start : std::get<RunDescription>(beginning));
         begun->record(hashed);
     }
-    film.reset();
+    forget_film();
     session = std::move(begun);
     playback = std::move(opened);
-    film_plays = false;
     if (recorded) film.emplace(*recorded, *session);
     if (film && film->is_done()) film.reset();  // nothing happened
     frames_since = {Clock::now(), 0};
     pace = Pace();
     pace.begin(Clock::now());
+}
+
+/// In place of what was played, with what stays from then.
+void Worker::Body::begin_in_place(const Beginning& beginning) {
+    begin(beginning);
+    errors.forget();
+    runs_before = newest_run + 1;
+    for (const Event& event : std::array(kept_events)) handle(event);
 }
 
 /// True if something else is played from here on.
@@ -45,12 +52,7 @@ bool Worker::Body::begin_next() {
     if (!beginning) return false;
     error.clear();
     doubtful = false;
-    went_well([&] {
-        begin(*beginning);
-        errors.forget();
-        runs_before = newest_run + 1;
-        for (const Event& event : std::array(kept_events)) handle(event);
-    });
+    went_well([&] { begin_in_place(*beginning); });
     return true;
 }
 

@@ -21,13 +21,7 @@ void Worker::Body::compare() {
         view.errors = errors.newest(Pace::Duration(0));
         return;
     }
-    const auto shown = [](const TimeLine& line) {
-        return LiveErrors::Shown{
-            moment_of(line.run(), line.start_momentum()), {line.past().begin(), line.past().end()}, line.is_over()};
-    };
-    std::vector<LiveErrors::Shown> runs{shown(session->line())};
-    for (const FollowerRun& follower : session->followers()) runs.push_back(shown(follower.line()));
-    errors.ask(session->run().time(), std::move(runs));
+    errors.ask(session->run().time(), shown_runs(*session));
     view.errors = errors.newest(patience);
 }
 

@@ -51,8 +51,10 @@ void close_topmost(const Context& context) {
         state.scenes.open = false;
     } else if (state.lost && !state.dismissed_lost) {
         state.dismissed_lost = true;
-    } else if (context.view.divergence) {
+    } else if (context.view.divergence && state.dismissed_divergence != context.view.divergence->step) {
         state.dismissed_divergence = context.view.divergence->step;
+    } else {
+        state.lessons.open.reset();
     }
 }
 
@@ -115,6 +117,11 @@ void open_file(const Context& context, const std::string& name) {
     context.request({.kind = Request::Kind::open_scene, .text = name});
 }
 
+void open_scenes_page(const Context& context, bool lessons) {
+    context.state.scenes.open = true;
+    context.state.scenes.lessons = lessons;
+}
+
 render::Camera home_camera(const Context& context) {
     const auto& origin = context.view.description.origin;
     const std::string_view view =
@@ -167,6 +174,7 @@ void perform(const Context& context, Action action) {
             return change_scene(context, 1);
         case Action::open_scene:
             context.state.scenes.open = context.state.scenes.to_type = !context.state.scenes.open;
+            context.state.scenes.lessons = false;
             return;
         case Action::save_scene:
             return context.request({.kind = Request::Kind::save_scene});

@@ -17,6 +17,9 @@ void open_exhibit(const Context& context, const Exhibit& exhibit);
 /// Asks the program to read a scene file, or a shipped scene by its name.
 void open_file(const Context& context, const std::string& name);
 
+/// Opens the page of scenes, or at the list of lessons.
+void open_scenes_page(const Context& context, bool lessons = false);
+
 /// A run begins at the moment of a trajectory that is shown, in its place.
 void continue_from_here(const Context& context);
 

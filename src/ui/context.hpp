@@ -5,6 +5,7 @@
 #include "render/following.hpp"
 #include "render/known_shape.hpp"
 #include "render/style.hpp"
+#include "session/lesson.hpp"
 #include "session/share.hpp"
 #include "session/worker.hpp"
 #include "ui/display.hpp"
@@ -66,9 +67,18 @@ struct Hands {
 struct ScenesPage {
     bool open = false;
     bool to_type = false;  ///< it was opened to type a path
+    bool lessons = false;  ///< it lists the lessons in place of the scenes
     Gallery gallery = model_gallery();
     std::array<char, 4096> path{};       ///< typed so far
     std::optional<std::string> opening;  ///< a scene that is being read
+};
+
+/// The guided experiments.
+struct LessonsState {
+    std::vector<LessonTitle> titles = {};   ///< that can be opened
+    std::optional<Lesson> open = {};        ///< in the panel
+    std::size_t page = 0;                   ///< of it, that is shown
+    std::optional<std::size_t> begun = {};  ///< the page whose part was played last
 };
 
 /// State that the interface keeps from frame to frame.
@@ -86,6 +96,7 @@ struct InterfaceState {
     bool trail = false;        ///< of the selected particle, and of those selected meanwhile, is drawn
     bool help_open = false;
     ScenesPage scenes;
+    LessonsState lessons;
     std::optional<std::size_t> pointed;  ///< the particle under the pointer, which a click selects
     Share pointing{0.05};                ///< searching for it: in a large scene that takes long
     Selection selection;

@@ -39,10 +39,20 @@ struct Measured {
 
 /// A request that the program carries out, not the interface.
 struct Request {
-    enum class Kind { save_snapshot, copy_text, open_page, open_scene, save_scene, save_session, full_screen, quit };
+    enum class Kind {
+        save_snapshot,
+        copy_text,
+        open_page,
+        open_scene,
+        open_lesson,
+        save_scene,
+        save_session,
+        full_screen,
+        quit
+    };
     Kind kind = Kind::quit;
     std::string text = {};  ///< copy_text: the text for the clipboard; open_scene: a path, or the name of a shipped
-                            ///< scene; open_page: the name of a page of docs/
+                            ///< scene; open_lesson: the name of a shipped lesson; open_page: that of a page of docs/
     std::string file = {};  ///< save_snapshot: path; empty: a new name
     PixelRect part = {};    ///< save_snapshot: the part of the window; all of it if its width is 0
 };

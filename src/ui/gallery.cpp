@@ -3,6 +3,7 @@
 #include "core/appearance.hpp"
 #include "core/error.hpp"
 #include "io/scene_file.hpp"
+#include "io/shared_files.hpp"
 #include "sim/catalogue.hpp"
 
 #include <algorithm>
@@ -48,6 +49,20 @@ Gallery whole_gallery() {
         }
     }
     return sorted(std::move(gallery));
+}
+
+std::vector<LessonTitle> lesson_titles() {
+    std::vector<LessonTitle> titles;
+    for (const std::string& name : shared_names("lessons", ".toml")) {
+        try {
+            titles.push_back(title_of(find_lesson(name)));
+        } catch (const Error&) {
+            continue;  // as above
+        }
+    }
+    std::stable_sort(titles.begin(), titles.end(),
+                     [](const LessonTitle& a, const LessonTitle& b) { return a.order < b.order; });
+    return titles;
 }
 
 std::size_t place_in(const Gallery& gallery, std::string_view id) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session/lesson.hpp"
 #include "sim/run/run_description.hpp"
 
 #include <cstddef>
@@ -30,5 +31,8 @@ Gallery whole_gallery();
 std::size_t place_in(const Gallery& gallery, std::string_view id);
 /// What stands for the scene of a run: the id of its model, or what names its file.
 std::string_view id_of(const RunDescription& run);
+
+/// The lessons that come with the program, whose files are read. One that cannot be read is left out.
+std::vector<LessonTitle> lesson_titles();
 
 }  // namespace steplab::ui

@@ -25,6 +25,7 @@ class NoEvents final : public EventSink {
 public:
     void send(const Event&) override {}
     void begin(const RunDescription&) override {}
+    void play_part(const FilmPart&) override {}
 };
 
 /// A context that reads and writes no files.
@@ -66,6 +67,7 @@ void draw_panels(const Context& context) {
         return draw_messages(context);
     }
     draw_side_panel(context);
+    draw_lesson_panel(context);
     draw_plots_panel(context);
     draw_time_line(context);
     draw_run_buttons(context);
@@ -169,6 +171,21 @@ bool Interface::shows_scenes() const { return body_->state.scenes.open; }
 
 void Interface::show_gallery(Gallery gallery) { body_->state.scenes.gallery = std::move(gallery); }
 
+void Interface::show_lessons(std::vector<LessonTitle> titles) { body_->state.lessons.titles = std::move(titles); }
+
+void Interface::open_lesson(Lesson lesson) {
+    close_scenes();
+    LessonsState& lessons = body_->state.lessons;
+    lessons.open = std::move(lesson);
+    lessons.page = 0;
+    lessons.begun.reset();
+}
+
+std::string Interface::lesson() const {
+    const LessonsState& lessons = body_->state.lessons;
+    return lessons.open ? lessons.open->id + ' ' + std::to_string(lessons.page + 1) : "";
+}
+
 void Interface::open(const RunDescription& scene, EventSink& events) {
     InterfaceState& state = body_->state;
     state.scenes.opening.reset();
@@ -236,7 +253,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     body.state.wanted.follow(view.leading, body.new_view, view.playback.has_value());
     if (body.new_view) body.state.history.record_beside(view);
     body.new_view = false;
-    body.layout = arrange(body.display, body.state.panel);
+    body.layout = arrange(body.display, body.state.panel, body.state.lessons.open.has_value());
     const bool has_picture = stage.pictured && same_runs(*stage.pictured, view);
     const Context context{body.theme,   body.layout, body.display, view,  has_picture ? *stage.pictured : view,
                           view.leading, measured,    events,       stage, body.state,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session/lesson.hpp"
 #include "session/worker.hpp"
 #include "ui/context.hpp"
 #include "ui/display.hpp"
@@ -55,6 +56,12 @@ public:
     bool shows_scenes() const;
     /// What the page of scenes offers; until the first call: the models, without pictures.
     void show_gallery(Gallery gallery);
+    /// The lessons that it offers.
+    void show_lessons(std::vector<LessonTitle> titles);
+    /// Opens a lesson at its first page, in place of another one. Closes the page of scenes.
+    void open_lesson(Lesson lesson);
+    /// The lesson that is open and its page, counted from 1: "one-step 2"; empty if none is.
+    std::string lesson() const;
     /// Shows a scene that was read as the user asked. Closes the page of scenes.
     void open(const RunDescription& scene, EventSink& events);
     /// Closes the page of scenes: something else was opened.

@@ -56,6 +56,13 @@ TEST_F(Installed, program_lists_models_from_anywhere) {
     EXPECT_THAT(outcome.output, HasSubstr("chain"));
 }
 
+TEST_F(Installed, lessons_are_where_the_program_finds_them) {
+    EXPECT_TRUE(fs::exists(file("share/steplab/lessons/one-step.toml")));
+    EXPECT_TRUE(fs::exists(file("share/steplab/lessons/one-step.session")));
+    const auto outcome = run("steplab replay --lesson one-step 2>&1");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+}
+
 TEST_F(Installed, program_has_the_version_of_the_newest_release) {
     const std::string changes = text_of(file("share/doc/steplab/CHANGELOG.md"));
     const auto outcome = run("steplab --version");

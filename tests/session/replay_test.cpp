@@ -46,6 +46,10 @@ Recording of_every_kind(const RunDescription& start) {
     at(9, event::Do{Pull{5, {4.5, 0.5, 0}}});
     at(9, event::RemoveRun{1});
     at(9, event::Restart{});
+    at(3, event::Begin{with_method(start, "velocity-verlet")});
+    at(4, event::AddRun{start});
+    at(2, event::AddRun{with_method(start, "euler")});
+    at(2, event::Undo{});
     at(12, event::Change{with_method(start, "rk4")});
     session.advance(5);
     session.finish();
@@ -55,7 +59,7 @@ Recording of_every_kind(const RunDescription& start) {
 TEST(Replay, every_kind_of_event_has_the_same_hashes) {
     for (const Precision precision : precisions) {
         const Recording recording = of_every_kind(chain(precision));
-        EXPECT_EQ(recording.events.size(), 24u);
+        EXPECT_EQ(recording.events.size(), 28u);
         ASSERT_TRUE(recording.end);
         EXPECT_EQ(recording.end->hashes.size(), 2u);
         EXPECT_EQ(replayed_from_text(recording), "the same");

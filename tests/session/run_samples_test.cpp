@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 namespace steplab::test {
@@ -89,6 +90,21 @@ TEST(RunSamples, are_what_the_run_says_at_their_steps) {
         EXPECT_EQ(sample.kinetic + sample.potential, now.energy);
         EXPECT_EQ(sample.particle->velocity, alone.frame().velocities[0]);
         alone.advance(1);
+    }
+}
+
+// That it diverged is found some steps later, whether it stood at its last good step before or not.
+TEST(RunSamples, end_with_the_last_good_step_of_a_run_that_diverges) {
+    for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{28}}) {
+        Session session(run_of("rope", "velocity-verlet", Precision::double_, 0.08));
+        session.handle(event::ShowSamples{true});
+        session.advance(first);
+        session.advance(1000);
+        ASSERT_TRUE(session.line().is_over());
+        ASSERT_EQ(session.run().step(), 28u);
+        SampleSeries series;
+        session.line().put_samples_into(series);
+        EXPECT_EQ(series.samples.back().step, 28u) << first;
     }
 }
 

@@ -73,6 +73,18 @@ TEST(SessionFile, says_what_is_wrong_and_where) {
         "a:1:1: a scene needs [[particles]]");
 }
 
+// A scene that comes with the program may be named without its text; any other may not.
+TEST(SessionFile, names_a_shipped_scene_alone) {
+    const auto with_scene = [](const std::string& name) {
+        return "steplab-session = 1\n[[scenes]]\nname = \"" + name +
+               "\"\n[start]\nscene = 0\nparameters = {}\nmethod = \"rk4\"\nprecision = \"double\"\ndt = 0.02\n";
+    };
+    const Recording recording = parse_session(with_scene("double-well"), "a.session");
+    EXPECT_EQ(recording.start.origin, find_scene("double-well"));
+    EXPECT_EQ(refusal_of(with_scene("double-wel")),
+              "a.session:2:1: 'double-wel' is no scene that comes with the program: [[scenes.files]] must have it");
+}
+
 TEST(SessionFile, truncated_anywhere_is_answered) {
     Session session(of_scene_file());
     session.record();

@@ -236,6 +236,33 @@ TEST(Session, keeps_the_cost_equal_when_a_change_is_taken_back) {
     EXPECT_EQ(session.followers()[0].description().dt, 2 * dt);
 }
 
+TEST(Session, that_begins_with_another_run_alone_comes_back_as_one) {
+    Session session(chain());
+    session.handle(event::AddRun{with_method(chain(), "rk4")});
+    session.handle(event::EqualCost{true});
+    session.advance(12);
+    const std::string hash = session.run().hash();
+    session.handle(event::Begin{run_of("rope", "rk4", Precision::double_, 0.01)});
+    EXPECT_EQ(session.run().description().model, "rope");
+    EXPECT_EQ(session.run().step(), 0u);
+    EXPECT_TRUE(session.followers().empty());
+    session.handle(event::Undo{});
+    EXPECT_EQ(session.run().hash(), hash);
+    ASSERT_EQ(session.followers().size(), 1u);
+    session.handle(event::Redo{});
+    EXPECT_EQ(session.run().description().model, "rope");
+    EXPECT_TRUE(session.followers().empty());
+}
+
+// Unlike a change of the method, it begins at step 0 also where the scene is the same.
+TEST(Session, that_begins_with_the_same_scene_is_at_its_start) {
+    Session session(chain());
+    session.advance(5);
+    session.handle(event::Begin{with_method(chain(), "rk4")});
+    EXPECT_EQ(session.run().step(), 0u);
+    EXPECT_EQ(session.run().description().method, "rk4");
+}
+
 TEST(Session, takes_back_one_change_of_two_with_another_event_between_them) {
     Session session(chain("rk4"));
     session.handle(event::Step{5});

@@ -21,7 +21,13 @@ public:
         changes.push_back(description);
     }
 
+    void play_part(const FilmPart& part) override {
+        calls.emplace_back("part");
+        parts.push_back(part);
+    }
+
     std::vector<Event> events;
+    std::vector<FilmPart> parts;
     std::vector<std::string> calls;
     std::vector<RunDescription> changes;
     std::vector<Rate> rates;

@@ -150,6 +150,30 @@ runs_go_beside_each_other() {
     close_window
 }
 
+lessons_are_opened_done_and_closed() {
+    start_display 1280x720
+    open_window --model mesh --size 1280x720
+    xdotool key Right; expect 'step 1'
+    choose menu try; expect 'widget lesson/half-the-step [0-9].*'
+    click lesson/half-the-step; expect 'lesson half-the-step 1' 'widget lesson.do [0-9].*'
+    click lesson.do; expect 'model oscillator' 'step 500' 'playing false' 'runs euler-forward double 0.02, euler-forward double 0.01'
+    click lesson.next; expect 'lesson half-the-step 2' 'widget lesson.back [0-9].*'
+    click lesson.do; expect 'runs velocity-verlet double 0.2, velocity-verlet double 0.1' 'step 50' 'playing false'
+    click lesson.next; expect 'lesson half-the-step 3' 'widget lesson.end [0-9].*'
+    click lesson.back; expect 'lesson half-the-step 2' 'widget lesson.next [0-9].*'
+    xdotool key ctrl+z; expect 'runs velocity-verlet double 0.2'
+    xdotool key ctrl+z; expect 'runs euler-forward double 0.02, euler-forward double 0.01'
+    xdotool key ctrl+z; expect 'runs euler-forward double 0.02'
+    xdotool key ctrl+z; expect 'model mesh' 'step 1'
+    click lesson.close; expect 'lesson none' 'widget lesson gone'
+    close_window
+    rm -f "$folder/trace"
+    open_window --lesson one-step
+    grep -q '^lesson one-step 1' "$folder/said" || fail 'the lesson is not open'
+    xdotool key Escape; expect 'lesson none'
+    close_window
+}
+
 time_line_leads_back_and_forth() {
     start_display 1280x800
     open_window --model chain --method rk4 --dt 0.1

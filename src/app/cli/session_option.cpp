@@ -18,9 +18,11 @@ void SessionOption::declare(CLI::App& app) {
     text_option(app, "--session", file_, "FILE",
                 "Record what happens into this new file; a session file that is there is played", "Window");
     text_option(app, "--trajectory", trajectory_, "FILE", "Play the frames of a trajectory, CSV or XYZ file", "Window");
+    text_option(app, "--lesson", lesson_, "NAME|FILE", "Open a guided experiment (`steplab list lessons`)", "Window");
 }
 
 GivenSession SessionOption::session(const SceneOptions& scene) const {
+    if (!lesson_.empty()) return lesson(scene);
     if (!trajectory_.empty()) return trajectory(scene);
     std::error_code error;
     if (file_.empty() || written_directly(file_) || !std::filesystem::exists(file_, error)) return {.record_to = file_};
@@ -30,6 +32,15 @@ GivenSession SessionOption::session(const SceneOptions& scene) const {
                         "the name of a new file",
                         shown(file_)));
     return {.film = read_session_file(file_)};
+}
+
+GivenSession SessionOption::lesson(const SceneOptions& scene) const {
+    if (!file_.empty() || !trajectory_.empty())
+        throw UsageError("--lesson opens a session of its own: it goes with neither --session nor --trajectory");
+    if (scene.any_given())
+        throw UsageError(
+            fmt::format("the lesson '{}' has a scene of its own: no options of a scene go with it", shown(lesson_)));
+    return {.lesson = find_lesson(lesson_)};
 }
 
 GivenSession SessionOption::trajectory(const SceneOptions& scene) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/scene_options.hpp"
+#include "session/lesson.hpp"
 #include "session/recording.hpp"
 
 #include <optional>
@@ -12,19 +13,24 @@ class App;
 
 namespace steplab {
 
-/// What --session names, a session to be played or a file to be written; or the trajectory that --trajectory names.
+/// What --session names, a session to be played or a file to be written; or the trajectory that --trajectory names, or
+/// the lesson of --lesson.
 struct GivenSession {
     std::optional<Recording> film = {};
     std::string record_to = {};                     ///< empty: nowhere
     std::string trajectory = {};                    ///< empty: none
     std::optional<RunDescription> played_run = {};  ///< that wrote the trajectory
+    std::optional<Lesson> lesson = {};
 
     /// The run with which the window begins, if it is not that of the scene options.
-    std::optional<RunDescription> start() const { return film ? std::optional(film->start) : played_run; }
+    std::optional<RunDescription> start() const {
+        if (lesson) return lesson->session->start;
+        return film ? std::optional(film->start) : played_run;
+    }
 };
 
-/// The options --session and --trajectory of the window. A session file that is there is never overwritten: it is
-/// played.
+/// The options --session, --trajectory and --lesson of the window. A session file that is there is never overwritten:
+/// it is played.
 class SessionOption {
 public:
     void declare(CLI::App& app);
@@ -34,9 +40,11 @@ public:
 
 private:
     GivenSession trajectory(const SceneOptions& scene) const;
+    GivenSession lesson(const SceneOptions& scene) const;
 
     std::string file_;
     std::string trajectory_;
+    std::string lesson_;
 };
 
 }  // namespace steplab

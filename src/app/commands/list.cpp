@@ -4,9 +4,12 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/scene_listing.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/text_table.hpp"
 #include "core/error.hpp"
+#include "core/terms.hpp"
 #include "core/text.hpp"
 #include "io/scene_file.hpp"
+#include "session/lesson.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -14,20 +17,26 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 namespace steplab {
 
 namespace {
 
+/// What one line of a list says.
+struct Titled {
+    std::string id, title, teaches;
+};
+
 class ListCommand final : public Command {
 public:
     std::string_view name() const override { return "list"; }
     std::string_view what() const override {
-        return "List the models, methods and shipped scenes, or say what one scene consists of";
+        return "List the models, methods, shipped scenes, lessons and terms, or say what one scene consists of";
     }
 
     void declare(CLI::App& app) override {
-        text_option(app, "kind", kind_, "models|methods|scenes|scene",
+        text_option(app, "kind", kind_, "models|methods|scenes|lessons|terms|scene",
                     "Only these, with all their parameters (default: models and methods, in short); scene: what the "
                     "one of the options below consists of, and how it is stepped");
         flag_option(app, "--json", json_, "Print JSON with all data of the entries");
@@ -35,7 +44,7 @@ public:
     }
 
     int run() override {
-        constexpr std::array<std::string_view, 4> kinds{"models", "methods", "scenes", "scene"};
+        constexpr std::array<std::string_view, 6> kinds{"models", "methods", "scenes", "scene", "lessons", "terms"};
         if (!kind_.empty() && std::find(kinds.begin(), kinds.end(), kind_) == kinds.end())
             throw UsageError(unknown_word("list", kind_, kinds));
         if (kind_ == kinds[3]) {
@@ -44,8 +53,11 @@ public:
             return static_cast<int>(ExitCode::done);
         }
         if (scene_.any_given()) throw UsageError("the options of a scene belong to `steplab list scene`");
-        if (kind_ == kinds[2]) {
-            print(json_ ? scenes_json() : scenes_table());
+        if (kind_ == kinds[2] || kind_ == kinds[4] || kind_ == kinds[5]) {
+            const std::vector<Titled> all = kind_ == kinds[2]   ? scenes()
+                                            : kind_ == kinds[4] ? lessons()
+                                                                : explained_terms();
+            print(json_ ? json(all) : table(all));
             return static_cast<int>(ExitCode::done);
         }
         const bool with_models = kind_ != kinds[1];
@@ -62,23 +74,38 @@ private:
         return models_table() + '\n' + methods_table();
     }
 
-    static std::string scenes_table() {
-        std::string text;
+    static std::vector<Titled> scenes() {
+        std::vector<Titled> all;
         for (const std::string& name : shipped_scenes()) {
             const auto scene = find_scene(name);  // owns the texts
-            const ModelInfo& info = scene->model->info;
-            text += fmt::format("{:<24}{}\n", name, info.name);
+            all.push_back({name, std::string(scene->model->info.name), std::string(scene->model->info.what)});
         }
-        return text;
+        return all;
     }
-    static std::string scenes_json() {
-        auto scenes = nlohmann::ordered_json::array();
-        for (const std::string& name : shipped_scenes()) {
-            const auto scene = find_scene(name);
-            const ModelInfo& info = scene->model->info;
-            scenes.push_back({{"id", name}, {"title", info.name}, {"teaches", info.what}});
+    static std::vector<Titled> lessons() {
+        std::vector<Titled> all;
+        for (const Lesson& lesson : shipped_lessons()) all.push_back({lesson.id, lesson.title, lesson.teaches});
+        return all;
+    }
+    /// Words with what they mean.
+    static std::vector<Titled> explained_terms() {
+        std::vector<Titled> all;
+        for (const Term& term : terms()) all.push_back({std::string(term.id), std::string(term.text), {}});
+        return all;
+    }
+
+    static std::string table(const std::vector<Titled>& all) {
+        std::vector<Row> rows;
+        for (const Titled& each : all) rows.push_back({each.id, each.title});
+        return rows.empty() ? "" : aligned(rows, 0);
+    }
+    static std::string json(const std::vector<Titled>& all) {
+        auto list = nlohmann::ordered_json::array();
+        for (const Titled& each : all) {
+            list.push_back({{"id", each.id}, {"title", each.title}});
+            if (!each.teaches.empty()) list.back()["teaches"] = each.teaches;
         }
-        return scenes.dump(2) + "\n";
+        return list.dump(2) + "\n";
     }
 
     SceneOptions scene_;

@@ -4,9 +4,11 @@
 #include "app/cli/progress.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/commit.hpp"
 #include "io/output_file.hpp"
+#include "session/lesson_check.hpp"
 #include "session/replay.hpp"
 #include "session/session_file.hpp"
 
@@ -27,7 +29,8 @@ namespace {
 constexpr const char* replay_examples =
     "Examples:\n"
     "  steplab view --model rope --session rope.session    (record)\n"
-    "  steplab replay rope.session\n\n";
+    "  steplab replay rope.session\n"
+    "  steplab replay --lesson order\n\n";
 
 std::string counted(std::uint64_t count, std::string_view of) {
     return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
@@ -60,11 +63,14 @@ public:
 
     void declare(CLI::App& app) override {
         text_option(app, "file", file_, "FILE", "Session file, as the window writes it");
+        text_option(app, "--lesson", lesson_, "NAME|FILE",
+                    "In place of FILE: the session of a lesson; prints what its facts are measured to be");
         text_option(app, "--summary", summary_, "FILE|-", "Summary of the replay (JSON)");
         footer(app, [] { return std::string(replay_examples); });
     }
 
     int run() override {
+        if (!lesson_.empty()) return check_lesson();
         if (file_.empty()) throw UsageError("FILE is required: the session file to replay");
         catch_interruptions();
         Recording recording = read_session_file(file_);
@@ -78,6 +84,33 @@ public:
     }
 
 private:
+    /// What a lesson states beside what its session computes.
+    int check_lesson() const {
+        if (!file_.empty() || !summary_.empty())
+            throw UsageError("--lesson names a lesson in place of FILE; it has no summary");
+        catch_interruptions();
+        const Lesson lesson = find_lesson(lesson_);
+        const std::vector<CheckedFact> facts = check_facts(lesson);
+        std::size_t wrong = 0;
+        for (const CheckedFact& each : facts) {
+            if (!each.holds()) ++wrong;
+            print(text_of(each));
+        }
+        if (wrong > 0)
+            throw Error(ExitCode::replay, fmt::format("{}: {} not as stated", shown(lesson_), counted(wrong, "fact")));
+        return static_cast<int>(ExitCode::done);
+    }
+
+    /// "page 2  ok     position error of run 1 over run 0: 15.9 (stated: 15 to 17, "16 times")"
+    static std::string text_of(const CheckedFact& each) {
+        const LessonFact& fact = each.fact;
+        return fmt::format("page {}  {:<5}  {} of run {}{}{}: {} (stated: {} to {}, \"{}\")\n", each.page + 1,
+                           each.holds() ? "ok" : "WRONG", fact.quantity, fact.run,
+                           fact.over ? fmt::format(" over run {}", *fact.over) : "",
+                           fact.step ? fmt::format(" at step {}", *fact.step) : "", significant(each.value, 5),
+                           exact_text(fact.least), exact_text(fact.most), shown(fact.says));
+    }
+
     void print_result(const Replay& replay) const {
         const std::string text =
             fmt::format("{}, {}: {}\n", counted(replay.handled(), "event"), counted(replay.steps(), "step"),
@@ -107,6 +140,7 @@ private:
     }
 
     std::string file_;
+    std::string lesson_;
     std::string summary_;
 };
 

@@ -33,25 +33,25 @@ void GalleryLoader::begin(void (*wake)()) {
 }
 
 GalleryLoader::Read GalleryLoader::read() {
-    Read result{ui::whole_gallery(), {}};
-    for (const ui::Exhibit& exhibit : result.gallery) result.pictures.push_back(picture_of(exhibit));
+    Read result{{ui::whole_gallery(), ui::lesson_titles()}, {}};
+    for (const ui::Exhibit& exhibit : result.loaded.scenes) result.pictures.push_back(picture_of(exhibit));
     return result;
 }
 
-std::optional<ui::Gallery> GalleryLoader::take() {
+std::optional<GalleryLoader::Loaded> GalleryLoader::take() {
     std::optional<Read> result;
     {
         const std::lock_guard lock(mutex_);
         std::swap(result, ready_);
     }
     if (!result) return std::nullopt;
-    for (std::size_t i = 0; i < result->gallery.size(); ++i) {
+    for (std::size_t i = 0; i < result->loaded.scenes.size(); ++i) {
         const ReadPicture& picture = result->pictures[i];
         if (picture.rgba.empty()) continue;
         textures_.emplace_back().upload({picture.width, picture.height}, picture.rgba);
-        result->gallery[i].picture = textures_.back().name();
+        result->loaded.scenes[i].picture = textures_.back().name();
     }
-    return std::move(result->gallery);
+    return std::move(result->loaded);
 }
 
 }  // namespace steplab

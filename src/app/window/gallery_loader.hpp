@@ -11,17 +11,22 @@
 
 namespace steplab {
 
-/// Reads the shipped scenes and all pictures for the page of scenes, on a thread of its own.
+/// Reads the shipped scenes, all pictures and the titles of lessons for the page of scenes, on a thread of its own.
 class GalleryLoader {
 public:
+    struct Loaded {
+        ui::Gallery scenes;
+        std::vector<LessonTitle> lessons;
+    };
+
     /// Begins to read, unless it has begun; `wake` is called on the thread at the end.
     void begin(void (*wake)());
-    /// The gallery, its pictures as textures of the current context, once it was read; none before and afterwards.
-    std::optional<ui::Gallery> take();
+    /// What was read, its pictures as textures of the current context, once it was read; none before and afterwards.
+    std::optional<Loaded> take();
 
 private:
     struct Read {
-        ui::Gallery gallery;
+        Loaded loaded;
         std::vector<ReadPicture> pictures;  ///< of each exhibit; without pixels where it has none
     };
     static Read read();

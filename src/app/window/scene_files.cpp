@@ -45,13 +45,13 @@ std::vector<std::filesystem::path> files_of(const SceneFile& scene) {
     return files;
 }
 
-/// A session begins with its version, after comments at most.
-bool is_session(const InputFile& file) {
+/// Sessions and lessons begin with the version of their format, after comments at most.
+bool begins_with(const InputFile& file, std::string_view key) {
     std::istringstream head(file.read(0, 4096));
     std::string line;
     while (std::getline(head, line) && (line.empty() || line.starts_with('#'))) {
     }
-    return line.starts_with("steplab-session");
+    return line.starts_with(key);
 }
 
 bool is_row_file(const std::string& name) {
@@ -72,8 +72,10 @@ SceneFiles::News opened(const std::string& name) {
     if (InputFile file(name); TrajectoryReader::reads(file)) {
         TrajectoryReader(std::move(file)).run();  // one that is damaged at its beginning is refused
         return {.kind = Kind::trajectory, .text = name};
-    } else if (is_session(file)) {
+    } else if (begins_with(file, "steplab-session")) {
         return {.kind = Kind::session, .session = read_session_file(name)};
+    } else if (begins_with(file, "steplab-lesson")) {
+        return {.kind = Kind::lesson, .lesson = read_lesson_file(name)};
     } else if (is_row_file(name)) {
         return {.kind = Kind::trajectory, .text = name};
     }
@@ -97,6 +99,10 @@ SceneFiles::~SceneFiles() {
 
 void SceneFiles::open(const std::string& name) {
     post([this, name = in_own_folder(name)] { attempt([&] { report(opened(name)); }); });
+}
+
+void SceneFiles::open_lesson(const std::string& name) {
+    post([this, name] { attempt([&] { report({.kind = News::Kind::lesson, .lesson = find_lesson(name)}); }); });
 }
 
 void SceneFiles::save(const RunDescription& run, const SceneView& view) {

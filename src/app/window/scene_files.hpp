@@ -3,6 +3,7 @@
 #include "io/file_watch.hpp"
 #include "io/output_file.hpp"
 #include "io/scene_writer.hpp"
+#include "session/lesson.hpp"
 #include "session/recording.hpp"
 #include "sim/run/run_description.hpp"
 
@@ -27,10 +28,11 @@ class SceneFiles {
 public:
     /// What a job came to.
     struct News {
-        enum class Kind { opened, session, trajectory, read_again, saved, failed };
+        enum class Kind { opened, session, trajectory, lesson, read_again, saved, failed };
         Kind kind = Kind::failed;
         std::optional<RunDescription> scene = {};  ///< opened, read_again: as the file describes it
         std::optional<Recording> session = {};     ///< session: to be played
+        std::optional<Lesson> lesson = {};         ///< lesson: to be opened
         std::string text = {};                     ///< trajectory: its path; saved: the file; failed: the message
     };
 
@@ -40,9 +42,11 @@ public:
     SceneFiles(const SceneFiles&) = delete;
     SceneFiles& operator=(const SceneFiles&) = delete;
 
-    /// Reads the file of a scene, a session or a trajectory, or a shipped scene by its name. `~/` at the front is the
-    /// user's own folder.
+    /// Reads the file of a scene, a session, a trajectory or a lesson, or a shipped scene by its name. `~/` at the
+    /// front is the user's own folder.
     void open(const std::string& name);
+    /// Reads a shipped lesson.
+    void open_lesson(const std::string& name);
     /// Writes the scene of a run to a new file in the current folder.
     void save(const RunDescription& run, const SceneView& view);
     /// Writes a session to a new file there, once it is known.

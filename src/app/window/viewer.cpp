@@ -51,12 +51,6 @@ bool same_direction(const render::Camera& a, const render::Camera& b) {
 
 }  // namespace
 
-std::shared_ptr<SessionView> ViewPool::free_view() {
-    const auto unused = [](const std::shared_ptr<SessionView>& view) { return view.use_count() == 1; };
-    const auto found = std::find_if(views_.begin(), views_.end(), unused);
-    return found != views_.end() ? *found : views_.emplace_back(std::make_shared<SessionView>());
-}
-
 Viewer::OpenGl::OpenGl() { render::load_opengl(); }
 
 Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
@@ -86,6 +80,7 @@ void Viewer::open(const WindowRequest& request) {
     if (request.ensemble.runs > 0) worker_->send(event::ShowEnsemble{request.ensemble});
     if (request.steps > 0) worker_->send(event::Seek{request.steps});
     if (request.session.film) tell_of_film();
+    if (request.session.lesson) interface_.open_lesson(*request.session.lesson);
     opening_ = request;
     begin_as_asked();
 }
@@ -203,6 +198,8 @@ void Viewer::take(const SceneFiles::News& news) {
             return begin(*news.session);
         case SceneFiles::News::Kind::trajectory:
             return begin(TrajectoryFile{news.text});
+        case SceneFiles::News::Kind::lesson:
+            return interface_.open_lesson(*news.lesson);
         case SceneFiles::News::Kind::saved:
             interface_.notify_saved(news.text);
             return trace_.report("saved", news.text);
@@ -216,7 +213,8 @@ void Viewer::take_gallery() {
     if (interface_.shows_scenes()) gallery_.begin(&Window::wake);
     auto gallery = gallery_.take();
     if (!gallery) return;
-    interface_.show_gallery(std::move(*gallery));
+    interface_.show_gallery(std::move(gallery->scenes));
+    interface_.show_lessons(std::move(gallery->lessons));
     frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
@@ -321,6 +319,7 @@ void Viewer::report() {
     if (!trace_.wanted()) return;
     trace_.report(*view_);
     trace_.report(camera_);
+    trace_.report("lesson", interface_.lesson().empty() ? "none" : interface_.lesson());
     trace_.report(interface_.widgets(), frames_wanted_ == 0 && (interface_.shows_scenes() || painted_.view == view_));
     if (painted_.view) trace_.report("pictured", std::to_string(painted_.view->leading.frame.step));
 }

@@ -5,6 +5,7 @@
 #include "app/window/painter.hpp"
 #include "app/window/scene_files.hpp"
 #include "app/window/trace.hpp"
+#include "app/window/view_pool.hpp"
 #include "app/window/window.hpp"
 #include "app/window/window_picture.hpp"
 #include "io/output_file.hpp"
@@ -22,16 +23,6 @@
 #include <vector>
 
 namespace steplab {
-
-/// A pool of views of a session for reuse; a view that is still in use is not overwritten.
-class ViewPool {
-public:
-    /// A view that is not in use.
-    std::shared_ptr<SessionView> free_view();
-
-private:
-    std::vector<std::shared_ptr<SessionView>> views_;
-};
 
 /// The program of the window: the worker computes, the painter draws the scene, and this thread draws the panels over
 /// the newest picture and forwards the input. It sleeps while nothing happens.

@@ -16,6 +16,8 @@ void Viewer::carry_out(const ui::Request& request) {
             return show_page(request.text);
         case ui::Request::Kind::open_scene:
             return files_.open(request.text);
+        case ui::Request::Kind::open_lesson:
+            return files_.open_lesson(request.text);
         case ui::Request::Kind::save_scene:
             return save_scene();
         case ui::Request::Kind::save_session:

@@ -40,6 +40,7 @@ void draw_menu_items(const Context& context) {
         menu_item(context, "menu/continue", "Continue from here"))
         continue_from_here(context);
     action_item(context, "menu/open scene", "Scenes ...", Action::open_scene);
+    if (menu_item(context, "menu/try", "Try a lesson ...")) open_scenes_page(context, true);
     action_item(context, "menu/save scene", "Save scene", Action::save_scene);
     if (menu_item(context, "menu/save session", "Save session")) context.request({.kind = Request::Kind::save_session});
     action_item(context, "menu/snapshot", "Save snapshot", Action::snapshot);

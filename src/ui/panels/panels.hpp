@@ -25,6 +25,8 @@ void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
 void draw_selection_panel(const Context& context);
 void draw_plots_panel(const Context& context);
+/// The page of the lesson that is open: its text, and the buttons that do its part and turn the pages.
+void draw_lesson_panel(const Context& context);
 
 /// The sections of the side panel from top to bottom.
 using Section = void (*)(const Context& context);
@@ -34,8 +36,10 @@ inline constexpr Section sections[] = {draw_scene_panel, draw_runs_panel,   draw
 inline constexpr Section playback_sections[] = {draw_scene_panel, draw_playback_panel, draw_show_panel,
                                                 draw_energy_panel};
 
-/// In place of all of these and the scene: pictures of scenes to choose from.
+/// In place of all of these and the scene: pictures of scenes to choose from, or the list of lessons.
 void draw_scenes_page(const Context& context);
+/// The lessons on that page.
+void draw_lesson_list(const Context& context);
 
 /// Over the scene: the ring around the particle under the pointer, and its numbers; the spring by which one is pulled,
 /// the arrow of a kick, the box that selects; readings of time, step and errors; messages; the

@@ -1,3 +1,4 @@
+#include "core/terms.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/plot/costs_plot.hpp"
 #include "ui/plot/draw_plot.hpp"
@@ -54,18 +55,18 @@ void use_costs(const Context& context, const plot::Layout& layout) {
     if (ImGui::IsMouseReleased(0) && !dragged) context.events.send(event::AddRun{point->run});
 }
 
-std::vector<ComboItem> kind_items() {
+std::vector<ComboItem> made_kind_items() {
     std::vector<ComboItem> items;
     items.reserve(plot_kinds.size());
     for (const PlotKindInfo& info : plot_kinds)
-        items.push_back({.id = info.id, .name = info.name, .tooltip = std::string(info.what)});
+        items.push_back({.id = info.id, .name = info.name, .tooltip = with_explanations(info.what, info.name)});
     return items;
 }
 
-/// Errors of methods differ by powers of ten.
-PlotChoice default_choice(PlotKind kind) {
-    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error || kind == PlotKind::spectrum;
-    return {kind, logarithmic ? plot::Scale::logarithmic : plot::Scale::linear};
+/// The same at all times, so they are made once.
+const std::vector<ComboItem>& kind_items() {
+    static const std::vector<ComboItem> items = made_kind_items();
+    return items;
 }
 
 /// Another kind in place of a plot; one that is shown elsewhere changes places with it.
@@ -80,7 +81,7 @@ void choose(PlotsState& plots, std::size_t number, PlotKind kind) {
 }
 
 void draw_kind(const Context& context, std::size_t number) {
-    const std::vector<ComboItem> items = kind_items();
+    const std::vector<ComboItem>& items = kind_items();
     auto chosen = static_cast<std::size_t>(context.state.plots.shown[number].kind);
     if (combo(context, "plot " + std::to_string(number + 1), items, chosen, context.px(172)))
         choose(context.state.plots, number, plot_kinds[chosen].kind);

@@ -107,7 +107,7 @@ void draw_errors(const Context& context, std::size_t run) {
     const WithFont font(context.theme.fonts().small);
     explanation(context, in_lines(errors_text(context, run), ImGui::GetContentRegionAvail().x));
     if (const Compared* const compared = compared_of(context, run))
-        tooltip(context, more_errors_text(*compared, run_of(context, run).cost));
+        term_tooltip(context, more_errors_text(*compared, run_of(context, run).cost), "position error, phase error");
 }
 
 void draw_reference(const Context& context) {
@@ -119,7 +119,7 @@ void draw_reference(const Context& context) {
     if (const Compared* const lead = compared_of(context, 0); lead && !errors->exact)
         text += fmt::format(", accurate to {}", with_unit(rounded_text(lead->reference_error), "m"));
     explanation(context, text, colour::text_faint);
-    tooltip(context, errors->how);
+    term_tooltip(context, errors->how, text);
 }
 
 constexpr ParameterInfo magnify_info{.name = "magnify",
@@ -152,9 +152,10 @@ void draw_together(const Context& context) {
     if (context.stage.style.layout == render::RunLayout::ghosts) draw_magnify(context);
     bool equal = context.session.equal_cost;
     if (check_row(context, "equal cost", "equal cost", equal)) context.events.send(event::EqualCost{equal});
-    tooltip(context,
-            "each run gets the dt, or the tolerance, at which it costs as many force evaluations per simulated second "
-            "as the leading one; it begins again with it");
+    term_tooltip(context,
+                 "each run gets the dt, or the tolerance, at which it costs as many force evaluations per simulated "
+                 "second as the leading one; it begins again with it",
+                 "force evaluations");
 }
 
 void draw_add(const Context& context) {
@@ -182,12 +183,14 @@ void draw_time_buttons(const Context& context) {
 void draw_buttons(const Context& context) {
     if (runs_of(context) < Session::most_runs) draw_add(context);
     if (text_button(context, "twin", "twin", false, context.px(58))) perform(context, Action::twin);
-    tooltip(context, help_of(Action::twin));
+    term_tooltip(context, help_of(Action::twin), "twin, rounding");
     ImGui::SameLine(0, context.px(6));
     if (text_button(context, "turn round", "turn round", false, context.px(92))) perform(context, Action::turn_round);
-    tooltip(context, has_drag(context.view.description)
-                         ? "all velocities are turned round; with drag the motion does not return"
-                         : help_of(Action::turn_round));
+    term_tooltip(context,
+                 has_drag(context.view.description)
+                     ? "all velocities are turned round; with drag the motion does not return"
+                     : help_of(Action::turn_round),
+                 "time-reversible");
 }
 
 /// What makes a run of a trajectory.

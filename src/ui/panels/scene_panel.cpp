@@ -1,4 +1,5 @@
 #include "sim/run/run_description.hpp"
+#include "ui/actions.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/parameter_rows.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -10,7 +11,7 @@ void draw_scene_panel(const Context& context) {
     const ModelInfo& info = model_of(description).info;
     heading(context, "SCENE");
     const std::string_view name = info.name.empty() ? std::string_view(description.model) : info.name;
-    if (choice_box(context, "model", name, ImGui::GetContentRegionAvail().x)) context.state.scenes.open = true;
+    if (choice_box(context, "model", name, ImGui::GetContentRegionAvail().x)) open_scenes_page(context);
     tooltip(context, "choose another scene, or open a file");
     explanation(context, info.what);
     if (context.session.playback) return;  // they are those of the run that wrote the file

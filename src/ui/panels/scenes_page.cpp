@@ -5,6 +5,7 @@
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string>
 #include <utility>
@@ -97,15 +98,35 @@ void draw_path(const Context& context, ScenesPage& page) {
     if ((entered || clicked) && !path.empty()) open_file(context, path);
 }
 
-void draw_head(const Context& context) {
+/// The page has two sheets: the scenes, and the lessons.
+void draw_sheets(const Context& context, ScenesPage& page) {
+    static constexpr std::array<std::string_view, 2> sheets{"scenes", "lessons"};
+    std::size_t chosen = page.lessons ? 1 : 0;
+    if (segmented(context, "sheet", sheets, chosen, context.px(180), ImGui::GetFrameHeight()))
+        page.lessons = chosen == 1;
+    ImGui::Dummy({0, context.px(4)});
+}
+
+void draw_title(const Context& context, const char* title, std::string_view text) {
     {
         const WithFont font(context.theme.fonts().strong);
-        ImGui::TextUnformatted("Choose a scene");
+        ImGui::TextUnformatted(title);
     }
-    explanation(context,
-                "Click a picture, type the path of a scene, session or trajectory file, or drop one onto this window.");
+    explanation(context, text);
     ImGui::Dummy({0, context.px(2)});
-    draw_path(context, context.state.scenes);
+}
+
+void draw_scenes(const Context& context, ScenesPage& page) {
+    draw_title(context, "Choose a scene",
+               "Click a picture, type the path of a scene, session or trajectory file, or drop one onto this window.");
+    draw_path(context, page);
+    draw_tiles(context, page.gallery);
+}
+
+void draw_lessons(const Context& context) {
+    draw_title(context, "Try",
+               "Guided experiments: each takes a few minutes, and every number in them is measured in the window.");
+    draw_lesson_list(context);
 }
 
 }  // namespace
@@ -120,8 +141,8 @@ void draw_scenes_page(const Context& context) {
     ImGui::Begin("scenes", nullptr, page_window);
     ImGui::PopStyleVar();
     if (close_cross(context, "scenes.close")) page.open = false;
-    draw_head(context);
-    draw_tiles(context, page.gallery);
+    draw_sheets(context, page);
+    page.lessons ? draw_lessons(context) : draw_scenes(context, page);
     ImGui::Dummy({0, context.px(12)});
     ImGui::End();
 }

@@ -71,7 +71,8 @@ void draw_rate(const Context& context) {
 void draw_precision(const Context& context) {
     RunDescription description = context.description();
     auto chosen = static_cast<std::size_t>(description.precision);
-    if (segmented(context, "precision", precisions, chosen, context.px(precision_width), ImGui::GetFrameHeight())) {
+    if (segmented(context, "precision", precisions, chosen, context.px(precision_width), ImGui::GetFrameHeight(),
+                  "arithmetic of the whole run")) {
         description.precision = static_cast<Precision>(chosen);
         context.ask(description);
     }

@@ -67,6 +67,9 @@ struct PlotChoice {
     std::optional<Range> across = {};         ///< the same of the axis across, where that is not time
 };
 
+/// A plot of this kind with the scale that suits it.
+PlotChoice default_choice(PlotKind kind);
+
 /// The plots below the scene.
 struct PlotsState {
     static constexpr std::size_t most = 4;

@@ -9,6 +9,7 @@ namespace {
 // Lengths in units of the layout.
 constexpr float bar_height = 40;
 constexpr float panel_width = 300;
+constexpr float lesson_width = 310;
 constexpr float narrowest_with_panel = 620;
 constexpr float lowest_with_plots = 460;
 constexpr float narrowest_plot = 240;
@@ -21,7 +22,7 @@ float plots_height(float height) { return std::clamp(0.285f * height, 150.0f, 38
 
 }  // namespace
 
-Layout arrange(const Display& display, std::optional<bool> panel) {
+Layout arrange(const Display& display, std::optional<bool> panel, bool lesson) {
     const float scale = display.scale;
     const float width = static_cast<float>(display.width);
     const float height = static_cast<float>(display.height);
@@ -29,11 +30,13 @@ Layout arrange(const Display& display, std::optional<bool> panel) {
 
     Layout layout;
     layout.bar = {0, 0, width, std::min(px(bar_height), height)};
-    const bool wide = width >= px(narrowest_with_panel);
     const float below = height - layout.bar.height;
+    const float beside = lesson ? std::min(px(lesson_width), std::round(0.5f * width)) : 0;
+    if (lesson) layout.lesson = {width - beside, layout.bar.height, beside, below};
+    const bool wide = width - beside >= px(narrowest_with_panel);
     if (panel.value_or(wide)) layout.panel = {0, layout.bar.height, std::min(px(panel_width), 0.75f * width), below};
 
-    layout.scene = {layout.panel.width, layout.bar.height, width - layout.panel.width, below};
+    layout.scene = {layout.panel.width, layout.bar.height, std::max(1.0f, width - beside - layout.panel.width), below};
     const int room = static_cast<int>(layout.scene.width / px(narrowest_plot));
     if (panel.value_or(true) && height >= px(lowest_with_plots) && room >= 1) {
         const float plots = px(plots_height(height / scale));

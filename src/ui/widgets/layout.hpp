@@ -14,6 +14,7 @@ using Area = plot::Box;
 struct Layout {
     Area bar;            ///< along the top
     Area panel;          ///< at the left
+    Area lesson;         ///< at the right
     Area time_line;      ///< below the scene
     Area run_buttons;    ///< beside it, where there is room
     Area plots;          ///< at the bottom
@@ -26,8 +27,9 @@ struct Layout {
 };
 
 /// Arranges the panels for a display and hides those without room. `panel`: whether the user wants panel and plots;
-/// none: the panel is shown where the window is wide enough.
-Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt);
+/// none: the panel is shown where the window is wide enough. `lesson`: a lesson is open, beside everything below the
+/// bar.
+Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt, bool lesson = false);
 
 /// The area in whole pixels.
 PixelRect pixels(const Area& area);

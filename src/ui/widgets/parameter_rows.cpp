@@ -1,6 +1,7 @@
 #include "ui/widgets/parameter_rows.hpp"
 
 #include "core/number_text.hpp"
+#include "core/terms.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -28,7 +29,7 @@ void slider_parameter(const Context& context, const std::string& widget, const P
                       const ParameterInfo& info, const Set& set) {
     const bool whole = info.kind == ParameterInfo::Kind::integer;
     const double value = values[info.name];
-    const std::string help = parameter_help(info);
+    const std::string help = with_explanations(parameter_help(info), info.name);
     slider_row(context,
                {
                    .widget = widget,
@@ -50,7 +51,7 @@ void switch_parameter(const Context& context, const std::string& widget, const P
                       const ParameterInfo& info, const Set& set) {
     bool on = values[info.name] != 0;
     if (check_row(context, widget, info.name, on)) set_value(values, info, on ? 1 : 0, set);
-    tooltip(context, parameter_help(info));
+    term_tooltip(context, parameter_help(info), info.name);
 }
 
 void choice_parameter(const Context& context, const std::string& widget, const ParameterValues& values,

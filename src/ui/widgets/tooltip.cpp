@@ -1,3 +1,4 @@
+#include "core/terms.hpp"
 #include "ui/input.hpp"
 #include "ui/widgets/widgets.hpp"
 
@@ -59,6 +60,11 @@ void tooltip_beside(const Context& context, const WidgetRect& item, std::string_
 void tooltip(const Context& context, std::string_view text) {
     const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
     tooltip_beside(context, {from.x, from.y, to.x, to.y}, text);
+}
+
+void term_tooltip(const Context& context, std::string_view text, std::string_view shown) {
+    if (!ImGui::IsItemHovered()) return;
+    tooltip(context, with_explanations(text, shown));
 }
 
 void close_if_asked(const Context& context) {

@@ -120,7 +120,7 @@ bool check_row(const Context& context, std::string_view widget, std::string_view
 }
 
 bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
-               std::size_t& chosen, float width, float height) {
+               std::size_t& chosen, float width, float height, std::string_view help) {
     const WithId id(widget);
     const float part = std::max(1.0f, width / static_cast<float>(choices.size()));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -135,6 +135,7 @@ bool segmented(const Context& context, std::string_view widget, std::span<const 
             changed = true;
         }
         context.mark(std::string(widget) + "/" + std::string(choices[i]));
+        if (!help.empty()) term_tooltip(context, help, choices[i]);
         const ImVec2 from = ImGui::GetItemRectMin();
         const ImVec2 to = ImGui::GetItemRectMax();
         if (i == chosen) list.AddRectFilled(from, to, colour::accent, ImGui::GetStyle().FrameRounding);

@@ -26,7 +26,9 @@ enum class Beside { below, right };
 /// Shows `text` beside the last item while the pointer is over it, so that the item stays readable; nothing if it is
 /// empty.
 void tooltip(const Context& context, std::string_view text);
-/// The same beside a larger place that the last item belongs to.
+/// The same, and below it what the terms in `shown` mean, which the item shows: with_explanations().
+void term_tooltip(const Context& context, std::string_view text, std::string_view shown);
+/// The same as tooltip() beside a larger place that the last item belongs to.
 void tooltip_beside(const Context& context, const WidgetRect& item, std::string_view text,
                     Beside first = Beside::below);
 /// The top left corner of a box that lies on the display and beside an item: below or above, right or left of it, the
@@ -55,9 +57,9 @@ void reading_row(const Context& context, std::string_view label, std::string_vie
 /// A check box with a label. True when clicked; `on` then has the new state.
 bool check_row(const Context& context, std::string_view widget, std::string_view label, bool& on);
 
-/// A switch that shows all choices. True if another one was chosen.
+/// A switch that shows all choices. True if another one was chosen. `help`: its tooltip, with the terms of the choices.
 bool segmented(const Context& context, std::string_view widget, std::span<const std::string_view> choices,
-               std::size_t& chosen, float width, float height);
+               std::size_t& chosen, float width, float height, std::string_view help = {});
 
 /// An item of a drop-down menu: its name and, dimmed at the right, a remark.
 struct ComboItem {

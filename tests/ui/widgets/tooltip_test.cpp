@@ -76,5 +76,17 @@ TEST(tooltip, of_a_plot_does_not_cover_the_curves) {
     EXPECT_FALSE(overlap(desk.widget("tooltip"), desk.widget("displacement")));
 }
 
+// The words that an item shows are explained below what its tooltip says.
+TEST(tooltip, of_a_term_explains_it) {
+    Desk desk(describe("chain"));
+    desk.point_at("precision/float");
+    desk.frame();
+    const WidgetRect with_terms = desk.widget("tooltip");
+    desk.point_at("snapshot");
+    desk.frame();
+    const WidgetRect without = desk.widget("tooltip");
+    EXPECT_GT(with_terms.bottom - with_terms.top, 2 * (without.bottom - without.top));
+}
+
 }  // namespace
 }  // namespace steplab::ui
