@@ -43,11 +43,11 @@ void draw_verdict(const Context& context, const StepVerdict& verdict) {
         ImGui::SetCursorScreenPos({corner.x + context.px(14), corner.y});
     }
     explanation(context, verdict.text, ink);
-    tooltip(context, verdict.tooltip);
+    term_tooltip(context, verdict.tooltip, verdict.text);
     if (verdict.detail.empty()) return;
     if (verdict.lamp != Lamp::none) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(14));
     explanation(context, verdict.detail);
-    tooltip(context, verdict.tooltip);
+    term_tooltip(context, verdict.tooltip, "steps per period, numerical damping");
 }
 
 /// The stability limit, as long as it is that of the scene and method on the panel.
