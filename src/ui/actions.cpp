@@ -89,6 +89,22 @@ void toggle_loop(const Context& context) {
     if (steps.last > 0) context.events.send(event::Loop{steps});
 }
 
+/// The next larger (1) or smaller (-1) of the scales; 0: the usual one.
+void change_scale(const Context& context, int direction) {
+    double& scale = context.state.scale;
+    const auto& all = interface_scales;
+    if (direction == 0) scale = 1;
+    if (direction > 0) {
+        const auto next = std::upper_bound(all.begin(), all.end(), scale);
+        if (next != all.end()) scale = *next;
+    }
+    if (direction < 0) {
+        const auto here = std::lower_bound(all.begin(), all.end(), scale);
+        if (here != all.begin()) scale = *std::prev(here);
+    }
+    context.state.notice = Notice{fmt::format("text and panels: {:.0f} %", 100 * scale), ImGui::GetTime() + 2.5};
+}
+
 void toggle_panel(const Context& context) { context.state.panel = context.layout.panel.empty(); }
 
 }  // namespace
@@ -172,11 +188,19 @@ void perform(const Context& context, Action action) {
             return context.request({.kind = Request::Kind::save_scene});
         case Action::panel:
             return toggle_panel(context);
+        case Action::larger:
+            return change_scale(context, 1);
+        case Action::smaller:
+            return change_scale(context, -1);
+        case Action::usual_scale:
+            return change_scale(context, 0);
         case Action::help:
             context.state.help_open = !context.state.help_open;
             return;
         case Action::snapshot:
             return context.request({.kind = Request::Kind::save_snapshot});
+        case Action::record:
+            return context.request({.kind = Request::Kind::record});
         case Action::full_screen:
             return context.request({.kind = Request::Kind::full_screen});
         case Action::close:
@@ -190,7 +214,8 @@ namespace {
 
 /// Keys of the run and the view do nothing while the page of scenes hides both.
 bool acts_on_page(Action action) {
-    constexpr std::array actions{Action::open_scene, Action::help, Action::full_screen, Action::close, Action::quit};
+    constexpr std::array actions{Action::open_scene,  Action::help,        Action::larger, Action::smaller,
+                                 Action::usual_scale, Action::full_screen, Action::close,  Action::quit};
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
 

@@ -12,6 +12,7 @@
 #include "ui/plot/choice.hpp"
 #include "ui/plot/history.hpp"
 #include "ui/selection.hpp"
+#include "ui/view_choices.hpp"
 #include "ui/wanted.hpp"
 #include "ui/widgets/layout.hpp"
 #include "ui/widgets/theme.hpp"
@@ -78,8 +79,13 @@ struct InterfaceState {
     PlotsState plots;
     std::optional<Entry> entry;
     std::optional<Notice> notice;
-    std::optional<render::KnownShape> shape;    ///< of the newest frame
-    std::optional<bool> panel;                  ///< chosen by the user; none: shown where the window has room
+    std::optional<render::KnownShape> shape;  ///< of the newest frame
+    std::optional<bool> panel;                ///< chosen by the user; none: shown where the window has room
+    double scale = 1;                         ///< of the interface, beside that of the display
+    PanelSizes sizes;
+    PictureChoice picture;
+    std::optional<FilmStatus> film;             ///< that is taken
+    ViewChoices remembered;                     ///< with which a window opens that is told nothing else
     std::optional<std::size_t> first_selected;  ///< the particle to select first; none: the usual one
     render::Following following = render::Following::nothing;
     bool trail = false;  ///< of the selected particle, and of those selected meanwhile, is drawn

@@ -43,6 +43,7 @@ constexpr KeyName editing_keys[] = {
     {Key::y, ImGuiKey_Y},
     {Key::j, ImGuiKey_J},
     {Key::l, ImGuiKey_L},
+    {Key::zero, ImGuiKey_0},
     {Key::equal, ImGuiKey_Equal},
     {Key::minus, ImGuiKey_Minus},
     {Key::bracket_left, ImGuiKey_LeftBracket},

@@ -30,8 +30,12 @@ enum class Action {
     open_scene,
     save_scene,
     panel,
+    larger,
+    smaller,
+    usual_scale,
     help,
     snapshot,
+    record,
     full_screen,
     close,
     quit
@@ -74,6 +78,7 @@ enum class Key {
     y,
     j,
     l,
+    zero,
     count
 };
 

@@ -25,6 +25,8 @@ void draw_ensemble_rows(const Context& context);
 void draw_energy_panel(const Context& context);
 void draw_selection_panel(const Context& context);
 void draw_plots_panel(const Context& context);
+/// What the pointer drags to make panel and plots larger or smaller.
+void draw_edges(const Context& context);
 
 /// The sections of the side panel from top to bottom.
 using Section = void (*)(const Context& context);

@@ -61,12 +61,6 @@ std::vector<ComboItem> kind_items() {
     return items;
 }
 
-/// Errors of methods differ by powers of ten.
-PlotChoice default_choice(PlotKind kind) {
-    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error;
-    return {kind, logarithmic ? plot::Scale::logarithmic : plot::Scale::linear};
-}
-
 /// Another kind in place of a plot; one that is shown elsewhere changes places with it.
 void choose(PlotsState& plots, std::size_t number, PlotKind kind) {
     const auto found = std::find_if(plots.shown.begin(), plots.shown.end(),

@@ -254,6 +254,11 @@ const PlotKindInfo& info_of(PlotKind kind) {
     return *std::find_if(plot_kinds.begin(), plot_kinds.end(), [&](const auto& info) { return info.kind == kind; });
 }
 
+PlotChoice default_choice(PlotKind kind) {
+    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error;
+    return {kind, logarithmic ? plot::Scale::logarithmic : plot::Scale::linear};
+}
+
 Plot plot_of(const Context& context, const PlotChoice& choice) {
     Plot plot{.name = std::string(info_of(choice.kind).id),
               .caption = fmt::format("{}, {}", context.view.description.model,

@@ -2,6 +2,7 @@
 
 #include "plot/plot.hpp"
 #include "ui/display.hpp"
+#include "ui/view_choices.hpp"
 
 #include <optional>
 
@@ -23,11 +24,15 @@ struct Layout {
     bool bar_has_speed = false;
     bool bar_has_precision = false;
     bool bar_has_snapshot = false;
+    bool bar_has_record = false;
 };
 
 /// Arranges the panels for a display and hides those without room. `panel`: whether the user wants panel and plots;
 /// none: the panel is shown where the window is wide enough.
-Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt);
+Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt, const PanelSizes& sizes = {});
+
+/// The scene fills the display.
+Layout arrange_scene_alone(const Display& display);
 
 /// The area in whole pixels.
 PixelRect pixels(const Area& area);
