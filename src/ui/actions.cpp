@@ -6,6 +6,7 @@
 #include "sim/run/opening.hpp"
 #include "ui/input.hpp"
 #include "ui/rate.hpp"
+#include "ui/steering.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +40,9 @@ void change_scene(const Context& context, std::ptrdiff_t offset) {
 void close_topmost(const Context& context) {
     InterfaceState& state = context.state;
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-    if (state.hands.selecting) {
+    if (state.steering) {
+        state.steering = false;
+    } else if (state.hands.selecting) {
         state.hands.selecting = false;
     } else if (state.help_open) {
         state.help_open = false;
@@ -188,6 +191,8 @@ void perform(const Context& context, Action action) {
             return context.request({.kind = Request::Kind::save_scene});
         case Action::panel:
             return toggle_panel(context);
+        case Action::steer:
+            return steer_on(context);
         case Action::larger:
             return change_scale(context, 1);
         case Action::smaller:
@@ -219,12 +224,15 @@ bool acts_on_page(Action action) {
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
 
+bool goes_to_widgets(Key key) { return key == Key::space || key == Key::left || key == Key::right; }
+
 }  // namespace
 
 void perform_pressed_keys(const Context& context) {
     if (ImGui::GetIO().WantTextInput) return;
     for (const KeyBinding& binding : key_bindings()) {
         if (context.state.scenes.open && !acts_on_page(binding.action)) continue;
+        if (context.state.steering && goes_to_widgets(binding.key)) continue;
         const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;
         if (ImGui::GetIO().KeyCtrl == binding.control && Input::pressed(binding.key, repeats)) {
             perform(context, binding.action);

@@ -84,6 +84,9 @@ struct InterfaceState {
     double scale = 1;                         ///< of the interface, beside that of the display
     PanelSizes sizes;
     PictureChoice picture;
+    bool steering = false;                      ///< the keyboard goes from widget to widget
+    std::string steered;                        ///< the panel that it is in
+    std::string focused;                        ///< the widget that it is at
     std::optional<FilmStatus> film;             ///< that is taken
     ViewChoices remembered;                     ///< with which a window opens that is told nothing else
     std::optional<std::size_t> first_selected;  ///< the particle to select first; none: the usual one
@@ -141,6 +144,8 @@ struct Context {
     /// Records the place of the widget that was drawn last.
     void mark(std::string_view widget) const;
     void mark(std::string_view widget, const WidgetRect& place) const;
+    /// Notes that the keyboard is at the widget that was drawn last, if it is.
+    void note_focus(std::string_view widget) const;
 };
 
 }  // namespace steplab::ui

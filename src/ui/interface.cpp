@@ -5,6 +5,7 @@
 #include "ui/follower.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/scene_pointer.hpp"
+#include "ui/steering.hpp"
 #include "ui/trail.hpp"
 #include "ui/view_keeper.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -34,7 +35,7 @@ ImGuiContext* make_context() {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasGamepad;
     io.ConfigInputTextCursorBlink = false;
     Input::describe_keys(io);
     return context;
@@ -271,6 +272,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     body.theme.set_background(stage.style.background);
     body.frame_seconds = measured.frame_seconds;
     if (purpose == Purpose::use) body.input_left = body.input.feed(io);
+    Input::steer(io, purpose == Purpose::use && body.state.steering && !io.WantTextInput);
     ImGui::NewFrame();
     const WidgetMap before = std::exchange(body.widgets, {});
     body.state.wanted.follow(view.leading, body.new_view, view.playback.has_value());
@@ -287,12 +289,14 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     if (purpose == Purpose::use) {
         body.view_keeper.keep(context);
         body.follower.follow(context);
+        leave_to_pointer(context);
         perform_pressed_keys(context);
         use_pointer(context);
     }
     set_style(stage.style, view.leading, body.state.selection, body.display);
     stage.style.trails = body.state.trail ? body.trails.places() : nullptr;
     draw_panels(context);
+    if (purpose == Purpose::use) draw_steering(context);
     if (caption) draw_caption(context, *caption, below(above, body.display));
     ImGui::Render();
     body.unsettled = body.widgets != before;
@@ -303,6 +307,11 @@ int Interface::caption_height(const SessionView& view, const Caption& caption) c
 }
 
 void Interface::show_film(std::optional<FilmStatus> film) { body_->state.film = film; }
+
+const std::string& Interface::focused() const {
+    static const std::string none;
+    return body_->state.steering ? body_->state.focused : none;
+}
 
 const PictureChoice& Interface::picture_choice() const { return body_->state.picture; }
 

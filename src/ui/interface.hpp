@@ -86,6 +86,8 @@ public:
     int caption_height(const SessionView& view, const Caption& caption) const;
     /// What is known of the film that is taken; none: no film is.
     void show_film(std::optional<FilmStatus> film);
+    /// The widget that the keyboard is at; empty if it goes to none.
+    const std::string& focused() const;
     /// What pictures and films show.
     const PictureChoice& picture_choice() const;
 

@@ -36,6 +36,7 @@ enum class Action {
     help,
     snapshot,
     record,
+    steer,
     full_screen,
     close,
     quit
@@ -79,6 +80,7 @@ enum class Key {
     j,
     l,
     zero,
+    f6,
     count
 };
 

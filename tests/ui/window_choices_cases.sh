@@ -143,3 +143,31 @@ films_that_cannot_be_written_say_why() {
     close_window
     PATH=$usual_path
 }
+
+# steer_to WIDGET KEY: presses the key until the keyboard is at the widget.
+steer_to() {
+    local i
+    for ((i = 0; i < 60; ++i)); do
+        [[ $(grep '^focus ' "$folder/said" | tail -1) == "focus $1" ]] && return
+        xdotool key "$2"; expect 'focus .*'
+    done
+    fail "$2 does not lead to $1"
+}
+
+the_keyboard_reaches_the_panels() {
+    start_display 1280x800
+    open_window --model chain --method rk4 --dt 0.1
+    xdotool key F6; expect 'focus model'
+    steer_to method Down
+    xdotool key Return; expect 'focus method/.*'
+    steer_to method/euler Down
+    xdotool key Return; expect 'method euler' 'focus method'
+    steer_to dt Down
+    xdotool key Return; expect 'widget dt.entry [0-9].*'
+    xdotool type 0.05; xdotool key Return; expect 'dt 0.05'
+    xdotool key Escape; expect 'focus '
+    xdotool key Right; expect 'step 1'
+    xdotool key space; expect 'playing true'
+    xdotool key space; expect 'playing false'
+    close_window
+}

@@ -208,6 +208,7 @@ ReadViewChoices read_view_choices(const std::string& path) {
     std::error_code none;
     if (path.empty() || !fs::exists(path, none)) return result;
     try {
+        if (!fs::is_regular_file(path, none)) throw FileError("it is no file");
         const toml::table table = toml::parse_file(path);
         const auto written = table["version"].value<std::int64_t>();
         result.newer = written && *written > version;
@@ -218,6 +219,8 @@ ReadViewChoices read_view_choices(const std::string& path) {
         }
     } catch (const toml::parse_error& error) {
         result.problem = fmt::format("line {}: {}", error.source().begin.line, error.description());
+    } catch (const FileError& error) {
+        result.problem = error.what();
     }
     if (result.problem) result.problem = fmt::format("{}: {}", shown(path), *result.problem);
     return result;

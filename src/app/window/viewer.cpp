@@ -289,6 +289,7 @@ void Viewer::report() {
     if (!trace_.wanted()) return;
     trace_.report(*view_);
     trace_.report(camera_);
+    trace_.report("focus", interface_.focused());
     trace_.report("scale", number_text(interface_.choices(style_).scale));
     trace_.report(interface_.widgets(), frames_wanted_ == 0 && (interface_.shows_scenes() || painted_.view == view_));
     if (painted_.view) trace_.report("pictured", std::to_string(painted_.view->leading.frame.step));

@@ -91,6 +91,7 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/next scene", "Next scene", Action::next_scene);
     ImGui::Separator();
     action_item(context, "menu/panel", "Show or hide panel", Action::panel);
+    action_item(context, "menu/steer", "Panels by keyboard", Action::steer);
     action_item(context, "menu/larger", "Larger text", Action::larger);
     action_item(context, "menu/smaller", "Smaller text", Action::smaller);
     action_item(context, "menu/usual scale", "Usual text size", Action::usual_scale);

@@ -134,7 +134,7 @@ void draw_top_bar(const Context& context) {
     ImGui::SetNextWindowSize({bar.width, bar.height});
     ImGui::Begin("bar", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (context.layout.bar_has_title) draw_title(context);
     const float left = context.layout.bar_has_title ? context.px(312) : context.px(12);
     ImGui::SetCursorPos({left, std::round(0.5f * (bar.height - ImGui::GetFrameHeight()))});
