@@ -3,6 +3,7 @@
 #include "sim/run/opening.hpp"
 #include "ui/actions.hpp"
 #include "ui/follower.hpp"
+#include "ui/imgui_clipboard.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/scene_pointer.hpp"
 #include "ui/steering.hpp"
@@ -40,19 +41,6 @@ ImGuiContext* make_context() {
     Input::describe_keys(io);
     return context;
 }
-
-/// The clipboard in the form ImGui calls it: the text has to stay valid after the call.
-struct ImGuiClipboard {
-    Clipboard clipboard;
-    std::string text;
-
-    static ImGuiClipboard& of(void* self) { return *static_cast<ImGuiClipboard*>(self); }
-    static const char* read(void* self) {
-        of(self).text = of(self).clipboard.read();
-        return of(self).text.c_str();
-    }
-    static void write(void* self, const char* text) { of(self).clipboard.write(text); }
-};
 
 /// Beyond these glyphs are unreadable, or take more memory than a texture has.
 constexpr float least_scale = 0.5f, most_scale = 8;

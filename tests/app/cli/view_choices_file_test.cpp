@@ -144,7 +144,7 @@ private:
 };
 
 TEST(ViewChoicesPath, follows_the_base_directory_specification) {
-    const WithVariable home("HOME", "/home/x");
+    const WithVariable home("HOME", "/folder/x");
     {
         const WithVariable config("XDG_CONFIG_HOME", "/etc/other");
         EXPECT_EQ(view_choices_path(""), "/etc/other/steplab/view.toml");
@@ -153,7 +153,7 @@ TEST(ViewChoicesPath, follows_the_base_directory_specification) {
     }
     for (const char* unusable : {static_cast<const char*>(nullptr), "", "relative"}) {
         const WithVariable config("XDG_CONFIG_HOME", unusable);
-        EXPECT_EQ(view_choices_path(""), "/home/x/.config/steplab/view.toml");
+        EXPECT_EQ(view_choices_path(""), "/folder/x/.config/steplab/view.toml");
         const WithVariable no_home("HOME", nullptr);
         EXPECT_EQ(view_choices_path(""), "");
     }
