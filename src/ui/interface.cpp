@@ -73,12 +73,6 @@ void draw_panels(const Context& context) {
     draw_messages(context);
 }
 
-/// What is left of a display below a smaller one.
-Area below(const Display& upper, const Display& whole) {
-    const auto top = static_cast<float>(upper.height);
-    return {0, top, static_cast<float>(whole.width), static_cast<float>(whole.height) - top};
-}
-
 /// True if both are moments of the same runs.
 bool same_runs(const SessionView& a, const SessionView& b) {
     return a.leading.run == b.leading.run && a.followers.size() == b.followers.size() &&

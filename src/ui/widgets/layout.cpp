@@ -72,6 +72,11 @@ Layout arrange_scene_alone(const Display& display) {
     return layout;
 }
 
+Area below(const Display& upper, const Display& whole) {
+    const auto top = static_cast<float>(upper.height);
+    return {0, top, static_cast<float>(whole.width), static_cast<float>(whole.height) - top};
+}
+
 PixelRect pixels(const Area& area) {
     const int left = static_cast<int>(std::lround(area.x));
     const int top = static_cast<int>(std::lround(area.y));

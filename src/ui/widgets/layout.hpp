@@ -34,6 +34,9 @@ Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt,
 /// The scene fills the display.
 Layout arrange_scene_alone(const Display& display);
 
+/// What is left of a display below a smaller one.
+Area below(const Display& upper, const Display& whole);
+
 /// The area in whole pixels.
 PixelRect pixels(const Area& area);
 
