@@ -43,7 +43,7 @@ round() {
         }
         function gesture(   kind, key) {
             kind = any(100)
-            if (kind < 30) return "key " one("space Right Left BackSpace Home f equal minus bracketleft bracketright Tab F1 F11 ctrl+p Escape Return Delete Up Down ctrl+a ctrl+c ctrl+v ctrl+x ctrl+z ctrl+z ctrl+y End b r t j l s")
+            if (kind < 30) return "key " one("space Right Left BackSpace Home f equal minus bracketleft bracketright Tab F1 F11 ctrl+p ctrl+equal ctrl+minus ctrl+0 Escape Return Delete Up Down ctrl+a ctrl+c ctrl+v ctrl+x ctrl+z ctrl+z ctrl+y End b r t j l s")
             if (kind < 60) return "mousemove " place() " click " one("1 1 1 1 3 2")
             if (kind < 65) return "mousemove " place() " click --repeat 2 --delay 40 1"
             if (kind < 80) return drag(one("1 1 1 3 2"))
@@ -57,7 +57,7 @@ round() {
 
 open_for_the_monkey() {
     ln -sf trace "$folder/said"
-    (cd "$folder" && exec "$program" --trace "$folder/trace" --model chain) 2>"$folder/errors" &
+    (cd "$folder" && exec "$program" --trace "$folder/trace" --config "$folder/view.toml" --model chain) 2>"$folder/errors" &
     window_pid=$!
     wait_for '^widget step ' 0
     window=$(xdotool search --name steplab | head -1)

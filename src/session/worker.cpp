@@ -60,6 +60,7 @@ bool Worker::take(SessionView& view) {
     if (!body_->fresh) return false;
     std::swap(view, body_->ready);
     body_->fresh = false;
+    body_->frames_taken = body_->frames_ready;
     return true;
 }
 

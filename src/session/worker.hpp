@@ -72,6 +72,13 @@ public:
     /// What happened so far in the session, as soon as the step under way has been taken; without its end if the worker
     /// is destroyed before. Of a trajectory, get() throws UsageError.
     std::future<Recording> recording();
+    /// From now on a film is taken of what is played, with a frame after each `spacing` seconds of simulated time (>
+    /// 0); none: no longer. After a frame the session takes no step until film_goes_on(). Not of a trajectory.
+    void film(std::optional<double> spacing);
+    /// The frames of the film up to the view that was taken last, which shows the last one of them.
+    std::uint64_t film_frames() const;
+    /// So many frames are safe: the session may go on.
+    void film_goes_on(std::uint64_t frames);
     /// Called from the worker's thread when a new view or doubt is ready (to wake the window); set before the first
     /// event.
     void on_view(void (*wake)());

@@ -4,6 +4,7 @@
 #include "core/interruption.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace steplab {
@@ -35,6 +36,7 @@ void Worker::Body::loop() {
         const bool begun = begin_next();
         const bool happened = handle_events();
         bool to_show = begin_part() || happened || begun;
+        to_show = answer_film() || to_show;
         if (playback) {
             play_frames(to_show);
             continue;
@@ -47,6 +49,7 @@ void Worker::Body::loop() {
         if (!well) give_up();
         if (doubtful || doubt) tell_doubt();
         if (doubtful) continue;
+        to_show = std::exchange(frame_came, false) || to_show;
         to_show = to_show || doubted || !well;
         const auto [step, evaluations, diverged] = session->run().advanced();
         if (to_show || ((behind || step != before || diverged) && affordable())) publish(to_show, well);
@@ -75,6 +78,7 @@ void Worker::Body::wait_for_work() {
     std::unique_lock lock(mutex);
     if (playback) return wait_for_frame(lock);
     if (doubtful || session->goal() || session->is_behind()) return;
+    if (gate_waits()) return changed.wait(lock, [this] { return called() || !gate_waits(); });
     const bool film_waits = film && film_plays && film->is_due();
     if (!session->playing() && !film_waits) return changed.wait(lock, [this] { return called(); });
     const auto now = Clock::now();
@@ -133,18 +137,22 @@ void Worker::Body::catch_up(Pace::Duration most) {
 /// Of all runs, so that they stay together. Whether all numbers are finite is checked when they are read: after every
 /// few steps it would take a large scene as long as some of them.
 void Worker::Body::take_steps() {
-    if (!under_way() || session->is_behind()) return;
+    const bool filmed = gate && !session->goal();
+    if (!under_way() || session->is_behind() || (filmed && gate->waits())) return;
     const auto begin = Clock::now();
     const Simulation& run = session->run();
     const Rate rate = wanted_rate();
     std::uint64_t due = pace.steps_due(begin, rate, run.dt(), slice);
     if (const auto goal = session->goal()) due = std::min(due, *goal - std::min(*goal, run.step()));
+    const double dt = std::abs(run.dt());
+    if (filmed && due > 0) due = std::min(due, gate->steps_to_frame(dt));
     const auto before = run.advanced();
     const std::uint64_t taken = film ? play_film(due) : session->play_on(due);
     if (run.step() != before.step) session->catch_up([] { return false; });
     const auto after = run.advanced();
     pace.took(taken, std::max(after.evaluations, before.evaluations) - before.evaluations,
               static_cast<double>(taken) * run.dt(), begin, Clock::now(), rate);
+    frame_came = filmed && gate->played(taken, dt);
     keep_moment();
     if (!session->goal() && rate.as_fast_as_possible) pace.begin(Clock::now());
 }
@@ -207,6 +215,7 @@ void Worker::Body::publish(bool at_once, bool judged) {
             tell_in(ready);
         }
         fresh = ready.leading.frame.shape != nullptr;
+        frames_ready = gate ? gate->frames() : 0;
         call = wake;
     }
     published = Clock::now();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session/film_gate.hpp"
 #include "session/live_costs.hpp"
 #include "session/live_errors.hpp"
 #include "session/live_verdict.hpp"
@@ -49,7 +50,9 @@ struct Worker::Body {
     bool fresh = false;                          // `ready` has not been taken yet
     bool compared = false;                       // there are errors that no view has
     SessionView ready;
-    std::optional<Doubt> doubt;  // told while `doubtful` lasts
+    std::optional<double> gate_asked;  // a film is to begin with this spacing, or to end: 0
+    std::uint64_t frames_ready = 0, frames_taken = 0, frames_done = 0;  // of the film: of `ready`, taken, safe
+    std::optional<Doubt> doubt;                                         // told while `doubtful` lasts
     void (*wake)() = nullptr;
 
     // the worker's own
@@ -59,6 +62,8 @@ struct Worker::Body {
     std::optional<Replay> film;    // until it has ended
     std::optional<FilmPart> part;  // of the film that is played; none: all of it
     bool film_plays = false;
+    std::optional<FilmGate> gate;  // of the film that is taken
+    bool frame_came = false;       // of it, and has not been shown yet
     Clock::time_point film_due{};  // its next event, if the run is there
     bool errors_alone = false;     // nothing but errors has come since the last view
     bool doubtful = false;         // the energy is impossible, and the check that decides about it has not come yet
@@ -120,6 +125,7 @@ struct Worker::Body {
     bool follows_film(const FilmPart& next_one) const;
     bool hastens() const;
     Rate wanted_rate() const;
+    bool answer_film();
     bool show_film();
     void pause_film();
     void continue_film(const event::Play& play);
@@ -130,7 +136,11 @@ struct Worker::Body {
     void step_to_check();
     void judge();
     /// With the mutex held: there is something to do at once.
-    bool called() const { return stopping || next || next_part || !events.empty() || !asked.empty() || compared; }
+    bool called() const {
+        return stopping || next || next_part || !events.empty() || !asked.empty() || compared || gate_asked;
+    }
+    /// With the mutex held: the film waits for a frame to be safe.
+    bool gate_waits() const { return gate && gate->waits() && frames_done < gate->frames(); }
     void wait_for_frame(std::unique_lock<std::mutex>& lock);
     Clock::time_point next_frame_due() const;
     void play_frame(Clock::time_point now);

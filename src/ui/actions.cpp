@@ -6,6 +6,7 @@
 #include "sim/run/opening.hpp"
 #include "ui/input.hpp"
 #include "ui/rate.hpp"
+#include "ui/steering.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +40,9 @@ void change_scene(const Context& context, std::ptrdiff_t offset) {
 void close_topmost(const Context& context) {
     InterfaceState& state = context.state;
     if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
-    if (state.hands.selecting) {
+    if (state.steering) {
+        state.steering = false;
+    } else if (state.hands.selecting) {
         state.hands.selecting = false;
     } else if (state.help_open) {
         state.help_open = false;
@@ -89,6 +92,22 @@ void toggle_loop(const Context& context) {
     }
     if (steps.first >= steps.last) steps = {0, line.reached};
     if (steps.last > 0) context.events.send(event::Loop{steps});
+}
+
+/// The next larger (1) or smaller (-1) of the scales; 0: the usual one.
+void change_scale(const Context& context, int direction) {
+    double& scale = context.state.scale;
+    const auto& all = interface_scales;
+    if (direction == 0) scale = 1;
+    if (direction > 0) {
+        const auto next = std::upper_bound(all.begin(), all.end(), scale);
+        if (next != all.end()) scale = *next;
+    }
+    if (direction < 0) {
+        const auto here = std::lower_bound(all.begin(), all.end(), scale);
+        if (here != all.begin()) scale = *std::prev(here);
+    }
+    context.state.notice = Notice{fmt::format("text and panels: {:.0f} %", 100 * scale), ImGui::GetTime() + 2.5};
 }
 
 void toggle_panel(const Context& context) { context.state.panel = context.layout.panel.empty(); }
@@ -180,11 +199,21 @@ void perform(const Context& context, Action action) {
             return context.request({.kind = Request::Kind::save_scene});
         case Action::panel:
             return toggle_panel(context);
+        case Action::steer:
+            return steer_on(context);
+        case Action::larger:
+            return change_scale(context, 1);
+        case Action::smaller:
+            return change_scale(context, -1);
+        case Action::usual_scale:
+            return change_scale(context, 0);
         case Action::help:
             context.state.help_open = !context.state.help_open;
             return;
         case Action::snapshot:
             return context.request({.kind = Request::Kind::save_snapshot});
+        case Action::record:
+            return context.request({.kind = Request::Kind::record});
         case Action::full_screen:
             return context.request({.kind = Request::Kind::full_screen});
         case Action::close:
@@ -198,9 +227,12 @@ namespace {
 
 /// Keys of the run and the view do nothing while the page of scenes hides both.
 bool acts_on_page(Action action) {
-    constexpr std::array actions{Action::open_scene, Action::help, Action::full_screen, Action::close, Action::quit};
+    constexpr std::array actions{Action::open_scene,  Action::help,        Action::larger, Action::smaller,
+                                 Action::usual_scale, Action::full_screen, Action::close,  Action::quit};
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
+
+bool goes_to_widgets(Key key) { return key == Key::space || key == Key::left || key == Key::right; }
 
 }  // namespace
 
@@ -208,6 +240,7 @@ void perform_pressed_keys(const Context& context) {
     if (ImGui::GetIO().WantTextInput) return;
     for (const KeyBinding& binding : key_bindings()) {
         if (context.state.scenes.open && !acts_on_page(binding.action)) continue;
+        if (context.state.steering && goes_to_widgets(binding.key)) continue;
         const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;
         if (ImGui::GetIO().KeyCtrl == binding.control && Input::pressed(binding.key, repeats)) {
             perform(context, binding.action);

@@ -38,6 +38,11 @@ void Context::mark(std::string_view widget) const {
     const ImVec2 from = ImGui::GetItemRectMin();
     const ImVec2 to = ImGui::GetItemRectMax();
     mark(widget, {from.x, from.y, to.x, to.y});
+    note_focus(widget);
+}
+
+void Context::note_focus(std::string_view widget) const {
+    if (state.steering && ImGui::IsItemFocused()) state.focused = widget;
 }
 
 void Context::mark(std::string_view widget, const WidgetRect& place) const {

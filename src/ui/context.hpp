@@ -13,6 +13,7 @@
 #include "ui/plot/choice.hpp"
 #include "ui/plot/history.hpp"
 #include "ui/selection.hpp"
+#include "ui/view_choices.hpp"
 #include "ui/wanted.hpp"
 #include "ui/widgets/layout.hpp"
 #include "ui/widgets/theme.hpp"
@@ -88,8 +89,16 @@ struct InterfaceState {
     PlotsState plots;
     std::optional<Entry> entry;
     std::optional<Notice> notice;
-    std::optional<render::KnownShape> shape;    ///< of the newest frame
-    std::optional<bool> panel;                  ///< chosen by the user; none: shown where the window has room
+    std::optional<render::KnownShape> shape;  ///< of the newest frame
+    std::optional<bool> panel;                ///< chosen by the user; none: shown where the window has room
+    double scale = 1;                         ///< of the interface, beside that of the display
+    PanelSizes sizes;
+    PictureChoice picture;
+    bool steering = false;                      ///< the keyboard goes from widget to widget
+    std::string steered;                        ///< the panel that it is in
+    std::string focused;                        ///< the widget that it is at
+    std::optional<FilmStatus> film;             ///< that is taken
+    ViewChoices remembered;                     ///< with which a window opens that is told nothing else
     std::optional<std::size_t> first_selected;  ///< the particle to select first; none: the usual one
     render::Following following = render::Following::nothing;
     bool oscillation = false;  ///< the fastest one of the scene as it is now is drawn
@@ -147,6 +156,8 @@ struct Context {
     /// Records the place of the widget that was drawn last.
     void mark(std::string_view widget) const;
     void mark(std::string_view widget, const WidgetRect& place) const;
+    /// Notes that the keyboard is at the widget that was drawn last, if it is.
+    void note_focus(std::string_view widget) const;
 };
 
 }  // namespace steplab::ui

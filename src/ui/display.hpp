@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct PixelRect {
 enum class Purpose {
     use,             ///< the window
     still,           ///< a picture drawn without a window
+    scene_still,     ///< the same of the scene alone
     window_picture,  ///< a picture of the window, without pointer, notice and menu
     plot_picture     ///< a picture of a plot in the window: without cards over it, either
 };
@@ -37,10 +39,17 @@ struct Measured {
     double since_last_frame = 1.0 / 60;        ///< seconds since the interface was last drawn
 };
 
+/// A film that is being taken.
+struct FilmStatus {
+    std::uint64_t frames = 0;
+    double seconds = 0;  ///< how long it plays
+};
+
 /// A request that the program carries out, not the interface.
 struct Request {
     enum class Kind {
         save_snapshot,
+        record,
         copy_text,
         open_page,
         open_scene,
@@ -54,7 +63,7 @@ struct Request {
     std::string text = {};  ///< copy_text: the text for the clipboard; open_scene: a path, or the name of a shipped
                             ///< scene; open_lesson: the name of a shipped lesson; open_page: that of a page of docs/
     std::string file = {};  ///< save_snapshot: path; empty: a new name
-    PixelRect part = {};    ///< save_snapshot: the part of the window; all of it if its width is 0
+    PixelRect part = {};    ///< save_snapshot: the place of a plot; what was chosen for pictures if its width is 0
 };
 
 /// Where a widget was drawn, in pixels of the display. Tests find widgets by name.

@@ -43,12 +43,14 @@ constexpr KeyName editing_keys[] = {
     {Key::y, ImGuiKey_Y},
     {Key::j, ImGuiKey_J},
     {Key::l, ImGuiKey_L},
+    {Key::zero, ImGuiKey_0},
     {Key::equal, ImGuiKey_Equal},
     {Key::minus, ImGuiKey_Minus},
     {Key::bracket_left, ImGuiKey_LeftBracket},
     {Key::bracket_right, ImGuiKey_RightBracket},
     {Key::f1, ImGuiKey_F1},
     {Key::f11, ImGuiKey_F11},
+    {Key::f6, ImGuiKey_F6},
 #endif
 };
 
@@ -60,7 +62,19 @@ ImGuiKey imgui_key(Key key) {
     return found == std::end(editing_keys) ? ImGuiKey_None : found->imgui;
 }
 
-void set_key(ImGuiIO& io, Key key, bool down) { io.AddKeyEvent(imgui_key(key), down); }
+// What goes from widget to widget are the buttons of a gamepad: the keyboard's own way would take keys from the run.
+constexpr KeyName steering_keys[] = {{Key::up, ImGuiKey_GamepadDpadUp},       {Key::down, ImGuiKey_GamepadDpadDown},
+                                     {Key::left, ImGuiKey_GamepadDpadLeft},   {Key::right, ImGuiKey_GamepadDpadRight},
+                                     {Key::enter, ImGuiKey_GamepadFaceDown},  {Key::space, ImGuiKey_GamepadFaceDown},
+                                     {Key::escape, ImGuiKey_GamepadFaceRight}};
+
+void set_key(ImGuiIO& io, Key key, bool down) {
+    io.AddKeyEvent(imgui_key(key), down);
+    for (const KeyName& name : steering_keys) {
+        if (name.key == key) io.AddKeyEvent(name.imgui, down);
+    }
+}
+void fill_steering(ImGuiIO&) {}
 bool key_pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(imgui_key(key), repeat); }
 void set_pointer(ImGuiIO& io, ImVec2 place) { io.AddMousePosEvent(place.x, place.y); }
 void set_button(ImGuiIO& io, int button, bool down) { io.AddMouseButtonEvent(button, down); }
@@ -73,6 +87,24 @@ void set_modifiers(ImGuiIO& io, const ModifiersChanged& now) {
 void release_all(ImGuiIO& io) { io.AddFocusEvent(false); }
 
 #else
+
+struct SteeringKey {
+    Key key;
+    ImGuiNavInput_ input;
+};
+// What goes from widget to widget are the buttons of a gamepad: the keyboard's own way would take keys from the run.
+constexpr SteeringKey steering_keys[] = {{Key::up, ImGuiNavInput_DpadUp},      {Key::down, ImGuiNavInput_DpadDown},
+                                         {Key::left, ImGuiNavInput_DpadLeft},  {Key::right, ImGuiNavInput_DpadRight},
+                                         {Key::enter, ImGuiNavInput_Activate}, {Key::space, ImGuiNavInput_Activate},
+                                         {Key::escape, ImGuiNavInput_Cancel}};
+
+void fill_steering(ImGuiIO& io) {
+    for (const SteeringKey& each : steering_keys) {
+        const auto key = static_cast<int>(each.key);
+        const bool pressed = io.KeysDown[key] && io.KeysDownDuration[key] < 0;  // a slow frame is no second press
+        if (pressed) io.NavInputs[each.input] = 1;
+    }
+}
 
 void set_key(ImGuiIO& io, Key key, bool down) { io.KeysDown[static_cast<int>(key)] = down; }
 bool key_pressed(Key key, bool repeat) { return ImGui::IsKeyPressed(static_cast<int>(key), repeat); }
@@ -130,6 +162,13 @@ bool Input::feed(ImGuiIO& io) {
 bool Input::ends_a_drag(const InputEvent& event, bool moved) {
     const auto* button = std::get_if<ButtonChanged>(&event);
     return moved && button && !button->down;
+}
+
+void Input::steer(ImGuiIO& io, bool on) {
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableGamepad;
+    if (!on) return;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableGamepad;
+    fill_steering(io);
 }
 
 bool Input::pressed(Key key, bool repeat) { return key_pressed(key, repeat); }

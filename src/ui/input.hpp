@@ -48,6 +48,8 @@ public:
 
     /// Maps our keys to those of ImGui; once per context.
     static void describe_keys(ImGuiIO& io);
+    /// Lets arrows, Enter, Space and Escape go from widget to widget in this frame, or not.
+    static void steer(ImGuiIO& io, bool on);
     /// True if the key was pressed in this frame; with `repeat` also each time a held key repeats.
     static bool pressed(Key key, bool repeat);
 

@@ -3,8 +3,10 @@
 #include "sim/run/opening.hpp"
 #include "ui/actions.hpp"
 #include "ui/follower.hpp"
+#include "ui/imgui_clipboard.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/scene_pointer.hpp"
+#include "ui/steering.hpp"
 #include "ui/trail.hpp"
 #include "ui/view_keeper.hpp"
 #include "ui/widgets/widgets.hpp"
@@ -35,24 +37,14 @@ ImGuiContext* make_context() {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
-    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasGamepad;
     io.ConfigInputTextCursorBlink = false;
     Input::describe_keys(io);
     return context;
 }
 
-/// The clipboard in the form ImGui calls it: the text has to stay valid after the call.
-struct ImGuiClipboard {
-    Clipboard clipboard;
-    std::string text;
-
-    static ImGuiClipboard& of(void* self) { return *static_cast<ImGuiClipboard*>(self); }
-    static const char* read(void* self) {
-        of(self).text = of(self).clipboard.read();
-        return of(self).text.c_str();
-    }
-    static void write(void* self, const char* text) { of(self).clipboard.write(text); }
-};
+/// Beyond these glyphs are unreadable, or take more memory than a texture has.
+constexpr float least_scale = 0.5f, most_scale = 8;
 
 /// What lies over all else.
 void draw_messages(const Context& context) {
@@ -61,6 +53,7 @@ void draw_messages(const Context& context) {
 }
 
 void draw_panels(const Context& context) {
+    if (context.purpose == Purpose::scene_still) return;
     if (context.state.scenes.open) {
         draw_scenes_page(context);
         draw_top_bar(context);
@@ -71,6 +64,7 @@ void draw_panels(const Context& context) {
     draw_plots_panel(context);
     draw_time_line(context);
     draw_run_buttons(context);
+    draw_edges(context);
     draw_top_bar(context);
     draw_pointed(context);
     draw_hands(context);
@@ -107,7 +101,7 @@ struct Interface::Body {
     explicit Body(const Display& size) : context(make_context()), display(size) { theme.apply(display.scale); }
 
     std::unique_ptr<ImGuiContext, ContextDeleter> context;
-    Display display;
+    Display display;  ///< in the scale that the person chose
     Theme theme;
     Input input;
     ImGuiClipboard clipboard;
@@ -129,9 +123,10 @@ Interface::~Interface() = default;
 
 bool Interface::resize(const Display& display) {
     ImGui::SetCurrentContext(body_->context.get());
-    const bool new_fonts = display.scale != body_->display.scale;
     body_->display = display;
-    if (new_fonts) body_->theme.apply(display.scale);
+    body_->display.scale = std::clamp(display.scale * static_cast<float>(body_->state.scale), least_scale, most_scale);
+    const bool new_fonts = body_->display.scale != body_->theme.scale();
+    if (new_fonts) body_->theme.apply(body_->display.scale);
     return new_fonts;
 }
 
@@ -166,6 +161,38 @@ void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> 
     body_->state.first_selected = particle;
     body_->state.scenes.open = scenes;
 }
+
+void Interface::use(const ViewChoices& choices, const ViewChoices& remembered) {
+    InterfaceState& state = body_->state;
+    state.scale = choices.scale;
+    state.panel = choices.panel;
+    state.sizes = choices.sizes;
+    state.trail = choices.trail;
+    state.plots.shown = choices.plots;
+    state.picture = choices.picture;
+    state.remembered = remembered;
+}
+
+ViewChoices Interface::choices(const render::Style& style) const {
+    const InterfaceState& state = body_->state;
+    ViewChoices choices{.scale = state.scale,
+                        .background = body_->view_keeper.own(style.background),
+                        .colouring = body_->view_keeper.own(style.colouring),
+                        .springs = style.springs,
+                        .grid = style.grid,
+                        .trail = state.trail,
+                        .velocities = style.velocities,
+                        .forces = style.forces,
+                        .panel = state.panel,
+                        .sizes = state.sizes,
+                        .plots = state.plots.shown,
+                        .picture = state.picture};
+    choices.width = state.remembered.width;
+    choices.height = state.remembered.height;
+    return choices;
+}
+
+const Display& Interface::display() const { return body_->display; }
 
 bool Interface::shows_scenes() const { return body_->state.scenes.open; }
 
@@ -222,10 +249,12 @@ void Interface::draw(const SessionView& view, EventSink& events, Stage stage, co
     draw_frame(view, events, stage, measured, Purpose::use);
 }
 
-void Interface::draw_still(const SessionView& view, Stage stage) {
+void Interface::draw_still(const SessionView& view, Stage stage, bool scene_alone,
+                           const std::optional<Caption>& caption) {
     NoEvents no_events;
+    const Purpose purpose = scene_alone ? Purpose::scene_still : Purpose::still;
     // ImGui knows the size of a window that fits its content only after drawing it once.
-    for (int pass = 0; pass < 3; ++pass) draw_frame(view, no_events, stage, {}, Purpose::still);
+    for (int pass = 0; pass < 3; ++pass) draw_frame(view, no_events, stage, {}, purpose, caption);
 }
 
 void Interface::draw_picture(const SessionView& view, Stage stage, bool plot_alone) {
@@ -239,7 +268,7 @@ void Interface::draw_picture(const SessionView& view, Stage stage, bool plot_alo
 }
 
 void Interface::draw_frame(const SessionView& view, EventSink& events, Stage stage, const Measured& measured,
-                           Purpose purpose) {
+                           Purpose purpose, const std::optional<Caption>& caption) {
     Body& body = *body_;
     ImGui::SetCurrentContext(body.context.get());
     ImGuiIO& io = ImGui::GetIO();
@@ -247,20 +276,26 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     io.DeltaTime = static_cast<float>(measured.since_last_frame);
     body.theme.set_background(stage.style.background);
     body.frame_seconds = measured.frame_seconds;
-    if (purpose == Purpose::use || purpose == Purpose::still) body.input_left = body.input.feed(io);
+    if (purpose == Purpose::use) body.input_left = body.input.feed(io);
+    Input::steer(io, purpose == Purpose::use && body.state.steering && !io.WantTextInput);
     ImGui::NewFrame();
     const WidgetMap before = std::exchange(body.widgets, {});
     body.state.wanted.follow(view.leading, body.new_view, view.playback.has_value());
     if (body.new_view) body.state.history.record_beside(view);
     body.new_view = false;
-    body.layout = arrange(body.display, body.state.panel, body.state.lessons.open.has_value());
+    Display above = body.display;  // the caption
+    if (caption) above.height -= caption_height(view, *caption);
+    body.layout = purpose == Purpose::scene_still
+                      ? arrange_scene_alone(above)
+                      : arrange(above, body.state.panel, body.state.sizes, body.state.lessons.open.has_value());
     const bool has_picture = stage.pictured && same_runs(*stage.pictured, view);
-    const Context context{body.theme,   body.layout, body.display, view,  has_picture ? *stage.pictured : view,
-                          view.leading, measured,    events,       stage, body.state,
+    const Context context{body.theme,   body.layout, above,  view,  has_picture ? *stage.pictured : view,
+                          view.leading, measured,    events, stage, body.state,
                           body.widgets, purpose};
     if (purpose == Purpose::use) {
         body.view_keeper.keep(context);
         body.follower.follow(context);
+        leave_to_pointer(context);
         perform_pressed_keys(context);
         use_pointer(context);
     }
@@ -269,9 +304,24 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
         shows_oscillation(view, body.state) || (purpose == Purpose::still && stage.style.oscillation);
     stage.style.trails = body.state.trail ? body.trails.places() : nullptr;
     draw_panels(context);
+    if (purpose == Purpose::use) draw_steering(context);
+    if (caption) draw_caption(context, *caption, below(above, body.display));
     ImGui::Render();
     body.unsettled = body.widgets != before;
 }
+
+int Interface::caption_height(const SessionView& view, const Caption& caption) const {
+    return static_cast<int>(ui::caption_height(body_->theme, caption, view));
+}
+
+void Interface::show_film(std::optional<FilmStatus> film) { body_->state.film = film; }
+
+const std::string& Interface::focused() const {
+    static const std::string none;
+    return body_->state.steering ? body_->state.focused : none;
+}
+
+const PictureChoice& Interface::picture_choice() const { return body_->state.picture; }
 
 render::Following Interface::following() const { return body_->state.following; }
 

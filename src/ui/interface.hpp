@@ -2,6 +2,7 @@
 
 #include "session/lesson.hpp"
 #include "session/worker.hpp"
+#include "ui/caption.hpp"
 #include "ui/context.hpp"
 #include "ui/display.hpp"
 #include "ui/gallery.hpp"
@@ -52,6 +53,12 @@ public:
     /// Before the first frame: whether the panel is shown, and the particle that is selected; none: as usual. `scenes`:
     /// the page of scenes is open.
     void open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes = false);
+    /// What a person chose before, but for what the style says; `remembered`: with which the next window opens.
+    void use(const ViewChoices& choices, const ViewChoices& remembered);
+    /// What a person chose by now. What the file of a scene chose in the style is left out.
+    ViewChoices choices(const render::Style& style) const;
+    /// The surface with the scale that the person chose.
+    const Display& display() const;
     /// True while the page of scenes covers the scene.
     bool shows_scenes() const;
     /// What the page of scenes offers; until the first call: the models, without pictures.
@@ -74,11 +81,22 @@ public:
     void use_clipboard(Clipboard clipboard);
     /// Draws one frame: sends the user's events to `events`, moves the camera and sets the style.
     void draw(const SessionView& view, EventSink& events, Stage stage, const Measured& measured = {});
-    /// Draws a frame without input: the same view always gives the same draw data.
-    void draw_still(const SessionView& view, Stage stage);
+    /// Draws a frame without input: the same view always gives the same draw data. A scene alone fills the display; a
+    /// caption takes the foot of it.
+    void draw_still(const SessionView& view, Stage stage, bool scene_alone = false,
+                    const std::optional<Caption>& caption = std::nullopt);
     /// Draws what the window shows as a picture is to show it: without pointer, tooltip, notice and menu, which is
     /// closed; `plot_alone`: without cards over the plots, either. The next draw() goes on as if nothing had been.
     void draw_picture(const SessionView& view, Stage stage, bool plot_alone);
+
+    /// How much of a still its caption takes, in pixels.
+    int caption_height(const SessionView& view, const Caption& caption) const;
+    /// What is known of the film that is taken; none: no film is.
+    void show_film(std::optional<FilmStatus> film);
+    /// The widget that the keyboard is at; empty if it goes to none.
+    const std::string& focused() const;
+    /// What pictures and films show.
+    const PictureChoice& picture_choice() const;
 
     /// What the camera goes with.
     render::Following following() const;
@@ -107,7 +125,8 @@ public:
 
 private:
     struct Body;
-    void draw_frame(const SessionView& view, EventSink& events, Stage stage, const Measured& measured, Purpose purpose);
+    void draw_frame(const SessionView& view, EventSink& events, Stage stage, const Measured& measured, Purpose purpose,
+                    const std::optional<Caption>& caption = std::nullopt);
 
     std::unique_ptr<Body> body_;
 };

@@ -6,7 +6,7 @@
 namespace steplab::ui {
 namespace {
 
-constexpr std::array<KeyBinding, 26> keys = {{
+constexpr std::array<KeyBinding, 31> keys = {{
     {Action::pause, Key::space, false, "Space", "play or pause"},
     {Action::play_back, Key::j, false, "J", "play backwards, or pause"},
     {Action::loop, Key::l, false, "L", "repeat between the marks around this moment, or all"},
@@ -28,8 +28,13 @@ constexpr std::array<KeyBinding, 26> keys = {{
     {Action::open_scene, Key::o, true, "Ctrl+O", "choose or open a scene"},
     {Action::save_scene, Key::s, true, "Ctrl+S", "save the scene as a file"},
     {Action::panel, Key::tab, false, "Tab", "show or hide the panel"},
+    {Action::larger, Key::equal, true, "Ctrl+=", "larger text and panels"},
+    {Action::smaller, Key::minus, true, "Ctrl+-", "smaller text and panels"},
+    {Action::usual_scale, Key::zero, true, "Ctrl+0", "text and panels of the usual size"},
+    {Action::steer, Key::f6, false, "F6", "panels by keyboard, the next one: arrows, Enter, Esc"},
     {Action::help, Key::f1, false, "F1", "help"},
     {Action::snapshot, Key::p, true, "Ctrl+P", "save a snapshot"},
+    {Action::record, Key::r, true, "Ctrl+R", "record a film, or end it"},
     {Action::full_screen, Key::f11, false, "F11", "full screen"},
     {Action::close, Key::escape, false, "Esc", "close the menu or the message on top"},
     {Action::quit, Key::q, true, "Ctrl+Q", "quit"},

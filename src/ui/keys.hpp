@@ -30,8 +30,13 @@ enum class Action {
     open_scene,
     save_scene,
     panel,
+    larger,
+    smaller,
+    usual_scale,
     help,
     snapshot,
+    record,
+    steer,
     full_screen,
     close,
     quit
@@ -74,6 +79,8 @@ enum class Key {
     y,
     j,
     l,
+    zero,
+    f6,
     count
 };
 

@@ -42,8 +42,8 @@ void ViewKeeper::choose_colours(const Context& context, bool first) {
     std::optional<render::Background> background;
     if (origin && !origin->defaults.colour.empty()) colouring = colouring_of(origin->defaults.colour);
     if (origin && !origin->defaults.background.empty()) background = background_of(origin->defaults.background);
-    colouring_.follow(context.stage.style.colouring, colouring, first);
-    background_.follow(context.stage.style.background, background, first);
+    colouring_.follow(context.stage.style.colouring, colouring, first, context.state.remembered.colouring);
+    background_.follow(context.stage.style.background, background, first, context.state.remembered.background);
 }
 
 }  // namespace steplab::ui

@@ -16,14 +16,17 @@ namespace steplab::ui {
 template <class T>
 class SceneChoice {
 public:
-    /// Another scene is shown, which chooses this or nothing. `already`: the setting may have been made before.
-    void follow(T& setting, std::optional<T> chosen, bool already) {
+    /// Another scene is shown, which chooses this or nothing. `already`: the setting may have been made before, and
+    /// the user's own is the `usual` one.
+    void follow(T& setting, std::optional<T> chosen, bool already, T usual) {
         if (before_ && setting == chosen_) setting = *before_;
         before_.reset();
         if (!chosen || (already && setting != *chosen)) return;
-        before_ = already ? T{} : setting;
+        before_ = already ? usual : setting;
         setting = chosen_ = *chosen;
     }
+    /// The setting as the user has it, without what a scene chose.
+    T own(T setting) const { return before_ && setting == chosen_ ? *before_ : setting; }
 
 private:
     T chosen_{};
@@ -36,6 +39,9 @@ private:
 class ViewKeeper {
 public:
     void keep(const Context& context);
+    /// What the user chose, where the file of a scene has chosen something else.
+    render::Colouring own(render::Colouring shown) const { return colouring_.own(shown); }
+    render::Background own(render::Background shown) const { return background_.own(shown); }
 
 private:
     void place_camera(const Context& context, bool first, bool other_scene, bool other_shape);

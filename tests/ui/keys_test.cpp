@@ -162,6 +162,11 @@ TEST(keys, every_key_has_a_button_or_menu_entry) {
                                                   {Action::panel, "menu/panel"},
                                                   {Action::help, "menu/help"},
                                                   {Action::snapshot, "menu/snapshot"},
+                                                  {Action::record, "menu/record"},
+                                                  {Action::larger, "menu/larger"},
+                                                  {Action::smaller, "menu/smaller"},
+                                                  {Action::usual_scale, "menu/usual scale"},
+                                                  {Action::steer, "menu/steer"},
                                                   {Action::full_screen, "menu/full screen"},
                                                   {Action::close, "help.close"},
                                                   {Action::quit, "menu/quit"}};

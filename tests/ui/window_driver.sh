@@ -43,11 +43,12 @@ start_window_manager() {
     read -r -t $patience word <"$folder/manager" || fail "the window manager did not start"
 }
 
-# open_window OPTION...: opens the window and its trace.
+# open_window OPTION...: opens the window and its trace. Unless `config` names a file for it, nothing is remembered from
+# one window to the next.
 open_window() {
     declare -gA place=()
     mkfifo "$folder/trace"
-    (cd "$folder" && exec "$program" --trace "$folder/trace" "$@") 2>"$folder/errors" &
+    (cd "$folder" && exec "$program" --trace "$folder/trace" --config "${config:-none}" "$@") 2>"$folder/errors" &
     window_pid=$!
     exec 3<"$folder/trace"
     : >"$folder/said"

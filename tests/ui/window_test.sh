@@ -10,6 +10,9 @@ folder=$(mktemp -d)
 readonly folder
 # shellcheck source=/dev/null
 source "$(dirname "$0")/window_driver.sh"
+# shellcheck source=/dev/null
+source "$(dirname "$0")/window_choices_cases.sh"
+export XDG_CONFIG_HOME=$folder/config # not that of the person who runs the tests
 trap clean_up EXIT
 
 keys_drive_the_run() {

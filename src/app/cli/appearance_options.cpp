@@ -73,6 +73,22 @@ render::Style AppearanceOptions::style(const RunDescription& description) const 
     return style;
 }
 
+/// True if the command line or the scene's file says it.
+bool AppearanceOptions::says(const RunDescription& description, const char* option,
+                             std::string SceneDefaults::*of_file) const {
+    return is_given(*app_, option) || (description.origin && !(description.origin->defaults.*of_file).empty());
+}
+
+void AppearanceOptions::put_remembered(const ui::ViewChoices& choices, const RunDescription& description,
+                                       render::Style& style) const {
+    if (!says(description, "--colour", &SceneDefaults::colour)) style.colouring = choices.colouring;
+    if (!says(description, "--background", &SceneDefaults::background)) style.background = choices.background;
+    if (!is_given(*app_, "--springs")) style.springs = choices.springs;
+    if (!is_given(*app_, "--grid")) style.grid = choices.grid;
+    style.velocities = choices.velocities;
+    style.forces = choices.forces;
+}
+
 const std::string& AppearanceOptions::view(const RunDescription& description) const {
     return said(description, "--view", view_, &SceneDefaults::camera);
 }

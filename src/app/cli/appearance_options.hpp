@@ -2,6 +2,7 @@
 
 #include "render/style.hpp"
 #include "sim/run/run_description.hpp"
+#include "ui/view_choices.hpp"
 
 #include <optional>
 #include <string>
@@ -28,6 +29,8 @@ public:
     /// How the scene is drawn, without pixel_scale: as is given, else as the scene's file says. Throws UsageError for
     /// values of another form or out of range.
     render::Style style(const RunDescription& description) const;
+    /// Puts what a person chose before into a style, where neither the command line nor the scene's file says it.
+    void put_remembered(const ui::ViewChoices& choices, const RunDescription& description, render::Style& style) const;
     /// The camera as text, to be read by render::camera_of(): that given, else that of the scene's file; empty if there
     /// is none.
     const std::string& view(const RunDescription& description) const;
@@ -39,6 +42,8 @@ public:
 private:
     const std::string& said(const RunDescription& description, const char* option, const std::string& value,
                             std::string SceneDefaults::*of_file) const;
+
+    bool says(const RunDescription& description, const char* option, std::string SceneDefaults::*of_file) const;
 
     const CLI::App* app_ = nullptr;
     std::string view_;

@@ -105,6 +105,17 @@ void text_option(CLI::App& app, const std::string& name, std::string& value, con
     in_group(app.add_option(name, take, help_text(what))->option_text(placeholder), group);
 }
 
+void optional_text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
+                          const std::string& without, const std::string& what, const std::string& group) {
+    const auto take = [&value](const CLI::results_t& results) {
+        value = results.back();
+        return true;
+    };
+    in_group(
+        app.add_option(name, take, help_text(what))->option_text(placeholder)->expected(0, 1)->default_str(without),
+        group);
+}
+
 void repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                      const std::string& placeholder, const std::string& what, const std::string& group) {
     const auto take = [&values](const CLI::results_t& results) {

@@ -19,6 +19,9 @@ namespace steplab {
 /// `placeholder` stands for the value in the help: "--dt X". Options of one group are listed under its heading.
 void text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
                  const std::string& what, const std::string& group = "");
+/// The same for an option whose value may be left out, which then is `without`.
+void optional_text_option(CLI::App& app, const std::string& name, std::string& value, const std::string& placeholder,
+                          const std::string& without, const std::string& what, const std::string& group = "");
 /// The same for an option that may be repeated.
 void repeated_option(CLI::App& app, const std::string& name, std::vector<std::string>& values,
                      const std::string& placeholder, const std::string& what, const std::string& group = "");

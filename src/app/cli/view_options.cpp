@@ -52,6 +52,7 @@ Rate parse_speed(std::string_view text) {
 }  // namespace
 
 void ViewOptions::declare(CLI::App& app) {
+    app_ = &app;
     time_.declare(app);
     const std::string group = "Window";
     text_option(app, "--size", size_, "WxH", "Size of the window in pixels (default 1280x800)", group);
@@ -62,6 +63,10 @@ void ViewOptions::declare(CLI::App& app) {
     text_option(app, "--speed", speed_, "X|unlimited", "Simulated seconds per second of real time (default 1)", group);
     flag_option(app, "--play", playing_, "Start playing at once, after --steps or --until", group);
     flag_option(app, "--full-screen", full_screen_, "Open in full screen", group);
+    text_option(app, "--config", config_, "FILE|none",
+                "Where the window remembers scale, theme, panels, plots and its size; none: neither read nor written "
+                "(default: steplab/view.toml in XDG_CONFIG_HOME or ~/.config)",
+                group);
     session_.declare(app);
     text_option(app, "--trace", trace_, "FILE|-", "Write a line for each event in the window", group);
     ensemble_.declare(app);
@@ -82,6 +87,7 @@ WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, Give
     if (!speed_.empty()) request.rate = parse_speed(speed_);
     if (ensemble_.is_given())
         request.ensemble = nearest_live_ensemble(description, ensemble_.count(), ensemble_.ranges(description));
+    request.config = config_;
     request.trace = trace_;
     request.full_screen = full_screen_;
     request.playing = playing_ || session.film;
@@ -91,6 +97,18 @@ WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, Give
         throw UsageError("--ensemble goes beside a run: a trajectory is played alone");
     request.session = std::move(session);
     return request;
+}
+
+void ViewOptions::put_remembered(const ui::ViewChoices& choices, const RunDescription& description,
+                                 WindowRequest& request) const {
+    request.choices = request.remembered = choices;
+    appearance_.put_remembered(choices, description, request.style);
+    if (request.panel) request.choices.panel = request.panel;
+    request.panel = request.choices.panel;
+    if (request.scale) request.choices.scale = 1;  // the scale that is given is that of the interface
+    if (is_given(*app_, "--size")) return;
+    request.width = choices.width;
+    request.height = choices.height;
 }
 
 }  // namespace steplab

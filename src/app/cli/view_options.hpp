@@ -7,6 +7,7 @@
 #include "app/cli/shown_runs_options.hpp"
 #include "render/style.hpp"
 #include "session/run_view.hpp"
+#include "ui/view_choices.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -32,8 +33,11 @@ struct WindowRequest {
     LiveEnsembleOptions ensemble;
     std::vector<RunDescription> followers = {};  ///< runs beside it
     GivenSession session;
-    std::string trace;    ///< file to which events are written; empty: none
-    bool scenes = false;  ///< the page of scenes is open
+    ui::ViewChoices choices = {};     ///< what else a person chose before
+    ui::ViewChoices remembered = {};  ///< the same, whatever the command line says
+    std::string config = {};          ///< where choices are remembered; empty: the user's own file, "none": nowhere
+    std::string trace;                ///< file to which events are written; empty: none
+    bool scenes = false;              ///< the page of scenes is open
     bool full_screen = false;
     bool playing = false;  ///< after these steps
 };
@@ -46,6 +50,9 @@ public:
     std::vector<RunDescription> runs(const RunDescription& scene) const { return runs_.runs(scene); }
     /// Throws UsageError for values of another form or out of range.
     WindowRequest request(const std::vector<RunDescription>& runs, GivenSession session = {}) const;
+    /// Puts what a person chose before into the request of a window, where the command line does not say it.
+    void put_remembered(const ui::ViewChoices& choices, const RunDescription& description,
+                        WindowRequest& request) const;
     /// Throws as SessionOption does.
     GivenSession session(const SceneOptions& scene) const { return session_.session(scene); }
     /// Where the window opens beyond --until, as it takes whole steps.
@@ -59,6 +66,8 @@ private:
     EnsembleOptions ensemble_;
     ShownRunsOptions runs_;
     SessionOption session_;
+    const CLI::App* app_ = nullptr;
+    std::string config_;
     std::string size_ = "1280x800";
     std::string speed_;
     std::string trace_;

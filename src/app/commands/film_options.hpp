@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/commands/film.hpp"
 #include "app/commands/picture_options.hpp"
+#include "app/film/film.hpp"
 
 #include <string>
 

@@ -29,6 +29,8 @@ private:
     std::string size_ = "1280x720";
     std::string gl_ = "auto";
     AppearanceOptions appearance_;
+    std::string caption_;
+    std::string plots_;
 };
 
 }  // namespace steplab

@@ -4,6 +4,8 @@
 #include "render/camera.hpp"
 #include "render/style.hpp"
 #include "session/session_view.hpp"
+#include "ui/caption_text.hpp"
+#include "ui/plot/choice.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -20,6 +22,8 @@ struct PictureRequest {
     std::string camera = "default";  ///< see render::camera_of()
     render::PictureSize size;
     bool panel = false;                                ///< with the panels of the window
+    std::optional<ui::Caption> caption = {};           ///< at the foot of the picture
+    std::vector<ui::PlotKind> plots = {};              ///< with the panels; empty: the usual ones
     std::vector<RunView> past = {};                    ///< earlier views, for the plots
     std::vector<RunView> followers = {};               ///< the runs beside it, at the same time
     std::optional<SessionErrors> errors = {};          ///< of all of them, for the panel

@@ -40,7 +40,9 @@ public:
                 .present = request.present,
                 .blow_up = request.blow_up},
           style_(request.style),
+          request_(request),
           renderer_(renderer) {
+        if (!request.plots.empty()) interface_.use({.plots = chosen(request.plots)}, {});
         for (const RunView& moment : request.past) record(moment);
         record(request.view);
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
@@ -67,7 +69,13 @@ public:
     }
 
 private:
-    void draw() { interface_.draw_still(view_, {camera_, style_}); }
+    void draw() { interface_.draw_still(view_, {camera_, style_}, !request_.panel, request_.caption); }
+
+    static std::vector<ui::PlotChoice> chosen(const std::vector<ui::PlotKind>& kinds) {
+        std::vector<ui::PlotChoice> plots;
+        for (const ui::PlotKind kind : kinds) plots.push_back(ui::default_choice(kind));
+        return plots;
+    }
 
     /// For the plots.
     void record(const RunView& moment) {
@@ -78,6 +86,7 @@ private:
     ui::Interface& interface_;
     SessionView view_;
     render::Style style_;
+    const PictureRequest& request_;
     render::Camera camera_;
     const render::ImguiRenderer& renderer_;
 };
@@ -85,7 +94,7 @@ private:
 }  // namespace
 
 Picture OffscreenPainter::paint(const PictureRequest& request) {
-    return request.panel ? paint_with_panels(request) : paint_scene(request);
+    return request.panel || request.caption ? paint_with_panels(request) : paint_scene(request);
 }
 
 Picture OffscreenPainter::paint_scene(const PictureRequest& request) {

@@ -1,5 +1,6 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/view_choices_file.hpp"
 #include "app/cli/view_options.hpp"
 #include "app/window/viewer.hpp"
 #include "core/end_watch.hpp"
@@ -64,6 +65,9 @@ int run(const std::vector<std::string>& arguments) {
         const std::vector<RunDescription> runs = start ? std::vector{*start} : options.runs(scene.description());
         const RunDescription& description = runs.front();
         WindowRequest request = options.request(runs, std::move(session));
+        const ReadViewChoices remembered = read_view_choices(view_choices_path(request.config));
+        if (remembered.problem) fmt::print(stderr, "steplab-view: note: {}\n", *remembered.problem);
+        options.put_remembered(remembered.choices, description, request);
         request.scenes = !start && !scene.any_given();
         if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);
         return open_window(description, request);

@@ -2,11 +2,10 @@
 
 #include "app/window/priority.hpp"
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "render/framing.hpp"
 #include "render/gl.hpp"
-#include "render/split.hpp"
 #include "session/session_file.hpp"
-#include "ui/plot/plot_files.hpp"
 
 #include <algorithm>
 #include <future>
@@ -61,49 +60,11 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
       files_(&Window::wake),
       worker_(start_worker(description, request.session)) {
     if (!request.session.record_to.empty()) session_file_ = std::make_shared<OutputFile>(request.session.record_to);
-    picture_.upload_fonts(interface_.fonts());
     window_.listen(interface_.input());
     interface_.use_clipboard({[this] { return window_.pasted(); }, [this](const auto& text) { window_.copy(text); }});
     worker_->on_view(&Window::wake);
-    if (request.full_screen) window_.toggle_full_screen();
     open(request);
-}
-
-/// Asks the run for the moment to open at, and shows it from its start until then.
-void Viewer::open(const WindowRequest& request) {
-    style_ = request.style;
-    interface_.open_with(request.panel, request.style.selected, request.scenes);
-    take_news();
-    place_camera(request);  // a wrong text is reported now
-    for (const RunDescription& run : request.followers) worker_->send(event::AddRun{run});
-    if (request.rate) worker_->send(event::SetRate{*request.rate});
-    if (request.ensemble.runs > 0) worker_->send(event::ShowEnsemble{request.ensemble});
-    if (request.steps > 0) worker_->send(event::Seek{request.steps});
-    if (request.session.film) tell_of_film();
-    if (request.session.lesson) interface_.open_lesson(*request.session.lesson);
-    opening_ = request;
-    begin_as_asked();
-}
-
-void Viewer::place_camera(const WindowRequest& request) {
-    const ui::PixelRect scene = ui::pixels(ui::arrange(window_.display(), request.panel).scene);
-    if (request.view.empty()) return;
-    const auto size = render::leading_size({scene.width, scene.height}, style_.layout, 1 + request.followers.size());
-    camera_ = render::camera_of(request.view, view_->leading.frame, size);
-}
-
-/// Once the run is at the moment to open at, on which the camera may depend.
-void Viewer::begin_as_asked() {
-    if (!opening_) return;
-    const bool was_under_way = std::exchange(under_way_, view_->leading.goal.has_value());
-    const bool at_goal = view_->playback || view_->leading.frame.step >= opening_->steps || view_->leading.divergence ||
-                         !view_->leading.error.empty();
-    if (!at_goal && !was_under_way) return;                // it has not set out yet
-    if (!at_goal && !under_way_) return opening_.reset();  // a person wanted something else
-    if (!at_goal) return;
-    place_camera(*opening_);
-    if (opening_->playing) worker_->send(event::Play{true});
-    opening_.reset();
+    if (request.full_screen) window_.toggle_full_screen();
 }
 
 void Viewer::run(const std::function<bool()>& asked) {
@@ -116,7 +77,9 @@ void Viewer::run(const std::function<bool()>& asked) {
             wait();
         }
     }
+    finish_film();
     save_session();
+    remember_choices();
 }
 
 /// What happened, to the file that was named. A long step under way is given up.
@@ -154,6 +117,7 @@ void Viewer::take_news() {
     if (interface_.show_doubt(worker_->doubt())) frames_wanted_ = std::max(frames_wanted_, 1);
     take_files();
     take_gallery();
+    take_film_news();
     if (painter_.take(painted_)) {
         measured_.frame_seconds = painted_.seconds;
         coarseness_.took(painted_.enlarged, painted_.seconds);
@@ -239,8 +203,10 @@ void Viewer::draw_frame() {
     if (display.width <= 0 || display.height <= 0) return;  // minimised
     if (interface_.resize(display)) picture_.upload_fonts(interface_.fonts());
     interface_.draw(*view_, *worker_, {camera_, style_, painted_.view.get()}, measured_);
+    if (!opened_choices_) opened_choices_ = choices();
     ask_for_scene(now);
     picture_.draw(painted_.texture, interface_.scene(), interface_.draw_data());
+    take_film_frame();
     for (const ui::Request& request : interface_.take_requests()) carry_out(request);
     window_.show_picture();
     const double still = interface_.seconds_until_change();
@@ -254,7 +220,7 @@ void Viewer::draw_frame() {
 void Viewer::ask_for_scene(Clock::time_point now) {
     if (interface_.shows_scenes()) return;
     const ui::PixelRect scene = interface_.scene();
-    const bool gliding = measured_.frame_seconds < slow_picture && glide_.gliding(now);
+    const bool gliding = !film_ && measured_.frame_seconds < slow_picture && glide_.gliding(now);
     const auto from = gliding ? glide_.from(now) : nullptr;
     PaintJob job{.view = view_,
                  .from = from,
@@ -282,30 +248,9 @@ int Viewer::enlarged(Clock::time_point now, const ui::PixelRect& scene) {
         was_moved_ = true;
     }
     const Clock::time_point rest = moved_ + std::chrono::duration_cast<Clock::duration>(time_to_rest);
-    const int enlarged = delayed_ ? 1 : coarseness_.next(now < rest);  // in full to be saved
+    const int enlarged = delayed_ || film_ ? 1 : coarseness_.next(now < rest);  // in full to be saved
     rest_ = enlarged > 1 ? rest : Clock::time_point::max();
     return enlarged;
-}
-
-/// Draws the frame again off-screen: the buffer of the window lacks the parts that other windows cover.
-void Viewer::save_snapshot(const ui::Request& request) {
-    if (painted_.enlarged > 1) {  // of the picture in full, which is drawn now
-        moved_ = {};
-        delayed_ = request;
-        frames_wanted_ = std::max(frames_wanted_, 1);
-        return;
-    }
-    const std::string name =
-        request.file.empty() ? ui::free_name({}, view_->leading.description.model, "png") : request.file;
-    interface_.draw_picture(*view_, {camera_, style_, painted_.view.get()}, request.part.width > 0);
-    try {
-        picture_.save(painted_.texture, interface_.scene(), interface_.draw_data(), request.part, name);
-        interface_.notify_saved(name);
-    } catch (const Error& error) {
-        interface_.report_error(error.what());
-    }
-    frames_wanted_ = std::max(frames_wanted_, 1);
-    trace_.report("saved", name);
 }
 
 void Viewer::save_scene() {
@@ -320,6 +265,8 @@ void Viewer::report() {
     trace_.report(*view_);
     trace_.report(camera_);
     trace_.report("lesson", interface_.lesson().empty() ? "none" : interface_.lesson());
+    trace_.report("focus", interface_.focused());
+    trace_.report("scale", number_text(interface_.choices(style_).scale));
     trace_.report(interface_.widgets(), frames_wanted_ == 0 && (interface_.shows_scenes() || painted_.view == view_));
     if (painted_.view) trace_.report("pictured", std::to_string(painted_.view->leading.frame.step));
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/cli/view_options.hpp"
+#include "app/film/film_recorder.hpp"
+#include "app/window/caption_strip.hpp"
 #include "app/window/gallery_loader.hpp"
 #include "app/window/painter.hpp"
 #include "app/window/scene_files.hpp"
@@ -45,6 +47,8 @@ private:
     void open(const WindowRequest& request);
     void place_camera(const WindowRequest& request);
     void begin_as_asked();
+    ui::ViewChoices choices() const;
+    void remember_choices() const;
     void finish_ended_session();
     void tell_of_film();
     void take_news();
@@ -58,6 +62,12 @@ private:
     void carry_out(const ui::Request& request);
     void save_snapshot(const ui::Request& request);
     void show_page(const std::string& name);
+    WindowPicture::Shot shot(const ui::PixelRect& plot, bool even);
+    void begin_film();
+    void end_film();
+    void take_film_frame();
+    void take_film_news();
+    void finish_film();
     void save_scene();
     void save_session();
     void begin(Beginning beginning);
@@ -68,6 +78,7 @@ private:
     OpenGl opengl_;
     ui::Interface interface_;
     WindowPicture picture_;
+    CaptionStrip caption_;
     Painted painted_;
     ScenePainter painter_;
     Trace trace_;
@@ -82,6 +93,8 @@ private:
 
     std::shared_ptr<OutputFile> session_file_;  ///< to which what happens is written at the end; null: none
     std::optional<EndedSession> ended_;
+    std::string choices_file_;                       ///< empty: choices are not remembered
+    std::optional<ui::ViewChoices> opened_choices_;  ///< of the first frame
     ViewPool pool_;
     std::unique_ptr<Worker> worker_;
     std::shared_ptr<SessionView> view_;
@@ -101,6 +114,7 @@ private:
     Clock::time_point drawn_ = Clock::now();               ///< when the last frame began
     Clock::time_point change_ = Clock::time_point::max();  ///< when the picture changes without input
     int frames_wanted_ = 3;
+    std::unique_ptr<FilmRecorder> film_;  ///< that is taken, or completed
     bool quit_ = false;
 };
 

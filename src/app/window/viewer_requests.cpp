@@ -9,6 +9,8 @@ void Viewer::carry_out(const ui::Request& request) {
     switch (request.kind) {
         case ui::Request::Kind::save_snapshot:
             return save_snapshot(request);
+        case ui::Request::Kind::record:
+            return film_ ? end_film() : begin_film();
         case ui::Request::Kind::copy_text:
             window_.copy(request.text);
             return trace_.report("copied", request.text);

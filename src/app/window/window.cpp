@@ -146,6 +146,14 @@ ui::Display Window::display() const {
     return display;
 }
 
+std::optional<std::pair<int, int>> Window::size() const {
+    if (glfwGetWindowMonitor(handle()) || glfwGetWindowAttrib(handle(), GLFW_ICONIFIED) == GLFW_TRUE)
+        return std::nullopt;
+    std::pair<int, int> size;
+    glfwGetWindowSize(handle(), &size.first, &size.second);
+    return size;
+}
+
 bool Window::closing() const { return glfwWindowShouldClose(handle()) == GLFW_TRUE; }
 
 bool Window::take_touched() { return std::exchange(touched_, false); }

@@ -34,6 +34,8 @@ public:
 
     /// Sends events of keyboard and mouse to this input, which has to outlive the window.
     void listen(ui::Input& input) { input_ = &input; }
+    /// Its size on the screen, which a window can be opened with; none while it fills the screen.
+    std::optional<std::pair<int, int>> size() const;
     /// The current surface in pixels; its width is 0 while the window is minimised.
     ui::Display display() const;
     bool closing() const;

@@ -1,30 +1,14 @@
 #include "app/window/window_picture.hpp"
 
-#include "app/png.hpp"
-#include "io/output_file.hpp"
 #include "render/render_target.hpp"
 
 #include <imgui.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <vector>
 
 namespace steplab {
 namespace {
 
 render::PictureSize size_of(const ImDrawData& panels) {
     return {static_cast<int>(panels.DisplaySize.x), static_cast<int>(panels.DisplaySize.y)};
-}
-
-/// The rows of a part of a picture, 4 bytes per pixel.
-std::vector<std::uint8_t> cut_out(const std::vector<std::uint8_t>& picture, int width, const ui::PixelRect& part) {
-    std::vector<std::uint8_t> bytes;
-    for (int row = part.y; row < part.y + part.height; ++row) {
-        const auto begin = picture.begin() + 4 * (static_cast<std::ptrdiff_t>(row) * width + part.x);
-        bytes.insert(bytes.end(), begin, begin + 4 * static_cast<std::ptrdiff_t>(part.width));
-    }
-    return bytes;
 }
 
 }  // namespace
@@ -52,22 +36,25 @@ void WindowPicture::copy_scene(const render::PictureTexture& scene, const ui::Pi
     glBindFramebuffer(GL_FRAMEBUFFER, to);
 }
 
-void WindowPicture::save(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels,
-                         const ui::PixelRect& part, const std::string& file) const {
-    const render::PictureSize size = size_of(panels);
+Picture WindowPicture::read(const Shot& shot) const {
+    const ui::PixelRect& part = shot.part;
+    const render::PictureSize size{part.width, part.height + shot.caption_height};
     const render::RenderTarget target(size);
     target.bind();
     glClear(GL_COLOR_BUFFER_BIT);
     target.resolve();
-    copy_scene(scene, area, size.height, target.framebuffer());
-    panels_.draw(panels);
-    ui::PixelRect shown = part.width > 0 ? part : ui::PixelRect{0, 0, size.width, size.height};
-    shown.width = std::min(shown.width, size.width - shown.x);
-    shown.height = std::min(shown.height, size.height - shown.y);
-    OutputFile out(file);
-    out.write(encode_png(shown.width, shown.height, cut_out(target.read(), size.width, shown)));
-    out.commit();
+    const ui::PixelRect area{shot.area.x - part.x, shot.area.y - part.y, shot.area.width, shot.area.height};
+    copy_scene(shot.scene, area, size.height, target.framebuffer());
+    if (shot.panels) {
+        ImDrawData panels = *shot.panels;
+        panels.DisplayPos = {static_cast<float>(part.x), static_cast<float>(part.y)};
+        panels.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
+        panels_.draw(panels);
+    }
+    if (shot.caption) shot.caption->draw();
+    Picture picture{size, target.read()};
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return picture;
 }
 
 }  // namespace steplab

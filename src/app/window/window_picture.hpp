@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/offscreen/module.hpp"
+#include "app/window/caption_strip.hpp"
 #include "render/gl_objects.hpp"
 #include "render/imgui_renderer.hpp"
 #include "render/picture_texture.hpp"
 #include "ui/display.hpp"
-
-#include <string>
 
 struct ImDrawData;
 struct ImFontAtlas;
@@ -19,9 +19,17 @@ public:
     void upload_fonts(ImFontAtlas& fonts) { panels_.upload_fonts(fonts); }
     /// Draws it in the window. The scene is stretched to its area where its picture has another size.
     void draw(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels) const;
-    /// Writes it, or `part` of it if that is not empty, as a PNG. Throws FileError, GraphicsError.
-    void save(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels,
-              const ui::PixelRect& part, const std::string& file) const;
+    /// What a picture shows.
+    struct Shot {
+        const render::PictureTexture& scene;
+        ui::PixelRect area;        ///< of the scene in the window
+        const ImDrawData* panels;  ///< null: the scene without them
+        ui::PixelRect part;        ///< of the window
+        const CaptionStrip* caption = nullptr;
+        int caption_height = 0;  ///< below the part
+    };
+    /// Draws it off-screen: the buffer of the window lacks the parts that other windows cover. Throws GraphicsError.
+    Picture read(const Shot& shot) const;
 
 private:
     /// Copies the scene into the framebuffer of this name.

@@ -25,6 +25,38 @@ void action_item(const Context& context, std::string_view widget, const char* la
     if (menu_item(context, widget, label, binding_of(action).label)) perform(context, action);
 }
 
+/// Panels and plots as a window shows them that remembers nothing.
+void reset_layout(InterfaceState& state) {
+    const ViewChoices usual;
+    state.scale = usual.scale;
+    state.panel = usual.panel;
+    state.sizes = usual.sizes;
+    state.plots.shown = usual.plots;
+    state.plots.window.reset();
+}
+
+void check_item(const Context& context, std::string_view widget, const char* label, bool& on) {
+    if (ImGui::MenuItem(label, nullptr, on)) on = !on;
+    context.mark(widget);
+}
+
+/// What pictures and films show.
+void draw_picture_items(const Context& context) {
+    PictureChoice& picture = context.state.picture;
+    check_item(context, "menu/scene alone", "Pictures of the scene alone", picture.scene_alone);
+    check_item(context, "menu/caption", "Pictures with a caption", picture.caption);
+    action_item(context, "menu/record", context.state.film ? "End the film" : "Record a film", Action::record);
+    const bool open = ImGui::BeginMenu(("Films as " + picture.film).c_str(), !context.state.film);
+    context.mark("menu/films");
+    if (!open) return;
+    for (const std::string_view ending : film_endings) {
+        const std::string label(ending);
+        if (ImGui::MenuItem(label.c_str(), nullptr, ending == picture.film)) picture.film = label;
+        context.mark("menu/films/" + label);
+    }
+    ImGui::EndMenu();
+}
+
 void draw_menu_items(const Context& context) {
     if (menu_item(context, "menu/copy command", "Copy command line")) {
         copy(context, window_command(context),
@@ -44,6 +76,7 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/save scene", "Save scene", Action::save_scene);
     if (menu_item(context, "menu/save session", "Save session")) context.request({.kind = Request::Kind::save_session});
     action_item(context, "menu/snapshot", "Save snapshot", Action::snapshot);
+    draw_picture_items(context);
     action_item(context, "menu/reset view", "Reset view", Action::reset_view);
     action_item(context, "menu/zoom to fit", "Zoom to fit", Action::zoom_to_fit);
     ImGui::Separator();
@@ -59,6 +92,11 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/next scene", "Next scene", Action::next_scene);
     ImGui::Separator();
     action_item(context, "menu/panel", "Show or hide panel", Action::panel);
+    action_item(context, "menu/steer", "Panels by keyboard", Action::steer);
+    action_item(context, "menu/larger", "Larger text", Action::larger);
+    action_item(context, "menu/smaller", "Smaller text", Action::smaller);
+    action_item(context, "menu/usual scale", "Usual text size", Action::usual_scale);
+    if (menu_item(context, "menu/reset layout", "Reset layout")) reset_layout(context.state);
     action_item(context, "menu/full screen", "Full screen", Action::full_screen);
     action_item(context, "menu/help", "Help", Action::help);
     action_item(context, "menu/quit", "Quit", Action::quit);
@@ -72,6 +110,8 @@ void draw_menu(const Context& context) {
     ImGui::SetNextWindowPos({bar.right() - context.px(8), bar.bottom() + context.px(4)}, ImGuiCond_Always, {1, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {context.px(24), context.px(8)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(12)});
+    const float room = static_cast<float>(context.display.height) - bar.bottom() - context.px(8);
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {static_cast<float>(context.display.width), room});
     if (ImGui::BeginPopup("menu", ImGuiWindowFlags_NoMove)) {
         close_if_asked(context);
         draw_menu_items(context);

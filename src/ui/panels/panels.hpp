@@ -27,6 +27,8 @@ void draw_selection_panel(const Context& context);
 void draw_plots_panel(const Context& context);
 /// The page of the lesson that is open: its text, and the buttons that do its part and turn the pages.
 void draw_lesson_panel(const Context& context);
+/// What the pointer drags to make panel and plots larger or smaller.
+void draw_edges(const Context& context);
 
 /// The sections of the side panel from top to bottom.
 using Section = void (*)(const Context& context);

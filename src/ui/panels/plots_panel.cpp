@@ -179,8 +179,7 @@ void draw_plots_panel(const Context& context) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, colour::backdrop);
     ImGui::Begin("plots", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus);
     const float gap = context.px(10);
     const std::size_t shown = shown_plots(context);
     const auto count = static_cast<float>(shown);

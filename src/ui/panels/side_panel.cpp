@@ -75,7 +75,8 @@ void draw_side_panel(const Context& context) {
     ImGui::Begin("side panel", nullptr, fixed_window);
     const Footer footer(context);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(6)});
-    ImGui::BeginChild("sections", {0, area.height - footer.height()}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::BeginChild("sections", {0, area.height - footer.height()}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
     const bool played = context.session.playback.has_value();
     for (const Section section : played ? std::span<const Section>(playback_sections) : sections) section(context);
     ImGui::EndChild();

@@ -1,9 +1,12 @@
 #include "ui/actions.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/rate.hpp"
+#include "ui/widgets/format.hpp"
 #include "ui/widgets/icons.hpp"
 #include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -78,6 +81,19 @@ void draw_precision(const Context& context) {
     }
 }
 
+float record_width(const Context& context) { return context.px(context.state.film ? 132 : 76); }
+
+/// Begins a film; while one is taken, ends it, and says how long it is.
+void draw_record(const Context& context) {
+    const auto& film = context.state.film;
+    const std::string text =
+        film ? fmt::format("{} \u00b7 {:.1f} s", counted(static_cast<double>(film->frames), "frame", "frames"),
+                           film->seconds)
+             : "Record";
+    if (text_button(context, "record", text, film.has_value(), record_width(context))) perform(context, Action::record);
+    tooltip(context, help_of(Action::record));
+}
+
 /// The group at the right end. It is placed from the right, so its width is computed first.
 void draw_right_group(const Context& context) {
     const float gap = context.px(8);
@@ -87,6 +103,11 @@ void draw_right_group(const Context& context) {
     const float menu_x = x;
     if (context.layout.bar_has_snapshot) x -= snapshot + gap;
     const float snapshot_x = x;
+    if (context.layout.bar_has_record) {
+        x -= record_width(context) + gap;
+        ImGui::SameLine(x);
+        draw_record(context);
+    }
     if (context.layout.bar_has_precision && !context.session.playback) {
         ImGui::SameLine(x - context.px(precision_width) - 2 * gap);
         draw_precision(context);
@@ -114,7 +135,7 @@ void draw_top_bar(const Context& context) {
     ImGui::SetNextWindowSize({bar.width, bar.height});
     ImGui::Begin("bar", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     if (context.layout.bar_has_title) draw_title(context);
     const float left = context.layout.bar_has_title ? context.px(312) : context.px(12);
     ImGui::SetCursorPos({left, std::round(0.5f * (bar.height - ImGui::GetFrameHeight()))});

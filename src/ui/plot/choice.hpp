@@ -59,6 +59,10 @@ inline constexpr std::array plot_kinds{
 /// The name of a kind.
 const PlotKindInfo& info_of(PlotKind kind);
 
+struct PlotChoice;
+/// A plot of that kind as it is shown first: errors of methods differ by powers of ten.
+PlotChoice default_choice(PlotKind kind);
+
 /// A plot that is shown.
 struct PlotChoice {
     PlotKind kind = PlotKind::energy_error;

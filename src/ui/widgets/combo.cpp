@@ -94,6 +94,7 @@ bool combo(const Context& context, std::string_view widget, std::span<const Comb
                                         {context.px(420), 0.95f * static_cast<float>(context.display.height)});
     const bool open = ImGui::BeginCombo("##combo", "", ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
     context.mark(widget, {box.from.x, box.from.y, box.to.x, box.to.y});
+    if (!open) context.note_focus(widget);
     draw_box(context, list, box, items[chosen].name);
     if (!open) return false;
     close_if_asked(context);

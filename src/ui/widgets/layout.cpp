@@ -8,7 +8,6 @@ namespace {
 
 // Lengths in units of the layout.
 constexpr float bar_height = 40;
-constexpr float panel_width = 300;
 constexpr float lesson_width = 310;
 constexpr float narrowest_with_panel = 620;
 constexpr float lowest_with_plots = 460;
@@ -18,11 +17,15 @@ constexpr float lowest_with_time_line = 240;
 constexpr float run_buttons_width = 360;
 constexpr float narrowest_with_run_buttons = 640;
 
-float plots_height(float height) { return std::clamp(0.285f * height, 150.0f, 380.0f); }
+/// At least as much remains to the scene as the plots take.
+float plots_height(float height, std::optional<double> wanted) {
+    if (wanted) return std::min(static_cast<float>(*wanted), 0.5f * height);
+    return std::clamp(0.285f * height, 150.0f, 380.0f);
+}
 
 }  // namespace
 
-Layout arrange(const Display& display, std::optional<bool> panel, bool lesson) {
+Layout arrange(const Display& display, std::optional<bool> panel, const PanelSizes& sizes, bool lesson) {
     const float scale = display.scale;
     const float width = static_cast<float>(display.width);
     const float height = static_cast<float>(display.height);
@@ -34,12 +37,16 @@ Layout arrange(const Display& display, std::optional<bool> panel, bool lesson) {
     const float beside = lesson ? std::min(px(lesson_width), std::round(0.5f * width)) : 0;
     if (lesson) layout.lesson = {width - beside, layout.bar.height, beside, below};
     const bool wide = width - beside >= px(narrowest_with_panel);
-    if (panel.value_or(wide)) layout.panel = {0, layout.bar.height, std::min(px(panel_width), 0.75f * width), below};
+    if (panel.value_or(wide)) {
+        const float most = wide ? 0.5f : 0.75f;  // of the window
+        const float wanted = px(static_cast<float>(sizes.panel_width));
+        layout.panel = {0, layout.bar.height, std::min(wanted, most * width), below};
+    }
 
     layout.scene = {layout.panel.width, layout.bar.height, std::max(1.0f, width - beside - layout.panel.width), below};
     const int room = static_cast<int>(layout.scene.width / px(narrowest_plot));
     if (panel.value_or(true) && height >= px(lowest_with_plots) && room >= 1) {
-        const float plots = px(plots_height(height / scale));
+        const float plots = px(plots_height(height / scale, sizes.plots_height));
         layout.plots = {layout.scene.x, height - plots, layout.scene.width, plots};
         layout.plot_count = std::min(room, 4);
         layout.scene.height -= plots;
@@ -57,7 +64,20 @@ Layout arrange(const Display& display, std::optional<bool> panel, bool lesson) {
     layout.bar_has_speed = width >= px(820);
     layout.bar_has_precision = width >= px(380);
     layout.bar_has_snapshot = width >= px(470);
+    const bool speed_leaves_room = width >= px(970) && (!layout.bar_has_title || width >= px(1270));
+    layout.bar_has_record = speed_leaves_room || (!layout.bar_has_speed && width >= px(620));
     return layout;
+}
+
+Layout arrange_scene_alone(const Display& display) {
+    Layout layout;
+    layout.scene = {0, 0, static_cast<float>(display.width), static_cast<float>(display.height)};
+    return layout;
+}
+
+Area below(const Display& upper, const Display& whole) {
+    const auto top = static_cast<float>(upper.height);
+    return {0, top, static_cast<float>(whole.width), static_cast<float>(whole.height) - top};
 }
 
 PixelRect pixels(const Area& area) {

@@ -2,6 +2,7 @@
 
 #include "plot/plot.hpp"
 #include "ui/display.hpp"
+#include "ui/view_choices.hpp"
 
 #include <optional>
 
@@ -24,12 +25,20 @@ struct Layout {
     bool bar_has_speed = false;
     bool bar_has_precision = false;
     bool bar_has_snapshot = false;
+    bool bar_has_record = false;
 };
 
 /// Arranges the panels for a display and hides those without room. `panel`: whether the user wants panel and plots;
 /// none: the panel is shown where the window is wide enough. `lesson`: a lesson is open, beside everything below the
 /// bar.
-Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt, bool lesson = false);
+Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt, const PanelSizes& sizes = {},
+               bool lesson = false);
+
+/// The scene fills the display.
+Layout arrange_scene_alone(const Display& display);
+
+/// What is left of a display below a smaller one.
+Area below(const Display& upper, const Display& whole);
 
 /// The area in whole pixels.
 PixelRect pixels(const Area& area);

@@ -104,7 +104,9 @@ std::optional<double> slider(const Context& context, std::string_view widget, do
     draw_slider(context, range.part(value), style, mark_shown ? std::optional(range.part(*style.mark)) : std::nullopt);
     // The press of a double click or a Ctrl + click is not a drag: the value changes on a plain press, or when the
     // pointer moves.
-    if (!ImGui::IsItemActive() || ImGui::GetIO().KeyCtrl || ImGui::GetIO().MouseDoubleClicked[0]) return std::nullopt;
+    if (context.state.steering || !ImGui::IsItemActive() || ImGui::GetIO().KeyCtrl ||
+        ImGui::GetIO().MouseDoubleClicked[0])
+        return std::nullopt;
     const bool moved = ImGui::GetIO().MouseDelta.x != 0;
     if (!ImGui::IsItemActivated() && !moved) return std::nullopt;
     const double wanted = range.value(part_under_pointer(context));
@@ -126,7 +128,7 @@ void slider_row(const Context& context, const SliderRow& row) {
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && ImGui::GetIO().MouseDoubleClicked[0]) {
         row.set(row.default_value);
-    } else if (hovered && ImGui::GetIO().KeyCtrl && ImGui::IsItemActivated()) {
+    } else if (hovered && (ImGui::GetIO().KeyCtrl || context.state.steering) && ImGui::IsItemActivated()) {
         open_entry(context, row);
     } else if (dragged) {
         row.set(*dragged);

@@ -58,8 +58,8 @@ void Theme::apply(float scale) {
     style.GrabRounding = 5;
     style.WindowBorderSize = 0;
     style.PopupBorderSize = 1;
-    style.WindowMinSize = {1, 1};
     style.ScaleAllSizes(scale);
+    style.WindowMinSize = {1, 1};  // ImGui allows no less
     style.AntiAliasedLinesUseTex = true;
     style.CircleTessellationMaxError = 0.15f;
     std::copy_n(ImGui::GetStyle().Colors, ImGuiCol_COUNT, style.Colors);

@@ -153,7 +153,7 @@ StripWindow::StripWindow(const Context& context, const char* name, const Area& a
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), above});
     ImGui::Begin(name, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus);
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
 }
 
 StripWindow::~StripWindow() {

@@ -1,4 +1,4 @@
-#include "app/commands/encoded_film.hpp"
+#include "app/film/encoded_film.hpp"
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"

@@ -1,7 +1,7 @@
-#include "app/commands/film.hpp"
+#include "app/film/film.hpp"
 
-#include "app/commands/encoded_film.hpp"
-#include "app/commands/series_name.hpp"
+#include "app/film/encoded_film.hpp"
+#include "app/film/series_name.hpp"
 #include "app/png.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"

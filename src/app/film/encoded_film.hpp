@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/film.hpp"
+#include "app/film/film.hpp"
 #include "io/child_program.hpp"
 #include "io/output_file.hpp"
 

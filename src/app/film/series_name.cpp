@@ -1,4 +1,4 @@
-#include "app/commands/series_name.hpp"
+#include "app/film/series_name.hpp"
 
 #include "core/error.hpp"
 #include "core/shown.hpp"

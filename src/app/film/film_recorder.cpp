@@ -1,0 +1,85 @@
+#include "app/film/film_recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <utility>
+
+namespace steplab {
+
+FilmRecorder::FilmRecorder(const FilmFormat& format, void (*wake)())
+    : format_(format), wake_(wake), film_(make_film(format)), thread_([this] { work(); }) {}
+
+FilmRecorder::~FilmRecorder() {
+    end();
+    thread_.join();
+}
+
+bool FilmRecorder::is_ready() const {
+    const std::lock_guard lock(mutex_);
+    return !waiting_ && !ending_ && !over_;
+}
+
+void FilmRecorder::add(Picture picture, std::uint64_t frames) {
+    frames_ = frames;
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_ = Frame{std::move(picture), frames};
+    }
+    changed_.notify_one();
+}
+
+void FilmRecorder::end() {
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    changed_.notify_one();
+}
+
+bool FilmRecorder::is_over() const {
+    const std::lock_guard lock(mutex_);
+    return over_;
+}
+
+std::string FilmRecorder::failure() const {
+    const std::lock_guard lock(mutex_);
+    return failure_;
+}
+
+void FilmRecorder::work() {
+    std::string failure;
+    try {
+        write();
+    } catch (const std::exception& error) {
+        failure = fmt::format("the film ended: {}; {}", error.what(), film_->remainder());
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        failure_ = std::move(failure);
+        over_ = true;
+    }
+    wake_();
+}
+
+void FilmRecorder::write() {
+    Picture last;
+    std::uint64_t written = 0;
+    while (std::optional<Frame> frame = next()) {
+        for (; written > 0 && written + 1 < frame->frames; ++written) film_->add(last, true);
+        last = std::move(frame->picture);
+        film_->add(last, false);
+        ++written;
+        wake_();
+    }
+    film_->finish();
+}
+
+/// Waits for a picture; none once there are no more.
+std::optional<FilmRecorder::Frame> FilmRecorder::next() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return waiting_ || ending_; });
+    return std::exchange(waiting_, std::nullopt);
+}
+
+}  // namespace steplab

@@ -1,0 +1,55 @@
+#include "ui/steering.hpp"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+
+namespace steplab::ui {
+namespace {
+
+/// The windows of ImGui that hold the panels, in the order of F6.
+constexpr std::array<const char*, 5> panels{"side panel", "plots", "time line", "run buttons", "bar"};
+
+bool is_shown(const char* name) {
+    const ImGuiWindow* const window = ImGui::FindWindowByName(name);
+    return window && window->WasActive;
+}
+
+}  // namespace
+
+void steer_on(const Context& context) {
+    InterfaceState& state = context.state;
+    auto here = std::find(panels.begin(), panels.end(), state.steering ? state.steered : "");
+    auto next = here == panels.end() ? panels.begin() : here + 1;
+    for (std::size_t tried = 0; tried <= panels.size(); ++tried, ++next) {
+        if (next == panels.end()) next = panels.begin();
+        if (is_shown(*next)) break;
+    }
+    state.steering = true;
+    state.steered = *next;
+    state.focused.clear();
+    ImGui::SetWindowFocus(*next);
+    ImGuiContext& imgui = *ImGui::GetCurrentContext();
+    ImGui::NavInitWindow(imgui.NavWindow, true);
+    imgui.NavDisableHighlight = false;
+    imgui.NavDisableMouseHover = true;
+}
+
+void leave_to_pointer(const Context& context) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseClicked[0] || io.MouseClicked[1]) context.state.steering = false;
+}
+
+void draw_steering(const Context& context) {
+    const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+    const ImGuiWindow* const window = imgui.NavWindow;
+    if (!context.state.steering || !window || imgui.NavId == 0) return;
+    const ImRect& place = window->NavRectRel[imgui.NavLayer];
+    const float margin = context.px(2);
+    const ImVec2 from{window->Pos.x + place.Min.x - margin, window->Pos.y + place.Min.y - margin};
+    const ImVec2 to{window->Pos.x + place.Max.x + margin, window->Pos.y + place.Max.y + margin};
+    ImGui::GetForegroundDrawList()->AddRect(from, to, colour::accent, context.px(5), 0, context.px(2));
+}
+
+}  // namespace steplab::ui
