@@ -1,14 +1,8 @@
-#include "ui/interface.hpp"
-
-#include "sim/run/opening.hpp"
 #include "ui/actions.hpp"
-#include "ui/follower.hpp"
-#include "ui/imgui_clipboard.hpp"
+#include "ui/interface_body.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/scene_pointer.hpp"
 #include "ui/steering.hpp"
-#include "ui/trail.hpp"
-#include "ui/view_keeper.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
@@ -17,10 +11,6 @@
 
 namespace steplab::ui {
 namespace {
-
-struct ContextDeleter {
-    void operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
-};
 
 /// Ignores all events: a snapshot has no user.
 class NoEvents final : public EventSink {
@@ -97,27 +87,7 @@ bool shows_oscillation(const SessionView& view, const InterfaceState& state) {
 
 }  // namespace
 
-struct Interface::Body {
-    explicit Body(const Display& size) : context(make_context()), display(size) { theme.apply(display.scale); }
-
-    std::unique_ptr<ImGuiContext, ContextDeleter> context;
-    Display display;  ///< in the scale that the person chose
-    Theme theme;
-    Input input;
-    ImGuiClipboard clipboard;
-    InterfaceState state;
-    ViewKeeper view_keeper;
-    Follower follower;
-    Trails trails;
-    Layout layout;
-    WidgetMap widgets;
-    std::optional<double> frame_seconds;  ///< as measured for the last frame
-    bool new_view = true;
-    bool input_left = false;
-    bool unsettled = true;  ///< a widget appeared, disappeared or moved; ImGui knows its size one frame later
-};
-
-Interface::Interface(const Display& display) : body_(std::make_unique<Body>(display)) {}
+Interface::Interface(const Display& display) : body_(std::make_unique<Body>(make_context(), display)) {}
 
 Interface::~Interface() = default;
 
@@ -154,84 +124,6 @@ bool Interface::show_doubt(const std::optional<Doubt>& doubt) {
     if (doubt == body_->state.doubt) return false;
     body_->state.doubt = doubt;
     return true;
-}
-
-void Interface::open_with(std::optional<bool> panel, std::optional<std::size_t> particle, bool scenes) {
-    body_->state.panel = panel;
-    body_->state.first_selected = particle;
-    body_->state.scenes.open = scenes;
-}
-
-void Interface::use(const ViewChoices& choices, const ViewChoices& remembered) {
-    InterfaceState& state = body_->state;
-    state.scale = choices.scale;
-    state.panel = choices.panel;
-    state.sizes = choices.sizes;
-    state.trail = choices.trail;
-    state.plots.shown = choices.plots;
-    state.picture = choices.picture;
-    state.remembered = remembered;
-}
-
-ViewChoices Interface::choices(const render::Style& style) const {
-    const InterfaceState& state = body_->state;
-    ViewChoices choices{.scale = state.scale,
-                        .background = body_->view_keeper.own(style.background),
-                        .colouring = body_->view_keeper.own(style.colouring),
-                        .springs = style.springs,
-                        .grid = style.grid,
-                        .trail = state.trail,
-                        .velocities = style.velocities,
-                        .forces = style.forces,
-                        .panel = state.panel,
-                        .sizes = state.sizes,
-                        .plots = state.plots.shown,
-                        .picture = state.picture};
-    choices.width = state.remembered.width;
-    choices.height = state.remembered.height;
-    return choices;
-}
-
-const Display& Interface::display() const { return body_->display; }
-
-bool Interface::shows_scenes() const { return body_->state.scenes.open; }
-
-void Interface::show_gallery(Gallery gallery) { body_->state.scenes.gallery = std::move(gallery); }
-
-void Interface::show_lessons(std::vector<LessonTitle> titles) { body_->state.lessons.titles = std::move(titles); }
-
-void Interface::open_lesson(Lesson lesson) {
-    close_scenes();
-    LessonsState& lessons = body_->state.lessons;
-    lessons.open = std::move(lesson);
-    lessons.page = 0;
-    lessons.begun.reset();
-}
-
-std::string Interface::lesson() const {
-    const LessonsState& lessons = body_->state.lessons;
-    return lessons.open ? lessons.open->id + ' ' + std::to_string(lessons.page + 1) : "";
-}
-
-void Interface::open(const RunDescription& scene, EventSink& events) {
-    InterfaceState& state = body_->state;
-    state.scenes.opening.reset();
-    state.wanted.dismiss();
-    state.wanted.ask(scene, events);
-    state.scenes.open = state.scenes.open && !state.wanted.message().empty();
-}
-
-void Interface::close_scenes() {
-    body_->state.scenes.opening.reset();
-    body_->state.scenes.open = false;
-    body_->state.wanted.dismiss();
-}
-
-void Interface::reload(const RunDescription& scene, EventSink& events) {
-    Wanted& wanted = body_->state.wanted;
-    if (!wanted.description().origin || id_of(wanted.description()) != id_of(scene)) return;
-    wanted.dismiss();
-    wanted.ask(reloaded(wanted.description(), scene), events);
 }
 
 Input& Interface::input() { return body_->input; }

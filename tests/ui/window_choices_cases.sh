@@ -30,7 +30,7 @@ the_interface_is_scaled_by_keys() {
     xdotool key ctrl+minus ctrl+minus ctrl+minus; expect 'scale 0.75'
     xdotool key ctrl+minus Right; expect 'step 1'
     [[ $(grep '^scale ' "$folder/said" | tail -1) == 'scale 0.75' ]] || fail 'there is a smaller scale'
-    choose menu larger; expect 'scale 0.9'
+    choose_beside 'text size' larger; expect 'scale 0.9'
     close_window
 }
 
@@ -87,9 +87,9 @@ pictures_show_what_is_chosen() {
     start_display 1280x800
     open_window --model chain
     xdotool key ctrl+p; expect 'saved steplab-chain-1.png'
-    choose menu 'scene alone'; xdotool key ctrl+p; expect 'saved steplab-chain-2.png'
-    choose menu caption; xdotool key ctrl+p; expect 'saved steplab-chain-3.png'
-    choose menu 'scene alone'; xdotool key ctrl+p; expect 'saved steplab-chain-4.png'
+    choose_beside pictures 'scene alone'; xdotool key ctrl+p; expect 'saved steplab-chain-2.png'
+    choose_beside pictures caption; xdotool key ctrl+p; expect 'saved steplab-chain-3.png'
+    choose_beside pictures 'scene alone'; xdotool key ctrl+p; expect 'saved steplab-chain-4.png'
     local sizes i
     for i in 1 2 3 4; do sizes+="$(size_of "$folder/steplab-chain-$i.png") "; done
     [[ $sizes == '1280x800 980x'???' 980x'???' 1280x838 ' ]] || fail "the pictures are $sizes"
@@ -103,7 +103,7 @@ films_are_recorded() {
     local frames i
     start_display 1280x800
     open_window --model chain --method rk4 --dt 0.01 --speed 1
-    choose menu films; expect 'widget menu/films/.png [0-9].*'; click menu/films/.png
+    choose_beside pictures films/.png
     xdotool key ctrl+r; expect 'film begun' 'film 1 step 0'
     xdotool key space; expect 'film 10 step 30'
     xdotool key equal; expect 'film 20 step 63'
@@ -114,8 +114,8 @@ films_are_recorded() {
     # frame k shows the last step that is not after k/30 s
     awk '/^film [0-9]/ { if ($4 != int(($2 - 1) / 30 / 0.01 + 1e-6)) { print "frame " $2 - 1 " shows step " $4; exit 1 } }' \
         "$folder/said" >&2 || fail 'frames are not at equal distances'
-    choose menu films; expect 'widget menu/films/.mp4 [0-9].*'; click menu/films/.mp4
-    choose menu 'scene alone'; choose menu caption
+    choose_beside pictures films/.mp4
+    choose_beside pictures 'scene alone'; choose_beside pictures caption
     click record; expect 'film begun' 'film 1 step [0-9]+'
     xdotool key space; expect 'film 12 step [0-9]+'
     close_window

@@ -101,6 +101,13 @@ choose() {
     click "$1/$2"
 }
 
+# choose_beside MENU ITEM: an item of a menu beside the menu.
+choose_beside() {
+    choose menu "$1"
+    expect "widget menu/$2 [0-9].*"
+    click "menu/$2"
+}
+
 # enter SLIDER TEXT: types a value in place of a slider.
 enter() {
     click "$1.value"

@@ -32,7 +32,7 @@ class ListCommand final : public Command {
 public:
     std::string_view name() const override { return "list"; }
     std::string_view what() const override {
-        return "List the models, methods, shipped scenes, lessons and terms, or say what one scene consists of";
+        return "List models, methods, scenes, lessons and terms, or what one scene consists of";
     }
 
     void declare(CLI::App& app) override {

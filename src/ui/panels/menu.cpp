@@ -40,21 +40,42 @@ void check_item(const Context& context, std::string_view widget, const char* lab
     context.mark(widget);
 }
 
-/// What pictures and films show.
+/// A menu beside an item of the menu, with what `items` draws.
+template <class Items>
+void menu_beside(const Context& context, std::string_view widget, const char* label, const Items& items) {
+    const bool open = ImGui::BeginMenu(label);
+    context.mark(widget);
+    if (!open) return;
+    items();
+    ImGui::EndMenu();
+}
+
+/// What pictures and films show, and how films are written.
 void draw_picture_items(const Context& context) {
     PictureChoice& picture = context.state.picture;
-    check_item(context, "menu/scene alone", "Pictures of the scene alone", picture.scene_alone);
-    check_item(context, "menu/caption", "Pictures with a caption", picture.caption);
-    action_item(context, "menu/record", context.state.film ? "End the film" : "Record a film", Action::record);
-    const bool open = ImGui::BeginMenu(("Films as " + picture.film).c_str(), !context.state.film);
-    context.mark("menu/films");
-    if (!open) return;
+    check_item(context, "menu/scene alone", "Scene alone", picture.scene_alone);
+    check_item(context, "menu/caption", "Caption", picture.caption);
+    ImGui::Separator();
     for (const std::string_view ending : film_endings) {
         const std::string label(ending);
-        if (ImGui::MenuItem(label.c_str(), nullptr, ending == picture.film)) picture.film = label;
+        const bool chosen = ImGui::MenuItem(("Films as " + label).c_str(), nullptr, ending == picture.film,
+                                            !context.state.film.has_value());
+        if (chosen) picture.film = label;
         context.mark("menu/films/" + label);
     }
-    ImGui::EndMenu();
+}
+
+void draw_playing_items(const Context& context) {
+    action_item(context, "menu/play back", "Play backwards", Action::play_back);
+    action_item(context, "menu/loop", "Repeat", Action::loop);
+    action_item(context, "menu/faster", "Play faster", Action::faster);
+    action_item(context, "menu/slower", "Play slower", Action::slower);
+}
+
+void draw_scale_items(const Context& context) {
+    action_item(context, "menu/larger", "Larger", Action::larger);
+    action_item(context, "menu/smaller", "Smaller", Action::smaller);
+    action_item(context, "menu/usual scale", "As usual", Action::usual_scale);
 }
 
 void draw_menu_items(const Context& context) {
@@ -76,7 +97,8 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/save scene", "Save scene", Action::save_scene);
     if (menu_item(context, "menu/save session", "Save session")) context.request({.kind = Request::Kind::save_session});
     action_item(context, "menu/snapshot", "Save snapshot", Action::snapshot);
-    draw_picture_items(context);
+    action_item(context, "menu/record", context.state.film ? "End the film" : "Record a film", Action::record);
+    menu_beside(context, "menu/pictures", "Pictures and films show", [&] { draw_picture_items(context); });
     action_item(context, "menu/reset view", "Reset view", Action::reset_view);
     action_item(context, "menu/zoom to fit", "Zoom to fit", Action::zoom_to_fit);
     ImGui::Separator();
@@ -84,18 +106,13 @@ void draw_menu_items(const Context& context) {
     action_item(context, "menu/redo", "Redo", Action::redo);
     action_item(context, "menu/bookmark", "Mark this moment", Action::bookmark);
     ImGui::Separator();
-    action_item(context, "menu/play back", "Play backwards", Action::play_back);
-    action_item(context, "menu/loop", "Repeat", Action::loop);
-    action_item(context, "menu/faster", "Play faster", Action::faster);
-    action_item(context, "menu/slower", "Play slower", Action::slower);
+    menu_beside(context, "menu/playing", "Playing", [&] { draw_playing_items(context); });
     action_item(context, "menu/previous scene", "Previous scene", Action::previous_scene);
     action_item(context, "menu/next scene", "Next scene", Action::next_scene);
     ImGui::Separator();
     action_item(context, "menu/panel", "Show or hide panel", Action::panel);
     action_item(context, "menu/steer", "Panels by keyboard", Action::steer);
-    action_item(context, "menu/larger", "Larger text", Action::larger);
-    action_item(context, "menu/smaller", "Smaller text", Action::smaller);
-    action_item(context, "menu/usual scale", "Usual text size", Action::usual_scale);
+    menu_beside(context, "menu/text size", "Text size", [&] { draw_scale_items(context); });
     if (menu_item(context, "menu/reset layout", "Reset layout")) reset_layout(context.state);
     action_item(context, "menu/full screen", "Full screen", Action::full_screen);
     action_item(context, "menu/help", "Help", Action::help);

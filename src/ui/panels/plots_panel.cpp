@@ -80,10 +80,15 @@ void choose(PlotsState& plots, std::size_t number, PlotKind kind) {
     }
 }
 
-void draw_kind(const Context& context, std::size_t number) {
+/// Of the box that names the kind: what the other controls leave.
+float kind_width(const Context& context, const Area& area) {
+    return std::clamp(area.width - context.px(172), context.px(60), context.px(172));
+}
+
+void draw_kind(const Context& context, std::size_t number, const Area& area) {
     const std::vector<ComboItem>& items = kind_items();
     auto chosen = static_cast<std::size_t>(context.state.plots.shown[number].kind);
-    if (combo(context, "plot " + std::to_string(number + 1), items, chosen, context.px(172)))
+    if (combo(context, "plot " + std::to_string(number + 1), items, chosen, kind_width(context, area)))
         choose(context.state.plots, number, plot_kinds[chosen].kind);
 }
 
@@ -125,7 +130,9 @@ void draw_count(const Context& context, std::size_t number, const Area& area) {
 }
 
 /// Where what the axis up means stands in the line of controls.
-float title_from(const Context& context, const Area& area) { return area.x + context.px(8 + 172 + 6 + 56 + 10); }
+float title_from(const Context& context, const Area& area) {
+    return area.x + kind_width(context, area) + context.px(8 + 6 + 56 + 10);
+}
 
 bool has_room_for_title(const Context& context, const plot::Plot& plot, const Area& area) {
     const WithFont font(context.theme.fonts().small);
@@ -143,7 +150,7 @@ void draw_header(const Context& context, const plot::Plot& plot, std::size_t num
         return text_left(area.x + context.px(14), y, plot.title, colour::text);
     }
     ImGui::SetCursorScreenPos({area.x + context.px(8), area.y + context.px(3)});
-    draw_kind(context, number);
+    draw_kind(context, number, area);
     ImGui::SameLine(0, context.px(6));
     draw_scale(context, context.state.plots.shown[number]);
     const WithFont font(context.theme.fonts().small);

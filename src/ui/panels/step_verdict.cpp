@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace steplab::ui {
 namespace {
@@ -42,19 +43,23 @@ std::optional<Basis> basis_of(const RunView& view, const PresentLimit* present) 
     return Basis{view.limit->omega_max, view.limit->limit, view.resolution, std::nullopt};
 }
 
-/// "amplitude kept", "amplitude −3.1 %"
-std::string damping_text(const Resolution& resolution) {
+/// "amplitude kept", "amplitude −3.1 % per period"; the last words are `each`.
+std::string damping_text(const Resolution& resolution, std::string_view each) {
     const double change = 100 * (resolution.amplification - 1);
     if (std::abs(change) < 1e-6) return "amplitude kept";
     if (change > 1000 || !std::isfinite(change)) return "amplitude explodes";
-    return fmt::format("amplitude {}{} %", change > 0 ? "+" : "−", rounded_text(std::abs(change)));
+    return fmt::format("amplitude {}{} %{}", change > 0 ? "+" : "−", rounded_text(std::abs(change)), each);
 }
 
-std::string detail_of(const Basis& basis) {
+/// What the first line does not say.
+std::string detail_of(double dt, const Basis& basis) {
     if (!basis.resolution) return {};
+    const bool named = dt <= basis.limit && !basis.resolution->is_good();  // the steps per period are in the first line
+    if (named && std::isinf(basis.limit)) return damping_text(*basis.resolution, " per period");
+    if (named) return of_limit(dt, basis.limit) + ", " + damping_text(*basis.resolution, " per period");
     const std::string steps = rounded_text(basis.resolution->steps_per_period);
     return fmt::format("per period: {} {}, {}", steps, steps == "1" ? "step" : "steps",
-                       damping_text(*basis.resolution));
+                       damping_text(*basis.resolution, ""));
 }
 
 std::string when_text(const Basis& basis) {
@@ -101,7 +106,7 @@ StepVerdict without_notes(const RunView& view, const PresentLimit* present) {
     const auto basis = basis_of(view, present);
     if (!basis) return {Lamp::none, "stability limit unknown", {}, "linear theory does not cover this scene"};
     StepVerdict verdict = against_limit(std::abs(view.description.dt), *basis);
-    verdict.detail = detail_of(*basis);
+    verdict.detail = detail_of(std::abs(view.description.dt), *basis);
     verdict.tooltip = tooltip_of(*basis, view);
     return verdict;
 }

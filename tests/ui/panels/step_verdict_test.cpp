@@ -78,7 +78,8 @@ TEST(step_verdict, is_of_the_scene_as_it_is_now) {
 
 TEST(step_verdict, says_what_a_period_costs_the_amplitude) {
     EXPECT_EQ(verdict("chain", "velocity-verlet", 0.1).detail, "per period: 32 steps, amplitude kept");
-    EXPECT_THAT(verdict("chain", "rk4", 1.0).detail, StartsWith("per period: 3.2 steps, amplitude −"));
+    EXPECT_THAT(verdict("chain", "rk4", 1.0).detail, StartsWith("0.70 of the limit 1.43 s, amplitude −"));
+    EXPECT_EQ(verdict("chain", "implicit-midpoint", 1.5).detail, "amplitude kept");
     EXPECT_THAT(verdict("chain", "midpoint", 0.3).detail, HasSubstr("amplitude +"));
     // one of its two motions grows, the other decays as fast
     EXPECT_THAT(verdict("chain", "velocity-verlet", 1.1).detail, HasSubstr("amplitude +"));
