@@ -53,6 +53,11 @@ picture runs-ghosts --model rope --dt 0.005 --until 3.5 --run method=rk4 --run m
 picture runs-split --model morse --dt 0.02 --until 12 --run method=rk4 --run method=verlet --run method=euler --run method=dopri5 \
     --layout split --ui on --size 1280x800
 
+say "docs/images/comet.gif: four methods on an ellipse"
+"$root/build/release/bin/steplab" record --scene kepler-ellipse --set e=0.6 --until 26 --run method=dop853 \
+    --run method=velocity-verlet,dt=0.1 --run method=rk4,dt=0.2 --run method=euler-forward,dt=0.01 --layout split \
+    --fps 10 --speed 4 --size 520x400 --view 0,75,7,0.4,0,0.2 --grid off --out "$images/comet.gif"
+
 start_display 1280x800
 say "docs/images/time-line.png: a time line with a branch, a mark and a change"
 open_window --model mesh --set v0=7 --method rk4 --dt 0.05 --speed 4 --play

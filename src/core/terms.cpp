@@ -117,7 +117,7 @@ constexpr std::array all_terms{
          "equal force evaluations"},
 };
 
-bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0; }
+bool is_part_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0; }
 
 /// Where a word stands in a text, whole; npos if it does not.
 std::size_t place_of(std::string_view text, std::string_view word) {
@@ -129,8 +129,9 @@ std::size_t place_of(std::string_view text, std::string_view word) {
         const auto found = std::search(from, text.end(), word.begin(), word.end(), same);
         if (found == text.end()) break;
         const auto end = found + static_cast<std::ptrdiff_t>(word.size());
-        const bool begins = found == text.begin() || !is_letter(*(found - 1));
-        if (begins && (end == text.end() || !is_letter(*end))) return static_cast<std::size_t>(found - text.begin());
+        const bool begins = found == text.begin() || !is_part_of_word(*(found - 1));
+        if (begins && (end == text.end() || !is_part_of_word(*end)))
+            return static_cast<std::size_t>(found - text.begin());
         from = found + 1;
     }
     return std::string_view::npos;

@@ -44,6 +44,7 @@ std::string paragraph_of(const toml::node& node) {
 template <class Entries>
 std::vector<std::string_view> ids_of(const Entries& entries) {
     std::vector<std::string_view> ids;
+    ids.reserve(entries.size());
     for (const auto& entry : entries) ids.push_back(entry.id);
     return ids;
 }

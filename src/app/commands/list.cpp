@@ -96,6 +96,7 @@ private:
 
     static std::string table(const std::vector<Titled>& all) {
         std::vector<Row> rows;
+        rows.reserve(all.size());
         for (const Titled& each : all) rows.push_back({each.id, each.title});
         return rows.empty() ? "" : aligned(rows, 0);
     }

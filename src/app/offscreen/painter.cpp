@@ -73,6 +73,7 @@ private:
 
     static std::vector<ui::PlotChoice> chosen(const std::vector<ui::PlotKind>& kinds) {
         std::vector<ui::PlotChoice> plots;
+        plots.reserve(kinds.size());
         for (const ui::PlotKind kind : kinds) plots.push_back(ui::default_choice(kind));
         return plots;
     }

@@ -11,7 +11,7 @@ std::filesystem::path page_file(const std::string& name) {
     for (const auto& folder : shared_folders("")) {
         // share/steplab/ beside share/doc/steplab/, and assets/ beside docs/
         for (const char* const pages : {"../../doc/steplab/docs", "../docs"}) {
-            const auto file = (folder / pages / name).lexically_normal();
+            auto file = (folder / pages / name).lexically_normal();
             std::error_code error;
             if (std::filesystem::exists(file, error)) return file;
         }

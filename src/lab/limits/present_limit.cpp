@@ -72,7 +72,7 @@ PresentLimit PresentLimits::at(const RunDescription& description, const State<do
     PresentLimit found{.step = step, .time = time, .oscillation = oscillation(description, state)};
     const double omega = found.oscillation.omega;
     if (!chooses_its_steps(description)) found.limit = linear_limit(description, omega);
-    found.resolution = resolution(description, omega);
+    found.resolution = steplab::resolution(description, omega);
     return found;
 }
 

@@ -17,7 +17,7 @@ constexpr double most_work = 5e7;
 /// Moments at which the energy is measured.
 constexpr std::uint64_t moments = 64;
 /// A run that ended after some steps says little about how long another one has to last.
-constexpr double fewest_steps = 1000;
+constexpr double fewest_tried_steps = 1000;
 /// Of the energy at the start; a run that is further off shows another motion.
 constexpr double most_energy_error = 0.1;
 
@@ -57,7 +57,7 @@ RemedyTrial::RemedyTrial(Simulation::Snapshot last, const RunDescription& run, d
 
 TriedRemedy RemedyTrial::of(const RunDescription& remedy) const {
     TriedRemedy result{.run = remedy};
-    const double wanted = std::max(std::ceil(1.25 * until_ / std::abs(remedy.dt)), fewest_steps);
+    const double wanted = std::max(std::ceil(1.25 * until_ / std::abs(remedy.dt)), fewest_tried_steps);
     const double affordable = affordable_steps(remedy);
     Simulation trial(remedy);
     if (wanted > affordable) {

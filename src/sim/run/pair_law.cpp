@@ -67,7 +67,7 @@ bool takes_properties(const ComposedPairs& pairs) {
 }
 
 std::string name_of(const ComposedPairs& pairs) {
-    const std::string name = pairs.potential.empty() ? "expression" : pairs.potential;
+    std::string name = pairs.potential.empty() ? "expression" : pairs.potential;
     if (!takes_properties(pairs)) return name;
     return fmt::format("{} of particles {} and {}", name, pairs.first.front(), second_of(pairs));
 }

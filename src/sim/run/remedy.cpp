@@ -52,6 +52,7 @@ std::vector<std::string> other_methods(const RunDescription& run, const Judge& j
     std::stable_sort(accepted.begin(), accepted.end(),
                      [](const auto& one, const auto& other) { return one.first < other.first; });
     std::vector<std::string> ids;
+    ids.reserve(accepted.size());
     for (auto& [cost, id] : accepted) ids.push_back(std::move(id));
     return ids;
 }

@@ -65,7 +65,7 @@ void show_beginning(const Context& context, const BlowUp& blow_up) {
     context.state.oscillation = true;
 }
 
-void draw_buttons(const Context& context) {
+void draw_ways_on(const Context& context) {
     const auto& blow_up = context.session.blow_up;
     if (blow_up) {
         if (text_button(context, "divergence.beginning", "Show how it began")) show_beginning(context, *blow_up);
@@ -124,7 +124,7 @@ void draw_divergence_card(const Context& context) {
         explanation(context, "looking for the cause ...");
     }
     ImGui::Dummy({0, context.px(4)});
-    draw_buttons(context);
+    draw_ways_on(context);
 }
 
 }  // namespace steplab::ui

@@ -10,7 +10,7 @@ namespace steplab::ui {
 namespace {
 
 // Of an entry, in units of the layout; pictures have the proportions of those of scenes.
-constexpr float narrowest = 360, height = 78, picture_width = 112, picture_height = 70, gap = 14;
+constexpr float narrowest = 360, height = 78, small_width = 112, small_height = 70, between_entries = 14;
 
 void open_lesson(const Context& context, const std::string& id) {
     LessonsState& lessons = context.state.lessons;
@@ -22,7 +22,7 @@ void open_lesson(const Context& context, const std::string& id) {
 void draw_picture(const Context& context, const std::string& scene, ImVec2 corner, bool hovered) {
     const Gallery& gallery = context.state.scenes.gallery;
     const std::size_t place = place_in(gallery, scene);
-    const ImVec2 to{corner.x + context.px(picture_width), corner.y + context.px(picture_height)};
+    const ImVec2 to{corner.x + context.px(small_width), corner.y + context.px(small_height)};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(corner, to, colour::backdrop, context.px(5));
     if (place < gallery.size() && gallery[place].picture != 0)
@@ -50,7 +50,7 @@ void draw_entry(const Context& context, const LessonTitle& lesson, float width) 
     if (ImGui::IsItemVisible()) context.mark("lesson/" + lesson.id);
     const bool hovered = ImGui::IsItemHovered();
     draw_picture(context, lesson.scene, corner, hovered);
-    const float text = context.px(picture_width + 12);
+    const float text = context.px(small_width + 12);
     draw_text(context, lesson, {corner.x + text, corner.y + context.px(2)}, width - text, hovered);
     if (clicked) open_lesson(context, lesson.id);
 }
@@ -58,7 +58,7 @@ void draw_entry(const Context& context, const LessonTitle& lesson, float width) 
 }  // namespace
 
 void draw_lesson_list(const Context& context) {
-    const float room = ImGui::GetContentRegionAvail().x, between = context.px(gap);
+    const float room = ImGui::GetContentRegionAvail().x, between = context.px(between_entries);
     const int columns = std::max(1, static_cast<int>((room + between) / (context.px(narrowest) + between)));
     const float width = std::floor((room - between * static_cast<float>(columns - 1)) / static_cast<float>(columns));
     int column = 0;

@@ -82,7 +82,8 @@ void choose(PlotsState& plots, std::size_t number, PlotKind kind) {
 
 /// Of the box that names the kind: what the other controls leave.
 float kind_width(const Context& context, const Area& area) {
-    return std::clamp(area.width - context.px(172), context.px(60), context.px(172));
+    const bool adds = context.state.plots.shown.size() < static_cast<std::size_t>(context.layout.plot_count);
+    return std::clamp(area.width - context.px(adds ? 176 : 148), context.px(60), context.px(172));
 }
 
 void draw_kind(const Context& context, std::size_t number, const Area& area) {

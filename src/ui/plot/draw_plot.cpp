@@ -157,7 +157,8 @@ void draw_sample(ImDrawList& list, const Context& context, const LegendPlace& pl
     if (curve.line == plot::Line::none) draw_marks(list, {{0.5f * (from + to), place.y}}, ink, context.px(2.4f));
 }
 
-/// For each curve a short line in its style and its name, on a card near the top of the frame.
+/// For each curve a short line in its style and its name, on a card near the top of the frame. Where it would cover
+/// most of the curves it is left out: the list of runs has the same lines, and the pointer tells the names.
 void draw_legend(const Context& context, const Plot& plot, const Area& frame, float top) {
     if (plot.curves.size() + plot.bands.size() < 2) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -167,6 +168,9 @@ void draw_legend(const Context& context, const Plot& plot, const Area& frame, fl
     const float half = 0.5f * ImGui::GetTextLineHeight() + context.px(2);
     float left = frame.right();
     for (const LegendPlace& place : places) left = std::min(left, place.right - place.width);
+    const bool covers_most =
+        frame.right() - left > 0.55f * frame.width && places.back().y + half - frame.y > 0.35f * frame.height;
+    if (covers_most && !context.is_saved()) return;
     list.AddRectFilled({left - context.px(5), places.front().y - half}, {frame.right() - 1, places.back().y + half},
                        colour::card, context.px(4));
     for (const LegendPlace& place : places) {

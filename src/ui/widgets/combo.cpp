@@ -55,8 +55,9 @@ void draw_box(const Context& context, ImDrawList& list, const Box& box, std::str
     list.AddTriangleFilled({x - half, y - 0.5f * half}, {x + half, y - 0.5f * half}, {x, y + 0.8f * half},
                            colour::text_dim);
     ImFont* font = context.theme.fonts().strong;
+    const ImVec4 room{box.from.x, box.from.y, x - 2 * half, box.to.y};
     list.AddText(font, font->FontSize, {box.from.x + context.px(11), std::round(y - 0.5f * font->FontSize)},
-                 colour::text, name.data(), name.data() + name.size());
+                 colour::text, name.data(), name.data() + name.size(), 0, &room);
 }
 
 /// Width of the widest item, including the gap between name and remark.
