@@ -18,30 +18,6 @@ constexpr ImGuiWindowFlags lesson_window = ImGuiWindowFlags_NoDecoration | ImGui
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
                                            ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
-
-/// With line breaks in place of blanks where it is wider than that in the present font. ImGui would break numbers at
-/// their decimal points, too.
-std::string in_words(std::string_view text, float width) {
-    std::string lines;
-    float used = 0;
-    for (std::size_t from = 0; from < text.size();) {
-        const std::size_t end = std::min(text.find_first_of(" \n", from), text.size());
-        const std::string_view word = text.substr(from, end - from);
-        const float wide = width_of(word), blank = used > 0 ? width_of(" ") : 0;
-        const bool fits = used == 0 || used + blank + wide <= width;
-        if (used > 0) lines += fits ? ' ' : '\n';
-        lines += word;
-        used = fits ? used + blank + wide : wide;
-        if (end < text.size() && text[end] == '\n') {
-            lines += '\n';
-            used = 0;
-        }
-        from = end + 1;
-    }
-    return lines;
-}
-
 void paragraph(std::string_view text, ImU32 ink = colour::text) {
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
     ImGui::TextUnformatted(in_words(text, ImGui::GetContentRegionAvail().x).c_str());

@@ -72,12 +72,33 @@ std::string in_lines(const std::string& text, float width) {
     return lines + line;
 }
 
+std::string in_words(std::string_view text, float width) {
+    const auto width_of = [](std::string_view part) {
+        return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+    };
+    std::string lines;
+    float used = 0;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \n", from), text.size());
+        const std::string_view word = text.substr(from, end - from);
+        const float wide = width_of(word), blank = used > 0 ? width_of(" ") : 0;
+        const bool fits = used == 0 || used + blank + wide <= width;
+        if (used > 0) lines += fits ? ' ' : '\n';
+        lines += word;
+        used = fits ? used + blank + wide : wide;
+        if (end < text.size() && text[end] == '\n') {
+            lines += '\n';
+            used = 0;
+        }
+        from = end + 1;
+    }
+    return lines;
+}
+
 void explanation(const Context& context, std::string_view text, ImU32 ink) {
     const WithFont font(context.theme.fonts().small);
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(in_words(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
 }
 

@@ -47,6 +47,9 @@ void text_left(float left, float y, std::string_view text, ImU32 ink);
 void heading(const Context& context, std::string_view text);
 /// With line breaks in place of some of its separators, " · ", where it is wider than that in the present font.
 std::string in_lines(const std::string& text, float width);
+/// With line breaks in place of blanks where it is wider than that in the present font. ImGui would break numbers at
+/// their decimal points, too.
+std::string in_words(std::string_view text, float width);
 /// A paragraph in the small font, wrapped at the edge of the panel.
 void explanation(const Context& context, std::string_view text, ImU32 ink = colour::text_dim);
 /// The label of a row, vertically centred; `height` 0: that of a row with a slider.
