@@ -38,7 +38,7 @@ struct LiveVerdict::Body {
     std::condition_variable changed, told;
     std::shared_ptr<const Moment> moment;      ///< to be answered
     RunDescription newest_run;                 ///< asked about last
-    std::optional<std::uint64_t> newest_step;  ///< of it; none: it is to be asked about again
+    std::optional<std::uint64_t> newest_step;  ///< of it
     std::shared_ptr<const Why> wanted;         ///< null: none
     std::shared_ptr<const PresentLimit> limit;
     std::shared_ptr<const BlowUp> blow_up;
@@ -80,15 +80,31 @@ struct LiveVerdict::Body {
             wait(lock);
             if (stopping) return;
             given_up = false;
+            const auto asked = has_study() ? nullptr : std::exchange(moment, nullptr);
             try {
-                has_study() ? go_on(lock, wanted) : answer(lock, *std::exchange(moment, nullptr));
-            } catch (const Interrupted&) {  // something else is asked for
+                asked ? answer(lock, *asked) : go_on(lock, wanted);
+            } catch (const Interrupted&) {
+                if (!given_up) return;  // the program ends
                 if (!lock.owns_lock()) lock.lock();
-                newest_step.reset();
-            } catch (const std::exception&) {
-                complete = true;  // as a rule there is no memory left: no verdict
+                if (!moment && asked && asked->run == newest_run) moment = asked;
+            } catch (const std::exception&) {  // as a rule there is no memory left
+                give_up_study(lock);
             }
         }
+    }
+
+    /// What is known of the blow-up is all there will be.
+    void give_up_study(std::unique_lock<std::mutex>& lock) {
+        complete = true;
+        study.reset();
+        if (!lock.owns_lock()) lock.lock();
+        if (!wanted || wanted != studied) return;
+        BlowUp known = blow_up ? *blow_up : BlowUp{};
+        known.divergence = wanted->divergence;
+        known.complete = true;
+        blow_up = std::make_shared<const BlowUp>(std::move(known));
+        lock.unlock();
+        ready();
     }
 
     void go_on(std::unique_lock<std::mutex>& lock, std::shared_ptr<const Why> why) {
@@ -101,6 +117,7 @@ struct LiveVerdict::Body {
         }
         complete = !study->next();
         auto found = std::make_shared<const BlowUp>(study->found());
+        if (complete) study.reset();  // with its states of the scene
         lock.lock();
         if (wanted != why) return;
         blow_up = std::move(found);

@@ -215,7 +215,7 @@ void Worker::Body::publish(bool at_once, bool judged) {
             tell_in(ready);
         }
         fresh = ready.leading.frame.shape != nullptr;
-        frames_ready = gate ? gate->frames() : 0;
+        frames_ready = gate && !gate_asked ? gate->frames() : 0;
         call = wake;
     }
     published = Clock::now();

@@ -11,6 +11,7 @@ void Worker::film(std::optional<double> spacing) {
         body_->gate_asked = spacing.value_or(0);
         body_->frames_done = 0;
         body_->frames_taken = 0;
+        body_->frames_ready = 0;
     }
     body_->changed.notify_one();
 }

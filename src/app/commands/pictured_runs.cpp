@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <unistd.h>
 
 namespace steplab {
@@ -121,12 +122,17 @@ void PicturedRuns::judge_steps() {
     }
     if (!is_over()) return;
     const std::vector<SegmentBegin> changes{{0, leading.description()}};
-    BlowUpStudy study(changes, *leading.divergence());
-    while (study.next()) {
+    try {
+        BlowUpStudy study(changes, *leading.divergence());
+        while (study.next()) {
+        }
+        request_.blow_up = std::make_shared<const BlowUp>(study.found());
+        request_.view.frame.oscillation = request_.blow_up->limit.oscillation.shape;
+        request_.style.oscillation = true;
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::exception&) {  // as a rule no memory for another run of it: the picture is without it
     }
-    request_.blow_up = std::make_shared<const BlowUp>(study.found());
-    request_.view.frame.oscillation = request_.blow_up->limit.oscillation.shape;
-    request_.style.oscillation = true;
 }
 
 void PicturedRuns::check_ends() const {

@@ -114,7 +114,11 @@ void Viewer::take_film_frame() {
 void Viewer::take_film_news() {
     if (!film_) return;
     if (!film_->is_over()) {
-        if (film_->is_ready() && worker_->film_frames() > film_->frames()) frames_wanted_ = std::max(frames_wanted_, 1);
+        // where nothing is drawn, the film waits
+        const bool drawn = painted_.view == view_ && painted_.enlarged <= 1 && !interface_.shows_scenes() &&
+                           window_.display().width > 0 && window_.display().height > 0;
+        const bool waits = film_->is_ready() && worker_->film_frames() > film_->frames();
+        if (drawn && waits) frames_wanted_ = std::max(frames_wanted_, 1);
         return;
     }
     const std::string failure = film_->failure();

@@ -1,5 +1,6 @@
 #include "lab/limits/blow_up.hpp"
 
+#include "core/interruption.hpp"
 #include "lab/limits/remedy_trial.hpp"
 #include "lab/limits/replayed_run.hpp"
 #include "sim/catalogue.hpp"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 namespace steplab {
@@ -53,11 +55,12 @@ struct BlowUpStudy::Body {
     std::optional<RemedyTrial> trial;
     std::vector<RunDescription> dts, methods;  ///< to be tried yet, the next one last
     ReplayedRun::Moment start;
+    State<double> start_state;
     double baseline = 0, least_baseline = 0;  ///< size of the energy there [J]
     std::optional<std::uint64_t> baseline_step;
 
     Body(std::span<const SegmentBegin> changes, const Divergence& divergence)
-        : replay(changes), start(replay.moment()) {
+        : replay(changes), start(replay.moment()), start_state(run().state()) {
         found.divergence = divergence;
     }
 
@@ -72,8 +75,10 @@ struct BlowUpStudy::Body {
         return known;
     }
 
+    /// Of the scene as it stood at its start, with the parameters, method and dt with which the run diverged.
+    PresentLimit at_start() { return can_be_linearised() ? limits.at(found.run, start_state, 0, 0) : here(); }
+
     void find_cause() {
-        found.start = here();
         find_last_good();
         found.step = run().step();
         found.time = run().time();
@@ -82,6 +87,7 @@ struct BlowUpStudy::Body {
         find_limit();
         replay.advance_to(found.divergence.step);
         found.run = run().description();
+        found.start = at_start();
         find_limit_on_last_way();
         if (can_be_linearised())
             found.share = share_of(found.limit.oscillation, limits.plan(run().description()), run().state());
@@ -122,7 +128,7 @@ struct BlowUpStudy::Body {
     void measure_growth() {
         const double first = std::max(run().energy_error(), excess * baseline);
         const std::uint64_t end = found.divergence.step, stride = 1 + (end - found.step) / measurements;
-        while (run().step() < end && run().energy_error() < baseline)
+        while (run().step() < end && run().energy_error() < baseline && !run().divergence())
             replay.advance_to(std::min(end, run().step() + stride));
         const double steps = static_cast<double>(run().step() - found.step), ratio = run().energy_error() / first;
         if (steps > 0 && ratio > 1 && std::isfinite(ratio)) found.growth = std::pow(ratio, 1 / steps);
@@ -157,7 +163,9 @@ struct BlowUpStudy::Body {
 
     void prepare_trials() {
         const RunDescription& now = run().description();
-        const double cost = static_cast<double>(run().evaluations()) / std::abs(run().time());
+        const double cost =
+            run().step() > 0 ? static_cast<double>(run().evaluations()) / std::abs(run().time())
+                             : evaluations_per_step(method(now.method).info, now.method_parameters) / std::abs(now.dt);
         trial.emplace(good->snapshot, now, std::abs(run().time()), cost);
         if (found.divergence.stop) return;
         // how far the scene stiffens is for the trials to find
@@ -178,7 +186,13 @@ struct BlowUpStudy::Body {
     void try_next(std::vector<RunDescription>& candidates) {
         const RunDescription candidate = std::move(candidates.back());
         candidates.pop_back();
-        found.tried.push_back(trial->of(candidate));
+        try {
+            found.tried.push_back(trial->of(candidate));
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const std::exception&) {  // the method refuses the scene, or there is no memory for another run of it
+            return;
+        }
         if (found.tried.back().works) candidates.clear();
     }
 };

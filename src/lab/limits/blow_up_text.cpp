@@ -19,14 +19,15 @@ namespace {
 constexpr double most_of_it = 0.9;
 constexpr std::size_t most_named = 3;
 
-/// "Up to step 37 (t = 3.7 s) the energy was right within 1 %; its error then grew by a factor of 1.9 with each step."
+/// "Up to step 37 (t = 3.7 s) the energy was at most 1 % too high; its error then grew by a factor of 1.9 with each
+/// step."
 std::string since_when(const BlowUp& blow_up) {
     const Divergence& divergence = blow_up.divergence;
     const std::string place = fmt::format("step {} (t = {} s)", blow_up.step, reading_text(blow_up.time));
     if (blow_up.step == divergence.step || !blow_up.growth)
-        return fmt::format("Up to {} the energy was right within 1 %; one step later it was impossible.", place);
+        return fmt::format("Up to {} the energy was at most 1 % too high; one step later it was impossible.", place);
     return fmt::format(
-        "Up to {} the energy was right within 1 %; its error then grew by a factor of {} with each step.", place,
+        "Up to {} the energy was at most 1 % too high; its error then grew by a factor of {} with each step.", place,
         significant(*blow_up.growth, 3));
 }
 
@@ -116,7 +117,7 @@ std::string cause(const BlowUp& blow_up) {
                            oscillation_text(then), growth_text(run, then));
     const double dt = std::abs(run.dt);
     if (start.limit && dt > *start.limit) return beyond_from_the_start(run, start);
-    if (dt > *then.limit && start.limit) return stiffened(run, start, then);
+    if (dt > *then.limit) return start.limit ? stiffened(run, start, then) : beyond_from_the_start(run, then);
     return too_coarse(run, then);
 }
 

@@ -44,8 +44,8 @@ void take(Simulation& trial, std::uint64_t steps, TriedRemedy& result) {
         largest = std::max(largest, std::abs(trial.energy_error() - energy));
     }
     result.until = trial.time();
-    result.cost = static_cast<double>(trial.evaluations() - before) / std::abs(result.until - result.from);
     if (trial.divergence()) return;
+    result.cost = static_cast<double>(trial.evaluations() - before) / std::abs(result.until - result.from);
     if (!has_drag(result.run)) result.energy_error = scale > 0 ? largest / scale : 0;
     result.works = result.energy_error.value_or(0) <= most_energy_error;
 }
