@@ -144,9 +144,9 @@ runs_go_beside_each_other() {
     choose 'add run' euler; expect 'runs rk4 double 0.1, euler double 0.1' 'compared 2'
     xdotool key t; expect 'runs rk4 double 0.1, euler double 0.1, rk4 float 0.1' 'compared 3'
     xdotool key Right Right; expect 'step 2' 'pictured 2' # with the errors of its runs, which move what is below
-    click 'equal cost'; expect 'runs rk4 double 0.1, euler double 0.025, rk4 float 0.1'
     click layout/split; expect 'widget magnify gone'
     click layout/ghosts; expect 'widget magnify [0-9].*'
+    click 'equal cost'; expect 'runs rk4 double 0.1, euler double 0.025, rk4 float 0.1' # costs, which move what is below
     click 'run 1'; expect 'method euler' 'runs euler double 0.025, .*'
     click 'run 0.remove'; expect 'method rk4'
     xdotool key r; expect 'changes 1'
