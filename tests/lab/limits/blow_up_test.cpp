@@ -1,6 +1,7 @@
 #include "lab/limits/blow_up.hpp"
 
 #include "lab/limits/remedy_trial.hpp"
+#include "lab/limits/replayed_run.hpp"
 #include "sim/run/linear_limit.hpp"
 #include "support/runs.hpp"
 #include "support/scene_texts.hpp"
@@ -152,6 +153,9 @@ TEST(BlowUp, follows_what_was_done_to_the_run) {
     ASSERT_TRUE(simulation.divergence());
     const std::vector<SegmentBegin> changes{
         {0, calm}, {.step = 300, .description = calm, .act = Kick{3, {0, 0.5, 0}}}, {400, wild}};
+    ReplayedRun replayed(changes);
+    replayed.advance_to(simulation.step());
+    EXPECT_EQ(replayed.run().hash(), simulation.hash());
     const BlowUp found = studied(changes, *simulation.divergence());
     EXPECT_GE(found.step, 400u);
     EXPECT_EQ(found.run, wild);

@@ -57,6 +57,14 @@ TEST(PresentLimit, at_the_start_is_that_at_rest) {
     }
 }
 
+// A spring of rest length 0 has one frequency in all directions: the oscillation is that in which the particle moves.
+TEST(PresentLimit, of_oscillations_of_one_frequency_is_that_of_the_motion) {
+    Simulation run(run_of("oscillator", "rk4", Precision::double_, 0.1));
+    run.act(Kick{1, {3, 4, 0}});
+    const Vec3 v = run.state().velocity.at(1), u = present(run).oscillation.shape[1];
+    EXPECT_GT(std::abs(dot(u, v)) / (length(u) * length(v)), 0.999);  // but for a hundredth of anything
+}
+
 TEST(PresentLimit, is_of_the_moment) {
     Simulation run(run_of("morse", "velocity-verlet", Precision::double_, 0.02));
     const double before = present(run).oscillation.omega;
