@@ -285,9 +285,8 @@ blow_up_is_explained_and_gone_through() {
     expect 'widget divergence [0-9].*' 'widget divergence.beginning [0-9].*' 'widget remedy.dt [0-9].*'
     click divergence.beginning
     expect 'widget divergence gone' 'pictured [0-9]*'
-    xdotool key Right; expect 'step [0-9]*'
-    click oscillation
-    xdotool key space
+    xdotool key Right; expect 'step 1'
+    xdotool key space; expect 'diverged 4'
     expect 'widget divergence.page [0-9].*'
     click divergence.page; expect 'page divergence.md'
     close_window
