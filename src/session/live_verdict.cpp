@@ -36,10 +36,10 @@ struct LiveVerdict::Body {
     std::function<void()> ready;
     mutable std::mutex mutex;
     std::condition_variable changed, told;
-    std::shared_ptr<const Moment> moment;      ///< to be answered
-    RunDescription newest_run;                 ///< asked about last
-    std::optional<std::uint64_t> newest_step;  ///< of it
-    std::shared_ptr<const Why> wanted;         ///< null: none
+    std::shared_ptr<const Moment> moment;                                ///< to be answered
+    RunDescription newest_run;                                           ///< asked about last
+    std::optional<std::pair<std::uint64_t, std::uint64_t>> newest_step;  ///< its segment and step
+    std::shared_ptr<const Why> wanted;                                   ///< null: none
     std::shared_ptr<const PresentLimit> limit;
     std::shared_ptr<const BlowUp> blow_up;
     std::atomic<bool> given_up = false;  ///< the study under way is not wanted any more
@@ -161,16 +161,16 @@ void LiveVerdict::ask(Moment moment) {
         const std::lock_guard lock(body_->mutex);
         if (body_->newest_run != moment.run) body_->limit.reset();
         body_->newest_run = moment.run;
-        body_->newest_step = moment.step;
+        body_->newest_step = {moment.segment, moment.step};
         body_->moment = std::make_shared<const Moment>(std::move(moment));
         body_->begin_thread();
     }
     body_->changed.notify_one();
 }
 
-bool LiveVerdict::is_new(const RunDescription& run, std::uint64_t step) const {
+bool LiveVerdict::is_new(const Simulation& run) const {
     const std::lock_guard lock(body_->mutex);
-    return body_->newest_step != step || body_->newest_run != run;
+    return body_->newest_step != std::pair(run.segment(), run.step()) || body_->newest_run != run.description();
 }
 
 void LiveVerdict::ask_why(std::vector<SegmentBegin> changes, const Divergence& divergence) {

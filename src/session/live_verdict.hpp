@@ -18,8 +18,8 @@ public:
     /// A moment of a run.
     struct Moment {
         RunDescription run;
-        std::uint64_t step = 0;
-        double time = 0;  ///< [s]
+        std::uint64_t step = 0, segment = 0;  ///< Simulation::segment(): an act at a step makes another moment of it
+        double time = 0;                      ///< [s]
         State<double> state = {};
     };
 
@@ -30,7 +30,7 @@ public:
     /// Of this moment, which takes the place of one that is still waiting.
     void ask(Moment moment);
     /// True if the moment asked about last is not this one.
-    bool is_new(const RunDescription& run, std::uint64_t step) const;
+    bool is_new(const Simulation& run) const;
     /// Why a run with these changes diverged; goes on if that was asked before.
     void ask_why(std::vector<SegmentBegin> changes, const Divergence& divergence);
     /// No run has diverged any more.

@@ -50,8 +50,7 @@ void Worker::Body::scan_costs() {
 void Worker::Body::judge_steps() {
     const Simulation& run = session->run();
     if (run.particles() <= PresentLimits::most_particles) {
-        if (verdict.is_new(run.description(), run.step()))
-            verdict.ask({run.description(), run.step(), run.time(), run.state()});
+        if (verdict.is_new(run)) verdict.ask({run.description(), run.step(), run.segment(), run.time(), run.state()});
         view.present = verdict.limit(patience);
     } else {
         view.present.reset();

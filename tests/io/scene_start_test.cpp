@@ -18,21 +18,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Six particles on springs between two walls.
-const std::string between_walls = R"(steplab = 1
-[[particles]]
-group = "row"
-line = { count = 8, step = [1, 0, 0] }
-[[fix]]
-particles = ["row[0]", "row[-1]"]
-fixed = true
-[[springs]]
-between = "row"
-k = 4
-[run]
-method = "taylor"
-)";
 constexpr int moving = 6;
+const std::string between_walls = row_between_walls(moving) + "[run]\nmethod = \"taylor\"\n";
 
 TEST(SceneStart, in_a_normal_mode_vibrates_with_its_frequency) {
     for (int mode = 1; mode <= moving; ++mode) {

@@ -34,6 +34,16 @@ TEST_F(LiveVerdictTest, is_of_the_moment_where_the_run_stands) {
     }
 }
 
+// Something is done to a particle where the run stands: the scene is another at the same step.
+TEST_F(LiveVerdictTest, follows_an_act_at_the_same_step) {
+    worker.send(event::Seek{300});
+    ASSERT_TRUE(see_present(300));
+    const double before = session.present->oscillation.omega;
+    worker.send(event::Do{Pull{0, view.frame.positions[1] + Vec3{0.3, 0, 0}}});
+    ASSERT_TRUE(see([&](const RunView&) { return session.present && session.present->oscillation.omega != before; }));
+    EXPECT_EQ(session.present->step, 300u);
+}
+
 TEST_F(LiveVerdictTest, of_another_method_is_another_at_the_same_step) {
     worker.send(event::Seek{300});
     ASSERT_TRUE(see_present(300));

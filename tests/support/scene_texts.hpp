@@ -12,6 +12,13 @@ namespace steplab::test {
 /// A scene file of this text, named a.toml.
 inline SceneOrigin read_scene(const std::string& text) { return scene_from({{.name = "", .content = text}}, "a.toml"); }
 
+/// The text of a scene of so many particles in a row, 1 m apart, on springs of k = 4 N/m between two that are fixed.
+inline std::string row_between_walls(int moving) {
+    return "steplab = 1\n[[particles]]\ngroup = \"row\"\nline = { count = " + std::to_string(moving + 2) +
+           ", step = [1, 0, 0] }\n[[fix]]\nparticles = [\"row[0]\", \"row[-1]\"]\nfixed = true\n"
+           "[[springs]]\nbetween = \"row\"\nk = 4\n";
+}
+
 /// Why such a file is refused; "read" if it is not.
 inline std::string refusal_of_scene(const std::string& text) {
     try {

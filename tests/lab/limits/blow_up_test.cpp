@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 namespace steplab::test {
@@ -55,20 +56,7 @@ std::uint64_t last_good_step(const RunDescription& run, std::uint64_t end) {
 }
 
 /// Ten masses between walls that vibrate in their slowest mode: what grows of others has grown from rounding.
-constexpr const char* slow_row = R"(steplab = 1
-[[particles]]
-group = "row"
-line = { count = 12, step = [1, 0, 0] }
-[[fix]]
-particles = ["row[0]", "row[-1]"]
-fixed = true
-[[springs]]
-between = "row"
-k = 4
-[start]
-mode = 1
-amplitude = 0.01
-)";
+const std::string slow_row = row_between_walls(10) + "[start]\nmode = 1\namplitude = 0.01\n";
 
 TEST(BlowUp, beyond_the_limit_is_that_of_the_oscillation) {
     const double omega = 4 * std::sin(std::numbers::pi * 10 / 22);  // 2 sqrt(k / m) sin(j pi / 2 (n + 1)), j = n = 10
