@@ -100,7 +100,7 @@ TEST(Act, fixed_particles_are_left_out) {
     EXPECT_FALSE(on_moving(Kick{0, {1, 0, 0}, ParticleList({4})}, shape));
     EXPECT_FALSE(on_moving(Kick{10, {1, 0, 0}}, shape)) << "there is none";
     const auto rest = on_moving(Kick{3, {1, 0, 0}, ParticleList({0, 3, 4, 99})}, shape);
-    EXPECT_EQ(rest, Act(Kick(3, {1, 0, 0}, ParticleList({4}))));
+    EXPECT_EQ(rest, Act(Kick{3, {1, 0, 0}, ParticleList({4})}));
 }
 
 // What is done to particles at the start is not lost by a change of dt there.
