@@ -33,9 +33,9 @@ TEST(ShippedScenes, are_at_least_sixteen_with_a_title_and_what_they_teach) {
     const std::vector<std::string> names = shipped_scenes();
     EXPECT_GE(names.size(), 16U);
     for (const std::string& name : names) {
-        const Model& scene = *find_scene(name)->model;
-        EXPECT_FALSE(scene.info.name.empty()) << name;
-        EXPECT_TRUE(scene.info.what.ends_with('.')) << name;
+        const auto scene = find_scene(name);
+        EXPECT_FALSE(scene->model->info.name.empty()) << name;
+        EXPECT_TRUE(scene->model->info.what.ends_with('.')) << name;
     }
 }
 

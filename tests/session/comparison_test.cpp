@@ -53,7 +53,7 @@ TEST(RunComparison, shows_every_run_at_its_last_step_before_the_time) {
 TEST(RunComparison, evaluates_methods_of_own_steps_at_the_time_itself) {
     RunComparison comparison(variants(scene_of("mesh", {{"dim", 5}}), {"method=dopri5,dt=0.7", "method=ias15,dt=3"}), 6,
                              60);
-    for (const std::uint64_t sample : {0, 1, 17, 60}) {
+    for (const std::uint64_t sample : {0U, 1U, 17U, 60U}) {
         for (const auto& compared : comparison.at(sample)) {
             ASSERT_TRUE(compared);
             EXPECT_NEAR(compared->time, comparison.time(sample), 1e-14);

@@ -45,7 +45,7 @@ TEST_F(LiveErrorsTest, are_those_of_the_command_compare) {
     worker.send(event::AddRun{runs[1]});
     worker.send(event::AddRun{runs[2]});
     std::uint64_t step = 0;
-    for (const std::uint64_t target : {3, 4, 20, 50}) {
+    for (const std::uint64_t target : {3U, 4U, 20U, 50U}) {
         worker.send(event::Step{static_cast<std::int64_t>(target - step)});
         step = target;
         ASSERT_TRUE(errors_at(step));

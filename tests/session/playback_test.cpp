@@ -201,7 +201,7 @@ TEST(Playback, has_samples_of_the_frames_that_were_gone_to) {
     Playback playback(written.path);
     playback.handle(event::ShowSamples{true});
     playback.handle(event::Track{5});
-    for (const std::uint64_t frame : {0, 3, 1}) go_to(playback, frame);
+    for (const std::uint64_t frame : {0U, 3U, 1U}) go_to(playback, frame);
     const auto samples = view_of(playback).leading.series.samples;
     ASSERT_EQ(samples.size(), 3u);
     Simulation simulation(written.run);

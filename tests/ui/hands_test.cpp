@@ -282,7 +282,7 @@ TEST_F(Hands, the_panel_kicks_by_numbers) {
         return desk.calls();
     };
     EXPECT_THAT(kick_by("0.5, -2,1e-1"), ElementsAre("act"));
-    EXPECT_EQ(last_act<Kick>(), Kick(5, {0.5, -2, 0.1}));
+    EXPECT_EQ(last_act<Kick>(), (Kick{5, {0.5, -2, 0.1}}));
     for (const char* wrong : {"1, 2", "1 2 3", "1, 2, x", "", "1, 2, 3, 4"})
         EXPECT_THAT(kick_by(wrong), IsEmpty()) << wrong;
 }

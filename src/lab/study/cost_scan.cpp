@@ -48,8 +48,9 @@ struct CostScan::Body {
     std::optional<Reference> reference = {};
     std::vector<ScannedSeries> series = {};
     std::size_t turn = 0;  ///< of the series to go on with
+    double most_seconds;   ///< of a run
 
-    explicit Body(StudyPlan of) : plan(std::move(of)) {
+    Body(StudyPlan of, double seconds_a_run) : plan(std::move(of)), most_seconds(seconds_a_run) {
         for (const std::string& method : possible_methods(plan)) {
             for (const Precision precision : plan.precisions) {
                 if (takes_dt(method)) series.push_back({method, precision});
@@ -82,14 +83,14 @@ struct CostScan::Body {
         Measurement result = measure(run, steps_of(one), known_reference(), check_interruption);
         const double growth = one.by_tolerance ? 1.5 : 2;
         ++one.level;
-        one.over = one.gain.gains_no_more(result) || result.rough_seconds * growth > most_seconds_a_run ||
+        one.over = one.gain.gains_no_more(result) || result.rough_seconds * growth > most_seconds ||
                    (one.by_tolerance && std::pow(10.0, -2 - one.level) < least_tolerance) || one.level > 40;
         return result;
     }
 };
 
-CostScan::CostScan(const RunDescription& scene, std::optional<double> time)
-    : body_(std::make_unique<Body>(plan_of_scan(scene, time.value_or(time_for(scene))))) {}
+CostScan::CostScan(const RunDescription& scene, std::optional<double> time, double seconds_a_run)
+    : body_(std::make_unique<Body>(plan_of_scan(scene, time.value_or(time_for(scene))), seconds_a_run)) {}
 CostScan::~CostScan() = default;
 CostScan::CostScan(CostScan&&) noexcept = default;
 CostScan& CostScan::operator=(CostScan&&) noexcept = default;

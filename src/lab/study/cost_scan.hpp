@@ -28,7 +28,8 @@ public:
     static constexpr double most_seconds_a_run = 0.05;
 
     /// Method, dt and precision of the description are ignored. `time`: where the runs end; none: time_for().
-    explicit CostScan(const RunDescription& scene, std::optional<double> time = std::nullopt);
+    explicit CostScan(const RunDescription& scene, std::optional<double> time = std::nullopt,
+                      double seconds_a_run = most_seconds_a_run);
     ~CostScan();
     CostScan(CostScan&&) noexcept;
     CostScan& operator=(CostScan&&) noexcept;

@@ -34,7 +34,7 @@ TEST(PlausibleSteps, end_with_the_last_good_step_wherever_they_stop) {
     Simulation straight(run);
     straight.advance(2000);
     ASSERT_TRUE(straight.divergence());
-    for (const std::uint64_t every : {1, 7, 100, 300, 2000}) {
+    for (const std::uint64_t every : {1U, 7U, 100U, 300U, 2000U}) {
         Simulation stopped(run);
         const std::vector<std::uint64_t> at = stops(stopped, 2000, every);
         ASSERT_TRUE(stopped.divergence()) << every;
