@@ -42,11 +42,15 @@ Values values_of(const DescribedOption& option) {
     return {option.words(), names_file};
 }
 
-std::string names_of_options(const DescribedCommand& command) {
-    Words names;
-    for (const DescribedOption& option : command.options)
-        names.insert(names.end(), option.names.begin(), option.names.end());
-    return joined(names);
+/// What may follow a command: its options, and the words or files that it takes.
+Values following(const DescribedCommand& command) {
+    Values all;
+    for (const DescribedOption& option : command.options) {
+        const Values values = option.is_positional() ? values_of(option) : Values{option.names};
+        all.words.insert(all.words.end(), values.words.begin(), values.words.end());
+        all.files = all.files || values.files;
+    }
+    return all;
 }
 
 Words names_of(std::span<const DescribedCommand> commands) {
@@ -56,19 +60,22 @@ Words names_of(std::span<const DescribedCommand> commands) {
     return names;
 }
 
+std::string bash_reply(const Values& values) {
+    std::string reply = "COMPREPLY=()";
+    if (!values.words.empty()) reply = fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$word\"))", joined(values.words));
+    return values.files ? reply + "; _steplab_files" : reply;
+}
+
 /// "run:--model)": values of options, where they are known. Those of a command and an option that others share are
 /// written once.
 std::string bash_values(std::span<const DescribedCommand> commands) {
     std::map<std::string, Words> patterns;  // by what they complete
     for (const DescribedCommand& command : commands) {
         for (const DescribedOption& option : command.options) {
-            if (option.placeholder.empty()) continue;
+            if (option.placeholder.empty() || option.is_positional()) continue;
             const Values values = values_of(option);
-            std::string reply = "COMPREPLY=()";
-            if (!values.words.empty())
-                reply = fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$word\"))", joined(values.words));
-            if (values.files) reply += "; _steplab_files";
-            for (const std::string& name : option.names) patterns[reply].push_back(command.name + ":" + name);
+            for (const std::string& name : option.names)
+                patterns[bash_reply(values)].push_back(command.name + ":" + name);
         }
     }
     std::string text;
@@ -96,6 +103,11 @@ std::string zsh_values(const Values& values) {
     if (values.words.empty()) return values.files ? "_files" : "";
     if (!values.files) return fmt::format("({})", joined(values.words));
     return fmt::format("{{_alternative \"names\\:name\\:({})\" \"files\\:file\\:_files\"}}", joined(values.words));
+}
+
+std::string zsh_word(const DescribedOption& option) {
+    return fmt::format(" \\\n                ':{}:{}'", in_description(option.names.front()),
+                       zsh_values(values_of(option)));
 }
 
 std::string zsh_option(const DescribedOption& option) {
@@ -128,8 +140,7 @@ std::string bash_completion(std::span<const DescribedCommand> commands) {
         "        COMPREPLY=($(compgen -W '{}' -- \"$word\"))\n        return\n    fi\n    case $command in\n",
         joined(names_of(commands)));
     for (const DescribedCommand& command : commands)
-        text += fmt::format("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")) ;;\n", command.name,
-                            names_of_options(command));
+        text += fmt::format("        {}) {} ;;\n", command.name, bash_reply(following(command)));
     text += fmt::format("        help) COMPREPLY=($(compgen -W '{}' -- \"$word\")) ;;\n", joined(names_of(commands)));
     return text + "    esac\n}\ncomplete -F _steplab steplab steplab-view\n";
 }
@@ -147,7 +158,9 @@ std::string zsh_completion(std::span<const DescribedCommand> commands) {
         "        shift words\n        ((CURRENT--))\n    fi\n    case $command in\n";
     for (const DescribedCommand& command : commands) {
         text += fmt::format("        {})\n            _arguments", command.name);
-        for (const DescribedOption& option : command.options) text += zsh_option(option);
+        for (const DescribedOption& option : command.options) {
+            text += option.is_positional() ? zsh_word(option) : zsh_option(option);
+        }
         text += " ;;\n";
     }
     return text + "    esac\n}\n\n_steplab \"$@\"\n";

@@ -24,6 +24,7 @@ DescribedOption described(const CLI::Option& option) {
                            .group = option.get_group()};
     for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
+    if (result.names.empty()) result.names.push_back(option.get_name(true));  // of a word that follows the command
     return result;
 }
 

@@ -84,6 +84,13 @@ TEST_F(Completion, offers_files_where_one_is_named) {
     EXPECT_EQ(offered("steplab run --steps ste"), "  \n");
 }
 
+TEST_F(Completion, offers_what_follows_a_command) {
+    EXPECT_THAT(offered("steplab list ''"), HasSubstr(" methods "));
+    EXPECT_THAT(offered("steplab list ''"), HasSubstr(" --json "));
+    EXPECT_EQ(offered("steplab convert ste"), " steplab \n");
+    EXPECT_EQ(offered("steplab run ste"), "  \n");
+}
+
 TEST_F(Completion, knows_the_options_of_the_window) {
     EXPECT_THAT(offered("steplab-view --full"), HasSubstr("--full-screen"));
     EXPECT_THAT(offered("steplab --full"), HasSubstr("--full-screen"));
