@@ -3,6 +3,7 @@
 #
 # As root, with debootstrap. Runs the program, the library's example, the Python module and the command of the menu entry
 # under Xvfb; then removes the packages and looks for what they left.
+
 # shellcheck disable=SC2016 # what is quoted is expanded inside
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
