@@ -46,6 +46,7 @@ file(GLOB pages CONFIGURE_DEPENDS docs/*.md)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/steplab)
 install(FILES ${pages} DESTINATION share/doc/steplab/docs)
 install(DIRECTORY docs/images DESTINATION share/doc/steplab/docs)
+install(DIRECTORY python/notebooks DESTINATION share/doc/steplab/python)
 
 # The library: find_package(steplab) gives programs the target steplab::steplab.
 include(CMakePackageConfigHelpers)
