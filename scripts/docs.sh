@@ -17,7 +17,7 @@ export PATH=/usr/bin:$PATH
 collect_pages() {
     rm -rf "$root/build/site"
     mkdir -p "$pages"
-    cp -r "$root"/docs/*.md "$root/docs/images" "$root/CHANGELOG.md" "$pages"
+    cp -r "$root"/docs/*.md "$root/docs/images" "$root/CHANGELOG.md" "$root/LICENSE" "$pages"
     sed -E 's#\]\(docs/#](#g' "$root/README.md" >"$pages/index.md"
     sed -i -E 's#\]\(\.\./README\.md#](index.md#g; s#\]\(\.\./CHANGELOG\.md#](CHANGELOG.md#g; s#\]\(\.\./(python/notebooks/[a-z0-9-]+)\.ipynb#](\1.md#g; s#\]\(python/notebooks/#](notebooks/#g' "$pages"/*.md
 }
