@@ -80,6 +80,11 @@ TEST(OwnMethods, are_measured_by_the_lab) {
     EXPECT_LE(advice.best.error, 1e-3);
 }
 
+TEST(OwnMethods, have_drag_in_their_accelerations) {
+    // its kicks take drag as it is at their beginning: of order 1, and of none if it were left out or turned round
+    EXPECT_NEAR(order(Scene::model("rope", {{"n", 5}, {"c", 1}}), own_verlet(), 2).value(), 1, 0.1);
+}
+
 TEST(OwnMethods, with_a_mistake_fail_the_tests_of_order_and_limit) {
     add_method(std::make_shared<const OwnVerlet>("broken-verlet", 0.6));
     const Scene chain = Scene::model("chain");

@@ -53,6 +53,7 @@ Measurement measurement_of(const steplab::Measurement& from) {
 
 std::vector<Measurement> measurements_of(const std::vector<steplab::Measurement>& runs) {
     std::vector<Measurement> all;
+    all.reserve(runs.size());
     for (const steplab::Measurement& run : runs) all.push_back(measurement_of(run));
     return all;
 }
@@ -92,6 +93,7 @@ std::vector<Limit> limits(const Scene& scene, const std::vector<std::string>& me
         base.precision = precision_named(precision, base);
         check(base);
         std::vector<RunDescription> runs;
+        runs.reserve(methods.size());
         for (const std::string& id : methods) runs.push_back(with_method(base, id));
         if (methods.empty()) {
             for (const Method& each : steplab::methods()) runs.push_back(with_method(base, each.info.id));
