@@ -1,5 +1,12 @@
 """The exceptions of steplab: one family, whose classes have the exit codes of the program."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .runs import Run
+
 
 class Error(Exception):
     """The base class of what steplab raises: ``str(error)`` says what is wrong, and what would be right."""
@@ -24,7 +31,7 @@ class Diverged(Error):
     """A run diverged, or its method cannot meet its tolerance. ``error.run`` has its rows up to there."""
 
     exit_code = 4
-    run = None
+    run: Run | None = None
 
 
 class GraphicsError(Error):

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._core import Scene as _CoreScene
 from ._arrays import array_from, number_from, texts_from, values_from, word_from
 
 
@@ -25,11 +26,11 @@ class Scene:
     def __init__(self, *_: object) -> None:
         raise TypeError("make a scene by Scene.model(), Scene.from_file(), Scene.from_text() or Scene.from_arrays()")
 
-    _core: _core.Scene
+    _core: _CoreScene
     _made_by: tuple[Callable[..., Any], tuple[Any, ...]]
 
     @classmethod
-    def _of(cls, core: _core.Scene, made_by: Callable[..., Any], *given: Any) -> Scene:
+    def _of(cls, core: _CoreScene, made_by: Callable[..., Any], *given: Any) -> Scene:
         scene = object.__new__(cls)
         scene._core = core
         scene._made_by = (made_by, given)
