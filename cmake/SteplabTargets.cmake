@@ -180,7 +180,7 @@ foreach(set IN LISTS steplab_instruction_sets)
 endforeach()
 
 # What is compiled in each instruction set beside the steppers of the methods: sources of src/sim/steppers.
-set(steplab_shared_steppers energy_sums erased_forces kick_drift_steps runge_kutta_steps)
+set(steplab_shared_steppers energy_sums erased_forces kick_drift_steps own_steps runge_kutta_steps)
 
 # steplab_catalogue(sources METHODS id... MODELS id... [INSTRUCTIONS set...]): the sources of a catalogue of these, written
 # from their ids, the steppers of its methods in each of the instruction sets among them.
@@ -211,7 +211,9 @@ function(steplab_catalogue sources)
     string(APPEND STEPLAB_MODEL_MAKERS "const Model& ${function}_model();\n")
     string(APPEND STEPLAB_MODEL_ENTRIES "        ${function}_model(),\n")
   endforeach()
-  steplab_energy_sums("${ARG_INSTRUCTIONS}")
+  steplab_in_each_set(ENERGY "EnergySums energy_sums()" "energy_sums()" "EnergySums{}" "${ARG_INSTRUCTIONS}")
+  steplab_in_each_set(OWN "std::unique_ptr<Stepper> make_own_stepper(const StepperSetup&, std::shared_ptr<const OwnSteps>)"
+                      make_own_stepper nullptr "${ARG_INSTRUCTIONS}")
   configure_file(${folder}/catalogue_entries.cpp.in ${generated}/catalogue_entries.cpp @ONLY)
   foreach(shared IN LISTS steplab_shared_steppers)
     list(APPEND steppers ${templates}/${shared}.cpp)
@@ -247,19 +249,20 @@ function(steplab_stepper_makers class sets)
   set(STEPLAB_ENSEMBLE_MAKERS ${groups} PARENT_SCOPE)
 endfunction()
 
-# The sums of energies in each instruction set, empty where they were not compiled for it.
-function(steplab_energy_sums sets)
+# steplab_in_each_set(name declaration value none sets): what is compiled once for each instruction set, as the variables
+# STEPLAB_<name>_DECLARATIONS and STEPLAB_<name>_ENTRIES: its value in each set, `none` where it was not compiled for it.
+function(steplab_in_each_set name declaration value none sets)
   foreach(set IN ITEMS baseline avx2 avx512)
     if(set IN_LIST sets)
-      string(APPEND declarations "namespace ${set} {\nEnergySums energy_sums();\n}\n")
-      list(APPEND sums "${set}::energy_sums()")
+      string(APPEND declarations "namespace ${set} {\n${declaration};\n}\n")
+      list(APPEND entries "${set}::${value}")
     else()
-      list(APPEND sums "EnergySums{}")
+      list(APPEND entries "${none}")
     endif()
   endforeach()
-  list(JOIN sums ", " sums)
-  set(STEPLAB_ENERGY_DECLARATIONS ${declarations} PARENT_SCOPE)
-  set(STEPLAB_ENERGY_SUMS ${sums} PARENT_SCOPE)
+  list(JOIN entries ", " entries)
+  set(STEPLAB_${name}_DECLARATIONS ${declarations} PARENT_SCOPE)
+  set(STEPLAB_${name}_ENTRIES ${entries} PARENT_SCOPE)
 endfunction()
 
 # ld of the GNU binutils, which alone knows --force-group-allocation; CMake may have found ld.lld.

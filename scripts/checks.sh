@@ -2,8 +2,8 @@
 # The checks that take longer than those of .ci/run: scripts/checks.sh
 #
 # Every instruction set with all tests, golden hashes with the other compiler, the kept inputs of what reads from outside
-# under the sanitizers, and that the benchmarks compile. Takes an hour on two cores: run it before a release and after
-# work on methods, forces or files.
+# under the sanitizers, the site of the documentation, the packages, and that the benchmarks compile. Takes more than an
+# hour on two cores: run it before a release and after work on methods, forces or files.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -14,5 +14,7 @@ ensure_packages core graphics tests checks benchmarks
 build clang -DSTEPLAB_WERROR=ON --target test_sim
 quiet_tests clang -R GoldenHashes
 "$root/scripts/fuzz.sh" 0
+"$root/scripts/docs.sh"
+"$root/scripts/package.sh"
 build release -DSTEPLAB_WERROR=ON --target benchmarks programs
 "$root/scripts/test.sh"

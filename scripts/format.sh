@@ -11,4 +11,4 @@ case ${1:-} in
 esac
 
 cd "$root"
-find src tests benchmarks docs -name '*.[ch]pp' -print0 | xargs -0 -r -n 20 -P "$(nproc)" clang-format "${mode[@]}"
+find src include examples python tests benchmarks docs -name '*.[ch]pp' -print0 | xargs -0 -r -n 20 -P "$(nproc)" clang-format "${mode[@]}"

@@ -1,5 +1,6 @@
 #include "core/interruption.hpp"
 
+#include "core/interruption_of_thread.hpp"
 #include "core/program_end.hpp"
 #include "core/watching.hpp"
 
@@ -87,6 +88,8 @@ void check_interruption() {
     }
     watch_of_this_thread = watch;
 }
+
+const std::atomic<bool>* interruption_of_this_thread() { return asked_on_this_thread; }
 
 Watching::Watching(std::function<void()> watch) : watch_(std::move(watch)), outer_(watch_of_this_thread) {
     watch_of_this_thread = &watch_;

@@ -1,9 +1,13 @@
 #include "core/team.hpp"
 
+#include "core/interruption.hpp"
+#include "core/interruption_of_thread.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <optional>
 
 namespace steplab {
 
@@ -59,7 +63,10 @@ void Team::share(std::size_t count, const std::function<void(std::size_t)>& f) {
     std::atomic<bool> stopped = false;
     std::mutex mutex;
     std::exception_ptr failure;
-    run([&](std::size_t) {
+    const std::atomic<bool>* const asked = interruption_of_this_thread();
+    run([&](std::size_t member) {
+        std::optional<InterruptibleBy> interruptible;
+        if (asked && member > 0) interruptible.emplace(*asked);
         try {
             for (std::size_t i = next++; i < count && !stopped; i = next++) f(i);
         } catch (...) {

@@ -1,6 +1,7 @@
 #include "core/team.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "core/interruption.hpp"
 #include "support/no_threads.hpp"
 
 #include <gtest/gtest.h>
@@ -64,6 +65,26 @@ TEST_P(TeamOf, ends_for_all_on_the_exception_of_one) {
         if (i == 0) throw std::runtime_error("enough");
     };
     EXPECT_THROW(Team(GetParam()).share(std::numeric_limits<std::size_t>::max() / 2, first_fails), std::runtime_error);
+}
+
+TEST_P(TeamOf, members_are_interrupted_with_the_thread_that_they_work_for) {
+    std::atomic<bool> asked = true;
+    std::atomic<int> interrupted = 0;
+    const auto counts = [&](std::size_t) {
+        try {
+            check_interruption();
+        } catch (const Interrupted&) {
+            ++interrupted;
+        }
+    };
+    Team team(GetParam());
+    {
+        const InterruptibleBy interruptible(asked);
+        team.share(50, counts);
+    }
+    EXPECT_EQ(interrupted, 50);
+    team.share(50, counts);
+    EXPECT_EQ(interrupted, 50) << "nothing asks any more";
 }
 
 TEST_P(TeamOf, waits_at_the_barrier_for_all_members) {

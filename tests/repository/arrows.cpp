@@ -46,6 +46,21 @@ std::string complaint(const std::string& folder, const std::string& line) {
     return fmt::format("{} may not know {}", folder, other);
 }
 
+/// Programs on the library, which know include/steplab and nothing of src/.
+bool is_outside(const std::filesystem::path& path) {
+    const std::string first = path.begin()->string();
+    return first == "include" || first == "examples" || first == "python" ||
+           path.string().starts_with("tests/library/");
+}
+
+/// What is wrong with a line of such a program; empty if nothing is.
+std::string complaint_outside(const std::string& line) {
+    static const std::regex room(R"re(^\s*#\s*include\s*["<]([^"/>]+)/.*)re");
+    std::smatch match;
+    if (!std::regex_match(line, match, room) || !arrows().contains(match[1])) return {};
+    return fmt::format("the library's users may not know {}", match[1].str());
+}
+
 bool is_looked_at(const std::filesystem::path& path) {
     const auto extension = path.extension();
     return extension == ".hpp" || extension == ".cpp" || extension == ".in" || path.filename() == "CMakeLists.txt";
@@ -56,17 +71,18 @@ bool is_looked_at(const std::filesystem::path& path) {
 std::vector<std::string> forbidden_arrows(const std::vector<TextFile>& files) {
     std::vector<std::string> found;
     for (const TextFile& file : files) {
-        if (*file.path.begin() != "src" || !is_looked_at(file.path)) continue;
+        const bool outside = is_outside(file.path);
+        if ((*file.path.begin() != "src" && !outside) || !is_looked_at(file.path)) continue;
         const std::string folder = std::next(file.path.begin())->string();
         if (folder == "CMakeLists.txt") continue;
-        if (!arrows().contains(folder)) {
+        if (!outside && !arrows().contains(folder)) {
             found.push_back(fmt::format("{}: src/{} is not a folder of the plan", file.path.string(), folder));
             continue;
         }
         std::size_t number = 0;
         for (const std::string& line : lines_of(file.text)) {
             ++number;
-            const std::string wrong = complaint(folder, line);
+            const std::string wrong = outside ? complaint_outside(line) : complaint(folder, line);
             if (!wrong.empty()) found.push_back(fmt::format("{}:{}: {}", file.path.string(), number, wrong));
         }
     }

@@ -24,6 +24,18 @@ TEST(Arrows, allowed_includes_and_links_pass) {
                 IsEmpty());
 }
 
+TEST(Arrows, users_of_the_library_know_its_headers_alone) {
+    EXPECT_THAT(forbidden_arrows({{"examples/a.cpp", "#include <steplab/scene.hpp>\n#include <cstdio>\n"},
+                                  {"python/a.cpp", "#include \"arrays.hpp\"\n#include <pybind11/stl.h>\n"}}),
+                IsEmpty());
+    EXPECT_THAT(forbidden_arrows({{"include/steplab/a.hpp", "#include \"sim/catalogue.hpp\"\n"},
+                                  {"python/a.cpp", "#include <core/vec3.hpp>\n"},
+                                  {"tests/library/a.cpp", "\n#include \"lab/limits/limits.hpp\"\n"}}),
+                ElementsAre("include/steplab/a.hpp:1: the library's users may not know sim",
+                            "python/a.cpp:1: the library's users may not know core",
+                            "tests/library/a.cpp:2: the library's users may not know lab"));
+}
+
 TEST(Arrows, include_against_an_arrow_is_found_with_file_and_line) {
     EXPECT_THAT(forbidden_arrows({{"src/core/frame.hpp", "#pragma once\n#include \"session/worker.hpp\"\n"}}),
                 ElementsAre("src/core/frame.hpp:2: core may not know session"));

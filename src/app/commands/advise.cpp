@@ -26,9 +26,6 @@ namespace {
 constexpr ParameterInfo error_info{
     .name = "--error", .unit = "", .minimum_included = false, .what = "largest allowed error at the end"};
 
-/// The reference is this many times as accurate as the requested error.
-constexpr double finer_reference = 1000;
-
 /// Rows of the table of other methods, at most.
 constexpr std::size_t most_others = 5;
 

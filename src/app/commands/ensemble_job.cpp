@@ -2,9 +2,9 @@
 
 #include "app/cli/progress.hpp"
 #include "app/commands/ensemble_rows.hpp"
-#include "app/commands/recorded_run.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "io/recorded_run.hpp"
 #include "io/summary.hpp"
 
 #include <fmt/format.h>
@@ -40,13 +40,13 @@ std::vector<RunSummary> computed(const EnsembleJob& job) {
 /// The runs with their rows, one after another.
 std::vector<RunSummary> recorded(const EnsembleJob& job, EnsembleRows& rows) {
     std::vector<RunSummary> summaries;
-    Progress progress(1, false);
     for (std::size_t i = 0; i < job.runs.size(); ++i) {
         const EnsembleRun& run = job.runs[i];
         rows.begin(i, run.description);
         Simulation simulation(run.description, job.execution);
-        summaries.push_back(
-            record_run(simulation, run.end, job.every, progress, [&rows](const Simulation& now) { rows.record(now); }));
+        summaries.push_back(record_run(
+            simulation, run.end, job.every, [](std::uint64_t) {},
+            [&rows](const Simulation& now) { rows.record(now); }));
         check_interruption();
     }
     return summaries;

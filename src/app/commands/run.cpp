@@ -6,11 +6,11 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/commands/ensemble_job.hpp"
-#include "app/commands/recorded_run.hpp"
 #include "app/commands/run_outputs.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
+#include "io/recorded_run.hpp"
 
 #include <fmt/format.h>
 
@@ -56,8 +56,9 @@ public:
         try {
             const bool rows_on_terminal = output_.standard_output_taken() && isatty(STDOUT_FILENO) != 0;
             Progress progress(steps, isatty(STDERR_FILENO) != 0 && !rows_on_terminal);
-            const RunSummary summary = record_run(simulation, end, rows_every, progress,
-                                                  [&outputs](const Simulation& now) { outputs.record(now); });
+            const RunSummary summary = record_run(
+                simulation, end, rows_every, [&progress](std::uint64_t step) { progress.at(step); },
+                [&outputs](const Simulation& now) { outputs.record(now); });
             outputs.commit(summary);
             output_.print_summary(summary_text(summary));
             for (const std::string& note : summary.notes) print_note(note);

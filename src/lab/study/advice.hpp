@@ -6,6 +6,9 @@
 
 namespace steplab {
 
+/// The reference is to be this many times as accurate as the requested error.
+inline constexpr double finer_reference = 1000;
+
 /// Which method and step to use for a scene, a time and an error.
 struct Advice {
     Measurement best;                 ///< verified: repeated as its command line says, it keeps the error

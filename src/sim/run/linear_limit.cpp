@@ -43,13 +43,16 @@ double growth(const Method& method, const ParameterValues& parameters, const Pla
     return std::max(std::abs(one), std::abs(other));
 }
 
+/// The smallest omega dt at which growth is looked for.
+constexpr double smallest_phase = 0.01;
+
 /// The first dt at which the damped motion grows, searched in steps of 2 % and bisected down to rounding.
 double first_growth(const Method& method, const ParameterValues& parameters, double omega, double gamma) {
     const FlushSubnormals flush;
     const Plan scene = damped_oscillator(omega, gamma);
     const auto grows = [&](double dt) { return !(growth(method, parameters, scene, dt) <= 1 + 1e-12); };
     const double scale = 1 / std::max(omega, gamma);
-    double stable = 0.01 * scale, unstable = stable;
+    double stable = smallest_phase * scale, unstable = stable;
     while (!grows(unstable) && unstable < 1e4 * scale) stable = std::exchange(unstable, unstable * 1.02);
     if (!grows(unstable)) return infinity;
     for (int i = 0; i < 45; ++i) {
@@ -67,6 +70,11 @@ double linear_limit(const Method& method, const ParameterValues& parameters, dou
     const bool always = phase == infinity;  // drag takes nothing from a method that is stable everywhere
     if (gamma == 0 || always || method.info.curiosity || method.info.adaptive) return undamped;
     return first_growth(method, parameters, omega, gamma);
+}
+
+double measured_linear_limit(const Method& method, const ParameterValues& parameters) {
+    const double limit = first_growth(method, parameters, 1, 0);
+    return limit > smallest_phase ? limit : 0;
 }
 
 double linear_limit(const RunDescription& run, double omega) {

@@ -14,6 +14,10 @@ namespace steplab {
 /// the limit without drag, as do the adaptive ones, whose steps follow the motion.
 double linear_limit(const Method& method, const ParameterValues& parameters, double omega, double gamma);
 
+/// The largest stable omega dt on x'' = -omega^2 x as found in the same way, whatever the entry says: 0 if it grows at
+/// 0.01 already.
+double measured_linear_limit(const Method& method, const ParameterValues& parameters);
+
 /// That of a run whose scene's fastest oscillation has this frequency [rad/s], with the scene's drag: of this
 /// oscillation and of motion that nothing drives back. 0: unstable at any dt.
 double linear_limit(const RunDescription& run, double omega);

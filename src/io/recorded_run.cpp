@@ -1,4 +1,4 @@
-#include "app/commands/recorded_run.hpp"
+#include "io/recorded_run.hpp"
 
 #include "core/interruption.hpp"
 #include "sim/run/confirmed_steps.hpp"
@@ -32,13 +32,13 @@ std::vector<std::string> notes_of(const Simulation& simulation, const Diagnostic
 
 }  // namespace
 
-RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t every, Progress& progress,
-                      const std::function<void(const Simulation&)>& record) {
+RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t every,
+                      const ShortWalks::Between& between, const std::function<void(const Simulation&)>& record) {
     const std::uint64_t steps = end.step;
     simulation.end_at(end);
-    ConfirmedSteps stepping(steps, [&progress](std::uint64_t step) {
+    ConfirmedSteps stepping(steps, [&between](std::uint64_t step) {
         check_interruption();
-        progress.at(step);
+        between(step);
     });
     const auto begin = Clock::now();
     const double energy_start = simulation.energy();
