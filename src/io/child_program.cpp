@@ -146,6 +146,7 @@ void ChildProgram::ask_to_end(double seconds) {
     kill(process_, SIGTERM);
     const int times = static_cast<int>(seconds * 1000) / milliseconds_of_waiting;
     for (int i = 0; i < times && !ended(); ++i) poll(nullptr, 0, milliseconds_of_waiting);
+    process_ = 0;
 }
 
 std::string ChildProgram::messages() const {

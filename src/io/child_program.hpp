@@ -42,7 +42,8 @@ public:
     End end();
     /// How it ended, if it has ended by now.
     std::optional<End> ended();
-    /// Asks it to end, as it does on SIGTERM, and gives it this long.
+    /// Has it end on SIGTERM, so that it can end programs of its own; waits for it for this long at most, and then
+    /// leaves it to itself.
     void ask_to_end(double seconds);
     /// What it wrote to standard error so far: the beginning of a long text, without the end of the last line.
     std::string messages() const;

@@ -29,7 +29,7 @@ void LammpsOptions::declare(CLI::App& app) {
     text_option(app, "--every", every_, "K", "Trajectory of every K-th step (default: first and last step only)");
 }
 
-RunDescription LammpsOptions::checked(const SceneOptions& scene) const {
+RunDescription lammps_method_checked(const SceneOptions& scene) {
     const RunDescription run = scene.description();
     if (scene.names_method() && run.method != method_of_lammps)
         throw UsageError(
@@ -44,6 +44,8 @@ LammpsTime LammpsOptions::time(std::uint64_t steps) const {
 }
 
 std::uint64_t ranks_of(const std::string& text) { return whole("--ranks", text, 1048576, "number of MPI ranks"); }
+
+std::uint64_t samples_of(const std::string& text) { return whole("--samples", text, 1e6, "number of moments"); }
 
 std::string export_text(const LammpsExport& what, const std::string& folder) {
     std::string text = fmt::format("{} particles and {} springs, for LAMMPS\n", what.particles, what.bonds);

@@ -16,16 +16,17 @@ namespace steplab {
 class LammpsOptions {
 public:
     void declare(CLI::App& app);
-    /// The run of the options of a scene. Throws UsageError for a --method that LAMMPS does not have.
-    RunDescription checked(const SceneOptions& scene) const;
     LammpsTime time(std::uint64_t steps) const;
 
 private:
     std::string every_;
 };
 
-/// The --ranks of a command. Throws UsageError.
+/// The run of the options of a scene. Throws UsageError for a --method that LAMMPS does not have.
+RunDescription lammps_method_checked(const SceneOptions& scene);
+/// The --ranks and --samples of a command. Throw UsageError.
 std::uint64_t ranks_of(const std::string& text);
+std::uint64_t samples_of(const std::string& text);
 
 /// What was exported into a folder, for people.
 std::string export_text(const LammpsExport& what, const std::string& folder);

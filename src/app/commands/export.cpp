@@ -48,7 +48,7 @@ private:
     }
     void write_lammps_files() const {
         if (out_ == "-") throw UsageError("--to lammps needs --out DIR, a folder for its files");
-        const RunDescription run = lammps_.checked(scene_);
+        const RunDescription run = lammps_method_checked(scene_);
         const LammpsTime time = lammps_.time(time_.end(run).step);
         catch_interruptions();
         print(export_text(export_to_lammps(run, time, out_), out_));

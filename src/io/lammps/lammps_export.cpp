@@ -191,7 +191,8 @@ LammpsExport export_to_lammps(const RunDescription& run, const LammpsTime& time,
     LammpsExport result{.particles = scene.count(),
                         .bonds = scene.bonds(),
                         .table_error = forces.table_error(),
-                        .neighbour_force = forces.neighbour_force()};
+                        .neighbour_force = forces.neighbour_force(),
+                        .neighbour_acceleration = forces.neighbour_acceleration()};
     if (script.is_unlimited()) result.reach = scene.reach();
     if (run.method != "velocity-verlet")
         result.notes.push_back(

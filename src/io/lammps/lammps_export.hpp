@@ -19,9 +19,9 @@ struct LammpsExport {
     std::size_t particles = 0;
     std::uint64_t bonds = 0;
     double table_error = 0;  ///< largest error of a force by table, in parts of it or of that below; 0: there is none
-    double neighbour_force = 0;           ///< between neighbours, by table
-    double reach = 0;                     ///< the distance beyond which LAMMPS ends the run; 0: none
-    std::vector<std::string> notes = {};  ///< what is different there
+    double neighbour_force = 0, neighbour_acceleration = 0;  ///< the largest between neighbours, by table
+    double reach = 0;                                        ///< the distance beyond which LAMMPS ends the run; 0: none
+    std::vector<std::string> notes = {};                     ///< what is different there
 };
 
 /// The names of the files in the folder of an export, and of what LAMMPS writes beside them.

@@ -84,6 +84,17 @@ double LammpsForces::neighbour_force() const {
     return largest;
 }
 
+double LammpsForces::neighbour_acceleration() const {
+    double largest = 0;
+    for (std::size_t i = 0; i < contents_.size(); ++i) {
+        for (const std::size_t type : {tables_[i].one, tables_[i].other}) {
+            const LammpsType& of = scene_.types()[type];
+            if (!of.fixed) largest = std::max(largest, contents_[i].neighbour_force() / of.mass);
+        }
+    }
+    return largest;
+}
+
 std::string LammpsForces::style_name(std::size_t force) const {
     const LammpsPairForce& of = scene_.pair_forces()[force];
     const bool cut = of.cutoff > 0;

@@ -26,6 +26,8 @@ public:
     double table_error() const { return table_error_; }
     /// The largest force between neighbours among tables.
     double neighbour_force() const;
+    /// The same of the accelerations by these forces.
+    double neighbour_acceleration() const;
     /// Writes the tables, if there are any. Throws FileError.
     void write_tables(const std::string& file) const;
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -22,8 +23,8 @@ namespace {
 
 /// What LAMMPS prints.
 constexpr const char* screen_file = "screen.lammps";
-/// From SIGTERM to SIGKILL.
-constexpr double seconds_to_end = 0.7;
+/// mpirun takes up to a second to end its ranks.
+constexpr double seconds_to_end = 0.2;
 
 bool is_installed(const std::string& program) {
     const char* const path = std::getenv("PATH");
@@ -34,13 +35,19 @@ bool is_installed(const std::string& program) {
     return false;
 }
 
-void check_installed(std::uint64_t ranks) {
-    if (!is_installed("lmp"))
-        throw FileError(
-            "LAMMPS is not installed: there is no program lmp; on Debian and Ubuntu it is in the package lammps");
-    if (ranks > 1 && !is_installed("mpirun"))
-        throw FileError(
-            "there is no program mpirun for several ranks; on Debian and Ubuntu it is in the package openmpi-bin");
+/// What lies behind an error of LAMMPS, where a scene of steplab can cause it.
+std::string_view cause_of(std::string_view error) {
+    constexpr std::array<std::array<std::string_view, 2>, 5> causes{{
+        {"Bond atoms", ": a spring is more than three times as long as at the start; is dt too large?"},
+        {"Lost atoms", ": particles move too far in a step; is dt too large?"},
+        {"Non-numeric", ": is dt too large?"},
+        {"table inner cutoff", ": two particles came closer than the table of their force reaches"},
+        {"Fix halt", ": two particles are farther apart than the cut-off that a force without one has there"},
+    }};
+    for (const auto& [text, cause] : causes) {
+        if (error.find(text) != std::string_view::npos) return cause;
+    }
+    return "";
 }
 
 std::vector<std::string> command(const std::string& folder, std::uint64_t ranks) {
@@ -70,8 +77,17 @@ std::optional<LammpsEnergy> energy_in(const std::string& line) {
 
 }  // namespace
 
+void check_lammps_installed(std::uint64_t ranks) {
+    if (!is_installed("lmp"))
+        throw FileError(
+            "LAMMPS is not installed: there is no program lmp; on Debian and Ubuntu it is in the package lammps");
+    if (ranks > 1 && !is_installed("mpirun"))
+        throw FileError(
+            "there is no program mpirun for several ranks; on Debian and Ubuntu it is in the package openmpi-bin");
+}
+
 LammpsRun::LammpsRun(std::string folder, std::uint64_t ranks)
-    : folder_((check_installed(ranks), std::move(folder))), program_(command(folder_, ranks)) {}
+    : folder_((check_lammps_installed(ranks), std::move(folder))), program_(command(folder_, ranks)) {}
 
 LammpsRun::~LammpsRun() { program_.ask_to_end(seconds_to_end); }
 
@@ -97,8 +113,8 @@ std::string LammpsRun::message() const {
 
 void LammpsRun::finish() {
     if (program_.end() == ChildProgram::End::done) return;
-    throw Error(ExitCode::diverged,
-                fmt::format("LAMMPS ended before the last step: {}; its files are in '{}'", message(), shown(folder_)));
+    const std::string said = message();
+    throw Error(ExitCode::diverged, fmt::format("LAMMPS ended before the last step: {}{}", said, cause_of(said)));
 }
 
 std::vector<LammpsEnergy> LammpsRun::energies() const {

@@ -17,11 +17,14 @@ struct LammpsEnergy {
     double total() const { return potential + kinetic; }
 };
 
+/// Throws FileError, naming the package, where lmp or, for several ranks, mpirun is not installed.
+void check_lammps_installed(std::uint64_t ranks);
+
 /// LAMMPS at work on an exported folder (export_to_lammps()): started by its run.sh, on some MPI ranks. It ends with
 /// this object at the latest.
 class LammpsRun {
 public:
-    /// Throws FileError, naming the package, where lmp or, for several ranks, mpirun is not installed.
+    /// Throws FileError as check_lammps_installed() does.
     LammpsRun(std::string folder, std::uint64_t ranks);
     ~LammpsRun();
     LammpsRun(const LammpsRun&) = delete;
