@@ -15,7 +15,7 @@ if [[ $(dpkg --print-architecture) != arm64 ]] && ! dpkg --print-foreign-archite
     as_root dpkg --add-architecture arm64
     as_root apt-get update -q >&2
 fi
-ensure_packages core arm64
+ensure_packages core arm64 lammps
 build arm64 -DSTEPLAB_WERROR=ON --target test_core test_models test_sim
 (($#)) || set -- -R 'GoldenHashes|Exponential|Forces'
 quiet_tests arm64 "$@"

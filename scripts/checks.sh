@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
 
-ensure_packages core graphics tests checks benchmarks
+ensure_packages core graphics tests checks benchmarks lammps
 build clang -DSTEPLAB_WERROR=ON --target test_sim
 quiet_tests clang -R GoldenHashes
 "$root/scripts/fuzz.sh" 0

@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
 
-ensure_packages core checks
+ensure_packages core checks lammps
 build coverage
 find "$root/build/coverage" -name '*.gcda' -delete
 quiet_tests coverage

@@ -14,7 +14,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
 
-ensure_packages core checks
+ensure_packages core checks lammps
 if [[ ${1:-} == --threads ]]; then
     shift
     build tsan -DSTEPLAB_WERROR=ON

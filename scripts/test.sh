@@ -14,7 +14,7 @@ if [[ ${1:-} == --native ]]; then
     sets=(-DSTEPLAB_INSTRUCTION_SETS=native)
     shift
 fi
-ensure_packages core graphics python tests
+ensure_packages core graphics python tests lammps
 build release "${sets[@]}"
 say "running the tests of build/release"
 ctest --preset release --parallel "$(nproc)" --no-label-summary "$@" 2>&1

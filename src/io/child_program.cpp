@@ -120,18 +120,33 @@ bool ChildProgram::write(std::string_view bytes) {
 
 ChildProgram::End ChildProgram::end() {
     close_input();
-    if (is_missing()) return End::missing;
-    int status = 0;
-    pid_t ended = 0;
-    while ((ended = waitpid(process_, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
+    std::optional<End> how;
+    while (!(how = ended())) {
         check_interruption();
         poll(nullptr, 0, milliseconds_of_waiting);
     }
+    return *how;
+}
+
+std::optional<ChildProgram::End> ChildProgram::ended() {
+    if (process_ <= 0) return how_;
+    int status = 0;
+    const pid_t ended = waitpid(process_, &status, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR)) return std::nullopt;
     process_ = 0;
-    if (ended < 0 || !WIFEXITED(status)) return End::failed;
     constexpr int of_shells = 127;  // a script that starts what is missing
-    if (WEXITSTATUS(status) == of_shells) return End::missing;
-    return WEXITSTATUS(status) == 0 ? End::done : End::failed;
+    const bool failed = ended < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+    const bool missing = failed && ended > 0 && WIFEXITED(status) && WEXITSTATUS(status) == of_shells;
+    how_ = missing ? End::missing : failed ? End::failed : End::done;
+    return how_;
+}
+
+void ChildProgram::ask_to_end(double seconds) {
+    if (process_ <= 0) return;
+    kill(process_, SIGTERM);
+    const int times = static_cast<int>(seconds * 1000) / milliseconds_of_waiting;
+    for (int i = 0; i < times && !ended(); ++i) poll(nullptr, 0, milliseconds_of_waiting);
+    process_ = 0;
 }
 
 std::string ChildProgram::messages() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <sys/types.h>
@@ -39,6 +40,11 @@ public:
     bool write(std::string_view bytes);
     /// Ends its input and waits for its end. Throws Interrupted.
     End end();
+    /// How it ended, if it has ended by now.
+    std::optional<End> ended();
+    /// Has it end on SIGTERM, so that it can end programs of its own; waits for it for this long at most, and then
+    /// leaves it to itself.
+    void ask_to_end(double seconds);
     /// What it wrote to standard error so far: the beginning of a long text, without the end of the last line.
     std::string messages() const;
 
@@ -46,6 +52,7 @@ private:
     void close_input();
 
     pid_t process_ = -1;  ///< 0 once it has ended
+    End how_ = End::missing;
     int input_ = -1;
     int messages_ = -1;
 };

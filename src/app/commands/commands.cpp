@@ -4,8 +4,10 @@
 #include "app/cli/command_line.hpp"
 #include "app/commands/advise.hpp"
 #include "app/commands/bench.hpp"
+#include "app/commands/cluster.hpp"
 #include "app/commands/compare.hpp"
 #include "app/commands/convert.hpp"
+#include "app/commands/crosscheck.hpp"
 #include "app/commands/export.hpp"
 #include "app/commands/hard_cases.hpp"
 #include "app/commands/limits.hpp"
@@ -93,6 +95,8 @@ std::vector<std::unique_ptr<Command>> commands(const std::vector<std::string>& a
     all.push_back(snapshot_command());
     all.push_back(record_command());
     all.push_back(compare_command());
+    all.push_back(cluster_command());
+    all.push_back(crosscheck_command());
     all.push_back(replay_command());
     all.push_back(limits_command());
     all.push_back(hard_cases_command());

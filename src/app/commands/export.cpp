@@ -1,8 +1,10 @@
 #include "app/commands/export.hpp"
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/lammps_options.hpp"
 #include "app/cli/scene_options.hpp"
 #include "core/error.hpp"
+#include "core/interruption.hpp"
 #include "core/text.hpp"
 #include "io/scene_export.hpp"
 
@@ -13,30 +15,51 @@ namespace steplab {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> formats{"scene"};
+constexpr std::string_view to_scene = "scene", to_lammps = "lammps";
+constexpr std::array formats{to_scene, to_lammps};
 
 class ExportCommand final : public Command {
 public:
     std::string_view name() const override { return "export"; }
-    std::string_view what() const override { return "Write a scene as a file"; }
+    std::string_view what() const override { return "Write a scene as a file, or as input of LAMMPS"; }
 
     void declare(CLI::App& app) override {
         scene_.declare(app);
-        text_option(app, "--to", to_, "scene", "Kind of file: scene, TOML for --scene");
-        text_option(app, "--out", out_, "FILE|-", "Output file (default -, standard output)");
+        time_.declare(app);
+        lammps_.declare(app);
+        text_option(app, "--to", to_, "scene|lammps", "Kind of file: scene, TOML for --scene; or files for LAMMPS");
+        text_option(app, "--out", out_, "FILE|DIR|-", "Output file (default -, standard output); with lammps a folder");
+        app_ = &app;
     }
 
     int run() override {
-        if (to_.empty()) throw UsageError("--to is required: --to scene");
-        if (to_ != formats[0]) throw UsageError(unknown_word("kind of file", to_, formats));
-        write_scene(out_, scene_.description());
+        if (to_.empty()) throw UsageError("--to is required: --to scene or --to lammps");
+        if (to_ != to_scene && to_ != to_lammps) throw UsageError(unknown_word("kind of file", to_, formats));
+        to_ == to_scene ? write_scene_file() : write_lammps_files();
         return static_cast<int>(ExitCode::done);
     }
 
 private:
+    void write_scene_file() const {
+        for (const char* option : {"--steps", "--until", "--every"}) {
+            if (is_given(*app_, option)) throw UsageError(std::string(option) + " belongs to --to lammps");
+        }
+        write_scene(out_, scene_.description());
+    }
+    void write_lammps_files() const {
+        if (out_ == "-") throw UsageError("--to lammps needs --out DIR, a folder for its files");
+        const RunDescription run = lammps_method_checked(scene_);
+        const LammpsTime time = lammps_.time(time_.end(run).step);
+        catch_interruptions();
+        print(export_text(export_to_lammps(run, time, out_), out_));
+    }
+
     SceneOptions scene_;
+    TimeOptions time_{1000, TimeOptions::Default::scene};
+    LammpsOptions lammps_;
     std::string to_;
     std::string out_ = "-";
+    const CLI::App* app_ = nullptr;
 };
 
 }  // namespace

@@ -25,17 +25,7 @@ std::vector<std::uint32_t> indices(IndexRange range) {
 }
 
 ComposedPairs pairs_of(const PairTerm& term, const SceneParticles& particles) {
-    ComposedPairs pairs;
-    if (const PotentialInfo* const named = built_in_potential(term.potential)) {
-        pairs.potential = term.potential;
-        for (const PotentialInfo::Parameter& parameter : named->parameters) {
-            const auto given = term.values.find(std::string(parameter.name));
-            pairs.values.push_back(given == term.values.end() ? 0 : given->second.value);
-        }
-    } else {
-        pairs.expression = expression_of(term, particles[0].mass);
-    }
-    if (term.cutoff) pairs.cutoff = term.cutoff->value;
+    ComposedPairs pairs = pair_force_of(term, particles[0].mass);
     const std::string first = term.between.empty() ? "all" : term.between.front();
     pairs.first = indices(particles.named(first));
     if (term.between.size() == 2 && term.between[1] != first) pairs.second = indices(particles.named(term.between[1]));
@@ -132,6 +122,21 @@ void add_particles(const SceneParticles& particles, bool from_positions, Composi
 }
 
 }  // namespace
+
+ComposedPairs pair_force_of(const PairTerm& term, double unit) {
+    ComposedPairs pairs;
+    if (const PotentialInfo* const named = built_in_potential(term.potential)) {
+        pairs.potential = term.potential;
+        for (const PotentialInfo::Parameter& parameter : named->parameters) {
+            const auto given = term.values.find(std::string(parameter.name));
+            pairs.values.push_back(given == term.values.end() ? 0 : given->second.value);
+        }
+    } else {
+        pairs.expression = expression_of(term, unit);
+    }
+    if (term.cutoff) pairs.cutoff = term.cutoff->value;
+    return pairs;
+}
 
 Composition composed(const Scene& scene, const SceneParticles& particles) {
     Composition composition;

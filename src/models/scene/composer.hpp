@@ -10,6 +10,10 @@ namespace steplab {
 /// The forces of any scene, for the composed layout. Throws UsageError for an expression that is too long.
 Composition composed(const Scene& scene, const SceneParticles& particles);
 
+/// The force of a term without its particles. Masses and energies of an expression are in units of the mass `unit`.
+/// Throws UsageError for an expression that is too long.
+ComposedPairs pair_force_of(const PairTerm& term, double unit);
+
 /// What acts against velocities.
 struct SceneDamping {
     double drag = 0;            ///< rate gamma = c / m, where it is the same for all particles and nothing else damps

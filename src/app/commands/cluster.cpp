@@ -1,0 +1,162 @@
+#include "app/commands/cluster.hpp"
+
+#include "app/cli/catalogue_text.hpp"
+#include "app/cli/command_line.hpp"
+#include "app/cli/lammps_options.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/scene_options.hpp"
+#include "app/commands/cluster_results.hpp"
+#include "core/error.hpp"
+#include "core/interruption.hpp"
+#include "core/shown.hpp"
+#include "core/text.hpp"
+#include "io/lammps/lammps_run.hpp"
+#include "io/lammps/lammps_submit.hpp"
+#include "io/output_file.hpp"
+#include "io/trajectory_format.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <unistd.h>
+
+namespace steplab {
+
+namespace {
+
+constexpr const char* cluster_examples =
+    "Examples:\n"
+    "  steplab cluster --model mesh --set dim=1000 --steps 200 --ranks 2 --every 50 --out mesh.trajectory\n"
+    "  steplab cluster --scene fcc-crystal --until 20 --ranks 256 --submit slurm --files job\n\n";
+
+constexpr unsigned microseconds_of_waiting = 50'000;
+constexpr std::array<std::string_view, 1> batch_systems{"slurm"};
+
+/// The folder of LAMMPS' files: the one asked for, or a new one in this folder, removed once the results are written.
+class WorkFolder {
+public:
+    explicit WorkFolder(const std::string& asked) : path_(asked), temporary_(asked.empty()) {
+        if (!temporary_) return;
+        path_ = "lammps-XXXXXX";
+        if (mkdtemp(path_.data()) == nullptr) throw FileError("cannot make a folder here for the files of LAMMPS");
+    }
+    ~WorkFolder() {
+        std::error_code ignored;
+        if (temporary_) std::filesystem::remove_all(path_, ignored);
+    }
+    WorkFolder(const WorkFolder&) = delete;
+    WorkFolder& operator=(const WorkFolder&) = delete;
+
+    void keep() { temporary_ = false; }
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+    bool temporary_;
+};
+
+class ClusterCommand final : public Command {
+public:
+    std::string_view name() const override { return "cluster"; }
+    std::string_view what() const override { return "Run a simulation by LAMMPS, on several MPI ranks"; }
+
+    void declare(CLI::App& app) override {
+        const std::string group = "LAMMPS";
+        scene_.declare(app);
+        time_.declare(app);
+        lammps_.declare(app);
+        text_option(app, "--ranks", ranks_, "N", "Number of MPI ranks (required)", group);
+        text_option(app, "--files", files_, "DIR", "Folder that keeps the files of LAMMPS (default: none)", group);
+        text_option(app, "--submit", submit_, "slurm", "Write a batch file into --files instead of running", group);
+        text_option(app, "--out", out_, "FILE|-", "Positions and velocities; - for standard output", "Output");
+        text_option(app, "--summary", summary_, "FILE|-", "Summary of the run (JSON)", "Output");
+        footer(app, [] { return std::string(cluster_examples) + catalogue_hint(); });
+    }
+
+    int run() override {
+        if (ranks_.empty()) throw UsageError("--ranks is required: the number of MPI ranks, such as --ranks 2");
+        const std::uint64_t ranks = ranks_of(ranks_);
+        const RunDescription run = with_method(lammps_method_checked(scene_), "velocity-verlet");
+        const LammpsTime time = lammps_.time(time_.end(run).step);
+        if (!out_.empty()) trajectory_format_of(out_);  // throws before anything is computed
+        if (!out_.empty() && out_ == summary_) throw UsageError("--out and --summary both write to one place");
+        catch_interruptions();
+        if (!submit_.empty()) return submit(run, time, ranks);
+        check_lammps_installed(ranks);
+        return compute(run, time, ranks);
+    }
+
+private:
+    int submit(const RunDescription& run, const LammpsTime& time, std::uint64_t ranks) const {
+        if (submit_ != batch_systems[0]) throw UsageError(unknown_word("batch system", submit_, batch_systems));
+        if (files_.empty()) throw UsageError("--submit needs --files DIR, a folder that the cluster can read");
+        const LammpsExport written = export_to_lammps(run, time, files_);
+        const std::string batch = write_slurm_file(files_, model_of(run).info.name, ranks);
+        print(export_text(written, files_) + fmt::format("  {:<14}sbatch {}\n", "submit", shown(batch)));
+        return static_cast<int>(ExitCode::done);
+    }
+
+    int compute(const RunDescription& run, const LammpsTime& time, std::uint64_t ranks) const {
+        WorkFolder folder(files_);
+        try {
+            const LammpsExport written = export_to_lammps(run, time, folder.path());
+            LammpsRun lammps(folder.path(), ranks);
+            const auto begin = std::chrono::steady_clock::now();
+            wait_for(lammps, time.steps);
+            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            RunSummary summary = cluster_summary(run, time.steps, written.particles, lammps.energies(), seconds);
+            summary.notes = written.notes;
+            summary.notes.push_back(
+                fmt::format("computed by {} on {} MPI rank{}", lammps.version(), ranks, ranks == 1 ? "" : "s"));
+            if (!out_.empty()) write_cluster_rows(run, folder.path(), written.particles, out_);
+            report(summary);
+        } catch (const UsageError&) {
+            throw;
+        } catch (...) {
+            folder.keep();
+            fmt::print(stderr, "steplab cluster: the files of LAMMPS are kept in '{}'\n", shown(folder.path()));
+            throw;
+        }
+        return static_cast<int>(ExitCode::done);
+    }
+
+    static void wait_for(LammpsRun& lammps, std::uint64_t steps) {
+        Progress progress(std::max<std::uint64_t>(1, steps), isatty(STDERR_FILENO) != 0, "steplab cluster");
+        while (lammps.is_running()) {
+            check_interruption();
+            if (const auto step = lammps.step()) progress.at(*step);
+            usleep(microseconds_of_waiting);
+        }
+        lammps.finish();
+    }
+
+    void report(const RunSummary& summary) const {
+        if (!summary_.empty()) {
+            OutputFile file(summary_);
+            file.write(summary_json(summary));
+            file.commit();
+        }
+        std::string text = summary_text(summary);
+        for (const std::string& note : summary.notes) text += fmt::format("  {:<14}{}\n", "note", note);
+        for (const std::string& file : {out_, summary_, files_}) {
+            if (!file.empty() && file != "-") text += fmt::format("  {:<14}{}\n", "written", shown(file));
+        }
+        if (out_ == "-" || summary_ == "-")
+            std::fputs(text.c_str(), stderr);
+        else
+            print(text);
+    }
+
+    SceneOptions scene_;
+    TimeOptions time_{1000, TimeOptions::Default::scene};
+    LammpsOptions lammps_;
+    std::string ranks_, files_, submit_, out_, summary_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> cluster_command() { return std::make_unique<ClusterCommand>(); }
+
+}  // namespace steplab

@@ -1,0 +1,163 @@
+// Scenes computed by LAMMPS from the command line: export --to lammps, cluster, crosscheck.
+
+#include "app/program.hpp"
+#include "app/tables.hpp"
+#include "io/files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <sys/stat.h>
+#include <vector>
+
+namespace steplab {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using Json = nlohmann::json;
+
+const std::vector<std::string> small_mesh{"--model", "mesh", "--method", "velocity-verlet", "--steps", "50"};
+
+Outcome steplab(std::vector<std::string> words, const std::vector<std::string>& more, const Surroundings& where = {}) {
+    words.insert(words.end(), more.begin(), more.end());
+    return run_program(words, where);
+}
+
+/// A folder with a program of this name; PATH then has it and the system's shell.
+void put_program(const TemporaryFolder& folder, const std::string& name, const std::string& script) {
+    put_text(folder.file(name), "#!/bin/sh\n" + script);
+    std::filesystem::permissions(folder.file(name), std::filesystem::perms::owner_all);
+}
+
+TEST(Cluster, gives_the_rows_and_the_summary_of_run) {
+    const TemporaryFolder folder;
+    const Surroundings here{.folder = folder.path()};
+    const Outcome there =
+        steplab({"cluster", "--ranks", "2", "--every", "20", "--out", "there.csv", "--summary", "-"}, small_mesh, here);
+    ASSERT_EQ(there.code, 0) << there.err;
+    ASSERT_EQ(steplab({"run", "--every", "20", "--out", "ours.csv"}, small_mesh, here).code, 0);
+    const CsvTable theirs = table(text_of(folder.file("there.csv"))), ours = table(text_of(folder.file("ours.csv")));
+    EXPECT_EQ(theirs.head, ours.head);
+    ASSERT_EQ(theirs.rows.size(), ours.rows.size());
+    EXPECT_EQ(theirs.rows.size(), 400U) << "steps 0, 20, 40 and 50";
+    for (std::size_t row = 0; row < ours.rows.size(); ++row) {
+        for (std::size_t column = 0; column < ours.rows[row].size(); ++column)
+            ASSERT_NEAR(number(theirs.rows[row][column]), number(ours.rows[row][column]), 1e-12)
+                << "sums of forces in another order, 50 times";
+    }
+    const Json summary = Json::parse(there.out);
+    EXPECT_EQ(summary["method"], "velocity-verlet");
+    EXPECT_EQ(summary["steps"], 50);
+    EXPECT_EQ(summary["status"], "ok");
+    EXPECT_NEAR(summary["energy_start"].get<double>(), 0.5, 1e-12);
+    EXPECT_THAT(summary["notes"].dump(), HasSubstr("on 2 MPI ranks"));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        EXPECT_FALSE(entry.is_directory()) << "the files of LAMMPS are removed";
+}
+
+TEST(Cluster, that_fails_shows_the_message_of_lammps_and_keeps_its_files) {
+    const TemporaryFolder folder;
+    const Outcome failed =
+        run_program({"cluster", "--model", "mesh", "--dt", "5", "--steps", "1000", "--ranks", "1", "--files", "kept"},
+                    {.folder = folder.path()});
+    EXPECT_EQ(failed.code, 4);
+    EXPECT_THAT(failed.err, HasSubstr("ERROR"));
+    EXPECT_THAT(failed.err, HasSubstr("is dt too large?"));
+    EXPECT_THAT(failed.err, HasSubstr("are kept in 'kept'"));
+    EXPECT_TRUE(std::filesystem::exists(folder.file("kept/log.lammps")));
+}
+
+TEST(Cluster, without_lammps_or_mpirun_names_the_package) {
+    const TemporaryFolder folder;
+    put_program(folder, "lmp", "exit 0\n");
+    const Outcome no_lammps =
+        steplab({"cluster", "--ranks", "1"}, small_mesh, {.folder = folder.path(), .environment = {"PATH=/nowhere"}});
+    EXPECT_EQ(no_lammps.code, 3);
+    EXPECT_THAT(no_lammps.err, HasSubstr("no program lmp; on Debian and Ubuntu it is in the package lammps"));
+    const Outcome no_mpi = steplab({"cluster", "--ranks", "2"}, small_mesh,
+                                   {.folder = folder.path(), .environment = {"PATH=" + folder.path()}});
+    EXPECT_EQ(no_mpi.code, 3);
+    EXPECT_THAT(no_mpi.err, HasSubstr("mpirun"));
+    EXPECT_THAT(no_mpi.err, HasSubstr("openmpi-bin"));
+}
+
+// A program in LAMMPS' place that never ends by itself, and says when it runs.
+TEST(Cluster, that_is_interrupted_ends_lammps_and_keeps_the_files) {
+    const TemporaryFolder folder;
+    put_program(folder, "lmp", "echo $$ >\"$STARTED\"\nexec sleep 1000\n");
+    const Surroundings here{
+        .folder = folder.path(),
+        .environment = {"PATH=" + folder.path() + ":" + std::getenv("PATH"), "STARTED=" + folder.file("started")}};
+    ASSERT_EQ(mkfifo(folder.file("started").c_str(), 0600), 0);
+    RunningProgram program({"cluster", "--model", "chain", "--steps", "5", "--ranks", "1", "--files", "kept"}, here);
+    const int lammps = std::stoi(text_of(folder.file("started")));  // waits until it runs
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.code, 128 + SIGINT);
+    EXPECT_THAT(outcome.err, HasSubstr("are kept in 'kept'"));
+    EXPECT_NE(kill(lammps, 0), 0) << "it has ended";
+}
+
+TEST(Cluster, writes_a_batch_file) {
+    const TemporaryFolder folder;
+    const Outcome outcome = steplab({"cluster", "--ranks", "256", "--submit", "slurm", "--files", "job"}, small_mesh,
+                                    {.folder = folder.path()});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("sbatch job/job.slurm"));
+    const std::string batch = text_of(folder.file("job/job.slurm"));
+    EXPECT_THAT(batch, StartsWith("#!/bin/sh\n"));
+    EXPECT_THAT(batch, HasSubstr("#SBATCH --ntasks=256\n"));
+    EXPECT_THAT(batch, HasSubstr("srun"));
+    EXPECT_FALSE(std::filesystem::exists(folder.file("job/log.lammps"))) << "nothing is computed";
+}
+
+TEST(Cluster, refuses_wrong_use) {
+    const auto message = [](const std::vector<std::string>& words) {
+        const Outcome outcome = run_program(words);
+        EXPECT_EQ(outcome.code, 2) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_THAT(message({"cluster", "--model", "chain"}), HasSubstr("--ranks is required"));
+    EXPECT_THAT(message({"cluster", "--ranks", "0"}), HasSubstr("--ranks"));
+    EXPECT_THAT(message({"cluster", "--ranks", "2", "--method", "rk4"}), HasSubstr("does not have the method rk4"));
+    EXPECT_THAT(message({"cluster", "--ranks", "2", "--submit", "pbs", "--files", "x"}),
+                HasSubstr("unknown batch system 'pbs'"));
+    EXPECT_THAT(message({"cluster", "--ranks", "2", "--submit", "slurm"}), HasSubstr("--files DIR"));
+    EXPECT_THAT(message({"cluster", "--ranks", "2", "--out", "x.png"}), HasSubstr("png"));
+    EXPECT_THAT(message({"export", "--model", "chain", "--to", "lammps"}), HasSubstr("--out DIR"));
+    EXPECT_THAT(message({"export", "--model", "chain", "--to", "scene", "--steps", "3"}),
+                HasSubstr("--steps belongs to --to lammps"));
+    EXPECT_THAT(message({"export", "--model", "chain", "--to", "lamps"}), HasSubstr("did you mean 'lammps'"));
+    EXPECT_THAT(message({"crosscheck", "--model", "chain", "--precision", "float"}), HasSubstr("not in float"));
+}
+
+TEST(Crosscheck, prints_a_table_and_a_verdict) {
+    const Outcome outcome =
+        run_program({"crosscheck", "--model", "chain", "--steps", "50", "--samples", "5", "--ranks", "2"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, StartsWith("chain, 50 steps of dt 0.1, velocity Verlet here and in LAMMPS"));
+    EXPECT_THAT(outcome.out, HasSubstr("steplab and LAMMPS agree within rounding."));
+}
+
+TEST(Export, to_lammps_says_what_was_written_and_keeps_17_digits) {
+    const TemporaryFolder folder;
+    const Outcome outcome = run_program({"export", "--model", "chain", "--set", "L=0.1", "--set",
+                                         "v0=0.3333333333333333", "--to", "lammps", "--out", "job"},
+                                        {.folder = folder.path()});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("10 particles and 9 springs, for LAMMPS\n"));
+    EXPECT_THAT(outcome.out, HasSubstr("job/run.sh RANKS"));
+    const std::string data = text_of(folder.file("job/scene.data"));
+    EXPECT_THAT(data, HasSubstr("\n4 1 2 0.30000000000000004 0 0\n"));
+    EXPECT_THAT(data, HasSubstr("\n10 0.3333333333333333 0 0\n"));
+    EXPECT_THAT(data, HasSubstr("\n1 bond types\n")) << "lengths that differ by rounding are one";
+}
+
+}  // namespace
+}  // namespace steplab
