@@ -70,7 +70,8 @@ choices_that_cannot_be_read_are_no_error() {
     for text in 'scale = = 2' 'scale = 1e9' 'version = 99'; do
         echo "$text" >"$config"
         reopen --model chain
-        said 'scale 1' 'widget refusal [0-9].*'
+        said 'scale 1'
+        [[ -n ${place[refusal]:-} ]] || expect 'widget refusal [0-9].*'
         xdotool key Escape; expect 'widget refusal gone'
         xdotool key ctrl+q
         wait "$window_pid" || fail "it ended with exit code $?"
@@ -141,11 +142,11 @@ films_of_the_same_are_the_same() {
     start_display 1280x800
     film_of_numbered_pictures
     film_of_numbered_pictures
+    cmp -s "$folder"/steplab-chain-1.frames/000{05,15}.png && fail 'the pictures do not change'
     for ((i = 0; i < 20; ++i)); do
         cmp "$folder/steplab-chain-1.frames/$(printf %05d.png $i)" "$folder/steplab-chain-2.frames/$(printf %05d.png $i)" ||
             fail "picture $i of two films of the same is another one"
     done
-    cmp -s "$folder"/steplab-chain-1.frames/000{05,15}.png && fail 'the pictures do not change'
 }
 
 films_are_completed_when_a_signal_ends_the_window() {
@@ -233,7 +234,8 @@ the_keyboard_reaches_the_panels() {
 small_windows_have_tabs() {
     start_display 1280x800
     open_window --model chain --method rk4 --dt 0.1 --size 640x480
-    said 'widget tab/Scene [0-9].*' 'widget scene.n [0-9].*' 'widget plot 1 [0-9].*'
+    expect 'widget tab/Scene [0-9].*'
+    said 'widget scene.n [0-9].*' 'widget plot 1 [0-9].*'
     click tab/Method; expect 'widget method [0-9].*' 'widget scene.n gone'
     enter dt 0.05; expect 'dt 0.05'
     click tab/State; expect 'widget selection.fixed [0-9].*' 'widget dt gone'
