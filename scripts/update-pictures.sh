@@ -52,6 +52,7 @@ picture diverged --model mesh --set dim=13 --method verlet --dt 0.74 --steps 100
 picture runs-ghosts --model rope --dt 0.005 --until 3.5 --run method=rk4 --run method=euler-forward --size 800x500
 picture runs-split --model morse --dt 0.02 --until 12 --run method=rk4 --run method=verlet --run method=euler --run method=dopri5 \
     --layout split --ui on --size 1280x800
+picture panel-tabs --model chain --until 20 --run method=rk4 --run method=euler --ui on --size 640x480 --scale 1
 
 say "docs/images/comet.gif: four methods on an ellipse"
 "$root/build/release/bin/steplab" record --scene kepler-ellipse --set e=0.6 --until 26 --run method=dop853 \

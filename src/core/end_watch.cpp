@@ -52,7 +52,8 @@ void EndWatch::watch() {
     if (stopping_) return;
     signal_ = signal;
     asked_();
-    sigtimedwait(&signals, nullptr, &patience);
+    while (sigtimedwait(&signals, nullptr, &patience) < 0 && longer_) {
+    }
     if (!stopping_) end_program(128 + signal);
 }
 

@@ -9,7 +9,8 @@ namespace steplab {
 
 /// For a program that has something to write before it ends, and whose main thread may be waiting: hands on SIGINT,
 /// SIGTERM and SIGHUP on a thread of its own. A program that has not ended 0.9 s later, or is asked a second time, ends
-/// at once (end_program(), 128 + n). To be made before other threads, which inherit that these signals wait.
+/// at once (end_program(), 128 + n); after wait_longer() only the latter. To be made before other threads, which
+/// inherit that these signals wait.
 class EndWatch {
 public:
     /// `asked` is called on that thread when the first signal has come.
@@ -24,12 +25,16 @@ public:
         return came == 0 ? std::nullopt : std::optional(came);
     }
 
+    /// The program says that it is completing what takes longer.
+    void wait_longer() { longer_ = true; }
+
 private:
     void watch();
 
     std::function<void()> asked_;
     std::atomic<int> signal_ = 0;
     std::atomic<bool> stopping_ = false;
+    std::atomic<bool> longer_ = false;
     std::thread thread_;
 };
 

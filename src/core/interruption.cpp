@@ -68,8 +68,6 @@ bool make_deadline() {
 // Without a timer nothing would end a program that does not answer.
 void catch_interruptions() { on_interruptions(make_deadline() ? remember : end_now); }
 
-void end_on_interruptions() { on_interruptions(end_now); }
-
 void end_program_soon(int exit_code) {
     if (make_deadline()) begin_to_end(exit_code);
 }

@@ -32,7 +32,4 @@ private:
 /// The same in a moment, unless the program has ended by itself until then.
 void end_program_soon(int exit_code);
 
-/// From now on SIGINT, SIGTERM and SIGHUP do that at once, with 128 + n.
-void end_on_interruptions();
-
 }  // namespace steplab

@@ -45,11 +45,12 @@ public:
         if (file >= 0) posix_spawn_file_actions_adddup2(&files_, file, number_of_given_file);
         posix_spawnattr_init(&attributes_);
         // In a group of its own it does not get Ctrl+C, on which it would end with an error or half a file; signals
-        // that are ignored here would stay ignored there.
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+        // that are ignored or wait here would do so there.
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
         posix_spawnattr_setpgroup(&attributes_, 0);
         sigset_t usual;
         sigemptyset(&usual);
+        posix_spawnattr_setsigmask(&attributes_, &usual);
         for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&usual, signal);
         posix_spawnattr_setsigdefault(&attributes_, &usual);
     }

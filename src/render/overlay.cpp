@@ -30,12 +30,15 @@ std::vector<double> legend_values(const ColourScale& scale) {
 
 }  // namespace
 
-void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, const Palette& palette) {
+void sketch_labels(Sketch& sketch, const Axes& axes, const Occupancy& taken, PictureSize picture,
+                   const Palette& palette) {
+    constexpr double legible = 0.5;  // a fainter text is not drawn: no text is half there
     for (const AxisLabel& label : axes.labels) {
         const PixelPoint size = sketch.text_size(label.text);
         const PixelPoint low{label.centre.x - size.x / 2, label.centre.y - size.y / 2};
         const double in_the_way = taken.taken(low, {low.x + size.x, low.y + size.y});
-        sketch.text_centred(label.centre, label.text, palette.text, 0.85 * label.strength * (1 - in_the_way));
+        if (label.strength * (1 - in_the_way) < legible) continue;
+        sketch.text_over(low, label.text, palette.text, backdrop_at(palette, 1 - label.centre.y / picture.height));
     }
 }
 
@@ -65,9 +68,10 @@ void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& p
         sketch.line(centre, {centre.x + reach * x, centre.y + reach * y}, arm.colour, 1.8 * pixel_scale);
         // The letter of an arm that points at the camera is placed beside it.
         const double near_eye = 1 - std::min(std::hypot(x, y) / 0.4, 1.0);
-        sketch.text_centred(
-            {centre.x + letter * x + 10 * pixel_scale * near_eye, centre.y + letter * y + 8 * pixel_scale * near_eye},
-            arm.name, arm.colour);
+        const PixelPoint size = sketch.text_size(arm.name);
+        sketch.text_over({centre.x + letter * x + 10 * pixel_scale * near_eye - size.x / 2,
+                          centre.y + letter * y + 8 * pixel_scale * near_eye - size.y / 2},
+                         arm.name, arm.colour, palette.bottom);
     }
 }
 
@@ -78,7 +82,10 @@ void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, c
     const double right = size.width - 28 * pixel_scale;
     const double top = 58 * pixel_scale + lower;
     const std::string heading(title(scale.colouring));
-    sketch.text({right - sketch.text_size(heading).x, top - 28 * pixel_scale}, heading, palette.text);
+    const auto write = [&](PixelPoint place, const std::string& text) {
+        sketch.text_over(place, text, palette.text, backdrop_at(palette, 1 - place.y / size.height));
+    };
+    write({right - sketch.text_size(heading).x, top - 28 * pixel_scale}, heading);
     constexpr int bands = 32;
     const auto value = [&](double part) { return std::lerp(scale.maximum, scale.minimum, part); };
     for (int band = 0; band < bands; ++band) {
@@ -91,7 +98,7 @@ void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, c
         const double y = top + height * (1 - number / scale.maximum) / (1 - scale.minimum / scale.maximum);
         const std::string text = typed(number, 3);
         const PixelPoint extent = sketch.text_size(text);
-        sketch.text({right - width - 8 * pixel_scale - extent.x, y - extent.y / 2}, text, palette.text);
+        write({right - width - 8 * pixel_scale - extent.x, y - extent.y / 2}, text);
     }
 }
 

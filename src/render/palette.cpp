@@ -1,5 +1,9 @@
 #include "render/palette.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 namespace steplab::render {
 namespace {
 
@@ -28,7 +32,7 @@ constexpr Palette light{.top = rgb(0xffffff),
                         .selection = rgb(0x10151c),
                         .force = rgb(0x9a3fc4),
                         .roles = {rgb(0x2f7fe0), rgb(0x8c96a3), rgb(0xe8a413), rgb(0xe0483e)},
-                        .axes = {rgb(0xc9453d), rgb(0x2e8f4a), rgb(0x2f6fc4)},
+                        .axes = {rgb(0xb8352d), rgb(0x1c7437), rgb(0x2562b3)},
                         .runs = {rgb(0x1b69cf), rgb(0xb35900), rgb(0x127043), rgb(0x9a2fa8)},
                         .compressed = rgb(0x1464dc),
                         .stretched = rgb(0xe06a00),
@@ -38,5 +42,13 @@ constexpr Palette light{.top = rgb(0xffffff),
 }  // namespace
 
 const Palette& palette(Background background) { return background == Background::dark ? dark : light; }
+
+Rgb backdrop_at(const Palette& palette, double part) {
+    const auto mixed = [part](std::uint8_t low, std::uint8_t high) {
+        return static_cast<std::uint8_t>(std::lround(std::lerp(low, high, std::clamp(part, 0.0, 1.0))));
+    };
+    const auto& [low, high] = std::pair(palette.bottom, palette.top);
+    return {mixed(low.red, high.red), mixed(low.green, high.green), mixed(low.blue, high.blue)};
+}
 
 }  // namespace steplab::render

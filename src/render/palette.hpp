@@ -37,5 +37,10 @@ struct Palette {
 };
 
 const Palette& palette(Background background);
+/// The background at a part of the picture's height, from its bottom.
+Rgb backdrop_at(const Palette& palette, double part);
+
+/// Opacity of what lies between a text and the scene.
+inline constexpr double veil = 0.9;
 
 }  // namespace steplab::render

@@ -16,7 +16,6 @@ constexpr double line_height = 20, outer_edge = 10, right_edge = 20, mark_radius
                  name_place = 33, padding = 6;
 constexpr double narrowest_with_both = 700;  // a picture with room for read-out and lines at its top
 constexpr double cross_room = 104, narrowest_with_cross = 300;
-constexpr double veil = 0.9;  // opacity of the ground of a text
 
 /// The outline that the particles of a run have (shaders/ghost.frag); a filled disc for the leading run.
 void sketch_mark(Sketch& sketch, PixelPoint centre, std::size_t run, Rgb colour, double pixel_scale) {

@@ -84,9 +84,14 @@ void Sketch::text(PixelPoint top_left, const std::string& text, Rgb colour, doub
     body_->list.AddText(vec(place), packed(colour, opacity), text.c_str());
 }
 
-void Sketch::text_centred(PixelPoint centre, const std::string& text, Rgb colour, double opacity) {
-    const PixelPoint size = text_size(text);
-    this->text({centre.x - size.x / 2, centre.y - size.y / 2}, text, colour, opacity);
+void Sketch::text_over(PixelPoint top_left, const std::string& text, Rgb colour, Rgb ground) {
+    const double rim = std::max(1.0, std::round(body_->pixel_scale));  // texts lie on whole pixels
+    for (const double x : {-rim, 0.0, rim}) {
+        for (const double y : {-rim, 0.0, rim}) {
+            if (x != 0 || y != 0) this->text({top_left.x + x, top_left.y + y}, text, ground, veil);
+        }
+    }
+    this->text(top_left, text, colour);
 }
 
 void Sketch::line(PixelPoint from, PixelPoint to, Rgb colour, double width, double opacity) {

@@ -24,7 +24,8 @@ public:
 
     PixelPoint text_size(const std::string& text) const;
     void text(PixelPoint top_left, const std::string& text, Rgb colour, double opacity = 1);
-    void text_centred(PixelPoint centre, const std::string& text, Rgb colour, double opacity = 1);
+    /// The same with a rim of the colour of the ground, so that it is readable over whatever is there.
+    void text_over(PixelPoint top_left, const std::string& text, Rgb colour, Rgb ground);
     void line(PixelPoint from, PixelPoint to, Rgb colour, double width, double opacity = 1);
     void disc(PixelPoint centre, double radius, Rgb colour, double opacity = 1);
     /// A circle, or a regular polygon with one corner or, of four, one side at the top.

@@ -57,7 +57,7 @@ void close_topmost(const Context& context) {
     } else if (context.view.divergence && state.dismissed_divergence != context.view.divergence->step) {
         state.dismissed_divergence = context.view.divergence->step;
     } else {
-        state.lessons.open.reset();
+        close_lesson(context);
     }
 }
 
@@ -110,7 +110,7 @@ void change_scale(const Context& context, int direction) {
     context.state.notice = Notice{fmt::format("text and panels: {:.0f} %", 100 * scale), ImGui::GetTime() + 2.5};
 }
 
-void toggle_panel(const Context& context) { context.state.panel = context.layout.panel.empty(); }
+void toggle_panel(const Context& context) { context.state.panel = !context.layout.has_panel(); }
 
 }  // namespace
 
@@ -139,6 +139,21 @@ void open_file(const Context& context, const std::string& name) {
 void open_scenes_page(const Context& context, bool lessons) {
     context.state.scenes.open = true;
     context.state.scenes.lessons = lessons;
+}
+
+void close_lesson(const Context& context) {
+    LessonsState& lessons = context.state.lessons;
+    if (!lessons.open) return;
+    lessons.open.reset();
+    PlotsState& plots = context.state.plots;
+    if (const std::vector<PlotChoice> own = lessons.plots.own(plots.shown); own != plots.shown) {
+        plots.shown = own;
+        plots.window.reset();
+    }
+    Wanted& wanted = context.state.wanted;
+    if (const Rate own = lessons.rate.own(wanted.rate()); own != wanted.rate()) wanted.set_rate(own, context.events);
+    lessons.plots.forget();
+    lessons.rate.forget();
 }
 
 render::Camera home_camera(const Context& context) {

@@ -20,6 +20,9 @@ void open_file(const Context& context, const std::string& name);
 /// Opens the page of scenes, or at the list of lessons.
 void open_scenes_page(const Context& context, bool lessons = false);
 
+/// Closes the lesson that is open. The plots and the speed that it chose give way to those before.
+void close_lesson(const Context& context);
+
 /// A run begins at the moment of a trajectory that is shown, in its place.
 void continue_from_here(const Context& context);
 

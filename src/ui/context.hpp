@@ -12,6 +12,7 @@
 #include "ui/gallery.hpp"
 #include "ui/plot/choice.hpp"
 #include "ui/plot/history.hpp"
+#include "ui/replaced.hpp"
 #include "ui/selection.hpp"
 #include "ui/view_choices.hpp"
 #include "ui/wanted.hpp"
@@ -80,7 +81,12 @@ struct LessonsState {
     std::optional<Lesson> open = {};        ///< in the panel
     std::size_t page = 0;                   ///< of it, that is shown
     std::optional<std::size_t> begun = {};  ///< the page whose part was played last
+    Replaced<std::vector<PlotChoice>> plots = {};
+    Replaced<Rate> rate = {};
 };
+
+/// What the side panel shows of its sections in a window too low for all of them.
+enum class PanelTab { scene, runs, method, display, state, plot };
 
 /// State that the interface keeps from frame to frame.
 struct InterfaceState {
@@ -93,6 +99,7 @@ struct InterfaceState {
     std::optional<bool> panel;                ///< chosen by the user; none: shown where the window has room
     double scale = 1;                         ///< of the interface, beside that of the display
     PanelSizes sizes;
+    PanelTab tab = PanelTab::scene;
     PictureChoice picture;
     bool steering = false;                      ///< the keyboard goes from widget to widget
     std::string steered;                        ///< the panel that it is in

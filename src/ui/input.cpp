@@ -1,5 +1,7 @@
 #include "ui/input.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cfloat>
 #include <iterator>
@@ -98,11 +100,21 @@ constexpr SteeringKey steering_keys[] = {{Key::up, ImGuiNavInput_DpadUp},      {
                                          {Key::enter, ImGuiNavInput_Activate}, {Key::space, ImGuiNavInput_Activate},
                                          {Key::escape, ImGuiNavInput_Cancel}};
 
+bool is_arrow(Key key) { return key == Key::up || key == Key::down || key == Key::left || key == Key::right; }
+
+/// A press lasts for one frame, however slow that is; a held arrow is pressed again and again.
+bool steers(const ImGuiIO& io, Key key) {
+    const auto number = static_cast<int>(key);
+    if (!io.KeysDown[number]) return false;
+    const float held = io.KeysDownDuration[number];
+    if (held < 0) return true;
+    return is_arrow(key) &&
+           ImGui::CalcTypematicRepeatAmount(held, held + io.DeltaTime, io.KeyRepeatDelay, io.KeyRepeatRate) > 0;
+}
+
 void fill_steering(ImGuiIO& io) {
     for (const SteeringKey& each : steering_keys) {
-        const auto key = static_cast<int>(each.key);
-        const bool pressed = io.KeysDown[key] && io.KeysDownDuration[key] < 0;  // a slow frame is no second press
-        if (pressed) io.NavInputs[each.input] = 1;
+        if (steers(io, each.key)) io.NavInputs[each.input] = 1;
     }
 }
 

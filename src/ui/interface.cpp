@@ -49,6 +49,7 @@ void draw_panels(const Context& context) {
         draw_top_bar(context);
         return draw_messages(context);
     }
+    draw_panel_tabs(context);
     draw_side_panel(context);
     draw_lesson_panel(context);
     draw_plots_panel(context);
@@ -120,6 +121,8 @@ void Interface::record(const RunView& view) {
     body_->new_view = true;
 }
 
+void Interface::record_beside(const SessionView& view) { body_->state.history.record_beside(view); }
+
 bool Interface::show_doubt(const std::optional<Doubt>& doubt) {
     if (doubt == body_->state.doubt) return false;
     body_->state.doubt = doubt;
@@ -180,6 +183,7 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     body.layout = purpose == Purpose::scene_still
                       ? arrange_scene_alone(above)
                       : arrange(above, body.state.panel, body.state.sizes, body.state.lessons.open.has_value());
+    if (body.state.tab == PanelTab::plot) put_plots_into_panel(body.layout);
     const bool has_picture = stage.pictured && same_runs(*stage.pictured, view);
     const Context context{body.theme,   body.layout, above,  view,  has_picture ? *stage.pictured : view,
                           view.leading, measured,    events, stage, body.state,

@@ -37,7 +37,7 @@ ViewChoices Interface::choices(const render::Style& style) const {
                         .forces = style.forces,
                         .panel = state.panel,
                         .sizes = state.sizes,
-                        .plots = state.plots.shown,
+                        .plots = state.lessons.plots.own(state.plots.shown),
                         .picture = state.picture};
     choices.width = state.remembered.width;
     choices.height = state.remembered.height;

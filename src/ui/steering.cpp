@@ -9,7 +9,7 @@ namespace steplab::ui {
 namespace {
 
 /// The windows of ImGui that hold the panels, in the order of F6.
-constexpr std::array<const char*, 5> panels{"side panel", "plots", "time line", "run buttons", "bar"};
+constexpr std::array<const char*, 6> panels{"panel tabs", "side panel", "plots", "time line", "run buttons", "bar"};
 
 bool is_shown(const char* name) {
     const ImGuiWindow* const window = ImGui::FindWindowByName(name);

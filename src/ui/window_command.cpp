@@ -35,8 +35,9 @@ void add_window(CommandLine& line, const Context& context) {
     const Display& display = context.display;
     line.add_unless(display.width == 1280 && display.height == 800, "--size",
                     fmt::format("{}x{}", display.width, display.height));
-    line.add_unless(display.scale == 1, "--scale", number_text(display.scale));
+    line.add_unless(display.scale == 1 && context.state.scale == 1, "--scale", number_text(display.scale));
     if (context.state.panel) line.add("--ui", *context.state.panel ? "on" : "off");
+    line.add("--config", "none");  // whatever is remembered by then: what is left out above is as usual
 }
 
 void add_picture(CommandLine& line, const Context& context) {

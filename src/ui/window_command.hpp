@@ -7,7 +7,7 @@
 namespace steplab::ui {
 
 /// The command line that opens a window with what this one shows: scene, moment, camera, style, ensemble, speed and
-/// size. Options at their defaults are left out, but method and dt are always named.
+/// size, whatever is remembered by then. Options at their defaults are left out, but method and dt are always named.
 std::string window_command(const Context& context);
 
 /// False if the run was changed or a particle pulled after its start: window_command() then opens the start of the

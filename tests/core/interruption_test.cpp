@@ -1,6 +1,5 @@
 #include "core/interruption.hpp"
 
-#include "core/program_end.hpp"
 #include "core/watching.hpp"
 
 #include <gtest/gtest.h>
@@ -78,16 +77,6 @@ TEST_P(InterruptionDeathTest, is_thrown_however_often_the_signal_comes) {
 
 TEST_P(InterruptionDeathTest, ends_a_program_that_does_not_answer) {
     EXPECT_EXIT(be_deaf(GetParam()), testing::ExitedWithCode(128 + GetParam()), "");
-}
-
-[[noreturn]] void have_nothing_to_finish(int signal) {
-    end_on_interruptions();
-    std::raise(signal);
-    std::_Exit(0);
-}
-
-TEST_P(InterruptionDeathTest, ends_a_program_at_once_that_has_nothing_to_finish) {
-    EXPECT_EXIT(have_nothing_to_finish(GetParam()), testing::ExitedWithCode(128 + GetParam()), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, InterruptionDeathTest, testing::Values(SIGINT, SIGTERM, SIGHUP));

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 PictureRequest request_of(std::string_view model, bool panel = false) {
     Simulation simulation(describe(model));
     PictureRequest request;
-    request.past.push_back(view_of(simulation, 1));
+    request.past.push_back({.leading = view_of(simulation, 1)});
     simulation.advance(10);
     request.view = view_of(simulation, 1);
     request.panel = panel;

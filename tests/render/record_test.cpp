@@ -159,24 +159,41 @@ TEST_F(Record, ffmpeg_that_fails_is_quoted_and_leaves_the_old_film) {
         const Outcome outcome =
             record({"--until", "1", "--out", "a.mp4"}, with_ffmpeg(when + "echo 'no room on tape 7' >&2\nexit 1\n"));
         EXPECT_EQ(outcome.code, 3) << when;
-        EXPECT_THAT(outcome.err, HasSubstr("ffmpeg, which writes films, failed: no room on tape 7"));
+        EXPECT_THAT(outcome.err, HasSubstr("ffmpeg, which writes films, failed: no room on tape 7; nothing of it"));
         EXPECT_EQ(bytes("a.mp4"), "old");
         EXPECT_EQ(files(), 1u);
     }
 }
 
-TEST_F(Record, an_interrupted_film_is_not_kept) {
+TEST_F(Record, what_a_failing_ffmpeg_has_written_is_kept_beside_the_old_film) {
+    std::ofstream(file("a.gif")) << "old";
+    const Outcome outcome = record({"--until", "1", "--out", "a.gif"},
+                                   with_ffmpeg("printf half >>/dev/fd/3\necho 'tape torn' >&2\nexit 1\n"));
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("tape torn"), HasSubstr("kept in 'a.gif.partial'")));
+    EXPECT_EQ(bytes("a.gif"), "old");
+    EXPECT_EQ(bytes("a.gif.partial"), "half");
+    EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(Record, an_interrupted_film_leaves_the_old_one) {
     std::ofstream(file("a.mp4")) << "old";
-    // The second one reads nothing, so that the program waits for it.
-    for (const Words& environment : {Words{}, with_ffmpeg("exec sleep 60\n")}) {
+    // The others read nothing, so that the program waits for them; the last one has written something.
+    const std::string sleeping = "exec sleep 60\n";
+    for (const Words& environment :
+         {Words{}, with_ffmpeg(sleeping), with_ffmpeg("printf half >>/dev/fd/3\n" + sleeping)}) {
+        std::filesystem::remove(file("a.mp4.partial"));
         const FolderWatch hidden_file(path(), IN_CREATE);
         RunningProgram program({"record", "--until", "1000", "--out", "a.mp4"},
                                {.folder = path(), .environment = environment});
         hidden_file.wait_for_a_file();
         program.send(SIGINT);
-        EXPECT_EQ(program.wait().code, 128 + SIGINT);
+        const Outcome outcome = program.wait();
+        EXPECT_EQ(outcome.code, 128 + SIGINT);
         EXPECT_EQ(bytes("a.mp4"), "old");
-        EXPECT_EQ(files(), 1u);
+        const bool kept = std::filesystem::exists(file("a.mp4.partial"));
+        EXPECT_EQ(kept, outcome.err.find("a.mp4.partial'") != std::string::npos) << outcome.err;
+        EXPECT_EQ(files(), kept ? 2u : 1u);
     }
 }
 

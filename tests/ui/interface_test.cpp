@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace steplab::ui {
 namespace {
@@ -52,6 +53,50 @@ TEST(input, leaving_the_window_releases_everything) {
     desk.recorder.changes.clear();
     desk.point_at("dt", 0.9f);
     EXPECT_TRUE(desk.recorder.changes.empty());
+}
+
+/// How many widgets the keyboard comes to while a key is held for some seconds of 60 frames.
+int widgets_reached(Desk& desk, Key key, int seconds) {
+    desk.interface.input().push(KeyChanged{key, true});
+    int reached = 0;
+    std::string at = desk.interface.focused();
+    for (int i = 0; i < 60 * seconds; ++i) {
+        desk.frame();
+        if (std::exchange(at, desk.interface.focused()) != at) ++reached;
+    }
+    desk.interface.input().push(KeyChanged{key, false});
+    desk.frame();
+    return reached;
+}
+
+TEST(input, a_held_arrow_goes_from_widget_to_widget) {
+    Desk desk(describe("chain"));
+    desk.key(Key::f6);
+    ASSERT_EQ(desk.interface.focused(), "model");
+    EXPECT_GT(widgets_reached(desk, Key::down, 1), 3);
+}
+
+TEST(input, a_tapped_arrow_goes_one_widget_further_and_a_slow_frame_is_no_second_press) {
+    Desk desk(describe("chain"));
+    desk.key(Key::f6);
+    desk.interface.input().push(KeyChanged{Key::down, true});
+    for (int i = 0; i < 2; ++i)
+        desk.interface.draw(desk.session, desk.recorder, {desk.camera, desk.style}, {.since_last_frame = 0.2});
+    desk.interface.input().push(KeyChanged{Key::down, false});
+    for (int i = 0; i < 3; ++i) desk.frame();
+    EXPECT_EQ(desk.interface.focused(), "scene.n");
+}
+
+TEST(input, enter_that_is_held_presses_once) {
+    Desk desk(describe("chain"));
+    desk.key(Key::f6);
+    for (const char* const widget : {"scene.n", "scene.L", "scene.k", "scene.m", "scene.c", "scene.fixed"}) {
+        desk.key(Key::down);
+        EXPECT_EQ(desk.interface.focused(), widget);
+    }
+    desk.interface.input().push(KeyChanged{Key::enter, true});
+    for (int i = 0; i < 120; ++i) desk.frame();
+    EXPECT_EQ(desk.recorder.changes.size(), 1u) << "the check box is not switched to and fro";
 }
 
 TEST(interface, a_paused_window_without_input_does_not_change) {

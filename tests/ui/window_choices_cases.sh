@@ -71,6 +71,8 @@ choices_that_cannot_be_read_are_no_error() {
         echo "$text" >"$config"
         reopen --model chain
         said 'scale 1'
+        [[ -n ${place[refusal]:-} ]] || expect 'widget refusal [0-9].*'
+        xdotool key Escape; expect 'widget refusal gone'
         xdotool key ctrl+q
         wait "$window_pid" || fail "it ended with exit code $?"
         window_pid=
@@ -123,6 +125,48 @@ films_are_recorded() {
         fail 'the film of a window that was closed is not complete'
 }
 
+# film_of_numbered_pictures: the first 20 pictures of a run from its start, the whole window.
+film_of_numbered_pictures() {
+    rm -f "$folder/trace"
+    open_window --model chain --method rk4 --dt 0.01 --size 900x640
+    choose_beside pictures films/.png
+    xdotool key ctrl+r; expect 'film begun' 'film 1 step 0'
+    xdotool key space; expect 'film 20 step 63'
+    xdotool key ctrl+r; expect 'film saved steplab-chain-[0-9].frames'
+    xdotool key space; expect 'playing false'
+    close_window
+}
+
+films_of_the_same_are_the_same() {
+    local i
+    start_display 1280x800
+    film_of_numbered_pictures
+    film_of_numbered_pictures
+    cmp -s "$folder"/steplab-chain-1.frames/000{05,15}.png && fail 'the pictures do not change'
+    for ((i = 0; i < 20; ++i)); do
+        cmp "$folder/steplab-chain-1.frames/$(printf %05d.png $i)" "$folder/steplab-chain-2.frames/$(printf %05d.png $i)" ||
+            fail "picture $i of two films of the same is another one"
+    done
+}
+
+films_are_completed_when_a_signal_ends_the_window() {
+    local signal code
+    start_display 1280x800
+    for signal in TERM HUP; do
+        rm -f "$folder/trace" "$folder"/*.mp4
+        open_window --model chain --method rk4 --dt 0.01 --play
+        xdotool key ctrl+r; expect 'film begun' 'film 12 step [0-9]+'
+        kill -s $signal "$window_pid"
+        code=0
+        wait "$window_pid" || code=$?
+        window_pid=
+        ((code == 128 + $(kill -l $signal))) || fail "SIG$signal ended it with exit code $code"
+        grep -q 'completing the film' "$folder/errors" || fail "it wrote: $(cat "$folder/errors")"
+        [[ $(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 "$folder/steplab-chain-1.mp4") -ge 12 ]] ||
+            fail 'the film is not complete'
+    done
+}
+
 films_that_cannot_be_written_say_why() {
     local usual_path=$PATH
     start_display 1280x800
@@ -134,6 +178,19 @@ films_that_cannot_be_written_say_why() {
     [[ -z $(find "$folder" -name '*.mp4*') ]] || fail 'something of the film is left'
     xdotool key Right; expect 'playing false' # it goes on
     close_window
+    # what was written is kept, also where the film fails while the window is closed
+    printf '#!/bin/sh\nprintf half >>/dev/fd/3\ncat >/dev/null\necho no space >&2\nexit 1\n' >"$folder/bin/ffmpeg"
+    rm -f "$folder/trace"
+    PATH=$folder/bin:$PATH open_window --model chain --method rk4 --dt 0.01
+    xdotool key ctrl+r; expect 'film begun' 'film 1 step 0'
+    xdotool key ctrl+q
+    local code=0
+    wait "$window_pid" || code=$?
+    window_pid=
+    ((code == 3)) || fail "a film that fails at the end ended the window with exit code $code"
+    grep -q "^steplab-view: the film ended: ffmpeg, which writes films, failed: no space; .*'steplab-chain-1.mp4.partial'$" \
+        "$folder/errors" || fail "it wrote: $(cat "$folder/errors")"
+    [[ $(cat "$folder/steplab-chain-1.mp4.partial") == half ]] || fail 'what was written is not kept'
     rm "$folder/bin/ffmpeg"
     local tool
     for tool in mkfifo rm cat tail grep xdotool; do ln -s "$(command -v $tool)" "$folder/bin"; done
@@ -165,9 +222,29 @@ the_keyboard_reaches_the_panels() {
     steer_to dt Down
     xdotool key Return; expect 'widget dt.entry [0-9].*'
     xdotool type 0.05; xdotool key Return; expect 'dt 0.05'
+    xdotool keydown Down; expect 'focus colouring' 'focus background/.*' 'focus grid' # held, it goes on
+    xdotool keyup Down
     xdotool key Escape; expect 'focus '
     xdotool key Right; expect 'step 1'
     xdotool key space; expect 'playing true'
     xdotool key space; expect 'playing false'
+    close_window
+}
+
+small_windows_have_tabs() {
+    start_display 1280x800
+    open_window --model chain --method rk4 --dt 0.1 --size 640x480
+    expect 'widget tab/Scene [0-9].*'
+    said 'widget scene.n [0-9].*' 'widget plot 1 [0-9].*'
+    click tab/Method; expect 'widget method [0-9].*' 'widget scene.n gone'
+    enter dt 0.05; expect 'dt 0.05'
+    click tab/State; expect 'widget selection.fixed [0-9].*' 'widget dt gone'
+    local id
+    id=$(xdotool search --name '^steplab$' | tail -1)
+    xdotool windowsize "$id" 400 300; expect 'size 400x300' 'widget tab/State gone' 'widget plot 1 gone'
+    xdotool key Tab; expect 'widget tab/Plot [0-9].*' 'widget selection.fixed [0-9].*'
+    click tab/Plot; expect 'widget plot 1 [0-9].*'
+    choose 'plot 1' energies; expect 'widget energies.scale [0-9].*'
+    xdotool windowsize "$id" 1280 800; expect 'size 1280x800' 'widget tab/Plot gone' 'widget method [0-9].*'
     close_window
 }

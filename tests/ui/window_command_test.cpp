@@ -21,7 +21,7 @@ std::string copied(Desk& desk) {
 
 TEST(window_command, of_a_window_as_it_opens_names_scene_method_and_dt_alone) {
     Desk desk(describe("rope", "verlet"), {1280, 800, 1});
-    EXPECT_EQ(copied(desk), "steplab view " + command_line(desk.view.description));
+    EXPECT_EQ(copied(desk), "steplab view " + command_line(desk.view.description) + " --config none");
 }
 
 TEST(window_command, names_all_that_was_chosen) {
@@ -41,7 +41,19 @@ TEST(window_command, names_all_that_was_chosen) {
     EXPECT_EQ(copied(desk), "steplab view " + command_line(desk.view.description) +
                                 " --steps 120 --play --view 35,25.5,20,1,2,-3 --colour speed --background light"
                                 " --springs off --grid off --particle 3 --speed 2.5 --ensemble 16"
-                                " --spread k=0.999:1.001 --size 1000x900");
+                                " --spread k=0.999:1.001 --size 1000x900 --config none");
+}
+
+// On a display of twice the scale, half the scale is not the usual one.
+TEST(window_command, names_a_scale_that_was_chosen) {
+    Desk desk(describe("chain"), {1280, 800, 2});
+    ViewChoices choices;
+    EXPECT_THAT(copied(desk), HasSubstr("--scale 2"));
+    choices.scale = 0.5;
+    desk.interface.use(choices, choices);
+    desk.interface.resize({1280, 800, 2});
+    desk.frame();
+    EXPECT_THAT(copied(desk), HasSubstr("--scale 1 "));
 }
 
 TEST(window_command, names_the_runs_and_how_they_are_drawn) {

@@ -108,7 +108,7 @@ panel_changes_the_run() {
     enter scene.n 25; expect 'command .*--set n=25.*' 'step 0'
     click restart; expect 'run [0-9]+'
     choose menu 'copy command'
-    expect 'copied steplab view --model rope --set n=25 --set g=1.62 --method verlet --precision float --dt 0.05'
+    expect 'copied steplab view --model rope --set n=25 --set g=1.62 --method verlet --precision float --dt 0.05 --config none'
     close_window
 }
 
@@ -143,10 +143,10 @@ runs_go_beside_each_other() {
     open_window --model chain --method rk4 --dt 0.1
     choose 'add run' euler; expect 'runs rk4 double 0.1, euler double 0.1' 'compared 2'
     xdotool key t; expect 'runs rk4 double 0.1, euler double 0.1, rk4 float 0.1' 'compared 3'
-    xdotool key Right Right; expect 'step 2' 'pictured 2' # with the errors of its runs, which move what is below
+    xdotool key Right Right; expect 'step 2' 'pictured 2'
     click layout/split; expect 'widget magnify gone'
     click layout/ghosts; expect 'widget magnify [0-9].*'
-    click 'equal cost'; expect 'runs rk4 double 0.1, euler double 0.025, rk4 float 0.1' # costs, which move what is below
+    click 'equal cost'; expect 'runs rk4 double 0.1, euler double 0.025, rk4 float 0.1'
     click 'run 1'; expect 'method euler' 'runs euler double 0.025, .*'
     click 'run 0.remove'; expect 'method rk4'
     xdotool key r; expect 'changes 1'
@@ -168,7 +168,7 @@ lessons_are_opened_done_and_closed() {
     xdotool key ctrl+z; expect 'runs euler-forward double 0.02, euler-forward double 0.01'
     xdotool key ctrl+z; expect 'runs euler-forward double 0.02'
     xdotool key ctrl+z; expect 'model mesh' 'step 1'
-    click lesson.close; expect 'lesson none' 'widget lesson gone'
+    click lesson.close; expect 'lesson none' 'widget lesson gone' 'rate 1' 'widget energy error.scale [0-9].*' # as before it
     close_window
     rm -f "$folder/trace"
     open_window --lesson one-step
@@ -345,7 +345,7 @@ copied_command_opens_the_same_again() {
     [[ $(tail -1 <(grep '^step ' "$folder/said")) == 'step 40' ]] || expect 'step 40'
     grep -qx 'tracked 3' "$folder/said" || expect 'tracked 3'
     choose menu 'copy command'
-    expect "copied steplab view $scene $options"
+    expect "copied steplab view $scene $options --config none"
     close_window
 }
 

@@ -127,7 +127,8 @@ void read_table(const toml::table& table, ReadViewChoices& into) {
     std::string unusable;
     const auto attempt = [&](std::string_view key, const auto& reads) {
         const toml::node* const node = table.get(key);
-        if (node && !reads(*node)) unusable.append(unusable.empty() ? "" : ", ").append(key);
+        if (node && !reads(*node))
+            unusable += fmt::format("{}{} (line {})", unusable.empty() ? "" : ", ", key, node->source().begin.line);
     };
     for_each_choice(
         [&](std::string_view key, double least, double most, auto& value) {
@@ -135,7 +136,7 @@ void read_table(const toml::table& table, ReadViewChoices& into) {
         },
         into.choices);
     attempt("plots", [&](const toml::node& node) { return read_plots(node, into.choices.plots); });
-    if (!unusable.empty()) into.problem = "the usual values in place of " + unusable;
+    if (!unusable.empty()) into.problem = fmt::format("the usual values in place of what cannot be used: {}", unusable);
 }
 
 template <class T>
@@ -165,12 +166,6 @@ std::string text_of(const ViewChoices& choices) {
     return text.str();
 }
 
-bool same_plots(const std::vector<PlotChoice>& a, const std::vector<PlotChoice>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const PlotChoice& one, const PlotChoice& other) {
-        return one.kind == other.kind && one.scale == other.scale;
-    });
-}
-
 /// Puts what has changed into the choices that are remembered; false if nothing has.
 bool put_changes(const ViewChoices& opened, const ViewChoices& now, ViewChoices& remembered) {
     bool changed = false;
@@ -181,7 +176,7 @@ bool put_changes(const ViewChoices& opened, const ViewChoices& now, ViewChoices&
             changed = true;
         },
         opened, now, remembered);
-    if (!same_plots(opened.plots, now.plots)) {
+    if (opened.plots != now.plots) {
         remembered.plots = now.plots;
         changed = true;
     }

@@ -36,6 +36,7 @@ struct WindowRequest {
     ui::ViewChoices choices = {};     ///< what else a person chose before
     ui::ViewChoices remembered = {};  ///< the same, whatever the command line says
     std::string config = {};          ///< where choices are remembered; empty: the user's own file, "none": nowhere
+    std::string note = {};            ///< that the window shows when it opens, as why nothing was remembered
     std::string trace;                ///< file to which events are written; empty: none
     bool scenes = false;              ///< the page of scenes is open
     bool full_screen = false;

@@ -66,11 +66,7 @@ void PicturedRuns::add(const RunDescription& description, std::uint64_t end) {
 bool PicturedRuns::go_to(std::uint64_t step) {
     take_samples(step);
     runs_.front().steps.advance(runs_.front().simulation, step);
-    const double time = runs_.front().simulation.time();
-    for (std::size_t i = 1; i < runs_.size(); ++i) {
-        Run& run = runs_[i];
-        run.steps.advance(run.simulation, std::min(run.steps.end(), step_at(time, run.simulation.dt())));
-    }
+    follow_leading();
     const std::vector<Place> places = this->places();
     if (places == shown_) return false;
     look();
@@ -78,13 +74,39 @@ bool PicturedRuns::go_to(std::uint64_t step) {
     return true;
 }
 
+/// Takes the others to the time of the leading run.
+void PicturedRuns::follow_leading() {
+    const double time = runs_.front().simulation.time();
+    for (std::size_t i = 1; i < runs_.size(); ++i) {
+        Run& run = runs_[i];
+        run.steps.advance(run.simulation, std::min(run.steps.end(), step_at(time, run.simulation.dt())));
+    }
+}
+
+std::vector<const Simulation*> PicturedRuns::simulations() const {
+    std::vector<const Simulation*> all;
+    for (const Run& run : runs_) all.push_back(&run.simulation);
+    return all;
+}
+
 /// Those that lie before this step, for the plots.
 void PicturedRuns::take_samples(std::uint64_t step) {
     Run& leading = runs_.front();
     for (; sampled_ < samples_ && step_of_sample(sampled_) < step && !is_over(); ++sampled_) {
         leading.steps.advance(leading.simulation, step_of_sample(sampled_));
-        if (!is_over()) request_.past.push_back(without_particles(view_of(leading.simulation, particle_)));
+        if (is_over()) break;
+        follow_leading();
+        request_.past.push_back(moment());
     }
+}
+
+PastMoment PicturedRuns::moment() {
+    PastMoment moment{.leading = without_particles(view_of(runs_.front().simulation, particle_))};
+    if (runs_.size() == 1) return moment;
+    for (std::size_t i = 1; i < runs_.size(); ++i)
+        moment.followers.push_back(sample_of(view_of(runs_[i].simulation, particle_)));
+    moment.errors = errors_.of(simulations());
+    return moment;
 }
 
 /// The same for every picture of a film: at most so many are kept, and no step is taken twice.
@@ -102,13 +124,9 @@ void PicturedRuns::look() {
     observe(leading, particle_, request_.view);
     if (ensemble_) ensemble_->put_into(request_.view);
     request_.followers.resize(runs_.size() - 1);
-    std::vector<const Simulation*> all{&leading};
-    for (std::size_t i = 1; i < runs_.size(); ++i) {
-        observe(runs_[i].simulation, particle_, request_.followers[i - 1]);
-        all.push_back(&runs_[i].simulation);
-    }
-    std::erase_if(request_.past, [&](const RunView& view) { return view.frame.step >= leading.step(); });
-    if (request_.panel && all.size() > 1) request_.errors = errors_.of(all);
+    for (std::size_t i = 1; i < runs_.size(); ++i) observe(runs_[i].simulation, particle_, request_.followers[i - 1]);
+    std::erase_if(request_.past, [&](const PastMoment& moment) { return moment.leading.frame.step >= leading.step(); });
+    if (request_.panel && runs_.size() > 1) request_.errors = errors_.of(simulations());
     if (request_.panel) judge_steps();
 }
 

@@ -55,6 +55,9 @@ private:
 
     void add(const RunDescription& description, std::uint64_t end);
     void take_samples(std::uint64_t step);
+    PastMoment moment();
+    void follow_leading();
+    std::vector<const Simulation*> simulations() const;
     std::uint64_t step_of_sample(std::uint64_t sample) const;
     std::vector<Place> places() const;
     void look();

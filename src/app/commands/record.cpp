@@ -11,6 +11,7 @@
 #include "app/commands/pictured_runs.hpp"
 #include "app/film/film.hpp"
 #include "app/offscreen/modules.hpp"
+#include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
 
@@ -83,8 +84,11 @@ private:
             film.finish();
         } catch (const Interrupted&) {
             pictured.end_progress();
-            fmt::print(stderr, "steplab record: interrupted; {}\n", film.remainder());
+            fmt::print(stderr, "steplab record: interrupted; {}\n", film.keep());
             throw;
+        } catch (const FileError& error) {
+            pictured.end_progress();
+            throw FileError(fmt::format("{}; {}", error.what(), film.keep()));
         }
         pictured.end_progress();
         return frame;

@@ -3,11 +3,13 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace steplab {
 namespace {
@@ -56,25 +58,33 @@ const Encoding* encoding_of(std::string_view name) {
 }
 
 EncodedFilm::EncodedFilm(const FilmFormat& format, const Encoding& encoding)
-    : file_(format.name), ffmpeg_(arguments(format, encoding), ChildProgram::Input::from_here, file_.descriptor()) {
-    if (ffmpeg_.is_missing()) fail();
+    : file_(format.name),
+      ffmpeg_(std::in_place, arguments(format, encoding), ChildProgram::Input::from_here, file_.descriptor()) {
+    if (ffmpeg_->is_missing()) fail();
+    file_.at_program_end(UnfinishedFile::AtEnd::kept);
 }
 
 void EncodedFilm::add(const Picture& picture, bool) {
     const auto* const bytes = reinterpret_cast<const char*>(picture.rgba.data());
-    if (!ffmpeg_.write({bytes, picture.rgba.size()})) fail();
+    if (!ffmpeg_->write({bytes, picture.rgba.size()})) fail();
 }
 
 void EncodedFilm::finish() {
-    if (ffmpeg_.end() != ChildProgram::End::done) fail();
+    if (ffmpeg_->end() != ChildProgram::End::done) fail();
     file_.commit();
+}
+
+std::string EncodedFilm::keep() {
+    ffmpeg_.reset();  // it writes no more
+    const auto kept = file_.keep_partial();
+    return kept ? fmt::format("what there is of it is kept in '{}'", shown(*kept)) : "nothing of it was written";
 }
 
 void EncodedFilm::fail() {
     check_interruption();  // whoever ends this program may have ended that one too
-    if (ffmpeg_.end() == ChildProgram::End::missing)
+    if (ffmpeg_->end() == ChildProgram::End::missing)
         throw FileError("cannot run ffmpeg, which writes films: install the package ffmpeg");
-    throw FileError(fmt::format("ffmpeg, which writes films, failed: {}", ffmpeg_.messages()));
+    throw FileError(fmt::format("ffmpeg, which writes films, failed: {}", ffmpeg_->messages()));
 }
 
 }  // namespace steplab

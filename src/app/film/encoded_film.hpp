@@ -4,6 +4,8 @@
 #include "io/child_program.hpp"
 #include "io/output_file.hpp"
 
+#include <optional>
+
 namespace steplab {
 
 /// A kind of film that ffmpeg encodes.
@@ -26,13 +28,13 @@ public:
 
     void add(const Picture& picture, bool repeated) override;
     void finish() override;
-    std::string remainder() const override { return "a film that is not whole is not kept"; }
+    std::string keep() override;
 
 private:
     [[noreturn]] void fail();
 
     OutputFile file_;
-    ChildProgram ffmpeg_;
+    std::optional<ChildProgram> ffmpeg_;  ///< none once it was given up
 };
 
 }  // namespace steplab

@@ -28,7 +28,7 @@ public:
         ++written_;
     }
     void finish() override {}
-    std::string remainder() const override {
+    std::string keep() override {
         return written_ == 1 ? "the picture so far is kept" : fmt::format("the {} pictures so far are kept", written_);
     }
 

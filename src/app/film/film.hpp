@@ -8,7 +8,8 @@
 
 namespace steplab {
 
-/// The file or files of a film that is being written. Without finish() (an exception) no film is left.
+/// The file or files of a film that is being written. Without finish() (an exception) no film is left, but what keep()
+/// keeps.
 class Film {
 public:
     virtual ~Film() = default;
@@ -20,8 +21,8 @@ public:
     virtual void add(const Picture& picture, bool repeated) = 0;
     /// All pictures are there. Throws FileError, Interrupted.
     virtual void finish() = 0;
-    /// What is left of it after an interruption, for a message.
-    virtual std::string remainder() const = 0;
+    /// Gives it up after an interruption or a failure: keeps what there is of it, and says so in a message.
+    virtual std::string keep() = 0;
 };
 
 /// What a film needs to know of its pictures.

@@ -10,9 +10,11 @@ namespace steplab {
 FilmRecorder::FilmRecorder(const FilmFormat& format, void (*wake)())
     : format_(format), wake_(wake), film_(make_film(format)), thread_([this] { work(); }) {}
 
-FilmRecorder::~FilmRecorder() {
+FilmRecorder::~FilmRecorder() { finish(); }
+
+void FilmRecorder::finish() {
     end();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
 }
 
 bool FilmRecorder::is_ready() const {
@@ -52,7 +54,7 @@ void FilmRecorder::work() {
     try {
         write();
     } catch (const std::exception& error) {
-        failure = fmt::format("the film ended: {}; {}", error.what(), film_->remainder());
+        failure = fmt::format("the film ended: {}; {}", error.what(), kept());
     }
     {
         const std::lock_guard lock(mutex_);
@@ -60,6 +62,15 @@ void FilmRecorder::work() {
         over_ = true;
     }
     wake_();
+}
+
+/// What is left of a film that failed; whatever made it fail may keep it from being kept, too.
+std::string FilmRecorder::kept() {
+    try {
+        return film_->keep();
+    } catch (const std::exception& error) {
+        return error.what();
+    }
 }
 
 void FilmRecorder::write() {

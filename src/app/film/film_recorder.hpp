@@ -13,8 +13,8 @@
 
 namespace steplab {
 
-/// Takes pictures for a film and writes them beside whatever else is done. No call but the destructor waits for a
-/// picture to be encoded.
+/// Takes pictures for a film and writes them beside whatever else is done. No call but finish() and the
+/// destructor waits for a picture to be encoded.
 class FilmRecorder {
 public:
     /// `wake` is called on the thread when a picture was written, and when the film has ended. Throws as make_film()
@@ -35,6 +35,8 @@ public:
     std::uint64_t frames() const { return frames_; }
     /// No more pictures come: the file is completed.
     void end();
+    /// The same, and waits until it is complete, or has failed.
+    void finish();
     /// True once the file is complete, or has failed.
     bool is_over() const;
     /// Why it failed, and what is left of it; empty as long as it has not.
@@ -47,6 +49,7 @@ private:
     };
     void work();
     void write();
+    std::string kept();
     std::optional<Frame> next();
 
     FilmFormat format_;

@@ -15,6 +15,13 @@
 
 namespace steplab {
 
+/// What plots show of runs at an earlier time of the leading one.
+struct PastMoment {
+    RunView leading;                           ///< without its particles
+    std::vector<Sample> followers = {};        ///< of the runs beside it
+    std::optional<SessionErrors> errors = {};  ///< of all of them
+};
+
 /// A request for a picture of a run.
 struct PictureRequest {
     RunView view;
@@ -24,7 +31,7 @@ struct PictureRequest {
     bool panel = false;                                ///< with the panels of the window
     std::optional<ui::Caption> caption = {};           ///< at the foot of the picture
     std::vector<ui::PlotKind> plots = {};              ///< with the panels; empty: the usual ones
-    std::vector<RunView> past = {};                    ///< earlier views, for the plots
+    std::vector<PastMoment> past = {};                 ///< earlier ones, for the plots
     std::vector<RunView> followers = {};               ///< the runs beside it, at the same time
     std::optional<SessionErrors> errors = {};          ///< of all of them, for the panel
     std::shared_ptr<const PresentLimit> present = {};  ///< of the leading run, for the panel

@@ -43,8 +43,10 @@ public:
           request_(request),
           renderer_(renderer) {
         if (!request.plots.empty()) interface_.use({.plots = chosen(request.plots)}, {});
-        for (const RunView& moment : request.past) record(moment);
-        record(request.view);
+        for (const PastMoment& moment : request.past) record(moment);
+        interface_.record(request.view);
+        view_.leading.series.samples.push_back(sample_of(request.view));
+        for (std::size_t i = 0; i < view_.followers.size(); ++i) add(i, sample_of(request.followers[i]));
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
         camera_ = render::camera_of(request.camera, view_.leading.frame,
@@ -79,9 +81,17 @@ private:
     }
 
     /// For the plots.
-    void record(const RunView& moment) {
-        interface_.record(moment);
-        view_.leading.series.samples.push_back(sample_of(moment));
+    void record(const PastMoment& moment) {
+        interface_.record(moment.leading);
+        interface_.record_beside({.leading = moment.leading, .followers = {}, .line = {}, .errors = moment.errors});
+        view_.leading.series.samples.push_back(sample_of(moment.leading));
+        for (std::size_t i = 0; i < moment.followers.size(); ++i) add(i, moment.followers[i]);
+    }
+
+    /// A run beside the leading one has none of its own between two of its steps, and none after it has diverged.
+    void add(std::size_t follower, const Sample& sample) {
+        std::vector<Sample>& samples = view_.followers[follower].series.samples;
+        if (samples.empty() || samples.back().step < sample.step) samples.push_back(sample);
     }
 
     ui::Interface& interface_;

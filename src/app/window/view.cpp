@@ -28,20 +28,21 @@ std::string way_out(const RunDescription& description) {
 }
 
 int open_window(const RunDescription& description, const WindowRequest& request) {
-    std::optional<EndWatch> watch;  // where a session is to be written before the window ends
-    if (request.session.record_to.empty()) {
-        end_on_interruptions();
-    } else {
-        watch.emplace(&Window::wake);
-    }
+    EndWatch watch(&Window::wake);  // a session or a film is to be written before the window ends
     std::optional<Viewer> viewer;
     try {
         viewer.emplace(description, request);
     } catch (const GraphicsError& error) {
         throw GraphicsError(fmt::format("{}; {}", error.what(), way_out(description)));
     }
-    viewer->run([&] { return watch && watch->signal(); });
-    if (watch && watch->signal()) end_program(128 + *watch->signal());
+    try {
+        viewer->run(watch);
+    } catch (const FileError& error) {
+        fmt::print(stderr, "steplab-view: {}\n", error.what());
+        end_program_soon(static_cast<int>(error.code()));
+        return static_cast<int>(error.code());
+    }
+    if (const auto signal = watch.signal()) end_program(128 + *signal);
     end_program_soon(static_cast<int>(ExitCode::done));  // the last step of the run may take longer than anybody waits
     return static_cast<int>(ExitCode::done);
 }
@@ -67,6 +68,7 @@ int run(const std::vector<std::string>& arguments) {
         WindowRequest request = options.request(runs, std::move(session));
         const ReadViewChoices remembered = read_view_choices(view_choices_path(request.config));
         if (remembered.problem) fmt::print(stderr, "steplab-view: note: {}\n", *remembered.problem);
+        request.note = remembered.problem.value_or("");
         options.put_remembered(remembered.choices, description, request);
         request.scenes = !start && !scene.any_given();
         if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);

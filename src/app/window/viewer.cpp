@@ -67,8 +67,8 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
     if (request.full_screen) window_.toggle_full_screen();
 }
 
-void Viewer::run(const std::function<bool()>& asked) {
-    while (!quit_ && !window_.closing() && !asked()) {
+void Viewer::run(EndWatch& watch) {
+    while (!quit_ && !window_.closing() && !watch.signal()) {
         take_news();
         if (frames_wanted_ > 0 && Clock::now() - drawn_ >= frame_time) {
             window_.wait(0);  // where frames take longer than their time there is no other wait
@@ -77,9 +77,10 @@ void Viewer::run(const std::function<bool()>& asked) {
             wait();
         }
     }
-    finish_film();
+    const std::string failure = finish_film(watch);
     save_session();
     remember_choices();
+    if (!failure.empty()) throw FileError(failure);
 }
 
 /// What happened, to the file that was named. A long step under way is given up.

@@ -10,6 +10,7 @@
 #include "app/window/view_pool.hpp"
 #include "app/window/window.hpp"
 #include "app/window/window_picture.hpp"
+#include "core/end_watch.hpp"
 #include "io/output_file.hpp"
 #include "session/worker.hpp"
 #include "ui/coarseness.hpp"
@@ -18,7 +19,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -33,8 +33,9 @@ public:
     /// Throws GraphicsError if there is no display, no OpenGL 3.3 or a shader is missing.
     Viewer(const RunDescription& description, const WindowRequest& request);
 
-    /// Runs until the window is closed, or `asked` to end, which is asked after each event.
-    void run(const std::function<bool()>& asked);
+    /// Runs until the window is closed, or a signal asks it to end. Throws FileError if a file that is completed then
+    /// cannot be.
+    void run(EndWatch& watch);
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -67,7 +68,7 @@ private:
     void end_film();
     void take_film_frame();
     void take_film_news();
-    void finish_film();
+    std::string finish_film(EndWatch& watch);
     void save_scene();
     void save_session();
     void begin(Beginning beginning);

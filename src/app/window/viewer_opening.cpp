@@ -19,6 +19,7 @@ void Viewer::open(const WindowRequest& request) {
     interface_.open_with(request.panel, request.style.selected, request.scenes);
     interface_.use(request.choices, request.remembered);
     choices_file_ = view_choices_path(request.config);
+    if (!request.note.empty()) interface_.report_error(request.note);
     interface_.resize(window_.display());
     picture_.upload_fonts(interface_.fonts());
     if (style_.forces) worker_->send(event::ShowForces{true});

@@ -5,6 +5,9 @@
 #include "io/output_file.hpp"
 #include "ui/plot/plot_files.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -98,6 +101,8 @@ void Viewer::take_film_frame() {
     if (!film_ || !film_->is_ready()) return;
     const std::uint64_t frames = worker_->film_frames();
     if (frames <= film_->frames() || painted_.view != view_ || painted_.enlarged > 1) return;
+    if (!interface_.picture_choice().scene_alone)
+        interface_.draw_picture(*view_, {camera_, style_, painted_.view.get()}, false);
     const WindowPicture::Shot frame = shot({}, true);
     const render::PictureSize size{frame.part.width, frame.part.height + frame.caption_height};
     if (size != film_->format().size) {
@@ -134,13 +139,18 @@ void Viewer::take_film_news() {
     frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
-/// Completes the file of a window that is closed.
-void Viewer::finish_film() {
-    if (!film_) return;
-    end_film();
-    const std::string name = shown_name(film_->format());
+/// Completes the file of a window that is closed; why it could not, if so. That may take some seconds, in which a
+/// second signal ends the program.
+std::string Viewer::finish_film(EndWatch& watch) {
+    if (!film_) return {};
+    watch.wait_longer();
+    if (watch.signal()) fmt::print(stderr, "steplab-view: completing the film; a second signal ends it at once\n");
+    worker_->film(std::nullopt);
+    film_->finish();
+    const std::string failure = film_->failure();
+    trace_.report("film", failure.empty() ? "saved " + shown_name(film_->format()) : "failed");
     film_.reset();
-    trace_.report("film", "saved " + name);
+    return failure;
 }
 
 }  // namespace steplab

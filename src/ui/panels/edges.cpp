@@ -63,7 +63,7 @@ void draw_plots_edge(const Context& context) {
 
 void draw_edges(const Context& context) {
     if (!context.layout.panel.empty()) draw_panel_edge(context);
-    if (!context.layout.plots.empty()) draw_plots_edge(context);
+    if (!context.layout.plots.empty() && !context.layout.plots_in_panel) draw_plots_edge(context);
 }
 
 }  // namespace steplab::ui

@@ -79,6 +79,8 @@ void draw_width(const Context& context, const LiveEnsembleOptions& ensemble) {
                          .set_text = [&](std::string_view typed) { set(parse_value(width_info, typed)); }});
 }
 
+constexpr std::string_view longest_spread_text = "spread: max 8.8e-88 m, rms 8.8e-88 m, 888 runs diverged";
+
 /// "spread: max 0.031 m, rms 2.1e-3 m"
 std::string spread_text(const RunView& view) {
     const EnsembleSpread& reading = view.ensemble_spread;
@@ -100,7 +102,7 @@ void draw_ensemble_rows(const Context& context) {
         draw_perturbed_parameter(context, ensemble);
         draw_width(context, ensemble);
     }
-    explanation(context, spread_text(context.view));
+    changing_explanation(context, spread_text(context.view), lines_of_explanation(context, longest_spread_text));
 }
 
 }  // namespace steplab::ui

@@ -75,6 +75,7 @@ void show_plots(const Context& context, const std::vector<std::string>& wanted) 
     constexpr float readable = 310;  // units of the layout, with the legend of several runs
     PlotsState& plots = context.state.plots;
     const auto room = static_cast<std::size_t>(std::max(1.0f, context.layout.plots.width / context.px(readable)));
+    const std::vector<PlotChoice> before = plots.shown;
     if (!wanted.empty()) plots.shown.clear();
     for (const std::string& id : wanted) {
         const auto info =
@@ -82,14 +83,27 @@ void show_plots(const Context& context, const std::vector<std::string>& wanted) 
         if (info != plot_kinds.end() && plots.shown.size() < room) plots.shown.push_back(default_choice(info->kind));
     }
     plots.window.reset();
+    context.state.lessons.plots.put(before, plots.shown);
+}
+
+void set_speed(const Context& context, double speed) {
+    Wanted& wanted = context.state.wanted;
+    const Rate rate{false, speed};
+    context.state.lessons.rate.put(wanted.rate(), rate);
+    wanted.set_rate(rate, context.events);
 }
 
 void do_page(const Context& context, const Lesson& lesson, const LessonPage& page) {
     show_plots(context, page.plots);
-    if (page.speed) context.state.wanted.set_rate({false, *page.speed}, context.events);
+    if (page.speed) set_speed(context, *page.speed);
     context.state.wanted.dismiss();
     context.events.play_part({lesson.session, page.from, page.to});
     context.state.lessons.begun = context.state.lessons.page;
+}
+
+void end_lesson(const Context& context) {
+    close_lesson(context);
+    open_scenes_page(context, true);
 }
 
 /// At the bottom, whatever the length of the page.
@@ -113,7 +127,7 @@ void draw_buttons(const Context& context, const Lesson& lesson) {
     if (page.has_part()) tooltip(context, "play this in the window; undo (Ctrl+Z) leads back to what was there before");
     ImGui::SameLine(0, gap);
     if (text_button(context, last ? "lesson.end" : "lesson.next", last ? "Lessons" : "Next", begun, width))
-        last ? open_scenes_page(context, true) : void(++lessons.page);
+        last ? end_lesson(context) : void(++lessons.page);
 }
 
 }  // namespace
@@ -139,7 +153,7 @@ void draw_lesson_panel(const Context& context) {
     context.mark("lesson", {area.x, area.y, area.right(), area.bottom()});
     ImGui::End();
     ImGui::PopStyleVar();
-    if (closed) lessons.open.reset();
+    if (closed) close_lesson(context);
 }
 
 }  // namespace steplab::ui

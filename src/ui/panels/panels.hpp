@@ -2,6 +2,8 @@
 
 #include "ui/context.hpp"
 
+#include <span>
+
 namespace steplab::ui {
 
 /// The panels, each in a file of its name. They draw one frame from the context and send the user's events to
@@ -10,8 +12,10 @@ namespace steplab::ui {
 void draw_top_bar(const Context& context);
 /// The menu button at the cursor of the bar and, if open, the menu.
 void draw_menu(const Context& context);
-/// All of `sections`, with a scroll bar if the window is too low for them.
+/// All of `sections`, with a scroll bar if the window is too low for them; in a low window those of the chosen tab.
 void draw_side_panel(const Context& context);
+/// The tabs above it, in a low window.
+void draw_panel_tabs(const Context& context);
 void draw_scene_panel(const Context& context);
 /// The list of runs, if there are several.
 void draw_runs_panel(const Context& context);
@@ -30,13 +34,23 @@ void draw_lesson_panel(const Context& context);
 /// What the pointer drags to make panel and plots larger or smaller.
 void draw_edges(const Context& context);
 
-/// The sections of the side panel from top to bottom.
-using Section = void (*)(const Context& context);
-inline constexpr Section sections[] = {draw_scene_panel, draw_runs_panel,   draw_method_panel,   draw_step_panel,
-                                       draw_show_panel,  draw_energy_panel, draw_selection_panel};
+/// A part of the side panel, and the tab that it is in where the window is low.
+struct Section {
+    void (*draw)(const Context& context);
+    PanelTab tab;
+};
+/// From top to bottom.
+inline constexpr Section sections[] = {{draw_scene_panel, PanelTab::scene},    {draw_runs_panel, PanelTab::runs},
+                                       {draw_method_panel, PanelTab::method},  {draw_step_panel, PanelTab::method},
+                                       {draw_show_panel, PanelTab::display},   {draw_energy_panel, PanelTab::state},
+                                       {draw_selection_panel, PanelTab::state}};
 /// Those while a trajectory is played.
-inline constexpr Section playback_sections[] = {draw_scene_panel, draw_playback_panel, draw_show_panel,
-                                                draw_energy_panel};
+inline constexpr Section playback_sections[] = {{draw_scene_panel, PanelTab::scene},
+                                                {draw_playback_panel, PanelTab::scene},
+                                                {draw_show_panel, PanelTab::display},
+                                                {draw_energy_panel, PanelTab::state}};
+/// Those that are shown now.
+std::span<const Section> sections_of(const Context& context);
 
 /// In place of all of these and the scene: pictures of scenes to choose from, or the list of lessons.
 void draw_scenes_page(const Context& context);

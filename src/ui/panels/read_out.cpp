@@ -72,6 +72,7 @@ std::vector<Line> lines_of(const Context& context) {
     append_error(lines, context);
     if (!view.frame.ensemble.empty())
         lines.push_back({"ensemble spread: max " + with_unit(rounded_text(view.ensemble_spread.largest), "m")});
+    for (const std::string& note : view.notes) lines.push_back({note, colour::caution});
     append_selection(lines, context);
     std::erase_if(lines, [](const Line& line) { return line.text.empty(); });
     return lines;

@@ -46,6 +46,9 @@ std::string errors_text(const Context& context, std::size_t run) {
     return text + fmt::format(" · {}\u00a0evaluations", rounded_text(static_cast<double>(compared->evaluations)));
 }
 
+constexpr std::string_view longest_errors_text =
+    "error\u00a08.8e-88\u00a0m · energy\u00a0-8.8e-88\u00a0J · 8.8e88\u00a0evaluations";
+
 /// The rest of what is known of them.
 std::string more_errors_text(const Compared& compared, const std::optional<double>& cost) {
     std::string text =
@@ -105,21 +108,31 @@ void draw_run(const Context& context, std::size_t run) {
 
 void draw_errors(const Context& context, std::size_t run) {
     const WithFont font(context.theme.fonts().small);
-    explanation(context, in_lines(errors_text(context, run), ImGui::GetContentRegionAvail().x));
+    changing_explanation(context, errors_text(context, run), lines_of_explanation(context, longest_errors_text));
     if (const Compared* const compared = compared_of(context, run))
         term_tooltip(context, more_errors_text(*compared, run_of(context, run).cost), "position error, phase error");
 }
 
-void draw_reference(const Context& context) {
+/// What the errors are measured against; empty where that is not known yet.
+std::string reference_text(const Context& context) {
     const auto& errors = context.pictured.errors;
-    if (!errors || errors->runs.empty()) return;
+    if (!errors || errors->runs.empty()) return {};
     std::string text = errors->exact ? "against the exact solution" : "against a reference run";
     if (errors->time < run_of(context, 0).frame.time - 1e-9)
         text += fmt::format(", which is at t = {} s", typed(errors->time, 4));
     if (const Compared* const lead = compared_of(context, 0); lead && !errors->exact)
-        text += fmt::format(", accurate to {}", with_unit(rounded_text(lead->reference_error), "m"));
-    explanation(context, text, colour::text_faint);
-    term_tooltip(context, errors->how, text);
+        text += fmt::format(", accurate to {}\u00a0m", rounded_text(lead->reference_error));
+    return text;
+}
+
+void draw_reference(const Context& context) {
+    const bool exact = context.view.why_not_exact.empty();
+    const char* const longest = exact
+                                    ? "against the exact solution"
+                                    : "against a reference run, which is at t = 8.888e88 s, accurate to 8.8e-88\u00a0m";
+    const std::string text = reference_text(context);
+    changing_explanation(context, text, lines_of_explanation(context, longest), colour::text_faint);
+    if (!text.empty()) term_tooltip(context, context.pictured.errors->how, text);
 }
 
 constexpr ParameterInfo magnify_info{.name = "magnify",

@@ -38,14 +38,15 @@ class Footer {
 public:
     explicit Footer(const Context& context)
         : context_(context),
-          text_(footer_text(context.view, context.measured)),
+          text_(context.is_saved() ? "" : footer_text(context.view, context.measured)),
           width_(context.layout.panel.width - 2 * context.px(14)) {
         const WithFont font(context.theme.fonts().tiny);
         text_ = in_lines(text_, width_);
-        height_ = std::round(ImGui::CalcTextSize(text_.c_str(), nullptr, false, width_).y);
+        const bool changes = context.purpose != Purpose::still;
+        height_ = std::max(height_of(text_), changes ? height_of(in_lines(longest_text, width_)) : 0);
     }
 
-    /// With the margins; of one line if nothing is known.
+    /// With the margins; of one line if nothing is known, and will not be.
     float height() const { return std::max(height_, context_.theme.fonts().tiny->FontSize) + context_.px(15); }
 
     void draw() const {
@@ -58,6 +59,14 @@ public:
     }
 
 private:
+    /// What is above stays where it is while rates come and go.
+    static constexpr const char* longest_text =
+        "8.8e8\u00a0steps/s · 8.8e8\u00a0force\u00a0evaluations/s · 888\u00a0ms\u00a0per\u00a0frame";
+
+    float height_of(const std::string& text) const {
+        return std::round(ImGui::CalcTextSize(text.c_str(), nullptr, false, width_).y);
+    }
+
     const Context& context_;
     std::string text_;
     float width_;
@@ -65,6 +74,11 @@ private:
 };
 
 }  // namespace
+
+std::span<const Section> sections_of(const Context& context) {
+    if (context.session.playback) return playback_sections;
+    return sections;
+}
 
 void draw_side_panel(const Context& context) {
     const Area& area = context.layout.panel;
@@ -75,11 +89,15 @@ void draw_side_panel(const Context& context) {
     ImGui::Begin("side panel", nullptr, fixed_window);
     const Footer footer(context);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {context.px(14), context.px(6)});
+    const bool all = context.layout.panel_tabs.empty();
+    ImGui::PushID(all ? -1 : static_cast<int>(context.state.tab));  // each tab has a place of its own to be scrolled to
     ImGui::BeginChild("sections", {0, area.height - footer.height()}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NavFlattened);
-    const bool played = context.session.playback.has_value();
-    for (const Section section : played ? std::span<const Section>(playback_sections) : sections) section(context);
+    for (const Section& section : sections_of(context)) {
+        if (all || section.tab == context.state.tab) section.draw(context);
+    }
     ImGui::EndChild();
+    ImGui::PopID();
     ImGui::PopStyleVar(2);
     footer.draw();
     ImGui::GetWindowDrawList()->AddLine({area.right() - 1, area.y}, {area.right() - 1, area.bottom()}, colour::line);

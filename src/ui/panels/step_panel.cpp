@@ -32,22 +32,26 @@ ImU32 ink_of(Lamp lamp, ImU32 none) {
     return none;
 }
 
+/// In room for any verdict: that of a run that goes on moves nothing below it.
 void draw_verdict(const Context& context, const StepVerdict& verdict) {
     const WithFont font(context.theme.fonts().small);
     const ImU32 ink = ink_of(verdict.lamp, colour::text_dim);
-    const float radius = context.px(3.5f);
+    const float radius = context.px(3.5f), indent = context.px(14);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float y = corner.y + 0.5f * ImGui::GetTextLineHeight();
-    if (verdict.lamp != Lamp::none) {
+    if (verdict.lamp != Lamp::none)
         ImGui::GetWindowDrawList()->AddCircleFilled({corner.x + radius + 1, y}, radius, ink);
-        ImGui::SetCursorScreenPos({corner.x + context.px(14), corner.y});
-    }
+    ImGui::Indent(indent);
     explanation(context, verdict.text, ink);
     term_tooltip(context, verdict.tooltip, verdict.text);
-    if (verdict.detail.empty()) return;
-    if (verdict.lamp != Lamp::none) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + context.px(14));
-    explanation(context, verdict.detail);
-    term_tooltip(context, verdict.tooltip, "steps per period, numerical damping");
+    const auto lines = [&](const std::string& text) { return lines_of_explanation(context, text); };
+    const int most = lines(longest_verdict().text) + lines(longest_verdict().detail);
+    const bool given = chooses_its_steps(context.description());  // what is said of its steps never changes
+    if (!given) {
+        changing_explanation(context, verdict.detail, most - lines(verdict.text));
+        term_tooltip(context, verdict.tooltip, "steps per period, numerical damping");
+    }
+    ImGui::Unindent(indent);
 }
 
 /// The stability limit, as long as it is that of the scene and method on the panel.
@@ -89,7 +93,6 @@ void draw_step_panel(const Context& context) {
                             .set_text = [&](std::string_view typed) { ask(parse_value(info, typed)); },
                         });
     draw_verdict(context, verdict);
-    for (const std::string& note : context.view.notes) explanation(context, note, colour::caution);
 }
 
 }  // namespace steplab::ui

@@ -56,7 +56,9 @@ std::string detail_of(double dt, const Basis& basis) {
     if (!basis.resolution) return {};
     const bool named = dt <= basis.limit && !basis.resolution->is_good();  // the steps per period are in the first line
     if (named && std::isinf(basis.limit)) return damping_text(*basis.resolution, " per period");
-    if (named) return of_limit(dt, basis.limit) + ", " + damping_text(*basis.resolution, " per period");
+    if (named)
+        return fmt::format("{} of the limit, {}", share_text(dt / basis.limit),
+                           damping_text(*basis.resolution, " per period"));
     const std::string steps = rounded_text(basis.resolution->steps_per_period);
     return fmt::format("per period: {} {}, {}", steps, steps == "1" ? "step" : "steps",
                        damping_text(*basis.resolution, ""));
@@ -70,6 +72,7 @@ std::string when_text(const Basis& basis) {
 std::string tooltip_of(const Basis& basis, const RunView& view) {
     std::string text =
         fmt::format("{}\nlargest angular frequency ω_max = {} rad/s", when_text(basis), reading_text(basis.omega));
+    if (std::isfinite(basis.limit)) text += fmt::format(", stability limit {} s", reading_text(basis.limit));
     if (basis.time && view.limit && std::abs(view.limit->omega_max - basis.omega) > 0.005 * basis.omega)
         text += fmt::format("; at rest {} rad/s, limit {} s", reading_text(view.limit->omega_max),
                             reading_text(view.limit->limit));
@@ -87,7 +90,7 @@ StepVerdict below_limit(double dt, const Basis& basis) {
         return {Lamp::caution, "stable, but only " + steps_text(basis.resolution->steps_per_period), {}, {}};
     if (std::isinf(basis.limit)) return {Lamp::good, "stable at any dt", {}, {}};
     const bool close = dt > near_limit * basis.limit;
-    const std::string text = (close ? "stable, but only just: " : "stable: ") + of_limit(dt, basis.limit);
+    const std::string text = (close ? "barely stable: " : "stable: ") + of_limit(dt, basis.limit);
     return {close ? Lamp::caution : Lamp::good, text, {}, {}};
 }
 
@@ -112,6 +115,14 @@ StepVerdict without_notes(const RunView& view, const PresentLimit* present) {
 }
 
 }  // namespace
+
+const StepVerdict& longest_verdict() {
+    static const StepVerdict longest{.lamp = Lamp::caution,
+                                     .text = "barely stable: 0.88 of the limit 8.88e-8 s",
+                                     .detail = "0.88 of the limit, amplitude −8.8e-8 % per period",
+                                     .tooltip = {}};
+    return longest;
+}
 
 StepVerdict step_verdict(const RunView& view, const PresentLimit* present) {
     StepVerdict verdict = without_notes(view, present);

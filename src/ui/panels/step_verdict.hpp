@@ -23,5 +23,7 @@ struct StepVerdict {
 };
 /// By the scene as it is now, or as it is at rest where `present` is null.
 StepVerdict step_verdict(const RunView& view, const PresentLimit* present = nullptr);
+/// One whose texts need as much room as any, where the steps are as long as dt says.
+const StepVerdict& longest_verdict();
 
 }  // namespace steplab::ui

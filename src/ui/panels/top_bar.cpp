@@ -81,11 +81,16 @@ void draw_precision(const Context& context) {
     }
 }
 
-float record_width(const Context& context) { return context.px(context.state.film ? 132 : 76); }
+/// What the bar says of the film that is taken; not in its own pictures.
+std::optional<FilmStatus> told_film(const Context& context) {
+    return context.is_saved() ? std::nullopt : context.state.film;
+}
+
+float record_width(const Context& context) { return context.px(told_film(context) ? 132 : 76); }
 
 /// Begins a film; while one is taken, ends it, and says how long it is.
 void draw_record(const Context& context) {
-    const auto& film = context.state.film;
+    const auto film = told_film(context);
     const std::string text =
         film ? fmt::format("{} \u00b7 {:.1f} s", counted(static_cast<double>(film->frames), "frame", "frames"),
                            film->seconds)

@@ -69,6 +69,9 @@ struct PlotChoice {
     plot::Scale scale = plot::Scale::linear;  ///< of the axis up
     std::optional<Range> up = {};             ///< of the axis up, where it was moved; none: that of the data
     std::optional<Range> across = {};         ///< the same of the axis across, where that is not time
+
+    /// True if both show the same, wherever their axes were moved.
+    friend bool operator==(const PlotChoice& a, const PlotChoice& b) { return a.kind == b.kind && a.scale == b.scale; }
 };
 
 /// A plot of this kind with the scale that suits it.

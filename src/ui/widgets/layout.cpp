@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace steplab::ui {
 namespace {
@@ -10,6 +11,8 @@ namespace {
 constexpr float bar_height = 40;
 constexpr float lesson_width = 310;
 constexpr float narrowest_with_panel = 620;
+constexpr float lowest_without_tabs = 600;
+constexpr float tabs_height = 34;
 constexpr float lowest_with_plots = 460;
 constexpr float narrowest_plot = 240;
 constexpr float time_line_height = 34;
@@ -21,6 +24,14 @@ constexpr float narrowest_with_run_buttons = 640;
 float plots_height(float height, std::optional<double> wanted) {
     if (wanted) return std::min(static_cast<float>(*wanted), 0.5f * height);
     return std::clamp(0.285f * height, 150.0f, 380.0f);
+}
+
+/// The upper part of the panel for its tabs.
+void take_tabs(Layout& layout, float height) {
+    Area& panel = layout.panel;
+    layout.panel_tabs = {panel.x, panel.y, panel.width, std::min(height, panel.height)};
+    panel.y += layout.panel_tabs.height;
+    panel.height -= layout.panel_tabs.height;
 }
 
 }  // namespace
@@ -41,6 +52,7 @@ Layout arrange(const Display& display, std::optional<bool> panel, const PanelSiz
         const float most = wide ? 0.5f : 0.75f;  // of the window
         const float wanted = px(static_cast<float>(sizes.panel_width));
         layout.panel = {0, layout.bar.height, std::min(wanted, most * width), below};
+        if (height < px(lowest_without_tabs)) take_tabs(layout, px(tabs_height));
     }
 
     layout.scene = {layout.panel.width, layout.bar.height, std::max(1.0f, width - beside - layout.panel.width), below};
@@ -67,6 +79,13 @@ Layout arrange(const Display& display, std::optional<bool> panel, const PanelSiz
     const bool speed_leaves_room = width >= px(970) && (!layout.bar_has_title || width >= px(1270));
     layout.bar_has_record = speed_leaves_room || (!layout.bar_has_speed && width >= px(620));
     return layout;
+}
+
+void put_plots_into_panel(Layout& layout) {
+    if (layout.panel_tabs.empty() || !layout.plots.empty()) return;
+    layout.plots = std::exchange(layout.panel, {});
+    layout.plots_in_panel = true;
+    layout.plot_count = 1;
 }
 
 Layout arrange_scene_alone(const Display& display) {

@@ -14,6 +14,7 @@ using Area = plot::Box;
 /// The areas of the window. Those that are not shown are empty; none overlaps another.
 struct Layout {
     Area bar;            ///< along the top
+    Area panel_tabs;     ///< above the panel, where the window is too low for all of its sections
     Area panel;          ///< at the left
     Area lesson;         ///< at the right
     Area time_line;      ///< below the scene
@@ -21,11 +22,15 @@ struct Layout {
     Area plots;          ///< at the bottom
     Area scene;          ///< the rest
     int plot_count = 0;  ///< number of plots that fit next to each other
+    bool plots_in_panel = false;
     bool bar_has_title = false;
     bool bar_has_speed = false;
     bool bar_has_precision = false;
     bool bar_has_snapshot = false;
     bool bar_has_record = false;
+
+    /// Whether the panel is there, or the tab of the plots in its place.
+    bool has_panel() const { return !panel.empty() || plots_in_panel; }
 };
 
 /// Arranges the panels for a display and hides those without room. `panel`: whether the user wants panel and plots;
@@ -33,6 +38,9 @@ struct Layout {
 /// bar.
 Layout arrange(const Display& display, std::optional<bool> panel = std::nullopt, const PanelSizes& sizes = {},
                bool lesson = false);
+
+/// In place of the sections of a panel with tabs: a plot, where the window has no other room for plots.
+void put_plots_into_panel(Layout& layout);
 
 /// The scene fills the display.
 Layout arrange_scene_alone(const Display& display);

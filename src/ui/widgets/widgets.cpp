@@ -95,11 +95,39 @@ std::string in_words(std::string_view text, float width) {
     return lines;
 }
 
+namespace {
+
+/// As explanation() breaks it into lines, at its separators where it has some.
+std::string explained(std::string_view text) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    return in_words(in_lines(std::string(text), width), width);
+}
+
+}  // namespace
+
 void explanation(const Context& context, std::string_view text, ImU32 ink) {
     const WithFont font(context.theme.fonts().small);
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
     ImGui::TextUnformatted(in_words(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopStyleColor();
+}
+
+int lines_of_explanation(const Context& context, std::string_view text) {
+    if (text.empty()) return 0;
+    const WithFont font(context.theme.fonts().small);
+    const std::string lines = explained(text);
+    return 1 + static_cast<int>(std::count(lines.begin(), lines.end(), '\n'));
+}
+
+void changing_explanation(const Context& context, std::string_view text, int lines, ImU32 ink) {
+    std::string padded;
+    {
+        const WithFont font(context.theme.fonts().small);
+        padded = explained(text);
+    }
+    for (int missing = lines - lines_of_explanation(context, text); missing > 0; --missing)
+        padded += padded.empty() ? "\u00a0" : "\n\u00a0";
+    if (!padded.empty()) explanation(context, padded, ink);
 }
 
 void row_label(const Context& context, std::string_view label, std::string_view what, float height) {

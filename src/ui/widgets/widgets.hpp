@@ -52,6 +52,10 @@ std::string in_lines(const std::string& text, float width);
 std::string in_words(std::string_view text, float width);
 /// A paragraph in the small font, wrapped at the edge of the panel.
 void explanation(const Context& context, std::string_view text, ImU32 ink = colour::text_dim);
+/// How many lines such a paragraph has.
+int lines_of_explanation(const Context& context, std::string_view text);
+/// A paragraph that changes while a run goes on: of at least so many lines, so that what is below stays where it is.
+void changing_explanation(const Context& context, std::string_view text, int lines, ImU32 ink = colour::text_dim);
 /// The label of a row, vertically centred; `height` 0: that of a row with a slider.
 void row_label(const Context& context, std::string_view label, std::string_view tooltip, float height = 0);
 /// "kinetic          0.213 J"

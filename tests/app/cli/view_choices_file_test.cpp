@@ -94,7 +94,7 @@ TEST_F(ViewChoicesFile, values_that_cannot_be_used_are_named_and_the_others_hold
         const ReadViewChoices read = read_text(std::string(line) + "\nsprings = false\nunheard_of = 3\n");
         ASSERT_TRUE(read.problem) << line;
         const std::string key(line, std::string_view(line).find(' '));
-        EXPECT_NE(read.problem->find(key), std::string::npos) << *read.problem;
+        EXPECT_NE(read.problem->find(key + " (line 1)"), std::string::npos) << *read.problem;
         EXPECT_EQ(read.problem->find("unheard_of"), std::string::npos) << "of a version that knows more";
         EXPECT_FALSE(read.choices.springs) << line;
         EXPECT_EQ(read.choices.scale, 1);

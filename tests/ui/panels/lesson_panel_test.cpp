@@ -67,6 +67,53 @@ TEST(lesson_panel, is_closed_by_its_cross_and_by_escape) {
     EXPECT_EQ(by_key.desk.interface.lesson(), "");
 }
 
+// "one-step" shows the error and the displacement, at a speed of its own.
+TEST(lesson_panel, that_ends_puts_back_plots_and_speed) {
+    for (const bool by_key : {true, false}) {
+        Opened opened("one-step", {1900, 1200, 1});  // with room for a third plot
+        Desk& desk = opened.desk;
+        desk.click("plots.add");
+        const ViewChoices before = desk.interface.choices(desk.style);
+        ASSERT_EQ(before.plots.size(), 3u);
+        desk.click("lesson.do");
+        desk.view.rate = desk.recorder.rates.back();
+        desk.interface.record(desk.view);
+        desk.frame();
+        EXPECT_TRUE(desk.has("plot 2"));
+        EXPECT_FALSE(desk.has("plot 3"));
+        EXPECT_EQ(desk.interface.choices(desk.style).plots, before.plots) << "what the lesson shows is not remembered";
+        by_key ? desk.key(Key::escape) : desk.click("lesson.close");
+        desk.frame();
+        EXPECT_TRUE(desk.has("plot 3"));
+        EXPECT_EQ(desk.recorder.rates.back(), Rate{});
+    }
+}
+
+TEST(lesson_panel, that_ends_leaves_what_was_chosen_since) {
+    Opened opened;
+    Desk& desk = opened.desk;
+    desk.click("lesson.do");
+    desk.view.rate = {false, 7};  // as a person set it
+    desk.interface.record(desk.view);
+    for (int i = 0; i < 4; ++i) desk.show(desk.view);
+    desk.click("energy error.scale");
+    const auto chosen = desk.interface.choices(desk.style).plots;
+    const std::size_t rates = desk.recorder.rates.size();
+    desk.click("lesson.close");
+    EXPECT_EQ(desk.interface.choices(desk.style).plots, chosen);
+    EXPECT_EQ(desk.recorder.rates.size(), rates) << "the speed stays";
+}
+
+TEST(lesson_panel, is_over_with_its_last_page) {
+    Opened opened;
+    Desk& desk = opened.desk;
+    desk.click("lesson.next");
+    desk.click("lesson.next");
+    desk.click("lesson.end");
+    EXPECT_EQ(desk.interface.lesson(), "");
+    EXPECT_TRUE(desk.interface.shows_scenes());
+}
+
 TEST(lesson_panel, leaves_the_other_panels_as_they_are) {
     Opened opened;
     for (const char* const widget : {"method", "dt", "play", "add run", "lesson.do"})

@@ -1,5 +1,6 @@
 #include "ui/widgets/colours.hpp"
 
+#include "render/palette.hpp"
 #include "ui/desk.hpp"
 
 #include <gtest/gtest.h>
@@ -49,6 +50,44 @@ TEST_P(EveryTheme, curves_sliders_and_buttons_stand_out) {
     for (const ImU32 ink : {c.accent, c.exact, c.good, c.caution, c.bad, c.knob})
         EXPECT_GE(contrast(ink, c.panel), of_shapes);
     for (const ImU32 ink : {c.accent, c.good, c.caution, c.bad, c.knob}) EXPECT_GE(contrast(ink, c.track), of_shapes);
+}
+
+ImU32 imgui_colour(render::Rgb colour) { return IM_COL32(colour.red, colour.green, colour.blue, 255); }
+
+/// A colour of this opacity, or less of its own, over another one.
+ImU32 over(ImU32 ground, ImU32 colour, double opacity = 1) {
+    const ImVec4 a = ImGui::ColorConvertU32ToFloat4(ground), b = ImGui::ColorConvertU32ToFloat4(colour);
+    const float part = b.w * static_cast<float>(opacity);
+    return ImGui::ColorConvertFloat4ToU32(
+        {std::lerp(a.x, b.x, part), std::lerp(a.y, b.y, part), std::lerp(a.z, b.z, part), 1});
+}
+
+// Numbers of the axes and of the scale of colours, names of runs: they have a rim or a ground of the background's
+// colour, through which a little of what is behind is seen.
+TEST_P(EveryTheme, text_over_the_scene_is_readable_whatever_is_behind_it) {
+    const render::Palette& scene = render::palette(GetParam());
+    std::vector<render::Rgb> behind{render::rgb(0xffffff), render::rgb(0x000000), scene.grid, scene.spring};
+    behind.insert(behind.end(), scene.roles.begin(), scene.roles.end());
+    for (const double height : {0.0, 0.5, 1.0}) {
+        const ImU32 ground = imgui_colour(render::backdrop_at(scene, height));
+        for (const render::Rgb thing : behind) {
+            const ImU32 rim = over(imgui_colour(thing), ground, render::veil);
+            EXPECT_GE(contrast(imgui_colour(scene.text), rim), of_text) << height;
+        }
+    }
+    for (const render::Rgb letter : scene.axes)  // of the small cross, on which nothing else is drawn
+        EXPECT_GE(contrast(imgui_colour(letter), imgui_colour(scene.bottom)), of_text);
+}
+
+// Readings, cards and messages let a little of the scene through.
+TEST_P(EveryTheme, cards_over_the_scene_are_readable_whatever_is_behind_them) {
+    for (const ImU32 behind : {IM_COL32_WHITE, IM_COL32_BLACK}) {
+        for (const ImU32 card : {c.card, c.window, c.popup}) {
+            const ImU32 ground = over(behind, card);
+            for (const ImU32 ink : {c.text, c.text_dim}) EXPECT_GE(contrast(ink, ground), of_text);
+            for (const ImU32 ink : {c.good, c.caution, c.bad}) EXPECT_GE(contrast(ink, ground), of_text);
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Colours, EveryTheme, testing::Values(render::Background::dark, render::Background::light),

@@ -12,7 +12,8 @@ bool overlap(const Area& a, const Area& b) {
 }
 
 void expect_tiling(const Layout& layout, const Display& display) {
-    const Area areas[] = {layout.bar, layout.panel, layout.plots, layout.time_line, layout.run_buttons, layout.scene};
+    const Area areas[] = {layout.bar,       layout.panel_tabs,  layout.panel, layout.plots,
+                          layout.time_line, layout.run_buttons, layout.scene};
     float covered = 0;
     for (const Area& a : areas) {
         if (!a.empty()) covered += a.width * a.height;
@@ -34,7 +35,10 @@ TEST(layout, panels_fill_any_window_and_never_cover_the_scene) {
             for (const std::optional<bool> panel : {std::optional<bool>(), std::optional(true), std::optional(false)}) {
                 SCOPED_TRACE(testing::Message() << width << "x" << height << " scale " << scale);
                 const Display display{width, height, scale};
-                expect_tiling(arrange(display, panel), display);
+                Layout layout = arrange(display, panel);
+                expect_tiling(layout, display);
+                put_plots_into_panel(layout);
+                expect_tiling(layout, display);
             }
         }
     }
