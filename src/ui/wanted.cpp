@@ -7,6 +7,8 @@ namespace steplab::ui {
 void Wanted::follow(const RunView& view, bool is_new, bool played_back) {
     played_back_ = played_back;
     playing_.follow(view.playing, is_new);
+    if (view.divergence && !diverged_) playing_.refused();  // it may have played too shortly for a view of that
+    diverged_ = view.divergence.has_value();
     rate_.follow(view.rate, is_new);
     ensemble_.follow(view.ensemble, is_new);
     running_ = view.description;

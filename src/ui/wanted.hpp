@@ -64,6 +64,7 @@ private:
     Setting<Rate> rate_;
     Setting<LiveEnsembleOptions> ensemble_;
     bool played_back_ = false;
+    bool diverged_ = false;
     RunDescription running_;
     std::optional<RunDescription> asked_;
     std::string message_;

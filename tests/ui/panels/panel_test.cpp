@@ -114,6 +114,21 @@ TEST(panel, a_run_that_does_not_start_to_play_is_shown_as_it_is) {
     EXPECT_THAT(desk.calls(), ElementsAre("play", "play"));
 }
 
+// It diverges before a view shows that it plays: from then on it stands, and Play is to play.
+TEST(panel, a_run_that_diverges_at_once_is_shown_as_it_stands) {
+    for (const bool diverges : {true, false}) {
+        Desk desk;
+        desk.click("play");
+        EXPECT_THAT(desk.calls(), ElementsAre("play"));
+        if (diverges) desk.view.divergence.emplace();
+        desk.show(desk.view);
+        desk.view.divergence.reset();  // back before it
+        desk.show(desk.view);
+        desk.click("play");
+        EXPECT_THAT(desk.calls(), ElementsAre(diverges ? "play" : "pause"));
+    }
+}
+
 TEST(panel, dt_is_dragged_logarithmically) {
     Desk desk;
     desk.drag("dt", 0.5f, 0.75f);
