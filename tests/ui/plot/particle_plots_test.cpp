@@ -156,16 +156,12 @@ std::string errors_against_reference(double error) {
     Desk desk(describe("morse"));
     desk.view.series.samples = {Sample{}};
     desk.view.has_exact = false;
-    for (std::uint64_t step = 0; step < 5; ++step) {
-        desk.view.frame.step = step;
-        Compared compared;
-        compared.time = 0.25 * static_cast<double>(step);
-        compared.error = error;
-        compared.reference_error = 1e-9;
-        desk.session.errors = SessionErrors{.runs = {compared}};
-        desk.interface.record(desk.view);
-        desk.frame();
-    }
+    ErrorSeries errors;
+    for (std::uint64_t step = 0; step < 5; ++step)
+        errors.samples.push_back({step, 0.25 * static_cast<double>(step), error, 1e-9});
+    desk.session.error_series = {errors};
+    desk.interface.record(desk.view);
+    desk.frame();
     choose(desk, 1, "position error");
     return saved_csv(desk, "position error");
 }
