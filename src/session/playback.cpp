@@ -92,6 +92,7 @@ struct Playback::Handle {
     void operator()(const event::Track& track) const {
         of.tracked_ = track.particle;
         of.samples_.follow(track.particle);
+        of.take_sample();
     }
     void operator()(const event::ShowSamples& show) const {
         of.with_samples_ = show.on;

@@ -54,6 +54,7 @@ struct BlowUpStudy::Body {
     std::optional<ReplayedRun::Moment> good;  ///< the last one before the energy left its range
     std::optional<RemedyTrial> trial;
     std::vector<RunDescription> dts, methods;  ///< to be tried yet, the next one last
+    std::vector<RunDescription> last_resorts;  ///< methods of other kinds, if none of these works
     State<double> start_state;
     double baseline = 0, least_baseline = 0;  ///< size of the energy there [J]
     std::optional<std::uint64_t> baseline_step;
@@ -192,7 +193,27 @@ struct BlowUpStudy::Body {
         for (const std::string& id : candidates.methods) methods.push_back(with_method(now, id));
         std::reverse(dts.begin(), dts.end());
         std::reverse(methods.begin(), methods.end());
+        prepare_last_resorts();
     }
+
+    /// Implicit methods, which have no limit, then those that choose their steps.
+    void prepare_last_resorts() {
+        const RunDescription& now = run().description();
+        for (const bool adaptive : {false, true}) {
+            for (const Method& other : steplab::methods()) {
+                const MethodInfo& info = other.info;
+                if (info.curiosity || info.id == now.method || info.adaptive != adaptive) continue;
+                if (adaptive || info.implicit) last_resorts.push_back(with_method(now, info.id));
+            }
+        }
+        std::reverse(last_resorts.begin(), last_resorts.end());
+    }
+
+    bool has_remedy() const {
+        return std::any_of(found.tried.begin(), found.tried.end(),
+                           [](const TriedRemedy& tried) { return tried.works; });
+    }
+    bool needs_last_resort() const { return !last_resorts.empty() && !has_remedy(); }
 
     /// One of these; the rest is not needed once one works.
     void try_next(std::vector<RunDescription>& candidates) {
@@ -224,8 +245,10 @@ bool BlowUpStudy::next() {
         body_->try_next(body_->dts);
     } else if (!body_->methods.empty()) {
         body_->try_next(body_->methods);
+    } else if (body_->needs_last_resort()) {
+        body_->try_next(body_->last_resorts);
     }
-    body_->found.complete = body_->dts.empty() && body_->methods.empty();
+    body_->found.complete = body_->dts.empty() && body_->methods.empty() && !body_->needs_last_resort();
     return !body_->found.complete;
 }
 

@@ -73,7 +73,10 @@ TEST(history, the_plotted_direction_follows_from_the_samples_where_there_are_som
         const SampleSeries before = view.series;
         view = moment(step, {0, 0, 9e9});  // what views say does not count then
         view.series = before;
-        view.series.samples.push_back({.step = step, .particle = Sample::Particle{displacement, {}}});
+        Sample sample;
+        sample.step = step;
+        sample.particle = {displacement, {}};
+        view.series.samples.push_back(sample);
     };
     add(0, {0, 0.1, 0});
     often.record(view);
