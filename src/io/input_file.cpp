@@ -58,6 +58,15 @@ InputFile::~InputFile() {
     if (descriptor_ >= 0) close(descriptor_);
 }
 
+bool InputFile::grow() {
+    struct stat status {};
+    if (fstat(descriptor_, &status) != 0) return false;
+    const auto now = static_cast<std::uint64_t>(status.st_size);
+    const bool more = now > size_;
+    size_ = std::max(size_, now);
+    return more;
+}
+
 std::string InputFile::read(std::uint64_t place, std::uint64_t bytes) const {
     if (place >= size_) return {};
     std::string text = space(name_, std::min(bytes, size_ - place));

@@ -16,6 +16,8 @@ public:
 
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return size_; }
+    /// Takes in what another program has written behind its end since; true if there is more.
+    bool grow();
     /// The bytes from offset `place` on; fewer only at the end of the file. Throws FileError, also if they do not fit
     /// in memory.
     std::string read(std::uint64_t place, std::uint64_t bytes) const;

@@ -20,11 +20,16 @@ public:
     /// Of a text in memory, with this name in messages.
     TextInput(std::string name, std::shared_ptr<const std::string> text);
 
+    /// A plain text from a place in a file on, which is the beginning of the line after so many.
+    TextInput(std::string name, const std::shared_ptr<const InputFile>& file, std::uint64_t place, std::uint64_t lines);
+
     /// The next line without its end; none at the end of the file. Valid until the next call. Throws FileError for
     /// damaged or truncated compressed data, and for lines that are no text of ours.
     std::optional<std::string_view> line();
     /// The next bytes, up to `bytes` of them, which are not taken.
     std::string_view peek(std::size_t bytes);
+    /// Takes so many of those that peek() gave.
+    void drop(std::size_t bytes) { taken_ += bytes; }
     /// All that is left. Throws FileError as line() does, and for more than `most` bytes.
     std::string rest(std::size_t most);
 

@@ -1,6 +1,7 @@
 #include "io/text_trajectory.hpp"
 
 #include "core/shown.hpp"
+#include "io/dump_trajectory.hpp"
 
 #include <fmt/format.h>
 
@@ -31,10 +32,12 @@ std::unique_ptr<TextTrajectory> TextTrajectory::open(InputFile file) {
 std::unique_ptr<TextTrajectory> TextTrajectory::open(TextInput input, From from) {
     std::string_view begin = input.peek(csv_begin.size());
     if (begin == csv_begin) return csv_trajectory(std::move(input));
+    if (from == From::any_program && DumpTrajectory::begins(begin))
+        return std::make_unique<DumpTrajectory>(std::move(input));
     if (from == From::any_program) begin.remove_prefix(std::min(begin.find_first_not_of(" \t"), begin.size()));
     if (!begin.empty() && begin[0] >= '0' && begin[0] <= '9') return xyz_trajectory(std::move(input), from);
     if (begin.starts_with("run,step")) input.fail("it holds the runs of an ensemble: convert reads files of one run");
-    input.fail("it is none of steplab's formats (CSV and XYZ of --out, trajectory)");
+    input.fail("it is none of steplab's formats (CSV and XYZ of --out, trajectory), and no LAMMPS dump");
 }
 
 void TextTrajectory::require(const Columns& columns) const {

@@ -1,5 +1,6 @@
 #include "core/shown.hpp"
 #include "io/text_trajectory.hpp"
+#include "io/words.hpp"
 
 #include <fmt/format.h>
 
@@ -16,23 +17,6 @@ namespace steplab {
 namespace {
 
 constexpr std::string_view blanks = " \t";
-
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-/// The words of a line; the memory of `words` is reused.
-void split(std::string_view line, std::vector<std::string_view>& words) {
-    words.clear();
-    for (std::size_t begin = 0, end = 0; begin < line.size(); begin = end) {
-        while (begin < line.size() && is_blank(line[begin])) ++begin;
-        for (end = begin; end < line.size() && !is_blank(line[end]);) ++end;
-        if (end > begin) words.push_back(line.substr(begin, end - begin));
-    }
-}
-std::vector<std::string_view> words_of(std::string_view line) {
-    std::vector<std::string_view> words;
-    split(line, words);
-    return words;
-}
 
 /// The pairs of a comment line: key=value or key="a value of words".
 std::map<std::string, std::string, std::less<>> pairs_of(std::string_view line) {
@@ -83,6 +67,7 @@ public:
 
 private:
     bool read(FrameBlock& frame) override {
+        if (std::exchange(used_, true)) read_head();
         if (!has_head_) return false;
         frame.scene = scene_;
         frame.moments.push_back(moment_);
@@ -95,7 +80,6 @@ private:
         if (foreign_ && frame.masses.size() == frame.rows) take_momenta(frame);
         if (frame.roles.size() != frame.rows) frame.roles.clear();
         if (!same_mass_) frame.scene.mass = 0;
-        read_head();
         return true;
     }
 
@@ -149,7 +133,7 @@ private:
         scene_ = {};
         if (precision != pairs.end() && precision->second == id(Precision::float_))
             scene_.precision = Precision::float_;
-        if (pairs.contains("Lattice") && !foreign_) read_box(value("Lattice"), value("Origin"));
+        if (pairs.contains("Lattice")) read_box(value("Lattice"), value("Origin", "0 0 0"));
         read_properties(value("Properties", "species:S:1:pos:R:3"));
     }
 
@@ -160,8 +144,9 @@ private:
         }
     }
 
-    /// A box along the axes is all that a scene has.
+    /// A box along the axes is all that a scene has. One of another program is left out where it is another.
     void read_box(std::string_view lattice, std::string_view origin) {
+        if (foreign_ && !is_along_axes(lattice)) return;
         const auto edges = words_of(lattice), corner = words_of(origin);
         if (edges.size() != 9 || corner.size() != 3) input_.fail("its Lattice or Origin is not one of steplab");
         std::array<double, 3> sides{};
@@ -173,6 +158,14 @@ private:
         scene_.box = {sides[0], sides[1], sides[2]};
         if (scene_.box == Vec3{}) input_.fail("its Lattice is not a box along the axes");
         scene_.corner = {number<double>(corner[0]), number<double>(corner[1]), number<double>(corner[2])};
+    }
+
+    bool is_along_axes(std::string_view lattice) const {
+        const auto edges = words_of(lattice);
+        bool along = edges.size() == 9;
+        for (std::size_t i = 0; along && i < 9; ++i) along = i % 4 == 0 || number<double>(edges[i]) == 0;
+        for (std::size_t i = 0; along && i < 9; i += 4) along = number<double>(edges[i]) > 0;
+        return along;
     }
 
     void read_properties(const std::string& text) {
@@ -210,7 +203,7 @@ private:
     }
 
     bool foreign_;
-    bool has_head_ = false;
+    bool has_head_ = false, used_ = false;  ///< the head that was read last
     std::uint64_t heads_ = 0;
     std::vector<std::string_view> words_;
     bool use_momenta_ = false, momenta_ = false, with_masses_ = false;

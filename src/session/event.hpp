@@ -136,10 +136,13 @@ bool is_any(const Event& event) {
 void check(const event::Loop& loop);
 
 /// True if an event changes what the runs of a session compute or where they stand; the others change what is shown.
-inline bool is_recorded(const Event& event) {
+inline bool changes_runs(const Event& event) {
     return !is_any<event::SetRate, event::Loop, event::Track, event::ShowEnsemble, event::ShowForces, event::ShowErrors,
                    event::ShowSamples, event::ShowCosts>(event);
 }
+
+/// True if a recording has it: what changes the runs, and how fast they play.
+inline bool is_recorded(const Event& event) { return changes_runs(event) || is_any<event::SetRate>(event); }
 
 /// True if the second event leaves nothing of the first, which it follows: a slider or the time line is dragged.
 bool overtakes(const Event& earlier, const Event& later);

@@ -13,6 +13,7 @@ struct ActWord {
 
 struct EventWord {
     std::string_view operator()(const event::Play& play) const { return play.on ? "play" : "pause"; }
+    std::string_view operator()(const event::SetRate&) const { return "speed"; }
     std::string_view operator()(const event::Step&) const { return "step"; }
     std::string_view operator()(const event::Seek&) const { return "seek"; }
     std::string_view operator()(const event::SeekTime&) const { return "seek-time"; }

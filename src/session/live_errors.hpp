@@ -1,10 +1,12 @@
 #pragma once
 
 #include "session/compared.hpp"
+#include "session/error_samples.hpp"
 #include "session/session_view.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,6 +23,12 @@ public:
         RunMoment moment;
         std::vector<SegmentBegin> changes;  ///< that had taken effect
         bool over = false;                  ///< it stands at its last good step, before this time
+        /// All that was done to it, also ahead, and the last step that it was at.
+        struct Way {
+            std::vector<SegmentBegin> changes;
+            std::uint64_t reached = 0;
+        };
+        std::optional<Way> way = {};  ///< if errors at the steps of a grid are wanted
     };
 
     /// `ready` is called from the thread when there is an answer.
@@ -32,6 +40,9 @@ public:
     /// Waits for the answer to the last question as long as that is no more than this; the newest answer, if there is
     /// any that was not forgotten.
     std::optional<SessionErrors> newest(std::chrono::duration<double> most);
+    /// The errors at the steps of a grid of each run of the last question that was answered, as far as they are known;
+    /// empty where they were not wanted.
+    void put_into(std::vector<ErrorSeries>& series) const;
     /// There are other runs from here on: no answer yet.
     void forget();
 

@@ -3,6 +3,7 @@
 #include "core/interruption.hpp"
 #include "session/share.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -31,6 +32,7 @@ struct LiveVerdict::Body {
     struct Why {
         std::vector<SegmentBegin> changes;
         Divergence divergence;
+        std::vector<ReplayedRun::Moment> kept;
     };
 
     std::function<void()> ready;
@@ -113,7 +115,7 @@ struct LiveVerdict::Body {
             complete = false;
             study.reset();
             studied = why;
-            study.emplace(why->changes, why->divergence);
+            study.emplace(why->changes, why->divergence, why->kept);
         }
         complete = !study->next();
         auto found = std::make_shared<const BlowUp>(study->found());
@@ -173,12 +175,16 @@ bool LiveVerdict::is_new(const Simulation& run) const {
     return body_->newest_step != std::pair(run.segment(), run.step()) || body_->newest_run != run.description();
 }
 
-void LiveVerdict::ask_why(std::vector<SegmentBegin> changes, const Divergence& divergence) {
+void LiveVerdict::ask_why(const TimeLine& line, const Divergence& divergence) {
     {
         const std::lock_guard lock(body_->mutex);
         const auto& now = body_->wanted;
-        if (now && now->divergence.step == divergence.step && now->changes == changes) return;
-        body_->wanted = std::make_shared<const Body::Why>(Body::Why{std::move(changes), divergence});
+        const auto changes = line.past();
+        if (now && now->divergence.step == divergence.step &&
+            std::equal(changes.begin(), changes.end(), now->changes.begin(), now->changes.end()))
+            return;
+        body_->wanted = std::make_shared<const Body::Why>(
+            Body::Why{{changes.begin(), changes.end()}, divergence, line.kept_moments()});
         body_->blow_up.reset();
         body_->given_up = true;
         body_->begin_thread();

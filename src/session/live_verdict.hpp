@@ -2,6 +2,7 @@
 
 #include "lab/limits/blow_up.hpp"
 #include "lab/limits/present_limit.hpp"
+#include "session/time_line.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -31,8 +32,8 @@ public:
     void ask(Moment moment);
     /// True if the moment asked about last is not this one.
     bool is_new(const Simulation& run) const;
-    /// Why a run with these changes diverged; goes on if that was asked before.
-    void ask_why(std::vector<SegmentBegin> changes, const Divergence& divergence);
+    /// Why a run diverged so; goes on if that was asked before.
+    void ask_why(const TimeLine& line, const Divergence& divergence);
     /// No run has diverged any more.
     void forget_why();
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace steplab {
@@ -38,6 +39,7 @@ public:
     /// Puts such back, behind all that are here.
     void append(std::vector<Moment> moments);
     void clear();
+    std::span<const Moment> all() const { return moments_; }
     /// Memory that the kept states take.
     std::size_t bytes() const { return used_; }
 

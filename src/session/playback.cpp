@@ -4,6 +4,7 @@
 #include "core/shown.hpp"
 #include "io/indexed_text.hpp"
 #include "io/text_trajectory.hpp"
+#include "io/trajectory_reader.hpp"
 #include "models/scene/mean_nearest.hpp"
 #include "session/marks.hpp"
 
@@ -36,37 +37,33 @@ std::shared_ptr<const Shape> shape_of_rows(const Frame& first) {
 
 }  // namespace
 
-Playback::Source Playback::open(const std::string& file) {
-    InputFile input(file);
-    if (!TrajectoryReader::reads(input)) {
-        IndexedText text = indexed(std::move(input));
-        return {std::move(text.frames), std::move(text.fault), true};
-    }
-    TrajectoryReader frames(std::move(input));
-    const bool whole = frames.complete();
-    return {std::move(frames), whole ? "" : "the file is truncated or damaged after these", false};
-}
-
-Playback::Playback(const std::string& file) : Playback(file, open(file)) {}
-
-Playback::Playback(const std::string& file, Source source)
-    : file_(file),
-      reader_(std::move(source.frames)),
-      fault_(std::move(source.fault)),
-      run_(source.is_text ? unknown_run(file) : reader_.run()) {
+Playback::Playback(const std::string& file) : file_(file), file_frames_(played_frames(file)) {
+    const std::optional<RunDescription> described = file_frames_->run();
+    run_ = described ? *described : unknown_run(file);
     if (frames() == 0) refuse_file(file_, "it holds no whole frame");
-    const FrameBlock::Moment last = reader_.moment(frames() - 1);
-    first_time_ = reader_.moment(0).time;
-    last_time_ = last.time;
-    last_step_ = last.step;
-    backward_ = last_time_ < first_time_;
-    reader_.frame(0, frame_);
-    if (frame_.positions.size() != reader_.rows() || frame_.positions.empty())
+    first_time_ = file_frames_->moment(0).time;
+    find_end();
+    file_frames_->frame(0, frame_);
+    if (frame_.positions.size() != file_frames_->rows() || frame_.positions.empty())
         refuse_file(file_, "it holds no positions");
-    if (!source.is_text && static_cast<double>(reader_.rows()) == model_of(run_).particles(as_held(run_).scene))
+    if (described && static_cast<double>(frame_.positions.size()) == model_of(run_).particles(as_held(run_).scene))
         meter_.emplace(run_);
     shape_ = meter_ ? meter_->shape() : shape_of_rows(frame_);
     arrive();
+}
+
+void Playback::find_end() {
+    const FrameBlock::Moment last = file_frames_->moment(frames() - 1);
+    last_time_ = last.time;
+    last_step_ = last.step;
+    backward_ = last_time_ < first_time_;
+}
+
+bool Playback::look_on() {
+    if (!file_frames_->look_on()) return false;
+    find_end();
+    find_next();
+    return true;
 }
 
 /// One function for each kind of event.
@@ -95,6 +92,7 @@ struct Playback::Handle {
     void operator()(const event::Track& track) const {
         of.tracked_ = track.particle;
         of.samples_.follow(track.particle);
+        of.take_sample();
     }
     void operator()(const event::ShowSamples& show) const {
         of.with_samples_ = show.on;
@@ -172,14 +170,25 @@ bool Playback::play_next() { return play_to(next_elapsed()); }
 /// A frame that cannot be read leaves everything as it is.
 void Playback::go_to(std::uint64_t frame) {
     if (frame == number_) return;
-    reader_.frame(frame, read_);
+    file_frames_->frame(frame, read_);
     if (read_.positions.size() != shape_->rest.size()) refuse_file(file_, fmt::format("frame {} is damaged", frame));
     std::swap(read_, frame_);
     number_ = frame;
     arrive();
 }
 
+/// A box may be another in each frame.
+void Playback::use_box() {
+    const Shape& read = *frame_.shape;
+    if (meter_ || (read.box == shape_->box && read.corner == shape_->corner)) return;
+    Shape shape = *shape_;
+    shape.box = read.box;
+    shape.corner = read.corner;
+    shape_ = std::make_shared<const Shape>(std::move(shape));
+}
+
 void Playback::arrive() {
+    use_box();
     frame_.shape = shape_;
     frame_.ensemble.clear();
     find_next();
@@ -211,7 +220,7 @@ void Playback::find_next() {
         return;
     }
     try {
-        next_time_ = reader_.moment(backwards_ ? number_ - 1 : number_ + 1).time;
+        next_time_ = file_frames_->moment(backwards_ ? number_ - 1 : number_ + 1).time;
     } catch (const FileError&) {
         return;
     }
@@ -230,7 +239,7 @@ std::uint64_t Playback::last_frame(double part, const Reached& reached) {
     std::uint64_t first = 0, end = frames();
     for (std::uint64_t probe = std::min(guess, end - 1); first + 1 < end;) {
         const bool is_first_probe = probe == guess;
-        if (probe == first || reached(reader_.moment(probe))) {
+        if (probe == first || reached(file_frames_->moment(probe))) {
             first = probe;
             probe = is_first_probe ? first + 1 : first + (end - first) / 2;
         } else {
@@ -256,7 +265,7 @@ std::uint64_t Playback::frame_at(double elapsed) {
 /// The first one that is no earlier than this.
 std::uint64_t Playback::first_frame_from(double elapsed) {
     const std::uint64_t frame = frame_at(elapsed);
-    return elapsed_at(reader_.moment(frame).time) < elapsed ? std::min(frame + 1, frames() - 1) : frame;
+    return elapsed_at(file_frames_->moment(frame).time) < elapsed ? std::min(frame + 1, frames() - 1) : frame;
 }
 
 void Playback::bookmark(const std::string& text) { toggle_mark(bookmarks_, {frame_.step, frame_.time, text}); }
@@ -264,13 +273,16 @@ void Playback::bookmark(const std::string& text) { toggle_mark(bookmarks_, {fram
 void Playback::observe(SessionView& view) {
     view.followers.clear();
     view.errors.reset();
+    view.error_series.clear();
     view.costs.reset();
     view.equal_cost = false;
     view.line = {.reached = last_step_, .reached_time = last_time_, .bookmarks = bookmarks_};
     view.line.backwards = playing_ && backwards_;
     if (loop_)
-        view.line.loop = {reader_.moment(frame_of(loop_->first)).time, reader_.moment(frame_of(loop_->last)).time};
-    view.playback = PlaybackView{file_, number_, frames(), fault_, is_measured()};
+        view.line.loop = {file_frames_->moment(frame_of(loop_->first)).time,
+                          file_frames_->moment(frame_of(loop_->last)).time};
+    view.playback =
+        PlaybackView{file_, number_, frames(), file_frames_->fault(), is_measured(), file_frames_->looked_through()};
     observe(view.leading);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/trajectory_reader.hpp"
 #include "session/event.hpp"
+#include "session/played_frames.hpp"
 #include "session/session_view.hpp"
 #include "sim/run/state_meter.hpp"
 
@@ -14,13 +14,13 @@
 
 namespace steplab {
 
-/// Plays the frames of a trajectory, CSV or XYZ file in place of a session: the same time line, to whose events it
-/// answers in the same way. Each frame is read when it is gone to; memory is that of one frame and the index, however
-/// many there are. It has neither a thread nor a clock of its own.
+/// Plays the frames of a trajectory, CSV or XYZ file or a LAMMPS dump in place of a session: the same time line, to
+/// whose events it answers in the same way. Each frame is read when it is gone to; memory is that of one frame and the
+/// index, however many there are. It has neither a thread nor a clock of its own.
 class Playback {
 public:
-    /// Stands at the first frame. A text is read as a whole before. Throws FileError if the file cannot be read, has no
-    /// rows or holds no frame; UsageError if its run does not fit into memory; Interrupted.
+    /// Stands at the first frame. CSV and XYZ are read as a whole before. Throws FileError if the file cannot be read,
+    /// has no rows or holds no frame; UsageError if its run does not fit into memory; Interrupted.
     explicit Playback(const std::string& file);
 
     /// Does what an event says. Throws UsageError for what cannot be done to frames of a file, FileError if a frame is
@@ -29,7 +29,13 @@ public:
 
     /// The description of the run that wrote the file; of a text, unknown_run().
     const RunDescription& run() const { return run_; }
-    std::uint64_t frames() const { return reader_.frames(); }
+    std::uint64_t frames() const { return file_frames_->frames(); }
+    /// True if frames may come yet: the file is still being looked through, or written.
+    bool can_grow() const { return file_frames_->can_grow(); }
+    /// True if there is more of it to be looked through at once.
+    bool has_more() const { return file_frames_->has_more(); }
+    /// Looks through some more of it. True if there is something new to see.
+    bool look_on();
     /// The number of the frame at which it stands, counted from 0.
     std::uint64_t number() const { return number_; }
     /// That frame.
@@ -54,16 +60,11 @@ public:
 
 private:
     struct Handle;
-    /// Where the frames come from.
-    struct Source {
-        TrajectoryReader frames;
-        std::string fault;
-        bool is_text;
-    };
-    static Source open(const std::string& file);
 
     void go_to(std::uint64_t frame);
     void arrive();
+    void find_end();
+    void use_box();
     void play(const event::Play& play);
     std::uint64_t first_played();
     std::uint64_t last_played();
@@ -75,7 +76,6 @@ private:
     std::uint64_t last_frame(double part, const Reached& reached);
     double elapsed_at(double time) const { return backward_ ? first_time_ - time : time - first_time_; }
     double spacing() const;
-    explicit Playback(const std::string& file, Source source);
     bool is_measured() const { return meter_.has_value(); }
     void bookmark(const std::string& text);
     void find_next();
@@ -85,8 +85,7 @@ private:
     void take_sample();
 
     std::string file_;
-    TrajectoryReader reader_;
-    std::string fault_;  ///< why the file holds no more frames; empty if it is whole
+    std::unique_ptr<PlayedFrames> file_frames_;
     RunDescription run_;
     std::optional<StateMeter> meter_;  ///< none where rows of some particles alone are in the file
     std::shared_ptr<const Shape> shape_;

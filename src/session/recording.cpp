@@ -20,7 +20,9 @@ void Recording::add(RecordedEvent next, bool nothing_new) {
     RecordedEvent* const last = events.empty() ? nullptr : &events.back();
     if (complete && last && !last->diverged && !next.diverged) {
         const bool dragged = nothing_new && is_seek(last->event) && is_seek(next.event);
-        if (dragged || is_same_pull(*last, next)) {
+        const bool is_same_speed =
+            is_any<event::SetRate>(last->event) && is_any<event::SetRate>(next.event) && last->step == next.step;
+        if (dragged || is_same_speed || is_same_pull(*last, next)) {
             last->event = std::move(next.event);
             if (!dragged) last->hash = std::move(next.hash);
             return;

@@ -22,6 +22,7 @@ struct RecordedEvent {
     /// Of the leading run after it (Simulation::hash()), but before a seek, which ends where the next event finds the
     /// run; empty if it was not computed.
     std::string hash = {};
+    double pause = 0;  ///< for which the session had stood still before it [s]
 };
 
 /// Where all runs were when the recording was taken.
@@ -42,8 +43,8 @@ struct Recording {
     bool complete = true;
 
     /// Adds an event. Where it leaves nothing of the last one it takes that one's place, unless the run has diverged: a
-    /// particle that is dragged while the run stands, and, if `nothing_new`, the time line: the session stood, and was
-    /// at no step since then that it had not been at before.
+    /// particle or the speed that is dragged while the run stands, and, if `nothing_new`, the time line: the session
+    /// stood, and was at no step since then that it had not been at before.
     void add(RecordedEvent next, bool nothing_new);
 };
 

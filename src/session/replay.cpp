@@ -79,6 +79,7 @@ std::optional<std::string> Replay::perform() {
 std::optional<std::string> Replay::handle(const RecordedEvent& entry) {
     const std::uint64_t before = session_.run().step();
     const std::string hash_before = is_seek(entry.event) ? session_.run().hash() : "";
+    session_.stood_still(entry.pause);
     try {
         session_.handle(entry.event);
     } catch (const UsageError& refused) {

@@ -32,6 +32,8 @@ public:
     /// Forward steps so far of the leading run, and about how many there are in all.
     std::uint64_t steps() const { return steps_; }
     std::uint64_t all_steps() const;
+    /// Seconds for which the session had stood still before the next event.
+    double pause() const { return next_ < recording_.events.size() ? recording_.events[next_].pause : 0; }
     /// True if a hash was compared.
     bool compared() const { return compared_; }
 

@@ -2,11 +2,11 @@
 
 #include "core/diagnostics.hpp"
 #include "core/vec3.hpp"
+#include "session/step_samples.hpp"
 #include "sim/run/simulation.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -36,49 +36,44 @@ struct Sample {
 /// One without a particle.
 Sample sample_of(std::uint64_t step, double time, const Diagnostics& measured);
 
-/// A series of samples as a view holds it.
-struct SampleSeries {
-    std::vector<Sample> samples = {};
-    std::shared_ptr<const int> stretch = {};  ///< since when nothing but its end has changed
-};
+using SampleSeries = SampleSeriesOf<Sample>;
 
-/// RunSamples of a run at the multiples of a number of steps, so that the same run gives the same ones however it is
-/// played. In bounded memory: when they are too many, every second one is left out, and so on from then.
+/// Samples of a run, with what a particle does.
 class RunSamples {
 public:
-    static constexpr std::size_t most = 8192;
+    static constexpr std::size_t most = StepSamples<Sample>::most;
 
-    /// Of a scene of so many particles: where a sample takes as long as some steps, there are fewer.
-    explicit RunSamples(std::size_t particles);
+    /// Of a scene of so many particles.
+    explicit RunSamples(std::size_t particles) : rows_(first_spacing(particles)) {}
 
     /// How many steps lie between two samples.
-    std::uint64_t spacing() const { return spacing_; }
+    std::uint64_t spacing() const { return rows_.spacing(); }
     /// Steps from here to the next one.
-    std::uint64_t to_next(std::uint64_t step) const { return spacing_ - step % spacing_; }
+    std::uint64_t to_next(std::uint64_t step) const { return rows_.to_next(step); }
     /// Takes one of the run where it stands, if one belongs there and is not known.
     void offer(const Simulation& run);
+    /// Takes one even if it is known.
+    void take_again(const Simulation& run);
     /// Takes one, unless it is known or there are to be fewer.
     void put(const Sample& sample);
     /// From now on a particle is followed; what is known of another one is forgotten.
     void follow(std::optional<std::size_t> particle);
     std::optional<std::size_t> followed() const { return particle_; }
     /// Takes away those that lie behind this step.
-    std::vector<Sample> cut(std::uint64_t step);
+    std::vector<Sample> cut(std::uint64_t step) { return rows_.cut(step + 1); }
+    /// Takes all away: the start has become another.
+    void clear() { rows_.cut(0); }
     /// Puts such back.
-    void append(std::span<const Sample> samples);
-    std::span<const Sample> all() const { return samples_; }
+    void append(std::span<const Sample> samples) { rows_.append(samples); }
+    std::span<const Sample> all() const { return rows_.all(); }
     /// Copies what is new there.
-    void put_into(SampleSeries& series) const;
+    void put_into(SampleSeries& series) const { rows_.put_into(series); }
 
 private:
     bool wants(std::uint64_t step) const;
-    void thin_out();
-    void changed() { stretch_ = std::make_shared<const int>(); }
 
-    std::uint64_t spacing_;
+    StepSamples<Sample> rows_;
     std::optional<std::size_t> particle_;
-    std::vector<Sample> samples_;
-    std::shared_ptr<const int> stretch_ = std::make_shared<const int>();
 };
 
 }  // namespace steplab

@@ -3,6 +3,7 @@
 #include "core/diagnostics.hpp"
 #include "core/frame.hpp"
 #include "session/run_samples.hpp"
+#include "session/spread_samples.hpp"
 #include "sim/ensemble/live_ensemble_options.hpp"
 #include "sim/run/simulation.hpp"
 
@@ -44,6 +45,7 @@ struct RunView {
     Diagnostics diagnostics;
     std::optional<Tracked> tracked;
     SampleSeries series;  ///< of the whole way of the run, if samples are wanted
+    SpreadSeries spread;  ///< of the ensemble on that way
     std::optional<Divergence> divergence;
     std::optional<StabilityLimit> limit;
     std::optional<Resolution> resolution;  ///< of the fastest oscillation

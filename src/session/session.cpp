@@ -52,15 +52,17 @@ struct Session::Handle {
 void Session::handle(const Event& event) {
     recording_&& is_recorded(event) ? handle_and_record(event) : std::visit(Handle{*this}, event);
     line_.sample(with_samples_, tracked_);  // also of a run that began
+    sample_spread();
 }
 
 /// What is refused changes nothing and is not recorded.
 void Session::handle_and_record(const Event& event) {
-    RecordedEvent entry{event, line_.step(), line_.is_over()};
+    RecordedEvent entry{event, line_.step(), line_.is_over(), "", std::exchange(stood_, 0)};
+    const bool computes = changes_runs(event);
     const bool nothing_new = !playing_ && line_.reached() == known_;
     if (is_seek(event)) entry.hash = event_hash();
     std::visit(Handle{*this}, event);
-    if (!is_seek(event)) entry.hash = event_hash();
+    if (computes && !is_seek(event)) entry.hash = event_hash();
     known_ = line_.reached();
     recording_->add(std::move(entry), nothing_new);
 }
@@ -92,7 +94,7 @@ void Session::stand_at(std::uint64_t step) {
 }
 
 void Session::advance(std::uint64_t steps) {
-    line_.advance(steps);
+    take_forward(steps);
     if (line_.is_over()) {
         const bool goes_on = plays_backwards();
         stop();
@@ -141,14 +143,14 @@ void Session::turn_at_end() {
 }
 
 bool Session::is_behind() const {
-    if (live_ensemble_ && !live_ensemble_->are_at(line_.step(), line_.past())) return true;
+    if (live_ensemble_ && !ensemble_is_beside()) return true;
     return std::any_of(followers_.begin(), followers_.end(),
                        [&](const FollowerRun& follower) { return !follower.is_beside(line_); });
 }
 
 bool Session::wants_errors() const {
     if (!followers_.empty()) return true;
-    return with_errors_.value_or(!run().has_exact() && run().particles() <= most_compared_alone);
+    return with_errors_.value_or(!run().why_not_exact().empty() && run().particles() <= most_compared_alone);
 }
 
 void Session::catch_up(const std::function<bool()>& enough) {
@@ -167,6 +169,32 @@ void Session::catch_up(const std::function<bool()>& enough) {
         show_ensemble({});
         throw;
     }
+    sample_spread();
+}
+
+bool Session::ensemble_is_beside() const {
+    return live_ensemble_ && live_ensemble_->are_at(line_.step(), line_.past());
+}
+
+/// Of the ensemble where it stands, if samples are taken; those of what was done otherwise are forgotten.
+void Session::sample_spread() {
+    if (!with_samples_ || !live_ensemble_) return spread_.reset();
+    if (!spread_) spread_.emplace(ensemble_.runs * run().particles());
+    spread_->follow(tracked_);
+    spread_->follow(line_.changes());
+    if (ensemble_is_beside()) spread_->offer(run(), *live_ensemble_);
+}
+
+/// An ensemble that is sampled goes along from sample to sample, beginning beside the run.
+void Session::take_forward(std::uint64_t steps) {
+    const std::uint64_t target = run().advanced().step + steps;
+    if (spread_ && !ensemble_is_beside()) catch_up(never);
+    while (spread_ && run().advanced().step < target && !line_.is_over()) {
+        const std::uint64_t step = run().advanced().step;
+        line_.advance(std::min(target - step, spread_->to_next(step)));
+        catch_up(never);
+    }
+    line_.advance(target - std::min(target, run().advanced().step));
 }
 
 void Session::stop() {
@@ -181,7 +209,7 @@ void Session::step(std::int64_t steps) {
     if (steps < 0) {
         line_.step_back(std::uint64_t{0} - static_cast<std::uint64_t>(steps));
     } else {
-        line_.advance(static_cast<std::uint64_t>(steps));
+        take_forward(static_cast<std::uint64_t>(steps));
     }
 }
 
@@ -204,6 +232,7 @@ void Session::bookmark(const std::string& text) { toggle_mark(bookmarks_, {line_
 void Session::show_ensemble(const LiveEnsembleOptions& asked) {
     ensemble_ = asked;
     live_ensemble_.reset();
+    spread_.reset();
     if (ensemble_.runs == 0) return;
     live_ensemble_.emplace(ensemble_.runs, [of = ensemble_](const RunDescription& description, std::size_t member) {
         return run_in_range(description, ranges_of(of, description), member, of.runs);

@@ -4,6 +4,7 @@
 #include "session/follower_run.hpp"
 #include "session/recording.hpp"
 #include "session/session_view.hpp"
+#include "session/spread_samples.hpp"
 #include "session/time_line.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
 
@@ -36,6 +37,8 @@ public:
     /// Keeps from now on what happens; to be called before anything does. Every event gets a hash while the scene has
     /// no more particles than this, as a hash takes about as long as a step of a cheap method.
     void record(std::size_t most_hashed = std::numeric_limits<std::size_t>::max());
+    /// For so many seconds it had stood still when the next event came: that is recorded with it.
+    void stood_still(double seconds) { stood_ = seconds; }
     /// What happened so far, and where the runs are, unless that is not to be asked. Empty without record().
     std::optional<Recording> recorded(bool with_end = true) const;
     /// Takes the leading run to a step that it has been at or can get to, without regard to its goal. Throws as
@@ -80,6 +83,8 @@ public:
     /// True if the runs are to be compared with the motion of their scene: two and more of them always.
     bool wants_errors() const;
     bool wants_costs() const { return with_costs_; }
+    /// True if samples are taken on the way.
+    bool takes_samples() const { return with_samples_; }
     /// The present moment of all runs, reusing the memory of `view`.
     void observe(SessionView& view) const;
 
@@ -115,6 +120,9 @@ private:
     void bookmark(const std::string& text);
     TimeLineView line_view() const;
     void show_ensemble(const LiveEnsembleOptions& asked);
+    void sample_spread();
+    bool ensemble_is_beside() const;
+    void take_forward(std::uint64_t steps);
 
     // what is done to the leading run
     void begin(const RunDescription& description);
@@ -167,9 +175,11 @@ private:
     std::optional<bool> with_errors_;  ///< none: as usual
     LiveEnsembleOptions ensemble_;
     mutable std::optional<LiveEnsemble> live_ensemble_;
-    std::uint64_t number_ = 0;  ///< of the run: grows when one begins again
+    std::optional<SpreadSamples> spread_;  ///< of it, if samples are taken
+    std::uint64_t number_ = 0;             ///< of the run: grows when one begins again
     std::optional<Recording> recording_;
     std::size_t most_hashed_ = 0;
+    double stood_ = 0;
     std::uint64_t known_ = 0;  ///< reached when the last event was recorded
 };
 

@@ -175,6 +175,10 @@ struct Given {
         if (!(rate > 0)) fail_at(node, "a rate must be > 0");
         return rate;
     }
+    Rate speed() const {
+        if (flag("unlimited")) return {.as_fast_as_possible = true};
+        return {.seconds_per_second = rate()};
+    }
     /// Those to which the same is done.
     ParticleList others() const {
         const toml::node* const node = table.get("others");
@@ -185,6 +189,12 @@ struct Given {
         return ParticleList(std::move(all));
     }
 };
+
+double pause_of(const toml::node& node) {
+    const double pause = number_of(node);
+    if (!(pause >= 0)) fail_at(node, "a pause must be >= 0 s");
+    return pause;
+}
 
 /// A word, the keys that go with it, and the event that they make.
 struct EventKind {
@@ -197,6 +207,7 @@ const std::vector<EventKind>& event_kinds() {
     static const std::vector<EventKind> kinds{
         {"play", {}, [](const Given&) -> Event { return event::Play{true}; }},
         {"pause", {}, [](const Given&) -> Event { return event::Play{false}; }},
+        {"speed", {"rate", "unlimited"}, [](const Given& given) -> Event { return event::SetRate{given.speed()}; }},
         {"step", {"steps"}, [](const Given& given) -> Event { return event::Step{integer_of(given["steps"])}; }},
         {"seek", {"to"}, [](const Given& given) -> Event { return event::Seek{count_of(given["to"])}; }},
         {"seek-time", {"time"}, [](const Given& given) -> Event { return event::SeekTime{number_of(given["time"])}; }},
@@ -244,12 +255,13 @@ RecordedEvent event_of(const toml::table& table, const Runs& runs) {
     const std::string word = word_of(needed(table, "[[events]]", "do"), "event", words);
     const auto kind = std::find(words.begin(), words.end(), word) - words.begin();
     const EventKind& found = kinds[static_cast<std::size_t>(kind)];
-    std::vector<std::string_view> keys{"step", "diverged", "do", "hash"};
+    std::vector<std::string_view> keys{"step", "diverged", "do", "hash", "pause"};
     keys.insert(keys.end(), found.keys.begin(), found.keys.end());
     check_keys(table, fmt::format("'{}'", word), keys);
     RecordedEvent entry{found.read({table, word, runs}), count_of(needed(table, "[[events]]", "step"))};
     if (const auto* const diverged = table.get("diverged")) entry.diverged = flag_of(*diverged);
     if (const auto* const hash = table.get("hash")) entry.hash = hash_of(*hash);
+    if (const auto* const pause = table.get("pause")) entry.pause = pause_of(*pause);
     return entry;
 }
 
@@ -269,8 +281,9 @@ RecordedEnd end_of(const toml::node& node) {
 
 Recording recording_of(const toml::table& root) {
     const toml::node* const version = root.get("steplab-session");
-    if (!version) throw SceneProblem({1, 1}, "a session file begins with its version: steplab-session = 1");
-    if (integer_of(*version) != 1) fail_at(*version, "this program reads version 1: steplab-session = 1");
+    if (!version) throw SceneProblem({1, 1}, "a session file begins with its version: steplab-session = 2");
+    if (const auto number = integer_of(*version); number != 1 && number != 2)
+        fail_at(*version, "this program reads versions 1 and 2: steplab-session = 2");
     constexpr std::array<std::string_view, 7> keys{"steplab-session", "program", "scenes", "starts",
                                                    "start",           "events",  "end"};
     check_keys(root, "a session file", keys);

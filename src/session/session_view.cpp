@@ -31,8 +31,8 @@ void Session::observe(SessionView& view) const {
     leading.goal = goal_;
     leading.ensemble = ensemble_;
     leading.ensemble_spread = {.step = live_ensemble_ ? live_ensemble_->step() : 0};
-    if (live_ensemble_ && live_ensemble_->are_at(line_.step(), line_.past()))
-        leading.ensemble_spread = live_ensemble_->observe(leading.frame);
+    if (ensemble_is_beside()) leading.ensemble_spread = live_ensemble_->observe(leading.frame);
+    spread_ ? spread_->put_into(leading.spread) : void(leading.spread = {});
     leading.can_step_back = run().step() > 0;
     leading.rate = rate_;
     leading.run = number_;

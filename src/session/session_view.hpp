@@ -4,6 +4,7 @@
 #include "lab/limits/present_limit.hpp"
 #include "lab/study/cost_scan.hpp"
 #include "session/compared.hpp"
+#include "session/error_samples.hpp"
 #include "session/run_view.hpp"
 
 #include <cstddef>
@@ -70,6 +71,7 @@ struct PlaybackView {
     std::string fault = {};    ///< why there are no more; empty if the file is whole
     /// The file holds all particles of its scene: energies and forces are known, and it can be continued.
     bool measured = true;
+    double looked_through = 1;  ///< the part of the file in which frames were looked for so far
 };
 
 /// What the interface sees of a session: one consistent moment of all its runs. Plain data.
@@ -79,6 +81,7 @@ struct SessionView {
     TimeLineView line = {};
     bool equal_cost = false;
     std::optional<SessionErrors> errors = {};     ///< if they are wanted; of this moment, or of one before it
+    std::vector<ErrorSeries> error_series = {};   ///< of each run, as far as it was compared at the steps of a grid
     std::shared_ptr<const CostsView> costs = {};  ///< if they are wanted and known
     /// How the steps of the leading run stand to its scene at this moment, or one before; null: not known.
     std::shared_ptr<const PresentLimit> present = {};

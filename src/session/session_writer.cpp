@@ -134,6 +134,10 @@ private:
 struct EventLines {
     WrittenRuns& runs;
 
+    Lines operator()(const event::SetRate& speed) const {
+        if (speed.rate.as_fast_as_possible) return {{"unlimited", "true"}};
+        return {{"rate", real(speed.rate.seconds_per_second)}};
+    }
     Lines operator()(const event::Step& step) const { return {{"steps", std::to_string(step.steps)}}; }
     Lines operator()(const event::Seek& seek) const { return {{"to", std::to_string(seek.step)}}; }
     Lines operator()(const event::SeekTime& seek) const { return {{"time", real(seek.time)}}; }
@@ -170,6 +174,7 @@ struct EventLines {
 std::string text_of(const RecordedEvent& entry, WrittenRuns& runs) {
     std::string text = fmt::format("\n[[events]]\nstep = {}\n", entry.step);
     if (entry.diverged) text += "diverged = true\n";
+    if (entry.pause > 0) text += fmt::format("pause = {}\n", real(entry.pause));
     text += fmt::format("do = {}\n", toml_string(word_of(entry.event)));
     for (const auto& [key, value] : std::visit(EventLines{runs}, entry.event))
         text += fmt::format("{} = {}\n", key, value);
@@ -202,7 +207,7 @@ std::string session_text(const Recording& recording) {
     for (const RecordedEvent& entry : recording.events) events += text_of(entry, runs);
     if (recording.end) events += text_of(*recording.end);
     std::string text =
-        fmt::format("steplab-session = 1\nprogram = \"steplab {}\"\n\n{}{}", STEPLAB_VERSION, runs.shared(), events);
+        fmt::format("steplab-session = 2\nprogram = \"steplab {}\"\n\n{}{}", STEPLAB_VERSION, runs.shared(), events);
     check_readable(text);
     return text;
 }

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "session/change_text.hpp"
 #include "session/compared.hpp"
+#include "session/same_way.hpp"
 #include "session/tug.hpp"
 
 #include <algorithm>
@@ -109,13 +110,16 @@ void TimeLine::note_reached() {
     reached_time_ = time_of(step);
 }
 
-/// Those of the present step; of a run that has diverged, what was done where it stands, from which it goes on.
+/// Those of the present step; of a run that has diverged, what was done where it stands, from which it goes on. What is
+/// done at step 0 belongs to the start that samples tell of.
 void TimeLine::take_due_changes() {
+    const std::size_t before = taken_;
     while (taken_ < changes_.size() && changes_[taken_].step == run_.advanced().step) {
         take_effect(changes_[taken_]);
         ++taken_;
         keep_moment();
     }
+    if (samples_ && taken_ > before && run_.advanced().step == 0) samples_->take_again(run_);
 }
 
 void TimeLine::take_effect(SegmentBegin& change) {
@@ -150,6 +154,14 @@ void TimeLine::turn_to(std::uint64_t step, bool can_go_on) {
     if (can_go_on && (!nearest || nearest->step <= run_.step())) return;
     go_back_to(nearest);
     asked_ = run_.step();
+}
+
+std::vector<ReplayedRun::Moment> TimeLine::kept_moments() const {
+    std::vector<ReplayedRun::Moment> kept;
+    for (const Moments::Moment& moment : moments_.all()) {
+        if (moment.step <= run_.step() && moment.changes <= taken_) kept.push_back({moment.state, moment.changes});
+    }
+    return kept;
 }
 
 /// A moment that was kept; null: the start.
@@ -226,6 +238,7 @@ std::optional<TimeLine::Branch> TimeLine::cut(std::uint64_t step, std::size_t ke
     const bool nothing = changes_.size() == kept && reached_ <= step;
     Branch branch{changes_, moments_.cut(step, kept), step, reached_, reached_time_};
     if (samples_) branch.samples = samples_->cut(step);
+    if (samples_ && step == 0) samples_->clear();  // the start may become another
     changes_.resize(kept);
     reached_ = step;
     reached_time_ = time_of(step);
@@ -250,15 +263,8 @@ void TimeLine::keep_changes(std::size_t count) {
 }
 
 std::optional<TimeLine::Branch> TimeLine::take(Branch branch) {
-    const auto [here, there] =
-        std::mismatch(changes_.begin(), changes_.end(), branch.changes.begin(), branch.changes.end(),
-                      [](const auto& a, const auto& b) {
-                          return a.step == b.step && a.description == b.description && a.act == b.act;
-                      });
-    const auto shared = static_cast<std::size_t>(here - changes_.begin());
-    std::uint64_t step = branch.fork;
-    if (here != changes_.end()) step = std::min(step, here->step);
-    if (there != branch.changes.end()) step = std::min(step, there->step);
+    const std::size_t shared = same_changes(changes_, branch.changes);
+    const std::uint64_t step = std::min(branch.fork, first_difference(changes_, branch.changes).value_or(branch.fork));
     std::optional<Branch> left = cut(step, shared);
     stand_at(step, shared);
     changes_ = std::move(branch.changes);

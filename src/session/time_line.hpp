@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/limits/replayed_run.hpp"
 #include "session/moments.hpp"
 #include "session/run_samples.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
@@ -101,6 +102,8 @@ public:
     void put_samples_into(SampleSeries& series) const;
 
     std::size_t bytes() const { return moments_.bytes(); }
+    /// The moments to come back to that are kept up to where it stands.
+    std::vector<ReplayedRun::Moment> kept_moments() const;
     /// Seconds that its steps took lately, per simulated second; none before there were some.
     std::optional<double> cost() const;
 

@@ -52,6 +52,7 @@ void Worker::Body::loop() {
         to_show = std::exchange(frame_came, false) || to_show;
         to_show = to_show || doubted || !well;
         const auto [step, evaluations, diverged] = session->run().advanced();
+        if (step != before) moved = Clock::now();
         if (to_show || ((behind || step != before || diverged) && affordable())) publish(to_show, well);
     }
     answer(false);  // the step under way may have been given up
@@ -118,13 +119,22 @@ void Worker::Body::handle(const Event& event) {
         pause_film();
     } else if (play) {
         continue_film(*play);
-    } else if (is_recorded(event)) {
+    } else if (changes_runs(event)) {
         forget_film();
     }
+    note_pause();
     session->handle(event);
     if (is_any<event::Track, event::ShowForces, event::ShowSamples, event::ShowCosts, event::Bookmark>(event)) return;
     if (changes_speed(event)) pace.forget_speed();
     pace.begin(Clock::now());
+}
+
+/// Of a session that stands, before an event.
+void Worker::Body::note_pause() {
+    const auto now = Clock::now();
+    const Pace::Duration pause = now - moved;
+    session->stood_still(!under_way() && pause > shortest_pause ? pause.count() : 0);
+    moved = now;
 }
 
 /// What goes beside the run follows it, which may take longer where it begins: then the run waits for it.

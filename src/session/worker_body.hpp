@@ -38,6 +38,8 @@ struct Worker::Body {
     static constexpr std::chrono::milliseconds longest_without_view{500};
     /// An event of a film is seen before the next one comes.
     static constexpr std::chrono::milliseconds between_film_events{40};
+    /// A shorter pause is not recorded, and a longer one is cut in a film.
+    static constexpr Pace::Duration shortest_pause{0.1}, longest_pause{5};
 
     // shared between the threads
     std::mutex mutex;
@@ -65,6 +67,8 @@ struct Worker::Body {
     std::optional<FilmGate> gate;  // of the film that is taken
     bool frame_came = false;       // of it, and has not been shown yet
     Clock::time_point film_due{};  // its next event, if the run is there
+    bool film_arrived = false;     // the run is there, and its pause has begun
+    Clock::time_point moved{};     // when something was done last, or the run went on
     bool errors_alone = false;     // nothing but errors has come since the last view
     bool doubtful = false;         // the energy is impossible, and the check that decides about it has not come yet
     std::optional<Doubt> found;    // where `doubtful` began
@@ -122,6 +126,7 @@ struct Worker::Body {
     void answer(bool with_end);
     bool begin_part();
     void play_part(const FilmPart& next_one);
+    void note_pause();
     bool follows_film(const FilmPart& next_one) const;
     bool hastens() const;
     Rate wanted_rate() const;

@@ -4,6 +4,7 @@
 #include "session/worker_body.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace steplab {
 
@@ -28,6 +29,7 @@ void Worker::Body::play_part(const FilmPart& next_one) {
         playback ? begin_in_place(next_one.recording->start) : session->handle(event::Begin{next_one.recording->start});
         film.emplace(*next_one.recording, *session);
         film_due = {};
+        film_arrived = false;
         pace.forget_speed();
     }
     part = next_one;
@@ -74,6 +76,12 @@ bool Worker::Body::show_film() {
     if (now < film_due || session->is_behind()) return false;
     film->approach(0);  // back, where it lies behind
     if (!film->is_due()) return false;
+    if (!std::exchange(film_arrived, true) && !hastens()) {
+        const auto pause = std::min(Pace::Duration(film->pause()), longest_pause);
+        film_due = std::max(film_due, now + std::chrono::duration_cast<Clock::duration>(pause));
+        if (now < film_due) return false;
+    }
+    film_arrived = false;
     const bool well = went_well([this] {
         const auto difference = film->perform();
         if (difference) throw UsageError("this is not as it was recorded: " + *difference);

@@ -10,6 +10,8 @@ namespace {
 
 /// Frames that follow faster are left out: pictures do not come more often.
 constexpr std::chrono::milliseconds shortest{8};
+/// How soon it is seen that another program has written more.
+constexpr std::chrono::milliseconds between_looks{250};
 
 }  // namespace
 
@@ -30,6 +32,9 @@ void Worker::Body::begin(const Beginning& beginning) {
     if (recorded) film.emplace(*recorded, *session);
     if (film && film->is_done()) film.reset();  // nothing happened
     frames_since = {Clock::now(), 0};
+    moved = Clock::now();
+    film_arrived = false;
+    film_due = {};
     pace = Pace();
     pace.begin(Clock::now());
 }
@@ -67,8 +72,11 @@ Worker::Body::Clock::time_point Worker::Body::next_frame_due() const {
 }
 
 void Worker::Body::wait_for_frame(std::unique_lock<std::mutex>& lock) {
-    if (!playback->playing()) return changed.wait(lock, [this] { return called(); });
-    changed.wait_until(lock, next_frame_due(), [this] { return called(); });
+    if (playback->has_more()) return;
+    auto due = playback->playing() ? next_frame_due() : Clock::time_point::max();
+    if (playback->can_grow()) due = std::min(due, Clock::now() + between_looks);
+    if (due == Clock::time_point::max()) return changed.wait(lock, [this] { return called(); });
+    changed.wait_until(lock, due, [this] { return called(); });
 }
 
 void Worker::Body::play_frame(Clock::time_point now) {
@@ -91,6 +99,7 @@ void Worker::Body::play_frames(bool to_show) {
         well = went_well([&] { play_frame(now); });
     }
     if (!well) playback->stop();
+    went_well([&] { to_show = playback->look_on() || to_show; });
     if (to_show || due) publish(true, well);
 }
 

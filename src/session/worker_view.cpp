@@ -16,13 +16,14 @@ constexpr Pace::Duration patience{0.004};
 /// How far the runs are from the motion of their scene, where that is wanted: of this moment if it is known at once.
 void Worker::Body::compare() {
     view.errors.reset();
-    if (!session->wants_errors()) return errors.forget();
-    if (errors_alone) {  // a question asked again would be answered again, for ever
-        view.errors = errors.newest(Pace::Duration(0));
-        return;
+    if (!session->wants_errors()) {
+        view.error_series.clear();
+        return errors.forget();
     }
-    errors.ask(session->run().time(), shown_runs(*session));
-    view.errors = errors.newest(patience);
+    // a question asked again would be answered again, for ever
+    if (!errors_alone) errors.ask(session->run().time(), shown_runs(*session));
+    view.errors = errors.newest(errors_alone ? Pace::Duration(0) : patience);
+    errors.put_into(view.error_series);
 }
 
 /// Called from the thread that compares: if nothing moves, a view is due for them.
@@ -56,7 +57,7 @@ void Worker::Body::judge_steps() {
         view.present.reset();
     }
     if (const auto& divergence = view.leading.divergence) {
-        verdict.ask_why({session->line().past().begin(), session->line().past().end()}, *divergence);
+        verdict.ask_why(session->line(), *divergence);
         view.blow_up = verdict.blow_up();
     } else {
         verdict.forget_why();

@@ -176,7 +176,6 @@ void Interface::draw_frame(const SessionView& view, EventSink& events, Stage sta
     ImGui::NewFrame();
     const WidgetMap before = std::exchange(body.widgets, {});
     body.state.wanted.follow(view.leading, body.new_view, view.playback.has_value());
-    if (body.new_view) body.state.history.record_beside(view);
     body.new_view = false;
     Display above = body.display;  // the caption
     if (caption) above.height -= caption_height(view, *caption);

@@ -117,8 +117,8 @@ TEST_F(FilmPartTest, is_recorded_so_that_it_can_be_replayed) {
     worker.play_part(part(0, 4));
     ASSERT_TRUE(stands_at(40));
     const Recording recording = worker.recording().get();
-    ASSERT_EQ(recording.events.size(), 5u);  // the beginning and its four events
-    EXPECT_TRUE(std::holds_alternative<event::Begin>(recording.events[0].event));
+    ASSERT_EQ(recording.events.size(), 6u);  // the speed, the beginning and its four events
+    EXPECT_TRUE(std::holds_alternative<event::Begin>(recording.events[1].event));
     Session again(recording.start);
     Replay replay(recording, again);
     while (!replay.is_done()) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <future>
 #include <memory>
 #include <string>
@@ -61,6 +62,37 @@ TEST_F(FilmTest, plays_to_the_end_and_stands_there) {
     const Recording again = worker.recording().get();
     ASSERT_TRUE(again.end);
     EXPECT_EQ(again.end->hashes, recorded().end->hashes);
+}
+
+/// Two steps, with a pause of so many seconds before the second one.
+Recording recorded_with_pause(double seconds) {
+    Session session(chain());
+    session.record();
+    session.handle(event::SetRate{{.seconds_per_second = 2}});
+    session.handle(event::Step{1});
+    session.stood_still(seconds);
+    session.handle(event::Step{1});
+    return *session.recorded();
+}
+
+// A film cannot be faster than its pauses; how much longer it takes is a matter of the machine.
+TEST(Film, has_the_pauses_and_speeds_of_the_session) {
+    constexpr std::chrono::duration<double> pause{0.3};
+    Worker worker{recorded_with_pause(pause.count())};
+    worker.on_view(News::wake);
+    const auto begin = std::chrono::steady_clock::now();
+    worker.send(event::Play{true});
+    SessionView session;
+    bool first = false;
+    while (!(worker.take(session) && session.leading.frame.step == 2)) {
+        first = first || (session.leading.frame.step == 1 && session.leading.rate.seconds_per_second == 2);
+        ASSERT_TRUE(News::wait());
+    }
+    EXPECT_TRUE(first) << "the step before the pause is seen, at the speed of then";
+    EXPECT_GE(std::chrono::steady_clock::now() - begin, pause);
+    const Recording again = worker.recording().get();
+    ASSERT_EQ(again.events.size(), 4u) << "the play that began the film, too";
+    EXPECT_EQ(again.events[3].pause, pause.count());
 }
 
 TEST_F(FilmTest, pauses_and_ends_where_something_else_is_done) {

@@ -208,6 +208,7 @@ TEST(Playback, has_samples_of_the_frames_that_were_gone_to) {
     for (const Sample& sample : samples) {
         simulation.advance(sample.step - simulation.step());
         EXPECT_EQ(sample.kinetic, simulation.diagnostics().kinetic);
+        ASSERT_TRUE(sample.particle);
         EXPECT_EQ(sample.particle->velocity, simulation.frame().velocities[5]);
     }
 }

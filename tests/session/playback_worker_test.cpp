@@ -71,7 +71,7 @@ TEST_F(PlaybackWorker, gives_way_to_a_run_and_a_run_to_it) {
     EXPECT_EQ(view.leading.tracked->particle, 4u);
     worker.send(event::Step{3});
     ASSERT_TRUE(see([](const SessionView& now) { return now.leading.frame.step == 3; }));
-    EXPECT_EQ(worker.recording().get().events.size(), 1u);
+    EXPECT_EQ(worker.recording().get().events.size(), 2u) << "the speed that stays, and the step";
     worker.begin(TrajectoryFile{written.path});
     ASSERT_TRUE(see([](const SessionView& now) { return now.playback.has_value(); }));
     EXPECT_EQ(bits_of(view.leading.frame), bits_of(written.frames[0]));

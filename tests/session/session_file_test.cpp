@@ -39,6 +39,50 @@ TEST(Recording, is_bounded) {
     EXPECT_FALSE(recording.complete);
 }
 
+// They are part of how it was done, and of no hash.
+TEST(SessionFile, holds_speeds_and_pauses) {
+    Session session(chain());
+    session.record();
+    session.handle(event::SetRate{{.seconds_per_second = 0.5}});
+    session.handle(event::SetRate{{.seconds_per_second = 0.25}});
+    session.advance(10);
+    session.handle(event::SetRate{{.as_fast_as_possible = true}});
+    session.advance(10);
+    session.stood_still(1.5);
+    session.handle(event::Step{1});
+    session.handle(event::Step{1});
+    const std::string text = session_text(*session.recorded());
+    EXPECT_THAT(text, HasSubstr("steplab-session = 2\n"));
+    EXPECT_THAT(text, HasSubstr("step = 0\ndo = \"speed\"\nrate = 0.25\n\n"));
+    EXPECT_THAT(text, HasSubstr("step = 10\ndo = \"speed\"\nunlimited = true\n\n"));
+    EXPECT_THAT(text, HasSubstr("step = 20\npause = 1.5\ndo = \"step\"\nsteps = 1\nhash"));
+    const Recording read = parse_session(text, "a.session");
+    ASSERT_EQ(read.events.size(), 4u) << "a slider that is dragged leaves one";
+    EXPECT_EQ(read.events[2].pause, 1.5);
+    EXPECT_EQ(read.events[3].pause, 0) << "of one event alone";
+    EXPECT_EQ(session_text(read), text);
+    EXPECT_EQ(replayed_from_text(read), "the same");
+    Session played(chain());
+    Replay replay(read, played);
+    while (replay.handled() < 1) replay.perform();
+    EXPECT_EQ(played.rate().seconds_per_second, 0.25);
+    EXPECT_EQ(replay.pause(), 0);
+    EXPECT_THAT(refusal_of(replaced(text, "pause = 1.5", "pause = -1.5")), HasSubstr("a pause must be >= 0 s"));
+    EXPECT_THAT(refusal_of(replaced(text, "rate = 0.25", "rate = 0.0")), HasSubstr("a rate must be > 0"));
+}
+
+TEST(SessionFile, of_version_1_is_read) {
+    Session session(chain());
+    session.record();
+    session.advance(10);
+    session.handle(event::Do{Kick{3, {0.5, 0, 0}}});
+    session.advance(10);
+    const std::string text = session_text(*session.recorded());
+    const Recording old = parse_session(replaced(text, "steplab-session = 2", "steplab-session = 1"), "a.session");
+    EXPECT_EQ(session_text(old), text);
+    EXPECT_EQ(replayed_from_text(old), "the same");
+}
+
 TEST(SessionFile, says_what_is_wrong_and_where) {
     const std::string head =
         "steplab-session = 1\n[start]\nmodel = \"chain\"\nparameters = {}\nmethod = \"rk4\"\n"
@@ -47,8 +91,8 @@ TEST(SessionFile, says_what_is_wrong_and_where) {
     const auto refuses = [&](const std::string& text, const std::string& message) {
         EXPECT_THAT(refusal_of(text), HasSubstr(message));
     };
-    refuses("", "a.session:1:1: a session file begins with its version: steplab-session = 1");
-    refuses("steplab-session = 2\n", "a.session:1:19: this program reads version 1");
+    refuses("", "a.session:1:1: a session file begins with its version: steplab-session = 2");
+    refuses("steplab-session = 3\n", "a.session:1:19: this program reads versions 1 and 2");
     refuses("steplab-session = 1\n", "needs 'start'");
     refuses(head + "dt = 0.2\n", "a.session:8:");
     refuses(replaced(head, "0.1", "0.0"), "a.session:2:1: dt must be");

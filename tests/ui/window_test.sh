@@ -480,7 +480,7 @@ session_is_recorded_saved_and_played() {
     xdotool key space; expect 'playing false'
     choose menu 'save session'; expect 'saved steplab-session-1.session'
     close_window
-    grep -qx 'steplab-session = 1' "$folder/a.session" || fail "no session was recorded"
+    grep -qx 'steplab-session = 2' "$folder/a.session" || fail "no session was recorded"
     local steplab file last
     steplab=$(dirname "$program")/steplab
     for file in a.session steplab-session-1.session; do

@@ -6,14 +6,18 @@
 #include "core/interruption.hpp"
 #include "core/shown.hpp"
 #include "io/compression.hpp"
+#include "io/dump_text.hpp"
 #include "io/output_file.hpp"
 #include "io/text_trajectory.hpp"
 #include "io/trajectory.hpp"
 #include "io/trajectory_reader.hpp"
+#include "io/vtk_series.hpp"
+#include "io/whole_frames.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <unistd.h>
 #include <utility>
@@ -27,7 +31,20 @@ constexpr const char* examples =
     "  steplab run --model chain --every 1 --out chain.trajectory\n"
     "  steplab convert chain.trajectory --out chain.xyz.gz\n"
     "  steplab convert chain.trajectory --columns ux,uy,uz | head\n"
-    "  steplab convert chain.xyz.gz --out chain.csv";
+    "  steplab convert chain.xyz.gz --out chain.csv\n"
+    "  steplab convert chain.trajectory --out chain.pvd\n"
+    "  steplab convert dump.lammpstrj.gz --out atoms.xyz";
+
+/// What is written by whole frames: a LAMMPS dump, or files of VTK.
+enum class FrameFormat { dump, pvd };
+
+/// By its name, or the ending of a file; none of another one.
+std::optional<FrameFormat> frame_format(const std::string& name, const std::string& out) {
+    const std::string format = name.empty() ? extension_of(without_compression(out)) : name;
+    if (format == "dump" || (name.empty() && format == "lammpstrj")) return FrameFormat::dump;
+    if (format == "pvd") return FrameFormat::pvd;
+    return std::nullopt;
+}
 
 class ConvertCommand final : public Command {
 public:
@@ -35,9 +52,10 @@ public:
     std::string_view what() const override { return "Convert the rows of a run to another format"; }
 
     void declare(CLI::App& app) override {
-        text_option(app, "file", file_, "FILE", "File written by `steplab run --out`: trajectory, CSV or XYZ");
+        text_option(app, "file", file_, "FILE",
+                    "Trajectory, CSV, extended XYZ or LAMMPS dump (text), also .gz and .zst");
         text_option(app, "--out", out_, "FILE|-", "Output file (default -, standard output)");
-        text_option(app, "--format", format_, "csv|xyz|trajectory",
+        text_option(app, "--format", format_, "csv|xyz|trajectory|dump|pvd",
                     "Format of --out (default: by its file name extension)");
         text_option(app, "--columns", columns_, "x,ux,...", columns_help);
         footer(app, [] { return std::string(examples); });
@@ -45,6 +63,7 @@ public:
 
     int run() override {
         if (file_.empty()) throw UsageError("FILE is required: the file to convert");
+        if (const auto format = frame_format(format_, out_)) return convert_frames(*format);
         const TrajectoryFormat format = format_.empty() ? trajectory_format_of(out_) : trajectory_format(format_);
         const Columns columns = columns_.empty() ? Columns() : parse_columns(columns_);
         check_compression(format, out_);
@@ -54,16 +73,69 @@ public:
         if (TrajectoryReader::reads(input)) {
             convert(TrajectoryReader(std::move(input)), format, columns);
         } else {
-            convert(*TextTrajectory::open(std::move(input)), format, columns);
+            convert(*TextTrajectory::open(TextInput(std::move(input)), TextTrajectory::From::any_program), format,
+                    columns);
         }
         return static_cast<int>(ExitCode::done);
     }
 
 private:
-    void convert(TrajectoryReader reader, TrajectoryFormat format, const Columns& columns) const {
-        if (format != TrajectoryFormat::trajectory) reader.require(columns);
+    int convert_frames(FrameFormat format) const {
+        if (!columns_.empty()) throw UsageError("--columns selects those of CSV and XYZ");
+        if (format == FrameFormat::pvd && out_ == "-")
+            throw UsageError("--format pvd writes several files: --out NAME.pvd");
+        catch_interruptions();
+        if (format == FrameFormat::pvd) {
+            VtkSeries series(out_);
+            each_frame([&](const FrameBlock& frame) { series.add(frame); });
+            series.finish();
+        } else {
+            write([&](OutputFile& file) {
+                each_frame([&, text = std::string()](const FrameBlock& frame) mutable {
+                    text.clear();
+                    append_dump(text, frame);
+                    file.write(text);
+                });
+            });
+        }
+        return static_cast<int>(ExitCode::done);
+    }
+
+    /// All that can be read, whole.
+    void each_frame(const WholeFrames::Visit& visit) const {
+        WholeFrames frames(visit);
+        InputFile input(file_);
+        if (!TrajectoryReader::reads(input)) {
+            const auto text = TextTrajectory::open(TextInput(std::move(input)), TextTrajectory::From::any_program);
+            text->require({Column::x, Column::y, Column::z});
+            for (FrameBlock frame; text->next(frame); check_interruption()) frames.add(frame);
+            return;
+        }
+        TrajectoryReader reader(std::move(input));
+        check_holds_frames(reader);
+        reader.each_block([&](FrameBlock block) {
+            check_interruption();
+            block.complete({.positions = true});
+            frames.add(block);
+        });
+        check_complete(reader);
+    }
+
+    void check_holds_frames(const TrajectoryReader& reader) const {
         if (reader.frames() == 0)
             throw FileError(fmt::format("'{}' holds no whole frame: it is truncated or damaged", shown(file_)));
+    }
+
+    /// The frames are written; that the rest of the file cannot be read is an error nonetheless.
+    void check_complete(const TrajectoryReader& reader) const {
+        if (!reader.complete())
+            throw FileError(fmt::format("'{}' is truncated or damaged after its first {} frames, which were written",
+                                        shown(file_), reader.frames()));
+    }
+
+    void convert(TrajectoryReader reader, TrajectoryFormat format, const Columns& columns) const {
+        if (format != TrajectoryFormat::trajectory) reader.require(columns);
+        check_holds_frames(reader);
         write([&](OutputFile& file) {
             TrajectoryWriter writer(file, format, {}, {.columns = columns});
             if (format == TrajectoryFormat::trajectory) writer.describe(reader.version(), reader.description());
@@ -75,10 +147,7 @@ private:
             });
             writer.finish();
         });
-        // The frames are written; that the rest of the file cannot be read is an error nonetheless.
-        if (!reader.complete())
-            throw FileError(fmt::format("'{}' is truncated or damaged after its first {} frames, which were written",
-                                        shown(file_), reader.frames()));
+        check_complete(reader);
     }
 
     /// Only a trajectory file describes its run. Without --columns a CSV file gets those that the other has.

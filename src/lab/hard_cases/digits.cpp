@@ -199,7 +199,8 @@ HardCase long_time() {
             "rounding in float adds to the phase, with plain and with compensated summation.",
             "Rounding error of an oscillator's phase in float (dashed: compensated summation)",
             long_table,
-            long_figure};
+            long_figure,
+            [](const Method&) { return std::vector{swing(Precision::double_, false, long_enough)}; }};
 }
 
 HardCase stagnation() {
@@ -219,7 +220,8 @@ HardCase decay_to_zero() {
             "way, and the amplitude at the end.",
             "A damped oscillator in double: decay beyond the smallest normal number, 2e-308, to zero",
             decay_table,
-            decay_figure};
+            decay_figure,
+            [](const Method&) { return std::vector{decaying(Precision::double_)}; }};
 }
 
 }  // namespace steplab

@@ -16,6 +16,8 @@
 
 namespace steplab {
 
+struct Trial;
+
 /// A scene, or a choice of steps, at which methods fail. docs/hard-cases.md shows its table and its diagram.
 struct HardCase {
     std::string_view id;       ///< "stiff-rope": its section "hard case stiff-rope", its diagram hard-stiff-rope.svg
@@ -24,6 +26,8 @@ struct HardCase {
     std::string_view caption;  ///< of the diagram
     Table (*table)();          ///< results of all methods of the catalogue, one row each. Throws Interrupted
     plot::Plot (*figure)();
+    /// Runs of the table in which methods diverge; null where none does.
+    std::vector<Trial> (*diverging)(const Method& method) = nullptr;
 };
 
 /// All of them, in the order of the page.

@@ -280,7 +280,8 @@ HardCase deep_repulsion() {
             "them within 0.003 s.",
             "Position error in a collision with 1000 times the depth of the well, dt = 0.0005",
             deep_table,
-            [] { return error_figure(deep_hit(5e-4)); }};
+            [] { return error_figure(deep_hit(5e-4)); },
+            [](const Method&) { return std::vector{deep_hit(0.01)}; }};
 }
 
 HardCase colliding_cube() {

@@ -153,7 +153,10 @@ HardCase stiff_rope() {
             "light, and so overdamped that it sinks.",
             "A rope with k = 2e7 1/s² comes to rest: distance from the exact equilibrium",
             stiff_table,
-            stiff_figure};
+            stiff_figure,
+            [](const Method&) {
+                return std::vector{whip(), settling(), sinking()};
+            }};
 }
 
 HardCase chaos() {

@@ -264,7 +264,8 @@ HardCase marginal_steps() {
             "has an amplitude of 1 m.",
             "Amplitude of an oscillator at 0.999 (solid) and 1.001 (dashed) of the stability limit",
             marginal_table,
-            marginal_figure};
+            marginal_figure,
+            [](const Method& method) { return std::vector{marginal(method, 1.001)}; }};
 }
 
 HardCase changed_steps() {

@@ -54,13 +54,13 @@ struct BlowUpStudy::Body {
     std::optional<ReplayedRun::Moment> good;  ///< the last one before the energy left its range
     std::optional<RemedyTrial> trial;
     std::vector<RunDescription> dts, methods;  ///< to be tried yet, the next one last
-    ReplayedRun::Moment start;
+    std::vector<RunDescription> last_resorts;  ///< methods of other kinds, if none of these works
     State<double> start_state;
     double baseline = 0, least_baseline = 0;  ///< size of the energy there [J]
     std::optional<std::uint64_t> baseline_step;
 
-    Body(std::span<const SegmentBegin> changes, const Divergence& divergence)
-        : replay(changes), start(replay.moment()), start_state(run().state()) {
+    Body(std::span<const SegmentBegin> changes, const Divergence& divergence, std::vector<ReplayedRun::Moment> kept)
+        : replay(changes, std::move(kept)), start_state(run().state()) {
         found.divergence = divergence;
     }
 
@@ -85,7 +85,7 @@ struct BlowUpStudy::Body {
         measure_growth();
         replay.go_back_to(*good);
         find_limit();
-        replay.advance_to(found.divergence.step);
+        replay.go_to(found.divergence.step);
         found.run = run().description();
         found.start = at_start();
         find_limit_on_last_way();
@@ -97,11 +97,11 @@ struct BlowUpStudy::Body {
 
     /// Leaves the run at the last step before its energy left the range of its start for good.
     void find_last_good() {
-        replay.advance_to(found.divergence.step);
+        replay.go_to(found.divergence.step);
         // an error is possible up to 1000 times the size of the energy, which may be 0 at the start (divergence.md)
         least_baseline = std::max(run().energy_error() / 1000, 0.0);
-        replay.go_back_to(start);
-        std::uint64_t stride = std::max<std::uint64_t>(1, found.divergence.step / measurements);
+        replay.go_back_to_last(found.divergence.step, [this] { return is_good(); });
+        std::uint64_t stride = std::max<std::uint64_t>(1, (found.divergence.step - run().step()) / measurements);
         good = replay.moment();
         measure_up_to(found.divergence.step, stride);
         while (stride > 1) {
@@ -113,12 +113,25 @@ struct BlowUpStudy::Body {
         replay.go_back_to(*good);
     }
 
+    /// The energy is in the range of its baseline.
+    bool is_good() {
+        measure_baseline();
+        return run().energy_error() <= excess * baseline;
+    }
+
+    void measure_baseline() {
+        if (baseline_step == run().baseline_step()) return;
+        baseline_step = run().baseline_step();
+        const ReplayedRun::Moment here = replay.moment();
+        if (run().step() != *baseline_step) replay.go_to(*baseline_step);
+        baseline = std::max(scale_of(run().diagnostics()), least_baseline);
+        replay.go_back_to(here);
+    }
+
     /// From where the run stands; what is good on the way is remembered.
     void measure_up_to(std::uint64_t end, std::uint64_t stride) {
         while (true) {
-            if (std::exchange(baseline_step, run().baseline_step()) != run().baseline_step())
-                baseline = std::max(scale_of(run().diagnostics()), least_baseline);
-            if (run().energy_error() <= excess * baseline) good = replay.moment();
+            if (is_good()) good = replay.moment();
             if (run().step() >= end || run().divergence()) return;
             replay.advance_to(std::min(end, run().step() + stride));
         }
@@ -180,7 +193,27 @@ struct BlowUpStudy::Body {
         for (const std::string& id : candidates.methods) methods.push_back(with_method(now, id));
         std::reverse(dts.begin(), dts.end());
         std::reverse(methods.begin(), methods.end());
+        prepare_last_resorts();
     }
+
+    /// Implicit methods, which have no limit, then those that choose their steps.
+    void prepare_last_resorts() {
+        const RunDescription& now = run().description();
+        for (const bool adaptive : {false, true}) {
+            for (const Method& other : steplab::methods()) {
+                const MethodInfo& info = other.info;
+                if (info.curiosity || info.id == now.method || info.adaptive != adaptive) continue;
+                if (adaptive || info.implicit) last_resorts.push_back(with_method(now, info.id));
+            }
+        }
+        std::reverse(last_resorts.begin(), last_resorts.end());
+    }
+
+    bool has_remedy() const {
+        return std::any_of(found.tried.begin(), found.tried.end(),
+                           [](const TriedRemedy& tried) { return tried.works; });
+    }
+    bool needs_last_resort() const { return !last_resorts.empty() && !has_remedy(); }
 
     /// One of these; the rest is not needed once one works.
     void try_next(std::vector<RunDescription>& candidates) {
@@ -197,8 +230,9 @@ struct BlowUpStudy::Body {
     }
 };
 
-BlowUpStudy::BlowUpStudy(std::span<const SegmentBegin> changes, const Divergence& divergence)
-    : body_(std::make_unique<Body>(changes, divergence)) {}
+BlowUpStudy::BlowUpStudy(std::span<const SegmentBegin> changes, const Divergence& divergence,
+                         std::vector<ReplayedRun::Moment> kept)
+    : body_(std::make_unique<Body>(changes, divergence, std::move(kept))) {}
 
 BlowUpStudy::~BlowUpStudy() = default;
 BlowUpStudy::BlowUpStudy(BlowUpStudy&&) noexcept = default;
@@ -211,11 +245,15 @@ bool BlowUpStudy::next() {
         body_->try_next(body_->dts);
     } else if (!body_->methods.empty()) {
         body_->try_next(body_->methods);
+    } else if (body_->needs_last_resort()) {
+        body_->try_next(body_->last_resorts);
     }
-    body_->found.complete = body_->dts.empty() && body_->methods.empty();
+    body_->found.complete = body_->dts.empty() && body_->methods.empty() && !body_->needs_last_resort();
     return !body_->found.complete;
 }
 
 const BlowUp& BlowUpStudy::found() const { return body_->found; }
+
+std::uint64_t BlowUpStudy::steps() const { return body_->replay.steps(); }
 
 }  // namespace steplab

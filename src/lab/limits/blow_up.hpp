@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/limits/present_limit.hpp"
+#include "lab/limits/replayed_run.hpp"
 #include "sim/ensemble/live_ensemble.hpp"
 #include "sim/run/simulation.hpp"
 
@@ -43,8 +44,10 @@ struct BlowUp {
 /// Finds out why a run diverged, and what helps, by running it again. The same run gives the same answers.
 class BlowUpStudy {
 public:
-    /// A run with what was done to it, the first being its start; it diverged so, at a step of its own.
-    BlowUpStudy(std::span<const SegmentBegin> changes, const Divergence& divergence);
+    /// A run with what was done to it, the first being its start; it diverged so, at a step of its own. With moments
+    /// that were `kept` of it, only what lies behind the last one at which all was well is computed again, some times.
+    BlowUpStudy(std::span<const SegmentBegin> changes, const Divergence& divergence,
+                std::vector<ReplayedRun::Moment> kept = {});
     ~BlowUpStudy();
     BlowUpStudy(BlowUpStudy&&) noexcept;
     BlowUpStudy& operator=(BlowUpStudy&&) noexcept;
@@ -53,6 +56,8 @@ public:
     /// Interrupted.
     bool next();
     const BlowUp& found() const;
+    /// How many steps it has taken, without those of remedies.
+    std::uint64_t steps() const;
 
 private:
     struct Body;

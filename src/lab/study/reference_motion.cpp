@@ -6,6 +6,7 @@
 #include "models/forces/layouts.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/act.hpp"
+#include "sim/run/motion_from_start.hpp"
 #include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
@@ -91,10 +92,11 @@ struct BothStates {
 struct Stretch {
     double begin;  ///< time
     std::shared_ptr<const Held> scene;
-    std::optional<Act> act = {};                       ///< with which it begins
-    std::optional<BothStates> start = {};              ///< behind that; none: computed again from one before
-    std::unique_ptr<DenseRun> fine = {}, coarse = {};  ///< once asked for
-    double reached = 0;                                ///< the largest time they were asked for since their start
+    std::optional<Act> act = {};                             ///< with which it begins
+    std::shared_ptr<const MotionFromStart> from_start = {};  ///< if it begins at time 0
+    std::optional<BothStates> start = {};                    ///< behind that; none: computed again from one before
+    std::unique_ptr<DenseRun> fine = {}, coarse = {};        ///< once asked for
+    double reached = 0;                                      ///< the largest time they were asked for since their start
     BothStates state = {};
 
     bool can_go_on_to(double time) const { return fine && time >= reached; }
@@ -131,15 +133,16 @@ RunDescription in_double(RunDescription description) {
 
 struct ReferenceMotion::Body {
     std::vector<Stretch> stretches;
-    std::shared_ptr<const ExactSolution> exact;  ///< of the first
     bool said_exact = false;
 
     explicit Body(const RunDescription& description) {
         const auto scene = held(in_double(description));
-        exact = exact_of(scene->description);
-        said_exact = exact != nullptr;
         const State<Real> start = scene->plan.start.state<Real>();
-        stretches.push_back({.begin = 0, .scene = scene, .start = BothStates{start, start}});
+        stretches.push_back({.begin = 0,
+                             .scene = scene,
+                             .from_start = std::make_shared<const MotionFromStart>(scene->description),
+                             .start = BothStates{start, start}});
+        said_exact = exact_in(0) != nullptr;
     }
 
     static std::shared_ptr<const Held> held(RunDescription description) {
@@ -159,6 +162,19 @@ struct ReferenceMotion::Body {
         return held(std::move(description));
     }
 
+    /// What is known in closed form of a stretch.
+    const ExactSolution* exact_in(std::size_t number) const {
+        const auto& known = stretches[number].from_start;
+        return known ? known->solution().get() : nullptr;
+    }
+
+    /// What the motion is from time 0 on with this done there, too.
+    std::shared_ptr<const MotionFromStart> altered_at_start(std::shared_ptr<const MotionFromStart> known,
+                                                            const Held& scene, const std::optional<Act>& act) const {
+        if (known && &scene != stretches.back().scene.get()) known = known->in(scene.description);
+        return known && act ? known->after(*act) : known;
+    }
+
     /// That in which a time lies.
     std::size_t stretch_at(double time) const {
         std::size_t last = 0;
@@ -168,7 +184,8 @@ struct ReferenceMotion::Body {
 
     void append(double time, std::shared_ptr<const Held> scene, const std::optional<Act>& act) {
         go_to(stretches.size() - 1, time);
-        stretches.push_back({.begin = time, .scene = std::move(scene), .act = act});
+        auto known = time == 0 ? altered_at_start(stretches.back().from_start, *scene, act) : nullptr;
+        stretches.push_back({.begin = time, .scene = std::move(scene), .act = act, .from_start = std::move(known)});
         stretches.back().start = start_behind(stretches.size() - 2);
         keep_fewer_starts();
     }
@@ -257,9 +274,10 @@ void ReferenceMotion::follow(std::span<const SegmentBegin> changes) {
 
 ReferenceMoment ReferenceMotion::at(double time) {
     const std::size_t number = body_->stretch_at(time);
-    body_->said_exact = number == 0 && body_->exact && time <= body_->exact->valid_until();
+    const ExactSolution* const exact = body_->exact_in(number);
+    body_->said_exact = exact && time <= exact->valid_until();
     if (!body_->said_exact) return body_->by_runs(number, time);
-    return exact_moment(*body_->exact, body_->stretches[number].scene->plan.reference.count, time);
+    return exact_moment(*exact, body_->stretches[number].scene->plan.reference.count, time);
 }
 
 bool ReferenceMotion::is_exact() const { return body_->said_exact; }

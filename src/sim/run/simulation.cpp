@@ -170,11 +170,12 @@ std::optional<Vec3> Simulation::exact_position(std::size_t particle, double time
 }
 
 std::string Simulation::why_not_exact() const {
-    if (!body_->exact_scene) return "the scene was changed during the run";
+    if (!body_->motion) return "the scene was changed during the run";
     const ExactSolution* const exact = body_->exact();
     if (exact && time() <= exact->valid_until()) return {};
     if (exact) return fmt::format("the exact solution ends at t = {} s", typed(exact->valid_until(), 4));
     if (!body_->segment.held.start.is_none() || dt() < 0) return "the exact solution has another start";
+    if (!body_->motion->is_as_described()) return "no exact solution is known from this start";
     const Model& entry = model_of(body_->segment.held);
     const bool for_others = entry.exact(ParameterValues(entry.info.parameters)) != nullptr;
     return for_others ? "no exact solution for these parameters" : "no exact solution is known for this scene";
@@ -185,12 +186,12 @@ Change Simulation::change(const RunDescription& description) {
     if (description == now) return Change::none;
     const bool again = restarts(now, description);
     const bool altered = description.alterations != now.alterations;
-    const bool untouched = step() == 0 && body_->exact_scene && !altered;
+    const bool untouched = step() == 0 && body_->motion && body_->motion->is_as_described() && !altered;
     if (again || untouched) {
         begin(description);
     } else {
-        body_->go_on(description,
-                     {.new_baseline = altered || !(description.scene == now.scene), .another_motion = altered});
+        const bool another = altered || !(description.scene == now.scene);
+        body_->go_on(description, {.new_baseline = another, .another_motion = another});
     }
     return again ? Change::restarted : Change::continued;
 }
@@ -227,9 +228,10 @@ void Simulation::restore(const Snapshot& snapshot) {
     const FlushSubnormals flush;
     const Snapshot::Content& content = *snapshot.content_;
     if (content.description.alterations != description().alterations) body_->shape.reset();
-    if (content.course.segment_number != segment())
+    if (content.course.segment_identity != body_->segment_identity)
         body_->segment = Segment(content.description, Execution(body_->segment.execution), content.start, content.dt);
     static_cast<Course&>(*body_) = content.course;
+    body_->newest_segment = std::max(body_->newest_segment, body_->segment_number);
     body_->prepare_drag();
     body_->segment.stepper->restore(content.internal);
     body_->divergence.reset();

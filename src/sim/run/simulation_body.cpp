@@ -20,7 +20,7 @@ constexpr std::size_t most_kept = std::size_t{4} << 20;
 
 Simulation::Body::Body(const RunDescription& description, const Execution& execution)
     : segment(description, execution) {
-    exact_scene = segment.held.scene;
+    motion = std::make_shared<const MotionFromStart>(segment.held);
     baseline = energy();
     keep();
 }
@@ -56,17 +56,6 @@ void Simulation::Body::measure(const PortionSink& portions, const PieceSink& pie
     };
     measured = segment.meter.energy(state_known ? 1 : stepper.parts(), emit, pieces);
     energy_known = true;
-}
-
-const ExactSolution* Simulation::Body::exact() {
-    if (!exact_scene) return nullptr;
-    if (!exact_known) {
-        RunDescription run = segment.held;
-        run.scene = *exact_scene;
-        solution = exact_of(run);
-    }
-    exact_known = true;
-    return solution.get();
 }
 
 /// The velocities a curiosity shows may be wrong while its positions are right: they are left out.
@@ -202,7 +191,8 @@ void Simulation::Body::go_on(const RunDescription& description, const GoingOn& h
     if (altered) shape.reset();
     leave_segment();
     segment = std::move(next);
-    begin_segment(how);
+    const bool still_known = how.another_motion && step == 0 && motion;
+    begin_segment(how, still_known ? motion->in(segment.held) : nullptr);
 }
 
 void Simulation::Body::leave_segment() {
@@ -211,11 +201,13 @@ void Simulation::Body::leave_segment() {
     segment_step = step;
 }
 
-void Simulation::Body::begin_segment(const GoingOn& how) {
+/// `other`: what the motion is to be now, if that is another one.
+void Simulation::Body::begin_segment(const GoingOn& how, std::shared_ptr<const MotionFromStart> other) {
     segment_number = ++newest_segment;
+    segment_identity = std::make_shared<const int>();
     divergence.reset();
     moved();
-    if (how.new_baseline || how.another_motion) exact_scene.reset();
+    if (how.another_motion) motion = std::move(other);
     if (how.new_baseline) {
         baseline = energy();
         baseline_step = step;
@@ -240,7 +232,8 @@ void Simulation::Body::act(const Act& act) {
     apply(act, segment.scene.reference, begin);
     leave_segment();
     segment.begin_at(std::move(begin));
-    begin_segment({.new_baseline = does_work(act), .another_motion = true});
+    begin_segment({.new_baseline = does_work(act), .another_motion = true},
+                  step == 0 && motion ? motion->after(act) : nullptr);
 }
 
 }  // namespace steplab

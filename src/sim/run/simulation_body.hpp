@@ -2,6 +2,7 @@
 
 #include "core/sum.hpp"
 #include "sim/run/drag_work.hpp"
+#include "sim/run/motion_from_start.hpp"
 #include "sim/run/segment.hpp"
 #include "sim/run/simulation.hpp"
 
@@ -20,13 +21,14 @@ inline constexpr std::uint64_t steps_between_checks = 256;
 struct Course {
     std::uint64_t step = 0;
     std::uint64_t segment_number = 0;
-    std::uint64_t segment_step = 0;  // step at which the segment began
+    std::shared_ptr<const int> segment_identity = std::make_shared<const int>();  // also among other runs
+    std::uint64_t segment_step = 0;                                               // step at which the segment began
     double segment_time = 0;
     std::uint64_t evaluations_before = 0;  // of the segments before
     Energy baseline;
     std::uint64_t baseline_step = 0;
-    /// What the motion is to be by its exact solution, if it has one: none once the scene was changed under way.
-    std::optional<ParameterValues> exact_scene;
+    /// What the motion is to be: null once the scene was changed under way.
+    std::shared_ptr<const MotionFromStart> motion;
     /// What drag has taken since the baseline; none if it is not counted.
     std::optional<CompensatedSum> drag_work;
     std::optional<CompensatedSum> segment_drag_work;  // where the segment began
@@ -69,7 +71,7 @@ struct Simulation::Body : Course {
     /// Measures the energy, and shows portions and pieces of particles on the way: those of several parts of the scene
     /// at the same time.
     void measure(const PortionSink& portions, const PieceSink& pieces);
-    const ExactSolution* exact();
+    const ExactSolution* exact() const { return motion ? motion->solution().get() : nullptr; }
 
     bool energy_is_good();
     /// E - E0, the work of drag added where it is counted.
@@ -101,20 +103,18 @@ struct Simulation::Body : Course {
     /// What a new segment changes besides the description.
     struct GoingOn {
         bool new_baseline = false;      // energy came from outside
-        bool another_motion = false;    // than that of the exact solution
+        bool another_motion = false;    // than the one that it was to be
         std::optional<double> dt = {};  // of its steps, instead of the description's
     };
     void go_on(const RunDescription& description, const GoingOn& how);
     void leave_segment();
-    void begin_segment(const GoingOn& how);
+    void begin_segment(const GoingOn& how, std::shared_ptr<const MotionFromStart> other);
 
 private:
     State<double> observed_state;
     Energy measured;
     bool state_known = false, energy_known = false;  // of the present step
     bool settled = false;                            // its numbers are finite
-    bool exact_known = false;
-    std::shared_ptr<const ExactSolution> solution;
 };
 
 }  // namespace steplab

@@ -31,6 +31,9 @@ void draw_playback_panel(const Context& context) {
     heading(context, "PLAYBACK");
     reading_row(context, "file", std::filesystem::path(playback.file).filename().string(), playback.file);
     reading_row(context, "frame", fmt::format("{} of {}", playback.frame + 1, playback.frames));
+    if (playback.looked_through < 1)
+        reading_row(context, "looked through", fmt::format("{:.0f} %", 100 * playback.looked_through),
+                    "Frames are looked for in the whole file, and shown as they are found.");
     if (!playback.fault.empty()) explanation(context, playback.fault, colour::caution);
     if (playback.measured) return draw_run(context);
     explanation(context, "The file does not have a whole scene: energies and forces are not known.");

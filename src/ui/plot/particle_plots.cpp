@@ -35,13 +35,15 @@ bool begin_particle_plot(Plot& plot, const Context& context, std::string_view wh
 
 /// Between the lowest and the highest run of the ensemble.
 void add_ensemble(Plot& plot, const Context& context) {
-    const EnsembleReach& reach = context.state.history.ensemble();
-    if (reach.low.times().empty()) return;
+    const int axis = context.state.history.direction();
     plot::Band band{.name = "ensemble"};
-    band.x.assign(reach.low.times().begin(), reach.low.times().end());
-    band.low.assign(reach.low.values().begin(), reach.low.values().end());
-    band.high.assign(reach.high.values().begin(), reach.high.values().end());
-    plot.bands.push_back(std::move(band));
+    for (const SpreadSample& sample : context.view.spread.samples) {
+        if (!sample.reach) continue;
+        band.x.push_back(sample.time);
+        band.low.push_back(component(sample.reach->low, axis));
+        band.high.push_back(component(sample.reach->high, axis));
+    }
+    if (!band.x.empty()) plot.bands.push_back(std::move(band));
 }
 
 /// The newest values of a particle at equal distances in time.

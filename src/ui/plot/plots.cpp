@@ -51,40 +51,42 @@ void energies_plot(Plot& plot, const Context& context) {
     for (std::size_t i = 0; i < plot.curves.size(); ++i) plot.curves[i].line = plot::line_of_run(i);
 }
 
-Curve traced(const Course& course, std::string name, std::size_t run) {
-    Curve curve{.name = std::move(name), .colour = run, .line = plot::line_of_run(run)};
-    curve.x.assign(course.times().begin(), course.times().end());
-    curve.y.assign(course.values().begin(), course.values().end());
-    return curve;
-}
-
-bool has_size(const Course& errors) {
-    const auto values = errors.values();
-    return std::any_of(values.begin(), values.end(), [](double value) { return value > 0; });
+bool has_size(const ErrorSeries& errors) {
+    return std::any_of(errors.samples.begin(), errors.samples.end(),
+                       [](const ErrorSample& sample) { return sample.error > 0; });
 }
 
 /// Where errors are known, and not 0 as at the start, which a logarithmic axis does not show: a band alone would say
 /// nothing.
-void add_error_of_reference(Plot& plot, const History& history) {
-    const Course& known = history.reference_error();
-    if (!has_size(known) || std::none_of(history.errors().begin(), history.errors().end(), has_size)) return;
+void add_error_of_reference(Plot& plot, const SessionView& session) {
+    const auto& known = session.error_series;
+    if (std::none_of(known.begin(), known.end(), has_size)) return;
     plot::Band band{.name = "error of the reference", .colour = Curve::quiet};
-    band.x.assign(known.times().begin(), known.times().end());
-    band.low.assign(band.x.size(), 0);
-    band.high.assign(known.values().begin(), known.values().end());
-    plot.bands.push_back(std::move(band));
+    for (const ErrorSample& sample : known.front().samples) {
+        band.x.push_back(sample.time);
+        band.low.push_back(0);
+        band.high.push_back(sample.reference_error);
+    }
+    const bool exact = std::all_of(band.high.begin(), band.high.end(), [](double error) { return error == 0; });
+    if (!exact) plot.bands.push_back(std::move(band));
 }
 
 /// Of samples where the scene has an exact solution, else as far as the runs were compared with the reference.
 void error_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "position error", .unit = "m"};
     plot.empty = "the runs were not compared yet";
-    if (context.view.has_exact)
+    if (context.view.why_not_exact.empty() && context.view.has_exact)
         return add_runs(plot, context, [](const Sample& sample) { return sample.error.value_or(unknown); });
-    const auto errors = context.state.history.errors();
-    for (std::size_t run = 0; run < std::min(errors.size(), context.session.followers.size() + 1); ++run)
-        plot.curves.push_back(traced(errors[run], name_of_run(context, run), run));
-    add_error_of_reference(plot, context.state.history);
+    const auto& errors = context.session.error_series;
+    for (std::size_t run = 0; run < std::min(errors.size(), context.session.followers.size() + 1); ++run) {
+        Curve curve{.name = name_of_run(context, run), .colour = run, .line = plot::line_of_run(run)};
+        for (const ErrorSample& sample : errors[run].samples) {
+            curve.x.push_back(sample.time);
+            curve.y.push_back(sample.error);
+        }
+        plot.curves.push_back(std::move(curve));
+    }
+    add_error_of_reference(plot, context.session);
 }
 
 void momentum_plot(Plot& plot, const Context& context) {
@@ -97,8 +99,13 @@ void momentum_plot(Plot& plot, const Context& context) {
 void spread_plot(Plot& plot, const Context& context) {
     plot.y = {.name = "spread", .unit = "m"};
     plot.empty = "no ensemble beside the run";
-    if (!context.state.history.spread().times().empty())
-        plot.curves.push_back(traced(context.state.history.spread(), "largest", 0));
+    if (context.view.spread.samples.empty()) return;
+    Curve curve{.name = "largest", .line = plot::line_of_run(0)};
+    for (const SpreadSample& sample : context.view.spread.samples) {
+        curve.x.push_back(sample.time);
+        curve.y.push_back(sample.largest);
+    }
+    plot.curves.push_back(std::move(curve));
 }
 
 /// Of the particles that move, in as many classes as the root of their number.

@@ -66,33 +66,28 @@ TEST(history, the_plotted_direction_is_the_one_that_moves_most) {
     EXPECT_EQ(history.direction(), 1) << "of another particle";
 }
 
-TEST(history, errors_of_all_runs_are_kept_by_their_times) {
-    History history;
-    SessionView view;
-    view.leading = moment(0);
-    for (std::uint64_t step = 0; step < 5; ++step) {
-        view.leading.frame.step = step;
-        view.errors = SessionErrors{.runs = {Compared{}, std::nullopt}};
-        view.errors->runs[0]->time = 0.1 * static_cast<double>(step);
-        view.errors->runs[0]->error = 1e-3 * static_cast<double>(step);
-        history.record_beside(view);
-    }
-    ASSERT_EQ(history.errors().size(), 2u);
-    EXPECT_EQ(history.errors()[0].values().size(), 5u);
-    EXPECT_DOUBLE_EQ(history.errors()[0].values()[4], 4e-3);
-    EXPECT_TRUE(history.errors()[1].values().empty()) << "a run that is over";
-}
-
-TEST(course, memory_is_bounded_and_spans_the_whole_run) {
-    Course course;
-    constexpr std::uint64_t last = 200000;
-    for (std::uint64_t step = 0; step <= last; ++step) course.put(step, 0.1 * static_cast<double>(step), 1);
-    EXPECT_LT(course.times().size(), Course::most);
-    EXPECT_GE(course.times().size(), Course::most / 4);
-    EXPECT_LT(course.times().front(), 100);
-    EXPECT_DOUBLE_EQ(course.times().back(), 0.1 * last) << "the newest is never left out";
-    course.put(100, 10, 2);
-    EXPECT_EQ(course.times().back(), 10) << "what lies behind is forgotten";
+TEST(history, the_plotted_direction_follows_from_the_samples_where_there_are_some) {
+    History often, seldom;
+    RunView view = moment(0);
+    const auto add = [&](std::uint64_t step, Vec3 displacement) {
+        const SampleSeries before = view.series;
+        view = moment(step, {0, 0, 9e9});  // what views say does not count then
+        view.series = before;
+        Sample sample;
+        sample.step = step;
+        sample.particle = {displacement, {}};
+        view.series.samples.push_back(sample);
+    };
+    add(0, {0, 0.1, 0});
+    often.record(view);
+    add(1, {0.15, 0.1, 0});
+    often.record(view);
+    EXPECT_EQ(often.direction(), 0);
+    add(2, {0.15, 0.17, 0});
+    often.record(view);
+    seldom.record(view);
+    EXPECT_EQ(often.direction(), 0) << "1 is not clearly ahead";
+    EXPECT_EQ(seldom.direction(), often.direction());
 }
 
 }  // namespace

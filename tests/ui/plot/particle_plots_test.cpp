@@ -135,13 +135,14 @@ TEST(particle_plots, too_few_samples_have_no_spectrum) {
     EXPECT_EQ(saved_csv(recorded.desk, "spectrum"), "angular frequency\n");
 }
 
-// Three runs, the last of which is lost.
 TEST(particle_plots, an_ensemble_is_a_band_around_the_displacement) {
     const OwnFolder folder;
     Recorded recorded("oscillator");
     Desk& desk = recorded.desk;
-    const Vec3 at = desk.view.frame.positions[1], u = desk.view.tracked->displacement;
-    desk.view.frame.ensemble = {{}, at + Vec3{0.5, 0, 0}, {}, at - Vec3{0.25, 0, 0}, {}, {NAN, NAN, NAN}};
+    const Vec3 u = desk.view.tracked->displacement;
+    SpreadSample sample{.step = desk.view.frame.step, .time = desk.view.frame.time, .largest = 0.5};
+    sample.reach = {u - Vec3{0.25, 0, 0}, u + Vec3{0.5, 0, 0}};
+    desk.view.spread.samples = {sample};
     desk.interface.record(desk.view);
     desk.frame();
     const std::string text = saved_csv(desk, "displacement");
@@ -156,16 +157,12 @@ std::string errors_against_reference(double error) {
     Desk desk(describe("morse"));
     desk.view.series.samples = {Sample{}};
     desk.view.has_exact = false;
-    for (std::uint64_t step = 0; step < 5; ++step) {
-        desk.view.frame.step = step;
-        Compared compared;
-        compared.time = 0.25 * static_cast<double>(step);
-        compared.error = error;
-        compared.reference_error = 1e-9;
-        desk.session.errors = SessionErrors{.runs = {compared}};
-        desk.interface.record(desk.view);
-        desk.frame();
-    }
+    ErrorSeries errors;
+    for (std::uint64_t step = 0; step < 5; ++step)
+        errors.samples.push_back({step, 0.25 * static_cast<double>(step), error, 1e-9});
+    desk.session.error_series = {errors};
+    desk.interface.record(desk.view);
+    desk.frame();
     choose(desk, 1, "position error");
     return saved_csv(desk, "position error");
 }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "io/frame_block.hpp"
+
+#include <string>
+
+namespace steplab {
+
+/// Appends a whole frame as a frame of a LAMMPS dump, all numbers so that they read back exactly. Atoms have the ids of
+/// their particles plus 1 and the type 1, or that of their role where roles differ. Along axes without periodic
+/// boundary conditions the box is what the positions take up.
+void append_dump(std::string& text, const FrameBlock& frame);
+
+}  // namespace steplab

@@ -1,0 +1,219 @@
+#include "io/dump_trajectory.hpp"
+
+#include "core/shown.hpp"
+#include "io/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace steplab {
+
+namespace {
+
+constexpr std::string_view axes = "xyz";
+
+/// In a given order.
+template <class Value>
+void reorder(const std::vector<std::size_t>& order, std::vector<Value>& values) {
+    if (values.empty()) return;
+    std::vector<Value> sorted(values.size());
+    for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = values[order[i]];
+    values = std::move(sorted);
+}
+
+}  // namespace
+
+DumpTrajectory::DumpTrajectory(TextInput input) : TextTrajectory(std::move(input)) {
+    has_head_ = read_head();
+    columns_ = {Column::x, Column::y, Column::z};
+    if (velocity_) columns_.insert(columns_.end(), {Column::vx, Column::vy, Column::vz});
+}
+
+/// False at the end of the file.
+bool DumpTrajectory::read_head() {
+    has_step_ = has_rows_ = has_box_ = false;
+    time_.reset();
+    while (const auto line = input_.line()) {
+        if (words_of(*line).empty() && !has_step_) continue;
+        constexpr std::string_view begin = "ITEM: ", atoms = "ITEM: ATOMS";
+        if (!line->starts_with(begin)) input_.fail("a frame of a LAMMPS dump begins with ITEM: TIMESTEP");
+        if (!line->starts_with(atoms)) {
+            read_item(line->substr(begin.size()));
+            continue;
+        }
+        if (!has_step_ || !has_rows_ || !has_box_)
+            input_.fail("ITEM: ATOMS must follow TIMESTEP, NUMBER OF ATOMS and BOX BOUNDS");
+        read_columns(line->substr(atoms.size()));
+        moment_.time = time_.value_or(static_cast<double>(moment_.step));
+        return true;
+    }
+    if (has_step_) input_.fail("it ends within the head of a frame");
+    return false;
+}
+
+void DumpTrajectory::read_item(std::string_view item) {
+    if (item == "TIMESTEP") {
+        moment_.step = number<std::uint64_t>(numbers_line(1)[0]);
+        has_step_ = true;
+    } else if (item == "TIME") {
+        time_ = number<double>(numbers_line(1)[0]);
+    } else if (item == "NUMBER OF ATOMS") {
+        rows_ = number<std::uint64_t>(numbers_line(1)[0]);
+        if (rows_ == 0) input_.fail("a frame has no atoms");
+        has_rows_ = true;
+    } else if (item.starts_with("BOX BOUNDS")) {
+        read_box(item);
+    } else {
+        next_line();  // of UNITS, and what later versions may add
+    }
+}
+
+std::string_view DumpTrajectory::next_line() {
+    const auto line = input_.line();
+    if (!line) input_.fail("it ends within the head of a frame");
+    return *line;
+}
+
+std::vector<std::string_view> DumpTrajectory::numbers_line(std::size_t least) {
+    auto words = words_of(next_line());
+    if (words.size() < least) input_.fail(fmt::format("{} numbers belong here", least));
+    return words;
+}
+
+/// "BOX BOUNDS pp pp ff", or "BOX BOUNDS xy xz yz pp pp pp", whose bounds are those of all that leans.
+void DumpTrajectory::read_box(std::string_view item) {
+    const auto words = words_of(item);
+    const bool tilted = std::find(words.begin(), words.end(), "xy") != words.end();
+    if (std::find(words.begin(), words.end(), "abc") != words.end())
+        input_.fail("its box is a general triclinic one: write it with `dump_modify triclinic/general no`");
+    box_ = {};
+    std::array<double, 3> low{}, high{}, tilt{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto numbers = numbers_line(tilted ? 3 : 2);
+        low[axis] = number<double>(numbers[0]);
+        high[axis] = number<double>(numbers[1]);
+        if (tilted) tilt[axis] = number<double>(numbers[2]);
+        const std::size_t place = words.size() - 3 + axis;
+        box_.periodic[axis] = words.size() >= 5 && words[place] == "pp";
+    }
+    std::tie(box_.xy, box_.xz, box_.yz) = std::tie(tilt[0], tilt[1], tilt[2]);
+    low[0] -= std::min({0.0, box_.xy, box_.xz, box_.xy + box_.xz});
+    high[0] -= std::max({0.0, box_.xy, box_.xz, box_.xy + box_.xz});
+    low[1] -= std::min(0.0, box_.yz);
+    high[1] -= std::max(0.0, box_.yz);
+    box_.low = {low[0], low[1], low[2]};
+    box_.sides = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+    if (!(box_.sides.x >= 0 && box_.sides.y >= 0 && box_.sides.z >= 0))
+        input_.fail("the sides of its box are negative");
+    has_box_ = true;
+}
+
+std::optional<std::size_t> DumpTrajectory::column(std::string_view name) const {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names_.begin());
+}
+
+/// What is unwrapped in the file goes before what has to be.
+DumpTrajectory::Coordinate DumpTrajectory::coordinate(char axis) const {
+    for (const std::string_view ending : {"u", "su", "", "s"}) {
+        const auto word = column(fmt::format("{}{}", axis, ending));
+        if (!word) continue;
+        Coordinate found{*word, ending.starts_with('s')};
+        if (!ending.ends_with('u')) found.image = column(fmt::format("i{}", axis));
+        return found;
+    }
+    input_.fail(fmt::format("its columns have no position along {0}: {0}, {0}u, {0}s or {0}su", axis));
+}
+
+void DumpTrajectory::read_columns(std::string_view names) {
+    const auto words = words_of(names);
+    names_.assign(words.begin(), words.end());
+    for (std::size_t axis = 0; axis < 3; ++axis) coordinates_[axis] = coordinate(axes[axis]);
+    const auto scaled = [this](std::size_t axis) { return coordinates_[axis].scaled; };
+    if (box_.is_tilted() && (scaled(0) != scaled(1) || scaled(1) != scaled(2)))
+        input_.fail("in a tilted box all coordinates or none are scaled");
+    const auto x = column("vx"), y = column("vy"), z = column("vz");
+    velocity_.reset();
+    if (x && y && z) velocity_ = {*x, *y, *z};
+    id_ = column("id");
+    type_ = column("type");
+    mass_ = column("mass");
+}
+
+bool DumpTrajectory::read(FrameBlock& frame) {
+    if (std::exchange(used_, true)) has_head_ = read_head();
+    if (!has_head_) return false;
+    frame.moments.push_back(moment_);
+    if (!box_.is_tilted()) {
+        frame.scene.box = {box_.periodic[0] ? box_.sides.x : 0, box_.periodic[1] ? box_.sides.y : 0,
+                           box_.periodic[2] ? box_.sides.z : 0};
+        frame.scene.corner = box_.low;
+    }
+    ids_.clear();
+    types_.clear();
+    for (std::uint64_t row = 0; row < rows_; ++row) {
+        const auto line = input_.line();
+        if (!line) input_.fail(fmt::format("it ends after {} of the {} atoms of a frame", row, rows_));
+        read_row(frame, *line);
+    }
+    if (id_) sort(frame);
+    return true;
+}
+
+void DumpTrajectory::read_row(FrameBlock& frame, std::string_view line) {
+    split(line, words_);
+    if (words_.size() != names_.size())
+        input_.fail(fmt::format("it has {} columns; by ITEM: ATOMS it should have {}", words_.size(), names_.size()));
+    add_row(frame);
+    frame.positions.back() = position();
+    if (velocity_ && !frame.velocities.empty()) {
+        const auto [x, y, z] = *velocity_;
+        frame.velocities.back() = {number<double>(words_[x]), number<double>(words_[y]), number<double>(words_[z])};
+    }
+    if (id_) ids_.push_back(number<std::uint64_t>(words_[*id_]));
+    if (id_ && ids_.back() == 0) input_.fail("ids of atoms count from 1");
+    if (type_) types_.push_back(number<std::uint64_t>(words_[*type_]));
+    if (mass_) frame.masses.push_back(number<double>(words_[*mass_]));
+}
+
+/// Image flags count boxes, of which each is one of its edges further.
+Vec3 DumpTrajectory::position() const {
+    std::array<double, 3> at{}, edges{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Coordinate& from = coordinates_[axis];
+        const double value = number<double>(words_[from.word]);
+        if (from.image) edges[axis] = number<double>(words_[*from.image]);
+        from.scaled ? edges[axis] += value : at[axis] = value;
+    }
+    const auto low = [&](std::size_t axis, double of_box) { return coordinates_[axis].scaled ? of_box : at[axis]; };
+    const auto [a, b, c] = edges;
+    Vec3 place{low(0, box_.low.x), low(1, box_.low.y), low(2, box_.low.z)};
+    // what is not asked for adds no rounding
+    if (a != 0) place.x += a * box_.sides.x;
+    if (b != 0) place = place + Vec3{b * box_.xy, b * box_.sides.y, 0};
+    if (c != 0) place = place + Vec3{c * box_.xz, c * box_.yz, c * box_.sides.z};
+    return place;
+}
+
+/// By their ids, each of which is there once.
+void DumpTrajectory::sort(FrameBlock& frame) {
+    std::vector<std::size_t> order(ids_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (!std::is_sorted(ids_.begin(), ids_.end()))
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
+    reorder(order, ids_);
+    if (const auto twice = std::adjacent_find(ids_.begin(), ids_.end()); twice != ids_.end())
+        input_.fail(fmt::format("atom {} is twice in the frame that ends here", *twice));
+    reorder(order, frame.positions);
+    reorder(order, frame.velocities);
+    reorder(order, frame.masses);
+    reorder(order, types_);
+    for (const std::uint64_t id : ids_) frame.particles.push_back(static_cast<std::size_t>(id - 1));
+}
+
+}  // namespace steplab

@@ -1,0 +1,129 @@
+#include "io/vtk_series.hpp"
+
+#include "core/error.hpp"
+#include "core/shown.hpp"
+#include "io/number_append.hpp"
+#include "io/output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <system_error>
+
+namespace steplab {
+
+namespace {
+
+constexpr const char* head =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\">\n";
+
+template <class Each>
+void append_array(std::string& text, std::string_view attributes, std::size_t count, const Each& each) {
+    text += fmt::format("<DataArray {} format=\"ascii\">\n", attributes);
+    for (std::size_t i = 0; i < count; ++i) {
+        each(i);
+        text += '\n';
+    }
+    text += "</DataArray>\n";
+}
+
+void append_vectors(std::string& text, std::string_view name, const std::vector<Vec3>& vectors) {
+    if (vectors.empty()) return;
+    const auto attributes = fmt::format("type=\"Float64\" Name=\"{}\" NumberOfComponents=\"3\"", name);
+    append_array(text, attributes, vectors.size(), [&](std::size_t i) {
+        append_number(text, vectors[i].x);
+        text += ' ';
+        append_number(text, vectors[i].y);
+        text += ' ';
+        append_number(text, vectors[i].z);
+    });
+}
+
+/// All but the positions.
+void append_point_data(std::string& text, const FrameBlock& frame) {
+    text += "<PointData>\n";
+    append_array(text, "type=\"Int64\" Name=\"particle\"", frame.rows,
+                 [&](std::size_t i) { append_number(text, static_cast<std::uint64_t>(frame.particle(i))); });
+    append_vectors(text, "velocity", frame.velocities);
+    append_vectors(text, "displacement", frame.displacements);
+    if (!frame.masses.empty())
+        append_array(text, "type=\"Float64\" Name=\"mass\"", frame.rows,
+                     [&](std::size_t i) { append_number(text, frame.masses[i]); });
+    if (!frame.roles.empty())
+        append_array(text, "type=\"UInt8\" Name=\"role\"", frame.rows,
+                     [&](std::size_t i) { append_number(text, static_cast<int>(frame.roles[i])); });
+    text += "</PointData>\n";
+}
+
+void write_whole(const std::filesystem::path& path, const std::string& text) {
+    OutputFile file(path.string());
+    file.write(text);
+    file.commit();
+}
+
+/// As an attribute of XML has it.
+std::string escaped(std::string_view name) {
+    std::string text;
+    for (const char c : name) {
+        switch (c) {
+            case '&':
+                text += "&amp;";
+                break;
+            case '<':
+                text += "&lt;";
+                break;
+            case '"':
+                text += "&quot;";
+                break;
+            default:
+                text += c;
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string vtp_text(const FrameBlock& frame) {
+    std::string text = fmt::format(fmt::runtime(head), "PolyData");
+    text += fmt::format(
+        "<PolyData>\n<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+        "format=\"ascii\">\n");
+    append_number(text, frame.moments.front().time);
+    text +=
+        fmt::format("\n</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\">\n", frame.rows);
+    append_point_data(text, frame);
+    text += "<Points>\n";
+    append_vectors(text, "position", frame.positions);
+    text += "</Points>\n<Verts>\n";
+    append_array(text, "type=\"Int64\" Name=\"connectivity\"", frame.rows,
+                 [&](std::size_t i) { append_number(text, static_cast<std::uint64_t>(i)); });
+    append_array(text, "type=\"Int64\" Name=\"offsets\"", frame.rows,
+                 [&](std::size_t i) { append_number(text, static_cast<std::uint64_t>(i + 1)); });
+    return text + "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+}
+
+VtkSeries::VtkSeries(const std::string& pvd) : pvd_(pvd), folder_(std::filesystem::path(pvd).replace_extension()) {
+    std::error_code error;
+    std::filesystem::create_directory(folder_, error);
+    if (error || !std::filesystem::is_directory(folder_))
+        throw FileError(fmt::format("cannot make the folder '{}' for the frames: {}", shown(folder_.string()),
+                                    error ? error.message() : "something else has this name"));
+}
+
+void VtkSeries::add(const FrameBlock& frame) {
+    write_whole(folder_ / fmt::format("{:06}.vtp", times_.size()), vtp_text(frame));
+    times_.push_back(frame.moments.front().time);
+}
+
+void VtkSeries::finish() {
+    std::string text = fmt::format(fmt::runtime(head), "Collection") + "<Collection>\n";
+    for (std::size_t i = 0; i < times_.size(); ++i) {
+        text += "<DataSet timestep=\"";
+        append_number(text, times_[i]);
+        text += fmt::format("\" part=\"0\" file=\"{}/{:06}.vtp\"/>\n", escaped(folder_.filename().string()), i);
+    }
+    write_whole(pvd_, text + "</Collection>\n</VTKFile>\n");
+}
+
+}  // namespace steplab

@@ -1,0 +1,101 @@
+#include "session/played_frames.hpp"
+
+#include "core/error.hpp"
+#include "io/compression.hpp"
+#include "io/data_bonds.hpp"
+#include "io/dump_frames.hpp"
+#include "io/indexed_text.hpp"
+#include "io/trajectory_reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace steplab {
+
+namespace {
+
+class TrajectoryFrames final : public PlayedFrames {
+public:
+    explicit TrajectoryFrames(TrajectoryReader reader) : reader_(std::move(reader)), describes_run_(true) {
+        if (!reader_.complete()) fault_ = "the file is truncated or damaged after these";
+    }
+    explicit TrajectoryFrames(IndexedText text)
+        : reader_(std::move(text.frames)), describes_run_(false), fault_(std::move(text.fault)) {}
+
+    std::uint64_t frames() const override { return reader_.frames(); }
+    std::uint64_t rows() const override { return reader_.rows(); }
+    FrameBlock::Moment moment(std::uint64_t number) override { return reader_.moment(number); }
+    void frame(std::uint64_t number, Frame& out) override { reader_.frame(number, out); }
+    std::string fault() const override { return fault_; }
+    std::optional<RunDescription> run() const override {
+        return describes_run_ ? std::optional(reader_.run()) : std::nullopt;
+    }
+
+private:
+    TrajectoryReader reader_;
+    bool describes_run_;
+    std::string fault_;
+};
+
+/// Bonds as springs between rows.
+std::vector<Spring> springs_of(const std::vector<DataBond>& bonds, const std::vector<std::size_t>& particles,
+                               const std::vector<Vec3>& positions) {
+    const auto row_of = [&](std::uint64_t particle) {
+        const auto found = std::lower_bound(particles.begin(), particles.end(), particle);
+        return found != particles.end() && *found == particle ? found - particles.begin() : -1;
+    };
+    std::vector<Spring> springs;
+    for (const DataBond& bond : bonds) {
+        const auto first = row_of(bond.first), second = row_of(bond.second);
+        if (first < 0 || second < 0) continue;
+        const double apart =
+            length(positions[static_cast<std::size_t>(second)] - positions[static_cast<std::size_t>(first)]);
+        springs.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second), apart});
+    }
+    return springs;
+}
+
+class PlayedDump final : public PlayedFrames {
+public:
+    explicit PlayedDump(const std::string& file) : frames_(file) {
+        const std::string data = std::filesystem::path(without_compression(file)).replace_extension(".data").string();
+        if (!std::filesystem::is_regular_file(data)) return;
+        Frame first;
+        frames_.frame(0, first);
+        springs_ = springs_of(read_data_bonds(data), frames_.particles(0), first.positions);
+    }
+
+    std::uint64_t frames() const override { return frames_.frames(); }
+    std::uint64_t rows() const override { return frames_.rows(); }
+    FrameBlock::Moment moment(std::uint64_t number) override { return frames_.moment(number); }
+    void frame(std::uint64_t number, Frame& out) override {
+        frames_.frame(number, out);
+        if (springs_.empty()) return;
+        Shape shape = *out.shape;
+        shape.springs = springs_;
+        out.shape = std::make_shared<const Shape>(std::move(shape));
+    }
+    std::string fault() const override { return frames_.fault(); }
+    bool can_grow() const override { return true; }
+    bool has_more() const override { return frames_.has_more(); }
+    double looked_through() const override { return frames_.looked_through(); }
+    /// As much as takes some hundredths of a second.
+    bool look_on() override { return frames_.look_on(std::uint64_t{16} << 20); }
+
+private:
+    DumpFrames frames_;
+    std::vector<Spring> springs_;
+};
+
+}  // namespace
+
+std::unique_ptr<PlayedFrames> played_frames(const std::string& file) {
+    InputFile input(file);
+    if (TrajectoryReader::reads(input)) return std::make_unique<TrajectoryFrames>(TrajectoryReader(std::move(input)));
+    if (DumpFrames::reads(file)) return std::make_unique<PlayedDump>(file);
+    return std::make_unique<TrajectoryFrames>(indexed(std::move(input)));
+}
+
+}  // namespace steplab
