@@ -70,7 +70,7 @@ ExpressionGraph::Place ExpressionGraph::sum(Place a, Place b) {
 }
 
 std::pair<double, ExpressionGraph::Place> ExpressionGraph::with_factor(Place place) {
-    const Node& node = nodes_[place];
+    const Node node = nodes_[place];  // number() moves them
     if (node.kind == Node::Kind::number) return {node.value, number(1)};
     if (node.kind == Node::Kind::product && is_number(node.arguments[0]))
         return {nodes_[node.arguments[0]].value, node.arguments[1]};

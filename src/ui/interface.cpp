@@ -121,8 +121,6 @@ void Interface::record(const RunView& view) {
     body_->new_view = true;
 }
 
-void Interface::record_beside(const SessionView& view) { body_->state.history.record_beside(view); }
-
 bool Interface::show_doubt(const std::optional<Doubt>& doubt) {
     if (doubt == body_->state.doubt) return false;
     body_->state.doubt = doubt;

@@ -47,8 +47,6 @@ public:
     void clear();
     /// Records a new view of the run for the plots. Call it once for each view, before drawing it.
     void record(const RunView& view);
-    /// The same of what is known beside the run, which draw() records of its own view.
-    void record_beside(const SessionView& view);
     /// Says that the run's energy is impossible and where that is decided, in place of a card about the divergence.
     /// True if that is news.
     bool show_doubt(const std::optional<Doubt>& doubt);

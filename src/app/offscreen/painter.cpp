@@ -47,6 +47,7 @@ public:
         interface_.record(request.view);
         view_.leading.series.samples.push_back(sample_of(request.view));
         for (std::size_t i = 0; i < view_.followers.size(); ++i) add(i, sample_of(request.followers[i]));
+        add_errors(request.view.frame.step, request.errors);
         // The first frame determines the area of the scene; the second is drawn with the camera for it.
         draw();
         camera_ = render::camera_of(request.camera, view_.leading.frame,
@@ -83,9 +84,18 @@ private:
     /// For the plots.
     void record(const PastMoment& moment) {
         interface_.record(moment.leading);
-        interface_.record_beside({.leading = moment.leading, .followers = {}, .line = {}, .errors = moment.errors});
+        add_errors(moment.leading.frame.step, moment.errors);
         view_.leading.series.samples.push_back(sample_of(moment.leading));
         for (std::size_t i = 0; i < moment.followers.size(); ++i) add(i, moment.followers[i]);
+    }
+
+    void add_errors(std::uint64_t step, const std::optional<SessionErrors>& errors) {
+        if (!errors) return;
+        view_.error_series.resize(errors->runs.size());
+        for (std::size_t run = 0; run < errors->runs.size(); ++run) {
+            if (const auto& known = errors->runs[run])
+                view_.error_series[run].samples.push_back({step, known->time, known->error, known->reference_error});
+        }
     }
 
     /// A run beside the leading one has none of its own between two of its steps, and none after it has diverged.
