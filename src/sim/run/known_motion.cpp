@@ -112,13 +112,14 @@ class LineMotion final : public ExactSolution {
 public:
     LineMotion(LineSystem system, Real drag) : system_(std::move(system)), drag_(drag) {
         const Eigen::Index n = system_.moving;
+        if (n == 0) return;  // all are fixed; there is nothing to solve
         RealMatrix stiffness = RealMatrix::Zero(n, n);
         RealColumn force = RealColumn::Zero(n);
         for (const LineSpring& spring : system_.springs) add(spring, stiffness, force);
         const Eigen::SelfAdjointEigenSolver<RealMatrix> solver(stiffness);
         vectors_ = solver.eigenvectors();
         force = vectors_.transpose() * force;
-        largest_ = n > 0 ? solver.eigenvalues()[n - 1] : 0;
+        largest_ = solver.eigenvalues()[n - 1];
         for (Eigen::Index k = 0; k < n; ++k) modes_.push_back(mode(k, solver.eigenvalues()[k], force[k]));
     }
 
