@@ -70,10 +70,10 @@ TEST(CostScan, points_are_what_their_runs_do) {
 
 // The partner: a method of higher order gains more from half of the step.
 TEST(CostScan, errors_fall_as_the_orders_of_methods_say) {
-    CostScan scan(oscillator(), 2, infinity);  // a slow machine has the same points
+    CostScan scan(oscillator(), std::nullopt, infinity);  // a slow machine has the same points
     std::map<std::string, std::vector<CostPoint>> by_method;
     const std::vector<CostPoint>& slowest = by_method["euler-forward"];
-    while (slowest.empty() || slowest.back().error > 5e-5) {
+    while (slowest.empty() || slowest.back().error > 4e-4) {
         const auto point = scan.next();
         ASSERT_TRUE(point);
         if (point->run.precision == Precision::double_ && !chooses_its_steps(point->run))
@@ -85,7 +85,7 @@ TEST(CostScan, errors_fall_as_the_orders_of_methods_say) {
         std::size_t judged = 0;
         for (std::size_t i = 1; i < points.size(); ++i) {
             // where errors are neither saturated nor rounding
-            if (points[i - 1].error > 1e-3 || points[i].error < 1e-10) continue;
+            if (points[i - 1].error > 1e-2 || points[i].error < 1e-10) continue;
             EXPECT_NEAR(std::log2(points[i - 1].error / points[i].error), order, 0.25) << method << " " << i;
             ++judged;
         }

@@ -41,6 +41,15 @@ TEST(MotionFromStart, of_masses_and_fixed_particles_altered_at_step_0_is_known) 
     }
 }
 
+// Nothing moves then, and there is no mode to look for.
+TEST(MotionFromStart, where_all_particles_are_fixed_is_that_they_stay) {
+    Simulation run = chain();
+    std::vector<Alteration> all;
+    for (std::size_t i = 0; i < run.particles(); ++i) all.push_back({i, true});
+    run.change(altered(run, all));
+    EXPECT_EQ(error_after(run, 100), 0);
+}
+
 TEST(MotionFromStart, of_acts_along_the_line_at_step_0_is_known) {
     const std::vector<Act> acts{pull(), Kick{4, {0.125, 0, 0}}, TurnRound{}};
     for (const Act& act : acts) {
