@@ -19,9 +19,9 @@ namespace steplab {
 
 namespace {
 
-constexpr std::uint64_t piece = std::uint64_t{1} << 20;
+constexpr std::uint64_t piece_of_dump = std::uint64_t{1} << 20;
 /// A line of a dump is shorter.
-constexpr std::size_t longest_line = std::size_t{1} << 16;
+constexpr std::size_t longest_line_of_dump = std::size_t{1} << 16;
 
 /// The whole word as a number; none if it is not one.
 template <class Number>
@@ -58,7 +58,7 @@ std::shared_ptr<InputFile> DumpFrames::opened(const std::string& file) {
     const TemporaryFolder folder;
     const std::string path = folder.file("dump");
     OutputFile out(path);
-    for (std::string part; !(part = std::string(text.peek(piece))).empty(); text.drop(part.size())) {
+    for (std::string part; !(part = std::string(text.peek(piece_of_dump))).empty(); text.drop(part.size())) {
         check_interruption();
         out.write(part);
     }
@@ -98,7 +98,7 @@ std::string DumpFrames::fault() const {
 
 /// The whole lines of it; false if there is none.
 bool DumpFrames::look_at_piece() {
-    const std::string text = file_->read(place_, piece);
+    const std::string text = file_->read(place_, piece_of_dump);
     std::size_t begin = 0;
     while (broken_.empty()) {
         const std::size_t end = text.find('\n', begin);
@@ -108,7 +108,7 @@ bool DumpFrames::look_at_piece() {
         place_ += end + 1 - begin;
         begin = end + 1;
     }
-    if (begin == 0 && text.size() > longest_line && broken_.empty())
+    if (begin == 0 && text.size() > longest_line_of_dump && broken_.empty())
         broken_ = fmt::format("line {}: it is too long for a LAMMPS dump", lines_ + 1);
     return begin > 0;
 }

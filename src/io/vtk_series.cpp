@@ -14,7 +14,7 @@ namespace steplab {
 
 namespace {
 
-constexpr const char* head =
+constexpr const char* head_of_file =
     "<?xml version=\"1.0\"?>\n<VTKFile type=\"{}\" version=\"1.0\" byte_order=\"LittleEndian\">\n";
 
 template <class Each>
@@ -85,7 +85,7 @@ std::string escaped(std::string_view name) {
 }  // namespace
 
 std::string vtp_text(const FrameBlock& frame) {
-    std::string text = fmt::format(fmt::runtime(head), "PolyData");
+    std::string text = fmt::format(fmt::runtime(head_of_file), "PolyData");
     text += fmt::format(
         "<PolyData>\n<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
         "format=\"ascii\">\n");
@@ -117,7 +117,7 @@ void VtkSeries::add(const FrameBlock& frame) {
 }
 
 void VtkSeries::finish() {
-    std::string text = fmt::format(fmt::runtime(head), "Collection") + "<Collection>\n";
+    std::string text = fmt::format(fmt::runtime(head_of_file), "Collection") + "<Collection>\n";
     for (std::size_t i = 0; i < times_.size(); ++i) {
         text += "<DataSet timestep=\"";
         append_number(text, times_[i]);

@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// While samples come, views of them are no more often.
-constexpr std::chrono::milliseconds between_views{100};
+constexpr std::chrono::milliseconds between_error_views{100};
 
 }  // namespace
 
@@ -98,7 +98,7 @@ struct LiveErrors::Body {
                 drop(run);
             }
         }
-        if (has_due_samples() && Clock::now() < shown + between_views) return;
+        if (has_due_samples() && Clock::now() < shown + between_error_views) return;
         shown = Clock::now();
         ready();
     }

@@ -30,7 +30,7 @@ void LammpsOptions::declare(CLI::App& app) {
 }
 
 RunDescription lammps_method_checked(const SceneOptions& scene) {
-    const RunDescription run = scene.description();
+    RunDescription run = scene.description();
     if (scene.names_method() && run.method != method_of_lammps)
         throw UsageError(
             fmt::format("LAMMPS does not have the method {}: its fix nve is {}", run.method, method_of_lammps));

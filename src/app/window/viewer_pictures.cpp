@@ -126,7 +126,7 @@ void Viewer::take_film_news() {
         if (drawn && waits) frames_wanted_ = std::max(frames_wanted_, 1);
         return;
     }
-    const std::string failure = film_->failure();
+    std::string failure = film_->failure();
     if (!failure.empty()) {
         worker_->film(std::nullopt);
         interface_.report_error(failure);
@@ -147,7 +147,7 @@ std::string Viewer::finish_film(EndWatch& watch) {
     if (watch.signal()) fmt::print(stderr, "steplab-view: completing the film; a second signal ends it at once\n");
     worker_->film(std::nullopt);
     film_->finish();
-    const std::string failure = film_->failure();
+    std::string failure = film_->failure();
     trace_.report("film", failure.empty() ? "saved " + shown_name(film_->format()) : "failed");
     film_.reset();
     return failure;

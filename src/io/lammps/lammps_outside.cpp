@@ -16,7 +16,7 @@ namespace {
 /// LAMMPS has 32 groups; three are taken.
 constexpr std::size_t most_potentials = 9, most_groups = 29 - most_potentials;
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuse_outside(const std::string& what) {
     throw UsageError(fmt::format("the scene cannot be expressed in LAMMPS: {}", what));
 }
 
@@ -35,8 +35,8 @@ std::string acceleration_lines(const std::vector<LammpsType>& types) {
             groups[types[i].acceleration] += fmt::format(" {}", i + 1);
     }
     if (groups.size() > most_groups)
-        refuse(fmt::format("{} different accelerations act from outside, and it has groups for {}", groups.size(),
-                           most_groups));
+        refuse_outside(fmt::format("{} different accelerations act from outside, and it has groups for {}",
+                                   groups.size(), most_groups));
     std::string text;
     std::size_t number = 0;
     for (const auto& [acceleration, of_types] : groups) {
@@ -53,8 +53,8 @@ std::string acceleration_lines(const std::vector<LammpsType>& types) {
 std::string potential_lines(const LammpsScene& scene, std::size_t index) {
     const std::array<std::string, 5> variables{"x", "y", "z", "mass", "q"};
     const ComposedField field = expression_of(*scene.potentials()[index], 1);
-    if (scene.box() != Vec3{}) refuse("a potential that acts from outside, in a periodic box");
-    if (reads(field.expression->energy, 4)) refuse("a potential that acts from outside on charges");
+    if (scene.box() != Vec3{}) refuse_outside("a potential that acts from outside, in a periodic box");
+    if (reads(field.expression->energy, 4)) refuse_outside("a potential that acts from outside on charges");
     std::string of_types;
     for (std::size_t i = 0; i < scene.types().size(); ++i) {
         if (scene.types()[i].fields[index]) of_types += fmt::format(" {}", i + 1);
@@ -78,7 +78,7 @@ std::string outside_lines(const LammpsScene& scene) {
     std::string text = drag_lines(scene.types()) + acceleration_lines(scene.types());
     for (std::size_t index = 0; index < scene.potentials().size(); ++index) text += potential_lines(scene, index);
     if (scene.potentials().size() > most_potentials)
-        refuse(fmt::format("more than {} potentials that act from outside", most_potentials));
+        refuse_outside(fmt::format("more than {} potentials that act from outside", most_potentials));
     return text;
 }
 

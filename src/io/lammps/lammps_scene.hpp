@@ -28,7 +28,7 @@ struct LammpsType {
     std::vector<std::array<bool, 2>> sets = {};  ///< for each pair force: whether in its first and in its second set
     std::vector<bool> fields = {};               ///< for each potential from outside: whether it acts
 
-    auto operator<=>(const LammpsType&) const = default;
+    auto operator<=>(const LammpsType&) const = default;  // NOLINT(modernize-use-nullptr): its comparison with 0
 };
 
 /// What springs of one of LAMMPS' bond types have in common.

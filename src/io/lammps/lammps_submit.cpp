@@ -12,7 +12,7 @@
 namespace steplab {
 
 std::string write_slurm_file(const std::string& folder, std::string_view title, std::uint64_t ranks) {
-    const std::string name = (std::filesystem::path(folder) / "job.slurm").string();
+    std::string name = (std::filesystem::path(folder) / "job.slurm").string();
     OutputFile file(name);
     file.write(
         fmt::format("#!/bin/sh\n# {}\n#SBATCH --job-name=steplab\n#SBATCH --ntasks={}\n"
