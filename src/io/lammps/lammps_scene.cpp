@@ -37,6 +37,7 @@ RunDescription checked(const RunDescription& run) {
 
 ParticleSet set_of(const SceneParticles& particles, const std::vector<std::string>& names) {
     std::vector<IndexRange> ranges;
+    ranges.reserve(names.size());
     for (const std::string& name : names) ranges.push_back(particles.named(name));
     if (names.empty()) ranges.push_back({0, particles.count()});
     return ParticleSet(std::move(ranges));
