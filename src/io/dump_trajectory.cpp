@@ -118,6 +118,21 @@ std::optional<std::size_t> DumpTrajectory::column(std::string_view name) const {
     return static_cast<std::size_t>(found - names_.begin());
 }
 
+/// The columns of a vector with this letter, if there are all three.
+std::optional<std::array<std::size_t, 3>> DumpTrajectory::vector_of(char letter) const {
+    std::array<std::size_t, 3> words{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto found = column(fmt::format("{}{}", letter, axes[axis]));
+        if (!found) return std::nullopt;
+        words[axis] = *found;
+    }
+    return words;
+}
+
+Vec3 DumpTrajectory::vector_in(const std::array<std::size_t, 3>& words) const {
+    return {number<double>(words_[words[0]]), number<double>(words_[words[1]]), number<double>(words_[words[2]])};
+}
+
 /// What is unwrapped in the file goes before what has to be.
 DumpTrajectory::Coordinate DumpTrajectory::coordinate(char axis) const {
     for (const std::string_view ending : {"u", "su", "", "s"}) {
@@ -137,9 +152,8 @@ void DumpTrajectory::read_columns(std::string_view names) {
     const auto scaled = [this](std::size_t axis) { return coordinates_[axis].scaled; };
     if (box_.is_tilted() && (scaled(0) != scaled(1) || scaled(1) != scaled(2)))
         input_.fail("in a tilted box all coordinates or none are scaled");
-    const auto x = column("vx"), y = column("vy"), z = column("vz");
-    velocity_.reset();
-    if (x && y && z) velocity_ = {*x, *y, *z};
+    velocity_ = vector_of('v');
+    force_ = vector_of('f');
     id_ = column("id");
     type_ = column("type");
     mass_ = column("mass");
@@ -156,6 +170,7 @@ bool DumpTrajectory::read(FrameBlock& frame) {
     }
     ids_.clear();
     types_.clear();
+    forces_.clear();
     for (std::uint64_t row = 0; row < rows_; ++row) {
         const auto line = input_.line();
         if (!line) input_.fail(fmt::format("it ends after {} of the {} atoms of a frame", row, rows_));
@@ -171,10 +186,8 @@ void DumpTrajectory::read_row(FrameBlock& frame, std::string_view line) {
         input_.fail(fmt::format("it has {} columns; by ITEM: ATOMS it should have {}", words_.size(), names_.size()));
     add_row(frame);
     frame.positions.back() = position();
-    if (velocity_ && !frame.velocities.empty()) {
-        const auto [x, y, z] = *velocity_;
-        frame.velocities.back() = {number<double>(words_[x]), number<double>(words_[y]), number<double>(words_[z])};
-    }
+    if (velocity_ && !frame.velocities.empty()) frame.velocities.back() = vector_in(*velocity_);
+    if (force_) forces_.push_back(vector_in(*force_));
     if (id_) ids_.push_back(number<std::uint64_t>(words_[*id_]));
     if (id_ && ids_.back() == 0) input_.fail("ids of atoms count from 1");
     if (type_) types_.push_back(number<std::uint64_t>(words_[*type_]));
@@ -213,6 +226,7 @@ void DumpTrajectory::sort(FrameBlock& frame) {
     reorder(order, frame.velocities);
     reorder(order, frame.masses);
     reorder(order, types_);
+    reorder(order, forces_);
     for (const std::uint64_t id : ids_) frame.particles.push_back(static_cast<std::size_t>(id - 1));
 }
 

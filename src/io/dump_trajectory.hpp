@@ -26,6 +26,8 @@ public:
 
     /// Types of the atoms of the last frame, by rows; empty if it has none.
     const std::vector<std::uint64_t>& types() const { return types_; }
+    /// Forces on them, in the units of the dump; empty if it has none.
+    const std::vector<Vec3>& forces() const { return forces_; }
 
 private:
     /// Where in a row a coordinate is, and what it is.
@@ -50,6 +52,8 @@ private:
     void read_box(std::string_view item);
     void read_columns(std::string_view names);
     std::optional<std::size_t> column(std::string_view name) const;
+    std::optional<std::array<std::size_t, 3>> vector_of(char letter) const;
+    Vec3 vector_in(const std::array<std::size_t, 3>& words) const;
     Coordinate coordinate(char axis) const;
     void read_row(FrameBlock& frame, std::string_view line);
     Vec3 position() const;
@@ -63,10 +67,11 @@ private:
     Box box_;
     std::vector<std::string> names_;  ///< of the columns
     std::array<Coordinate, 3> coordinates_;
-    std::optional<std::array<std::size_t, 3>> velocity_;
+    std::optional<std::array<std::size_t, 3>> velocity_, force_;
     std::optional<std::size_t> id_, type_, mass_;
     std::vector<std::string_view> words_;  ///< of a row
     std::vector<std::uint64_t> ids_, types_;
+    std::vector<Vec3> forces_;
 };
 
 }  // namespace steplab

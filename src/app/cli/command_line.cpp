@@ -1,6 +1,7 @@
 #include "app/cli/command_line.hpp"
 
 #include "app/cli/text_table.hpp"
+#include "core/entry.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/shown.hpp"
@@ -134,6 +135,16 @@ void flag_option(CLI::App& app, const std::string& name, bool& value, const std:
 }
 
 void footer(CLI::App& app, std::function<std::string()> text) { app.footer(std::move(text)); }
+
+std::uint64_t whole_number(std::string_view option, const std::string& text, double maximum, std::string_view what) {
+    const ParameterInfo info{.name = option,
+                             .kind = ParameterInfo::Kind::integer,
+                             .unit = "",
+                             .minimum = 1,
+                             .maximum = maximum,
+                             .what = what};
+    return static_cast<std::uint64_t>(parse_value(info, text));
+}
 
 bool is_given(const CLI::App& app, const std::string& name) { return app.count(name) > 0; }
 

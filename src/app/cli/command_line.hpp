@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -28,6 +29,8 @@ void repeated_option(CLI::App& app, const std::string& name, std::vector<std::st
 /// An option without a value.
 void flag_option(CLI::App& app, const std::string& name, bool& value, const std::string& what,
                  const std::string& group = "");
+/// A whole number from 1 to `maximum`, the value of an option. Throws UsageError, which says `what` belongs there.
+std::uint64_t whole_number(std::string_view option, const std::string& text, double maximum, std::string_view what);
 /// True if the option, declared before, was on the command line that was parsed.
 bool is_given(const CLI::App& app, const std::string& name);
 /// Text at the end of the help, made when the help is printed.

@@ -13,16 +13,6 @@ namespace {
 
 constexpr std::string_view method_of_lammps = "velocity-verlet";
 
-std::uint64_t whole(std::string_view option, const std::string& text, double maximum, std::string_view what) {
-    const ParameterInfo info{.name = option,
-                             .kind = ParameterInfo::Kind::integer,
-                             .unit = "",
-                             .minimum = 1,
-                             .maximum = maximum,
-                             .what = what};
-    return static_cast<std::uint64_t>(parse_value(info, text));
-}
-
 }  // namespace
 
 void LammpsOptions::declare(CLI::App& app) {
@@ -39,13 +29,15 @@ RunDescription lammps_method_checked(const SceneOptions& scene) {
 
 LammpsTime LammpsOptions::time(std::uint64_t steps) const {
     LammpsTime time{.steps = steps};
-    if (!every_.empty()) time.every = whole("--every", every_, 9007199254740992.0, "steps between two moments");
+    if (!every_.empty()) time.every = whole_number("--every", every_, 9007199254740992.0, "steps between two moments");
     return time;
 }
 
-std::uint64_t ranks_of(const std::string& text) { return whole("--ranks", text, 1048576, "number of MPI ranks"); }
+std::uint64_t ranks_of(const std::string& text) {
+    return whole_number("--ranks", text, 1048576, "number of MPI ranks");
+}
 
-std::uint64_t samples_of(const std::string& text) { return whole("--samples", text, 1e6, "number of moments"); }
+std::uint64_t samples_of(const std::string& text) { return whole_number("--samples", text, 1e6, "number of moments"); }
 
 std::string export_text(const LammpsExport& what, const std::string& folder) {
     std::string text = fmt::format("{} particles and {} springs, for LAMMPS\n", what.particles, what.bonds);

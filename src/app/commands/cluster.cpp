@@ -13,13 +13,14 @@
 #include "io/lammps/lammps_run.hpp"
 #include "io/lammps/lammps_submit.hpp"
 #include "io/output_file.hpp"
+#include "io/temporary_folder.hpp"
 #include "io/trajectory_format.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <chrono>
-#include <filesystem>
+#include <optional>
 #include <unistd.h>
 
 namespace steplab {
@@ -33,29 +34,6 @@ constexpr const char* cluster_examples =
 
 constexpr unsigned microseconds_of_waiting = 50'000;
 constexpr std::array<std::string_view, 1> batch_systems{"slurm"};
-
-/// The folder of LAMMPS' files: the one asked for, or a new one in this folder, removed once the results are written.
-class WorkFolder {
-public:
-    explicit WorkFolder(const std::string& asked) : path_(asked), temporary_(asked.empty()) {
-        if (!temporary_) return;
-        path_ = "lammps-XXXXXX";
-        if (mkdtemp(path_.data()) == nullptr) throw FileError("cannot make a folder here for the files of LAMMPS");
-    }
-    ~WorkFolder() {
-        std::error_code ignored;
-        if (temporary_) std::filesystem::remove_all(path_, ignored);
-    }
-    WorkFolder(const WorkFolder&) = delete;
-    WorkFolder& operator=(const WorkFolder&) = delete;
-
-    void keep() { temporary_ = false; }
-    const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
-    bool temporary_;
-};
 
 class ClusterCommand final : public Command {
 public:
@@ -99,10 +77,13 @@ private:
     }
 
     int compute(const RunDescription& run, const LammpsTime& time, std::uint64_t ranks) const {
-        WorkFolder folder(files_);
+        // results are written from a folder that goes, unless one was asked for
+        std::optional<TemporaryFolder> temporary;
+        if (files_.empty()) temporary.emplace("lammps-");
+        const std::string& folder = temporary ? temporary->path() : files_;
         try {
-            const LammpsExport written = export_to_lammps(run, time, folder.path());
-            LammpsRun lammps(folder.path(), ranks);
+            const LammpsExport written = export_to_lammps(run, time, folder);
+            LammpsRun lammps(folder, ranks);
             const auto begin = std::chrono::steady_clock::now();
             wait_for(lammps, time.steps);
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -110,13 +91,13 @@ private:
             summary.notes = written.notes;
             summary.notes.push_back(
                 fmt::format("computed by {} on {} MPI rank{}", lammps.version(), ranks, ranks == 1 ? "" : "s"));
-            if (!out_.empty()) write_cluster_rows(run, folder.path(), written.particles, out_);
+            if (!out_.empty()) write_cluster_rows(run, folder, written.particles, out_);
             report(summary);
         } catch (const UsageError&) {
             throw;
         } catch (...) {
-            folder.keep();
-            fmt::print(stderr, "steplab cluster: the files of LAMMPS are kept in '{}'\n", shown(folder.path()));
+            if (temporary) temporary->keep();
+            fmt::print(stderr, "steplab cluster: the files of LAMMPS are kept in '{}'\n", shown(folder));
             throw;
         }
         return static_cast<int>(ExitCode::done);

@@ -106,17 +106,6 @@ private:
         return execution;
     }
 
-    static std::uint64_t whole_number(std::string_view option, const std::string& text, double maximum,
-                                      std::string_view what) {
-        const ParameterInfo info{.name = option,
-                                 .kind = ParameterInfo::Kind::integer,
-                                 .unit = "",
-                                 .minimum = 1,
-                                 .maximum = maximum,
-                                 .what = what};
-        return static_cast<std::uint64_t>(parse_value(info, text));
-    }
-
     SceneOptions scene_{SceneOptions::Time::both};
     TimeOptions time_{1000, TimeOptions::Default::scene};
     std::string every_;

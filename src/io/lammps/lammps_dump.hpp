@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/vec3.hpp"
-#include "io/text_input.hpp"
+#include "io/dump_trajectory.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,11 +28,7 @@ public:
     bool next(LammpsMoment& moment);
 
 private:
-    std::string_view expect_line();
-    std::uint64_t whole_number(std::string_view text) const;
-    void read_atom(std::string_view line, LammpsMoment& moment) const;
-
-    TextInput input_;
+    DumpTrajectory dump_;
     std::size_t particles_;
 };
 
