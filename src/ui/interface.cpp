@@ -5,6 +5,8 @@
 #include "ui/steering.hpp"
 #include "ui/widgets/widgets.hpp"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -35,6 +37,12 @@ ImGuiContext* make_context() {
 
 /// Beyond these glyphs are unreadable, or take more memory than a texture has.
 constexpr float least_scale = 0.5f, most_scale = 8;
+
+/// What was drawn last loses its open menus, which stay open: a film goes on while its person chooses from one.
+void leave_out_menus() {
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+        if (window->Active && (window->Flags & ImGuiWindowFlags_Popup) != 0) window->DrawList->_ResetForNewFrame();
+}
 
 /// What lies over all else.
 void draw_messages(const Context& context) {
@@ -156,8 +164,13 @@ void Interface::draw_picture(const SessionView& view, Stage stage, bool plot_alo
     ImGui::SetCurrentContext(body_->context.get());
     const PointerAway away(ImGui::GetIO());
     const Purpose purpose = plot_alone ? Purpose::plot_picture : Purpose::window_picture;
-    // A menu closes in the first frame and is gone in the second; a tooltip is gone at once.
+    // What is on the screen stays where it is: the picture has places of its own.
+    const WidgetMap on_screen = body_->widgets;
+    const bool unsettled = body_->unsettled;
     for (int pass = 0; pass < 2; ++pass) draw_frame(view, no_events, stage, measured, purpose);
+    leave_out_menus();
+    body_->widgets = on_screen;
+    body_->unsettled = unsettled;
 }
 
 void Interface::draw_frame(const SessionView& view, EventSink& events, Stage stage, const Measured& measured,

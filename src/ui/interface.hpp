@@ -85,8 +85,8 @@ public:
     /// caption takes the foot of it.
     void draw_still(const SessionView& view, Stage stage, bool scene_alone = false,
                     const std::optional<Caption>& caption = std::nullopt);
-    /// Draws what the window shows as a picture is to show it: without pointer, tooltip, notice and menu, which is
-    /// closed; `plot_alone`: without cards over the plots, either. The next draw() goes on as if nothing had been.
+    /// Draws what the window shows as a picture is to show it: without pointer, tooltip, notice and open menu;
+    /// `plot_alone`: without cards over the plots, either. The next draw() goes on as if nothing had been.
     void draw_picture(const SessionView& view, Stage stage, bool plot_alone);
 
     /// How much of a still its caption takes, in pixels.

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,18 @@ std::string drawn(const Desk& desk) {
         bytes.append(reinterpret_cast<const char*>(vertices.Data), static_cast<std::size_t>(vertices.size_in_bytes()));
     }
     return bytes;
+}
+
+/// How many vertices were drawn inside a place.
+int vertices_within(const Desk& desk, const WidgetRect& place) {
+    int count = 0;
+    const ImDrawData& data = desk.interface.draw_data();
+    for (int i = 0; i < data.CmdListsCount; ++i)
+        for (const ImDrawVert& vertex : data.CmdLists[i]->VtxBuffer)
+            if (vertex.pos.x > place.left && vertex.pos.x < place.right && vertex.pos.y > place.top &&
+                vertex.pos.y < place.bottom)
+                ++count;
+    return count;
 }
 
 /// A desk with a run of some steps, so that its plots have curves.
@@ -75,6 +88,7 @@ TEST(picture, holds_no_notice_and_no_menu) {
         desk.click(menu);
         ASSERT_NE(drawn(desk), clean);
         EXPECT_EQ(recorded.picture(), clean) << menu;
+        desk.key(Key::escape);
     }
     desk.frame();
     EXPECT_TRUE(desk.has("notice")) << "in the window it is still there";
@@ -92,10 +106,12 @@ TEST(picture, of_a_plot_holds_no_card_over_it_and_one_of_the_window_does) {
 
 TEST(picture, holds_no_button_that_saves_plots) {
     Recorded recorded;
-    recorded.desk.picture(true);
-    EXPECT_FALSE(recorded.desk.has("displacement.save"));
-    recorded.desk.frame();
-    EXPECT_TRUE(recorded.desk.has("displacement.save"));
+    Desk& desk = recorded.desk;
+    desk.frame();
+    const WidgetRect button = desk.widget("displacement.save");
+    EXPECT_GT(vertices_within(desk, button), 0);
+    desk.picture(true);
+    EXPECT_EQ(vertices_within(desk, button), 0);
 }
 
 TEST(picture, changes_nothing_in_the_window) {
@@ -118,6 +134,38 @@ TEST(picture, changes_nothing_in_the_window) {
     desk.type("0.25");
     desk.key(Key::enter);
     EXPECT_EQ(desk.wanted().dt, 0.25) << "the text entry goes on";
+}
+
+// As in a film of the window: a picture after each frame.
+TEST(picture, leaves_menus_open_and_their_items_at_work) {
+    Recorded recorded;
+    Desk& desk = recorded.desk;
+    const auto then_pictures = [&](auto act) {
+        act();
+        for (int i = 0; i < 3; ++i) {
+            desk.picture();
+            desk.frame();
+        }
+    };
+    then_pictures([&] { desk.click("menu"); });
+    then_pictures([&] { desk.point_at("menu/pictures"); });
+    ASSERT_TRUE(desk.has("menu/caption"));
+    desk.point_at("menu/caption");
+    then_pictures([&] { desk.press(); });
+    then_pictures([&] { desk.release(); });
+    EXPECT_TRUE(desk.interface.picture_choice().caption);
+    EXPECT_FALSE(desk.has("menu/caption"));
+}
+
+TEST(picture, leaves_the_places_of_what_is_on_the_screen) {
+    Recorded recorded;
+    Desk& desk = recorded.desk;
+    desk.interface.show_film(FilmStatus{3, 0.1});
+    for (int i = 0; i < 3; ++i) desk.frame();
+    const WidgetRect wide = desk.widget("record");
+    desk.picture();
+    EXPECT_EQ(desk.widget("record"), wide) << "in the picture the button tells nothing of the film";
+    EXPECT_EQ(desk.interface.seconds_until_change(), std::numeric_limits<double>::infinity());
 }
 
 TEST(notice, of_a_saved_file_has_its_whole_path_and_a_click_copies_it) {

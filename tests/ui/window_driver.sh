@@ -101,11 +101,11 @@ choose() {
     click "$1/$2"
 }
 
-# choose_beside MENU ITEM: an item of a menu beside the menu.
+# choose_beside MENU ITEM: an item of a menu beside the menu, which closes: else the next one could not be told from it.
 choose_beside() {
     choose menu "$1"
     expect "widget menu/$2 [0-9].*"
-    click "menu/$2"
+    click "menu/$2"; expect "widget menu/$2 gone"
 }
 
 # enter SLIDER TEXT: types a value in place of a slider.

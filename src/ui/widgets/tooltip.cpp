@@ -68,7 +68,7 @@ void term_tooltip(const Context& context, std::string_view text, std::string_vie
 }
 
 void close_if_asked(const Context& context) {
-    if (context.is_saved() || Input::pressed(Key::escape, false)) ImGui::CloseCurrentPopup();
+    if (context.purpose == Purpose::use && Input::pressed(Key::escape, false)) ImGui::CloseCurrentPopup();
 }
 
 }  // namespace steplab::ui

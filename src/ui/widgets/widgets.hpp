@@ -35,7 +35,7 @@ void tooltip_beside(const Context& context, const WidgetRect& item, std::string_
 /// first of these with room. All lengths in pixels.
 ImVec2 place_beside(const WidgetRect& item, ImVec2 size, ImVec2 display, float gap, Beside first);
 
-/// In a menu that is open: closes it when Escape is pressed, and in pictures of the window.
+/// In a menu that is open: closes it when Escape is pressed.
 void close_if_asked(const Context& context);
 
 /// Draws text that ends at `right` (pixels of the display), vertically centred at `y`.
