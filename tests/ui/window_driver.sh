@@ -101,11 +101,12 @@ choose() {
     click "$1/$2"
 }
 
-# choose_beside MENU ITEM: an item of a menu beside the menu, which closes: else the next one could not be told from it.
+# choose_beside MENU ITEM [REGEX...]: an item of a menu beside the menu, and the lines that it brings. The menu has to
+# be gone: else the next one could not be told from it.
 choose_beside() {
     choose menu "$1"
     expect "widget menu/$2 [0-9].*"
-    click "menu/$2"; expect "widget menu/$2 gone"
+    click "menu/$2"; expect "widget menu/$2 gone" "${@:3}"
 }
 
 # enter SLIDER TEXT: types a value in place of a slider.
