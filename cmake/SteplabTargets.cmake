@@ -44,23 +44,26 @@ target_compile_options(steplab_pch_for_ccache INTERFACE
 # of the sources of app: what is precompiled is read whole.
 set(steplab_precompiled <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory> <optional> <span>
                         <string> <string_view> <type_traits> <utility> <variant> <vector> <fmt/format.h>)
+# steplab_precompile(target [header...]): with the standard headers alone, or with a room's own headers too, where reading
+# these takes most of the time of its sources.
 function(steplab_precompile target)
   if(NOT STEPLAB_PRECOMPILED_HEADERS)
     return()
   endif()
   target_link_libraries(${target} PRIVATE steplab_pch_for_ccache)
-  if(target STREQUAL steplab_core)
-    target_precompile_headers(${target} PRIVATE ${steplab_precompiled})
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)  # as what is shared was compiled
+  if(target STREQUAL steplab_core OR ARGN)
+    target_precompile_headers(${target} PRIVATE ${steplab_precompiled} ${ARGN})
   else()
     target_precompile_headers(${target} REUSE_FROM steplab_core)
   endif()
 endfunction()
 
-# steplab_library(folder [LINK target...] [SOURCES file...] [EXCLUDE regex]): the static library steplab_<folder> of all sources in the current folder
-# and the rooms below it.
+# steplab_library(folder [LINK target...] [SOURCES file...] [EXCLUDE regex] [PRECOMPILE header...]): the static library
+# steplab_<folder> of all sources in the current folder and the rooms below it.
 # It is compiled as position-independent code, because the off-screen modules link it too.
 function(steplab_library folder)
-  cmake_parse_arguments(ARG "" "EXCLUDE" "LINK;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXCLUDE" "LINK;SOURCES;PRECOMPILE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(ARG_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX ${ARG_EXCLUDE})
@@ -71,7 +74,7 @@ function(steplab_library folder)
     steplab_compile(${target})
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_link_libraries(${target} PUBLIC ${ARG_LINK})
-    steplab_precompile(${target})
+    steplab_precompile(${target} ${ARG_PRECOMPILE})
   else()
     add_library(${target} INTERFACE)
     target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR}/src)
@@ -96,27 +99,30 @@ target_compile_options(steplab_testing INTERFACE $<$<CONFIG:Release>:-O1>
 
 # steplab_test_headers(): the target test_headers, which compiles the headers that most tests include once for all test
 # programs. Every test includes what it needs nonetheless (preset `clang` builds without them).
+set(steplab_test_precompiled
+    <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>
+    <optional> <random> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector>
+    <gmock/gmock.h> <gtest/gtest.h>)
 function(steplab_test_headers)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp CONTENT "" @ONLY)
   add_library(test_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
   steplab_compile(test_headers)
   target_link_libraries(test_headers PRIVATE steplab_testing)
-  target_precompile_headers(test_headers PRIVATE
-    <algorithm> <array> <cmath> <cstddef> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>
-    <optional> <random> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector>
-    <gmock/gmock.h> <gtest/gtest.h>)
+  target_precompile_headers(test_headers PRIVATE ${steplab_test_precompiled})
 endfunction()
 
-# steplab_tests(folder [LINK target...]): test_<folder> of all sources in the current folder and the
-# rooms below it, each test known to ctest.
+# steplab_tests(folder [LINK target...] [PRECOMPILE header...]): test_<folder> of all sources in the current folder and
+# the rooms below it, each test known to ctest; PRECOMPILE as in steplab_library().
 function(steplab_tests folder)
-  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINK;PRECOMPILE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(NOT sources)
     return()
   endif()
   steplab_program(test_${folder} SOURCES ${sources} LINK ${ARG_LINK} steplab_testing GTest::gtest_main)
-  if(TARGET test_headers)
+  if(TARGET test_headers AND ARG_PRECOMPILE)
+    target_precompile_headers(test_${folder} PRIVATE ${steplab_test_precompiled} ${ARG_PRECOMPILE})
+  elseif(TARGET test_headers)
     target_precompile_headers(test_${folder} REUSE_FROM test_headers)
   endif()
   target_include_directories(test_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/tests)

@@ -1,4 +1,4 @@
-#include "app/program.hpp"
+#include "app/orderly_end.hpp"
 #include "app/tables.hpp"
 #include "io/files.hpp"
 
@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
-#include <set>
 
 // What the system does not grant: threads, memory, a folder for temporary files.
 
@@ -63,21 +62,6 @@ TEST(WithoutThreads, every_command_does_its_work) {
         EXPECT_EQ(outcome.code, 0) << words[0] << ": " << outcome.err;
         EXPECT_EQ(without_progress(outcome.err), "") << words[0];
     }
-}
-
-/// The least memory at which the program gets as far as its own first line: what the system and the loader say below it
-/// is not ours.
-unsigned long least_megabytes() {
-    unsigned long megabytes = 4;
-    while (run_program({"--version"}, {.most_memory = megabytes << 20}).code != 0) ++megabytes;
-    return megabytes;
-}
-
-/// One line, a code of the contract.
-void expect_orderly_end(const Outcome& outcome, const std::string& where) {
-    EXPECT_EQ(outcome.signal, 0) << where << ": " << outcome.err;
-    EXPECT_TRUE((std::set{0, 2, 3}.count(outcome.code) == 1)) << where << ": code " << outcome.code;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), outcome.code == 0 ? 0 : 1) << outcome.err;
 }
 
 TEST(MemoryLimits, end_every_command_orderly) {

@@ -1,6 +1,6 @@
 #include "app/offscreen/modules.hpp"
 
-#include "app/cli/driver_threads.hpp"
+#include "app/cli/driver_needs.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 
@@ -64,6 +64,7 @@ Offscreen::Offscreen(std::string_view kind) : Offscreen(kind, module_folder()) {
 
 Offscreen::Offscreen(std::string_view kind, const fs::path& folder) {
     limit_driver_threads();
+    require_space_to_draw(driver_space);
     std::vector<std::string> troubles;
     for (const std::string_view each : wanted_kinds(kind)) {
         Opened opened = open(each, folder);
@@ -78,6 +79,9 @@ Offscreen::Offscreen(std::string_view kind, const fs::path& folder) {
 }
 
 Picture Offscreen::draw(const PictureRequest& request) {
+    constexpr std::size_t bytes_a_pixel = 30;  // measured: of 3840x2160 pixels the picture and its file take half
+    const auto pixels = static_cast<std::size_t>(request.size.width) * static_cast<std::size_t>(request.size.height);
+    require_space_to_draw(drawing_space + bytes_a_pixel * pixels);
     Picture picture;
     const ModuleAnswer answer = module_->draw(request, picture);
     if (answer.code != ExitCode::done) rethrow(answer);

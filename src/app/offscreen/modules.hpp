@@ -20,12 +20,13 @@ inline constexpr std::array<std::string_view, 2> offscreen_kinds = {"osmesa", "e
 ///     const Picture picture = offscreen.draw({.view = view_of(simulation)});
 class Offscreen {
 public:
-    /// `kind`: one of offscreen_kinds, or `auto` for the first that works. Throws UsageError for any other word, and
-    /// GraphicsError if none works, naming what was tried, what failed and what to install.
+    /// `kind`: one of offscreen_kinds, or `auto` for the first that works. Throws UsageError for any other word or
+    /// where memory is limited to less than drivers need, and GraphicsError if none works, naming what was tried, what
+    /// failed and what to install.
     explicit Offscreen(std::string_view kind);
     Offscreen(std::string_view kind, const std::filesystem::path& folder);
 
-    /// Throws UsageError (view), GraphicsError.
+    /// Throws UsageError (view; too little memory), GraphicsError.
     Picture draw(const PictureRequest& request);
     /// The module in use: "osmesa" or "egl".
     const std::string& kind() const { return kind_; }

@@ -1,6 +1,6 @@
 #include "app/window/window.hpp"
 
-#include "app/cli/driver_threads.hpp"
+#include "app/cli/driver_needs.hpp"
 #include "app/window/display_loss.hpp"
 #include "app/window/icon.hpp"
 #include "app/window/keys.hpp"
@@ -42,6 +42,7 @@ WindowSystem::WindowSystem() {
     // Mesa's EGL would print to standard error which drivers it tried without success.
     setenv("EGL_LOG_LEVEL", "fatal", 0);
     limit_driver_threads();
+    require_space_to_draw(driver_space);
     answer_display_loss();
     if (glfwInit() == GLFW_TRUE) return;
     throw GraphicsError(fmt::format("cannot open a window: no display ({}, {}; {})", setting("DISPLAY"),
