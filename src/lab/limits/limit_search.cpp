@@ -58,7 +58,7 @@ private:
         double stable = 0.1 * search_.time_scale;
         for (const double tried : {1.0, 3.0, 10.0, 100.0, 1000.0}) {
             const double dt = tried * search_.time_scale;
-            if (grows_({.dt = dt, .steps = 1024})) return between(stable, dt);
+            if (grows_({.dt = dt, .steps = search_.steps_beyond})) return between(stable, dt);
             stable = dt;
         }
         return infinity;

@@ -22,10 +22,11 @@ struct GrowthQuestion {
 
 /// A search for the smallest dt at which a vibration grows, by bisection to 3e-5.
 struct LimitSearch {
-    double expected;      ///< by theory, including 0 and infinity
-    double above;         ///< a dt just above it at which growth is detected soonest; 0: none
-    double time_scale;    ///< of the vibration
-    std::uint64_t steps;  ///< of a run
+    double expected;                    ///< by theory, including 0 and infinity
+    double above;                       ///< a dt just above it at which growth is detected soonest; 0: none
+    double time_scale;                  ///< of the vibration
+    std::uint64_t steps;                ///< of a run
+    std::uint64_t steps_beyond = 1024;  ///< of a run far beyond the limits of explicit methods
 
     /// The limit. 0: it grows at any dt; infinity: at none.
     double limit(const std::function<bool(const GrowthQuestion&)>& grows) const;

@@ -20,6 +20,10 @@ namespace {
 constexpr std::size_t most_frequencies = 64;
 /// Steps of a run: enough to detect growth just above the limit of theory, as far as the number of particles allows.
 constexpr double fewest_steps = 1024, most_particle_steps = 4e8;
+/// The work of a step beyond all limits, which solves equations, grows with the square of the particles or faster:
+/// beyond this number a run has as few steps as show a growth of 1 % a step.
+constexpr std::size_t many_particles = 100;
+constexpr std::uint64_t steps_of_many = 64, steps_of_few = 1024;
 /// If theory and measurement differ by more, the note says why.
 constexpr double agreement = 1e-3;
 
@@ -157,7 +161,11 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
     const std::uint64_t steps =
         steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count);
     limit.measured =
-        measured(run, {.expected = first.limit, .above = above.dt, .time_scale = run.time_scale(), .steps = steps});
+        measured(run, {.expected = first.limit,
+                       .above = above.dt,
+                       .time_scale = run.time_scale(),
+                       .steps = steps,
+                       .steps_beyond = scene_.reference.count > many_particles ? steps_of_many : steps_of_few});
     if (!agree(first.limit, *limit.measured))
         limit.note = disagreement(run, held.precision, first.limit, *limit.measured);
 }

@@ -116,5 +116,23 @@ TEST(LimitSearch, continues_where_only_the_first_question_is_answered) {
     EXPECT_EQ(limit, one_by_one(search, grows, alone));
 }
 
+// Growth of 0.3 % a step beyond all explicit limits is seen in 64 steps, and slower growth is not.
+TEST(LimitSearch, tries_methods_without_a_limit_with_the_steps_that_are_set) {
+    for (const double rate : {0.0, 0.001, 0.003, 0.01}) {
+        LimitSearch search{.expected = infinity, .above = 0, .time_scale = 1, .steps = 99, .steps_beyond = 64};
+        std::vector<double> tried;
+        const Grows grows = [&](const GrowthQuestion& question) {
+            if (question.steps != search.steps_beyond) return true;  // of the bisection after it
+            tried.push_back(question.dt);
+            const auto steps = static_cast<double>(question.steps);
+            return rate * (steps - 3 * steps / 8) > question.allowed;  // from the early to the late maximum of a run
+        };
+        const double limit = search.limit(grows);
+        EXPECT_EQ(limit < infinity, rate >= 0.003) << rate;
+        const std::vector<double> all{1, 3, 10, 100, 1000};
+        EXPECT_EQ(tried, limit == infinity ? all : std::vector<double>{1});
+    }
+}
+
 }  // namespace
 }  // namespace steplab::test
