@@ -228,6 +228,8 @@ void remember_view_choices(const std::string& path, const ViewChoices& opened, c
     std::error_code ignored;  // OutputFile names what is wrong
     const fs::path folder = fs::path(path).parent_path();
     if (!folder.empty()) fs::create_directories(folder, ignored);
+    if (remembered.problem)  // a person wrote that
+        fs::copy_file(path, path + ".unreadable", fs::copy_options::overwrite_existing, ignored);
     OutputFile file(path);
     file.write(text_of(remembered.choices));
     file.commit();

@@ -22,7 +22,7 @@ struct ReadViewChoices {
 ReadViewChoices read_view_choices(const std::string& path);
 
 /// Writes what differs from when the window was opened into the file, which another window may have written meanwhile;
-/// without a difference nothing. Throws FileError.
+/// without a difference nothing. What could not be used is kept as `PATH.unreadable`. Throws FileError.
 void remember_view_choices(const std::string& path, const ui::ViewChoices& opened, const ui::ViewChoices& now);
 
 }  // namespace steplab

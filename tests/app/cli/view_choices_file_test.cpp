@@ -101,14 +101,19 @@ TEST_F(ViewChoicesFile, values_that_cannot_be_used_are_named_and_the_others_hold
     }
 }
 
-TEST_F(ViewChoicesFile, a_broken_file_gives_the_usual_choices_and_is_replaced) {
+TEST_F(ViewChoicesFile, a_broken_file_gives_the_usual_choices_and_stays_beside_the_new_one) {
     std::filesystem::create_directory(folder.file("steplab"));
     const ReadViewChoices read = read_text("scale = 1.5\ngrid = = \n");
     ASSERT_TRUE(read.problem);
     EXPECT_NE(read.problem->find("line 2"), std::string::npos) << *read.problem;
     EXPECT_EQ(read.choices.scale, 1);
+    remember_view_choices(path, {}, {});
+    EXPECT_FALSE(std::filesystem::exists(path + ".unreadable")) << "nothing was chosen";
+    const std::string broken = text();
     remember_view_choices(path, {}, other_choices());
     EXPECT_FALSE(read_view_choices(path).problem);
+    std::filesystem::rename(path + ".unreadable", path);
+    EXPECT_EQ(text(), broken);
 }
 
 TEST_F(ViewChoicesFile, a_newer_file_stays_as_it_is) {
