@@ -179,6 +179,7 @@ void Viewer::take_gallery() {
     if (interface_.shows_scenes()) gallery_.begin(&Window::wake);
     auto gallery = gallery_.take();
     if (!gallery) return;
+    picture_.forget_panels();
     interface_.show_gallery(std::move(gallery->scenes));
     interface_.show_lessons(std::move(gallery->lessons));
     frames_wanted_ = std::max(frames_wanted_, 1);
