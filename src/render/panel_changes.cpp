@@ -29,6 +29,10 @@ std::uint64_t mixed_bytes(std::uint64_t number, const T& value) {
     return number;
 }
 
+double pixel(float at, float origin, float scale) {
+    return static_cast<double>(at - origin) * static_cast<double>(scale);
+}
+
 /// The parts of an area above, below and beside another one.
 void add_outside(std::vector<PictureArea>& areas, const PictureArea& area, const PictureArea& other) {
     const auto shared = shared_part(area, other);
@@ -76,31 +80,30 @@ void PanelChanges::add_list(const ImDrawList& list, const ImDrawData& data) {
 void PanelChanges::add_command(const ImDrawList& list, const ImDrawCmd& command, const ImDrawData& data) {
     const std::uint64_t begin = mixed_bytes(mixed_bytes(1, command.ClipRect), command.GetTexID());
     const ImVec4& clip = command.ClipRect;
-    const auto first_tile = [&](float at, float origin, float scale, int count) {
-        return clamped_floor((static_cast<double>(at - origin) * static_cast<double>(scale) - 1) / side, 0, count);
-    };
-    const auto last_tile = [&](float at, float origin, float scale, int count) {
-        return clamped_floor((static_cast<double>(at - origin) * static_cast<double>(scale) + 1) / side, -1, count - 1);
-    };
-    const auto [x0, y0] = data.DisplayPos;
-    const auto [x_scale, y_scale] = data.FramebufferScale;
+    const ImVec2 origin = data.DisplayPos, scale = data.FramebufferScale;
     const ImDrawIdx* const indices = list.IdxBuffer.Data + command.IdxOffset;
     const ImDrawVert* const vertices = list.VtxBuffer.Data + command.VtxOffset;
     for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
         const ImDrawVert &a = vertices[indices[i]], &b = vertices[indices[i + 1]], &c = vertices[indices[i + 2]];
-        const std::uint64_t triangle = mixed_bytes(mixed_bytes(mixed_bytes(begin, a), b), c);
-        const float left = std::max(clip.x, std::min({a.pos.x, b.pos.x, c.pos.x}));
-        const float top = std::max(clip.y, std::min({a.pos.y, b.pos.y, c.pos.y}));
-        const float right = std::min(clip.z, std::max({a.pos.x, b.pos.x, c.pos.x}));
-        const float bottom = std::min(clip.w, std::max({a.pos.y, b.pos.y, c.pos.y}));
+        const double left = pixel(std::max(clip.x, std::min({a.pos.x, b.pos.x, c.pos.x})), origin.x, scale.x);
+        const double top = pixel(std::max(clip.y, std::min({a.pos.y, b.pos.y, c.pos.y})), origin.y, scale.y);
+        const double right = pixel(std::min(clip.z, std::max({a.pos.x, b.pos.x, c.pos.x})), origin.x, scale.x);
+        const double bottom = pixel(std::min(clip.w, std::max({a.pos.y, b.pos.y, c.pos.y})), origin.y, scale.y);
         if (!(left <= right && top <= bottom)) continue;
-        const int last_column = last_tile(right, x0, x_scale, columns_),
-                  last_row = last_tile(bottom, y0, y_scale, rows_);
-        for (int row = first_tile(top, y0, y_scale, rows_); row <= last_row; ++row) {
-            for (int column = first_tile(left, x0, x_scale, columns_); column <= last_column; ++column) {
-                std::uint64_t& tile = now_[static_cast<std::size_t>(row * columns_ + column)];
-                tile = mixed(tile, triangle);
-            }
+        add({left, top}, {right, bottom}, mixed_bytes(mixed_bytes(mixed_bytes(begin, a), b), c));
+    }
+}
+
+/// To the tiles that a triangle may touch.
+void PanelChanges::add(PixelPoint low, PixelPoint high, std::uint64_t triangle) {
+    constexpr double margin = 1;
+    const auto first = [](double at, int count) { return clamped_floor((at - margin) / side, 0, count); };
+    const auto last = [](double at, int count) { return clamped_floor((at + margin) / side, -1, count - 1); };
+    const int last_column = last(high.x, columns_), last_row = last(high.y, rows_);
+    for (int row = first(low.y, rows_); row <= last_row; ++row) {
+        for (int column = first(low.x, columns_); column <= last_column; ++column) {
+            std::uint64_t& tile = now_[static_cast<std::size_t>(row * columns_ + column)];
+            tile = mixed(tile, triangle);
         }
     }
 }

@@ -27,6 +27,7 @@ private:
 
     void add_list(const ImDrawList& list, const ImDrawData& data);
     void add_command(const ImDrawList& list, const ImDrawCmd& command, const ImDrawData& data);
+    void add(PixelPoint low, PixelPoint high, std::uint64_t triangle);
     std::vector<PictureArea> changed_areas() const;
     PictureArea tile(int column, int row) const;
 
