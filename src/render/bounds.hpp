@@ -36,6 +36,7 @@ Bounds expected_bounds(const Shape& shape);
 struct AxesBox {
     Bounds bounds;
     double step = 1;  ///< of the ground grid, a nice number (core/ticks.hpp)
+    friend bool operator==(const AxesBox&, const AxesBox&) = default;
 };
 AxesBox axes_box(const Frame& frame);
 /// The same for a scene with these expected_bounds() and spacing of neighbours, whose particles are in the box `now`.

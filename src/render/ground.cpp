@@ -18,6 +18,12 @@ double Ground::reach(const AxesBox& box) {
     return 1.5 * std::max({size.x, size.z, 0.6 * size.y, 4 * box.step});
 }
 
+Bounds Ground::extent(const AxesBox& box) {
+    const double far = reach(box);
+    const Vec3 middle = box.bounds.centre();
+    return {{middle.x - far, box.bounds.low.y, middle.z - far}, {middle.x + far, box.bounds.low.y, middle.z + far}};
+}
+
 void Ground::draw_backdrop(const Palette& palette, const Tile& tile, PictureSize part) const {
     const double height = tile.whole.height;
     backdrop_.use();

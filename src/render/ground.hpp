@@ -16,10 +16,13 @@ public:
     void draw_grid(const AxesBox& box, const ViewUniforms& view, const Palette& palette, double pixel_scale) const;
     void draw_axes(const Axes& axes, const ViewUniforms& view, const Palette& palette, double pixel_scale);
 
+    /// The square of the grid.
+    static Bounds extent(const AxesBox& box);
+
+private:
     /// Half the side of the grid, from the centre of the box.
     static double reach(const AxesBox& box);
 
-private:
     ShaderProgram backdrop_, ground_;
     VertexArray no_vertices_;  ///< the shaders compute them
     Lines lines_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace steplab::render {
 namespace {
@@ -22,6 +23,20 @@ std::span<const T> items(const ImVector<T>& vector) {
 }
 
 int pixels(float units, float scale) { return static_cast<int>(std::lround(units * scale)); }
+
+PictureSize size_of(const ImDrawData& data) {
+    return {pixels(data.DisplaySize.x, data.FramebufferScale.x), pixels(data.DisplaySize.y, data.FramebufferScale.y)};
+}
+
+/// Where in an area of the picture a command draws.
+std::optional<PictureArea> seen_of(const ImDrawCmd& command, const ImDrawData& data, const PictureArea& area) {
+    const auto [x_scale, y_scale] = data.FramebufferScale;
+    const int left = pixels(command.ClipRect.x - data.DisplayPos.x, x_scale);
+    const int top = pixels(command.ClipRect.y - data.DisplayPos.y, y_scale);
+    const int right = pixels(command.ClipRect.z - data.DisplayPos.x, x_scale);
+    const int bottom = pixels(command.ClipRect.w - data.DisplayPos.y, y_scale);
+    return shared_part(area, {left, top, {right - left, bottom - top}});
+}
 
 }  // namespace
 
@@ -45,16 +60,21 @@ void ImguiRenderer::upload_fonts(ImFontAtlas& fonts) {
 }
 
 void ImguiRenderer::draw(const ImDrawData& data) const {
+    const PictureArea all{0, 0, size_of(data)};
+    draw(data, std::span(&all, 1));
+}
+
+void ImguiRenderer::draw(const ImDrawData& data, std::span<const PictureArea> areas) const {
     if (data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
     set_up(data);
-    for (int i = 0; i < data.CmdListsCount; ++i) draw_list(*data.CmdLists[i], data);
+    for (int i = 0; i < data.CmdListsCount; ++i) draw_list(*data.CmdLists[i], data, areas);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
 }
 
 void ImguiRenderer::set_up(const ImDrawData& data) const {
-    glViewport(0, 0, pixels(data.DisplaySize.x, data.FramebufferScale.x),
-               pixels(data.DisplaySize.y, data.FramebufferScale.y));
+    const PictureSize size = size_of(data);
+    glViewport(0, 0, size.width, size.height);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -69,7 +89,14 @@ void ImguiRenderer::set_up(const ImDrawData& data) const {
     glBindVertexArray(vertex_array_.id());
 }
 
-void ImguiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data) const {
+void ImguiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data,
+                              std::span<const PictureArea> areas) const {
+    const bool seen = std::any_of(list.CmdBuffer.begin(), list.CmdBuffer.end(), [&](const ImDrawCmd& command) {
+        return command.UserCallback || std::any_of(areas.begin(), areas.end(), [&](const PictureArea& area) {
+                   return seen_of(command, data, area).has_value();
+               });
+    });
+    if (!seen) return;
     upload(vertices_, GL_ARRAY_BUFFER, items(list.VtxBuffer));
     upload(indices_, GL_ELEMENT_ARRAY_BUFFER, items(list.IdxBuffer));
     for (const ImDrawCmd& command : list.CmdBuffer) {
@@ -78,21 +105,15 @@ void ImguiRenderer::draw_list(const ImDrawList& list, const ImDrawData& data) co
         } else if (command.UserCallback) {
             command.UserCallback(&list, &command);
         } else {
-            draw_command(command, data);
+            for (const PictureArea& area : areas) {
+                if (const auto part = seen_of(command, data, area)) draw_command(command, *part, size_of(data).height);
+            }
         }
     }
 }
 
-void ImguiRenderer::draw_command(const ImDrawCmd& command, const ImDrawData& data) const {
-    const ImVec2 scale = data.FramebufferScale;
-    const int width = pixels(data.DisplaySize.x, scale.x);
-    const int height = pixels(data.DisplaySize.y, scale.y);
-    const int left = std::max(0, pixels(command.ClipRect.x - data.DisplayPos.x, scale.x));
-    const int top = std::max(0, pixels(command.ClipRect.y - data.DisplayPos.y, scale.y));
-    const int right = std::min(width, pixels(command.ClipRect.z - data.DisplayPos.x, scale.x));
-    const int bottom = std::min(height, pixels(command.ClipRect.w - data.DisplayPos.y, scale.y));
-    if (right <= left || bottom <= top) return;
-    glScissor(left, height - bottom, right - left, bottom - top);
+void ImguiRenderer::draw_command(const ImDrawCmd& command, const PictureArea& seen, int height) {
+    glScissor(seen.left, height - seen.top - seen.size.height, seen.size.width, seen.size.height);
     glBindTexture(GL_TEXTURE_2D, texture_name(command.GetTexID()));
     constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
     const void* first = byte_offset(command.IdxOffset * sizeof(ImDrawIdx));

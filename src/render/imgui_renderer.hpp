@@ -2,6 +2,9 @@
 
 #include "render/picture_texture.hpp"
 #include "render/shader_program.hpp"
+#include "render/split.hpp"
+
+#include <span>
 
 struct ImDrawCmd;
 struct ImDrawData;
@@ -21,11 +24,13 @@ public:
     /// Draws over a picture with its top left corner at data.DisplayPos, of data.DisplaySize units with
     /// data.FramebufferScale pixels each. Supports vertex offsets: set ImGuiBackendFlags_RendererHasVtxOffset.
     void draw(const ImDrawData& data) const;
+    /// The same in parts of the picture alone, which share no pixel.
+    void draw(const ImDrawData& data, std::span<const PictureArea> areas) const;
 
 private:
     void set_up(const ImDrawData& data) const;
-    void draw_list(const ImDrawList& list, const ImDrawData& data) const;
-    void draw_command(const ImDrawCmd& command, const ImDrawData& data) const;
+    void draw_list(const ImDrawList& list, const ImDrawData& data, std::span<const PictureArea> areas) const;
+    static void draw_command(const ImDrawCmd& command, const PictureArea& seen, int height);
 
     ShaderProgram program_;
     VertexArray vertex_array_;

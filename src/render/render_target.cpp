@@ -69,12 +69,18 @@ void RenderTarget::bind() const {
     glViewport(0, 0, size_.width, size_.height);
 }
 
-void RenderTarget::resolve() const {
+void RenderTarget::bind_picture() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, size_.width, size_.height);
+}
+
+void RenderTarget::resolve(const PictureArea& area) const {
     glDisable(GL_SCISSOR_TEST);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
-    const auto [width, height] = size_;
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const int left = area.left, right = left + area.size.width;
+    const int top = size_.height - area.top, bottom = top - area.size.height;
+    glBlitFramebuffer(left, bottom, right, top, left, bottom, right, top, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
 }
 

@@ -3,6 +3,7 @@
 #include "render/camera.hpp"
 #include "render/gl_objects.hpp"
 #include "render/picture_texture.hpp"
+#include "render/split.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -21,8 +22,12 @@ public:
 
     /// Binds the multisampled framebuffer with a viewport of its full size.
     void bind() const;
-    /// Averages the samples into texture() and binds that, for drawing without multisampling (text).
-    void resolve() const;
+    /// Binds texture() with a viewport of its full size, for drawing without multisampling.
+    void bind_picture() const;
+    /// Averages the samples into texture() and binds that.
+    void resolve() const { resolve({0, 0, size_}); }
+    /// The same of a part of the picture alone.
+    void resolve(const PictureArea& area) const;
     /// The framebuffer of texture(), which is the finished picture, bottom row first.
     GLuint framebuffer() const { return framebuffer_.id(); }
     GLuint texture() const { return texture_.name(); }

@@ -10,9 +10,11 @@
 #include "render/particle_blocks.hpp"
 #include "render/particles.hpp"
 #include "render/run_labels.hpp"
+#include "render/seen_area.hpp"
 #include "render/shot.hpp"
 #include "render/split.hpp"
 #include "render/springs.hpp"
+#include "render/underlay.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,12 +38,11 @@ Bounds drawn_bounds(Bounds positions, const std::optional<Bounds>& ensemble, dou
     if (ensemble) positions = joined(positions, *ensemble);
     const Bounds bodies = joined(widened(positions, margin), box.bounds);
     if (!grid) return bodies;
-    const double reach = Ground::reach(box);
-    const Vec3 middle = box.bounds.centre();
-    const Bounds ground{{middle.x - reach, box.bounds.low.y, middle.z - reach},
-                        {middle.x + reach, box.bounds.low.y, middle.z + reach}};
-    return joined(bodies, ground);
+    return joined(bodies, Ground::extent(box));
 }
+
+/// Seen from above, the grid is below everything.
+bool is_above(const AxesBox& box, const Projection& projection) { return projection.eye().y > box.bounds.low.y; }
 
 /// A run's part of the picture.
 struct Place {
@@ -57,6 +58,24 @@ std::optional<Place> place_of(const PictureArea& area, const Tile& tile, Picture
     return Place{{area.size, part->left - area.left, part->top - area.top},
                  part->size,
                  {part->left - tile.left, part->top - tile.top, part->size}};
+}
+
+/// A part of a run's own picture in the target.
+std::optional<PictureArea> in_target(const PictureArea& area, const Place& place) {
+    const auto& [tile, part, port] = place;
+    const auto shown = shared_part(area, {tile.left, tile.top, part});
+    if (!shown) return std::nullopt;
+    return PictureArea{shown->left - tile.left + port.left, shown->top - tile.top + port.top, shown->size};
+}
+
+/// Limits drawing to a part of the target.
+void scissor(const PictureArea& area, const RenderTarget& target) {
+    glScissor(area.left, target.size().height - area.top - area.size.height, area.size.width, area.size.height);
+    glEnable(GL_SCISSOR_TEST);
+}
+
+void set_viewport(const PictureArea& port, const RenderTarget& target) {
+    glViewport(port.left, target.size().height - port.top - port.size.height, port.size.width, port.size.height);
 }
 
 /// What is drawn over the finished scene of a run.
@@ -86,6 +105,7 @@ Style with_common_scale(Style style, ShownRuns runs) {
 
 struct SceneRenderer::Body {
     Ground ground;
+    Underlay underlay;
     Springs springs;
     Particles particles;
     EnsembleDots ensemble;
@@ -96,12 +116,16 @@ struct SceneRenderer::Body {
     std::optional<Ghosts> ghosts;                                  ///< made when first needed
     std::array<std::optional<KnownShape>, most_shown_runs> known;  ///< of each run's last frame
 
-    void begin(const RenderTarget& target) const;
+    static void begin();
     std::vector<Flat> draw_split(ShownRuns runs, const Style& style, const Camera& camera, const Tile& tile,
                                  const RenderTarget& target);
     Flat draw_run(std::size_t run, const Frame& frame, ShownRuns beside, const Style& style, const Camera& camera,
                   const Place& place, const RenderTarget& target);
     Bounds bodies(const Style& style, bool with_ghosts) const;
+    void draw_underlay(std::size_t run, const Style& style, const AxesBox& box, const Projection& projection,
+                       const Place& place, const RenderTarget& target);
+    std::optional<PictureArea> sampled_area(const Shot& shot, const AxesBox& box, const Axes& axes, const Bounds& all,
+                                            bool with_ghosts) const;
     void draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
                     const RenderTarget& target, bool with_ghosts);
     void draw_grid(const Style& style, const AxesBox& box, const ViewUniforms& view);
@@ -109,21 +133,22 @@ struct SceneRenderer::Body {
     void draw_borders(const Style& style, const Tile& tile, std::size_t runs, PictureSize part);
 };
 
-void SceneRenderer::Body::begin(const RenderTarget& target) const {
-    target.bind();
+void SceneRenderer::Body::begin() {
     glEnable(GL_MULTISAMPLE);
     glDisable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
-    glClear(GL_DEPTH_BUFFER_BIT);
 }
 
 std::vector<Flat> SceneRenderer::Body::draw_split(ShownRuns runs, const Style& given, const Camera& camera,
                                                   const Tile& tile, const RenderTarget& target) {
     const Style style = with_common_scale(given, runs);
+    target.bind();
     ground.draw_backdrop(palette(style.background), tile, target.size());
+    target.resolve();
     const auto areas = split_areas(tile.whole, runs.size());
     // The legend is that of all runs: it is drawn once, at the upper right.
     const std::size_t in_corner = areas[1].top == 0 ? 1 : 0;
@@ -131,11 +156,6 @@ std::vector<Flat> SceneRenderer::Body::draw_split(ShownRuns runs, const Style& g
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const auto place = place_of(areas[i], tile, target.size());
         if (!place) continue;
-        const auto& [left, top, size] = place->port;
-        const int bottom = target.size().height - top - size.height;
-        glViewport(left, bottom, size.width, size.height);
-        glScissor(left, bottom, size.width, size.height);
-        glEnable(GL_SCISSOR_TEST);  // points and lines reach beyond the viewport
         flats.push_back(draw_run(i, *runs[i].frame, {}, style, camera, *place, target));
         flats.back().lines = {line_of_run(runs[i], i)};
         flats.back().layout = RunLayout::split;
@@ -166,12 +186,54 @@ Flat SceneRenderer::Body::draw_run(std::size_t run, const Frame& frame, ShownRun
     if (!beside.empty() && !ghosts) ghosts.emplace();
     if (!beside.empty()) ghosts->prepare(shot, beside, flat.taken);
     const double reach = known[run]->largest_radius(Role::bullet) + (arrows.empty() ? 0 : 2 * frame.shape->spacing);
-    const ViewUniforms view(projection,
-                            drawn_bounds(bodies(style, !beside.empty()), ensemble.bounds(), reach, box, style.grid),
-                            tile, part, palette(style.background));
-    ground.draw_backdrop(palette(style.background), tile, part);
-    draw_space(style, box, flat.axes, view, target, !beside.empty());
+    const Bounds all = bodies(style, !beside.empty());
+    const ViewUniforms view(projection, drawn_bounds(all, ensemble.bounds(), reach, box, style.grid), tile, part,
+                            palette(style.background));
+    draw_underlay(run, style, box, projection, place, target);
+    const auto sampled = sampled_area(shot, box, flat.axes, all, !beside.empty());
+    if (const auto area = sampled ? in_target(*sampled, place) : std::nullopt) {
+        target.bind();
+        set_viewport(port, target);
+        scissor(*area, target);  // points and lines reach beyond the viewport
+        glClear(GL_DEPTH_BUFFER_BIT);
+        underlay.draw_into_samples(target);
+        draw_space(style, box, flat.axes, view, target, !beside.empty());
+        target.resolve(*area);
+    }
     return flat;
+}
+
+/// The backdrop, and the grid where it is below everything.
+void SceneRenderer::Body::draw_underlay(std::size_t run, const Style& style, const AxesBox& box,
+                                        const Projection& projection, const Place& place, const RenderTarget& target) {
+    const auto& [tile, part, port] = place;
+    const bool grid = style.grid && is_above(box, projection);
+    const Underlay::Look look{
+        projection.camera(), tile, port, style.background, grid ? std::optional(box) : std::nullopt, style.pixel_scale};
+    glDisable(GL_SCISSOR_TEST);
+    if (underlay.repeat(run, look, target)) return;
+    target.bind();
+    set_viewport(port, target);
+    ground.draw_backdrop(palette(style.background), tile, part);
+    if (grid) draw_grid(style, box, {projection, Ground::extent(box), tile, part, palette(style.background)});
+    target.resolve(port);
+    underlay.keep(run, look, target);
+}
+
+/// The part of the run's own picture where pixels may have several colours: around all that is drawn but the underlay.
+std::optional<PictureArea> SceneRenderer::Body::sampled_area(const Shot& shot, const AxesBox& box, const Axes& axes,
+                                                             const Bounds& all, bool with_ghosts) const {
+    const Projection& projection = shot.projection;
+    const Shape& shape = *shot.known.shape;
+    const PictureArea whole{0, 0, projection.size()};
+    const bool grid_above = shot.style.grid && !is_above(box, projection);
+    const bool leaves_box = shape.is_periodic() && (shot.style.springs || with_ghosts);  // to the nearest images
+    if (grid_above || leaves_box) return whole;
+    // rings are the widest around a particle
+    const double reach = 2.1 * shot.known.largest_radius(Role::bullet) + (arrows.empty() ? 0 : 2 * shape.spacing);
+    Bounds bounds = drawn_bounds(all, ensemble.bounds(), reach, box, false);
+    for (const AxisLine& line : axes.lines) bounds = joined(bounds, bounds_of(std::array{line.start, line.end}));
+    return seen_area(bounds, projection, 8 + 10 * shot.style.pixel_scale);
 }
 
 /// The box around particles, trails and ghosts.
@@ -187,10 +249,6 @@ Bounds SceneRenderer::Body::bodies(const Style& style, bool with_ghosts) const {
 void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, const Axes& axes, const ViewUniforms& view,
                                      const RenderTarget& target, bool with_ghosts) {
     const Palette& colours = palette(style.background);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    // The grid is below everything: seen from above, it is behind everything.
-    const bool from_above = view.projection().eye().y > box.bounds.low.y;
-    if (style.grid && from_above) draw_grid(style, box, view);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     if (style.springs) springs.draw(view, style.pixel_scale);
@@ -199,7 +257,7 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     lines.draw(trail, view, 1.5 * style.pixel_scale);
     if (with_ghosts) ghosts->draw_lines(view, style);
     if (style.grid) ground.draw_axes(axes, view, colours, style.pixel_scale);
-    if (style.grid && !from_above) draw_grid(style, box, view);
+    if (style.grid && !is_above(box, view.projection())) draw_grid(style, box, view);
     glEnable(GL_BLEND);
     glDepthMask(GL_FALSE);
     ensemble.draw(view, style.pixel_scale);
@@ -265,7 +323,7 @@ void SceneRenderer::draw(ShownRuns runs, const Style& style, const Camera& camer
     runs = runs.first(std::min(runs.size(), most_shown_runs));
     const Tile tile = part.value_or(Tile{target.size()});
     const bool split = style.layout == RunLayout::split && runs.size() > 1;
-    body_->begin(target);
+    SceneRenderer::Body::begin();
     std::vector<Flat> flats;
     if (split) {
         flats = body_->draw_split(runs, style, camera, tile, target);
@@ -275,7 +333,8 @@ void SceneRenderer::draw(ShownRuns runs, const Style& style, const Camera& camer
         if (runs.size() > 1) flats[0].lines = lines_of_ghosts(runs, style);
         flats[0].tile = tile;
     }
-    target.resolve();
+    glDisable(GL_SCISSOR_TEST);
+    target.bind_picture();
     for (const Flat& flat : flats) body_->draw_flat(style, flat, target.size());
     if (split) body_->draw_borders(style, tile, runs.size(), target.size());
 }

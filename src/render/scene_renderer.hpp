@@ -16,6 +16,7 @@ struct Tile {
     PictureSize whole;
     int left = 0;
     int top = 0;
+    friend bool operator==(const Tile&, const Tile&) = default;
 };
 
 /// Draws frames: particles, springs, ground grid, axes with numbers, legend. It belongs to the context that was current

@@ -120,6 +120,7 @@ void Viewer::take_news() {
     take_gallery();
     take_film_news();
     if (painter_.take(painted_)) {
+        counted_.took_picture();
         measured_.frame_seconds = painted_.seconds;
         coarseness_.took(painted_.enlarged, painted_.seconds);
         if (std::exchange(was_moved_, false) && painted_.enlarged > 1) moved_ = Clock::now();  // for the next movement
@@ -178,6 +179,7 @@ void Viewer::take_gallery() {
     if (interface_.shows_scenes()) gallery_.begin(&Window::wake);
     auto gallery = gallery_.take();
     if (!gallery) return;
+    picture_.forget_panels();
     interface_.show_gallery(std::move(gallery->scenes));
     interface_.show_lessons(std::move(gallery->lessons));
     frames_wanted_ = std::max(frames_wanted_, 1);
@@ -210,6 +212,7 @@ void Viewer::draw_frame() {
     take_film_frame();
     for (const ui::Request& request : interface_.take_requests()) carry_out(request);
     window_.show_picture();
+    counted_.drew_frame();
     const double still = interface_.seconds_until_change();
     if (still <= 0) frames_wanted_ = frames_after_input;
     change_ = still < 1e6 ? now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(still))
@@ -269,6 +272,7 @@ void Viewer::report() {
     trace_.report("focus", interface_.focused());
     trace_.report("scale", number_text(interface_.choices(style_).scale));
     trace_.report(interface_.widgets(), frames_wanted_ == 0 && (interface_.shows_scenes() || painted_.view == view_));
+    if (const auto drawn = counted_.news(Clock::now())) trace_.report("drawn", *drawn);
     if (painted_.view) trace_.report("pictured", std::to_string(painted_.view->leading.frame.step));
 }
 

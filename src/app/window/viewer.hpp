@@ -3,6 +3,7 @@
 #include "app/cli/view_options.hpp"
 #include "app/film/film_recorder.hpp"
 #include "app/window/caption_strip.hpp"
+#include "app/window/frame_count.hpp"
 #include "app/window/gallery_loader.hpp"
 #include "app/window/painter.hpp"
 #include "app/window/scene_files.hpp"
@@ -83,6 +84,7 @@ private:
     Painted painted_;
     ScenePainter painter_;
     Trace trace_;
+    FrameCount counted_;
     GalleryLoader gallery_;
     SceneFiles files_;
     SceneOrigin watched_;  ///< the scene whose file is watched

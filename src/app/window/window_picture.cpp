@@ -4,6 +4,9 @@
 
 #include <imgui.h>
 
+#include <span>
+#include <vector>
+
 namespace steplab {
 namespace {
 
@@ -11,15 +14,52 @@ render::PictureSize size_of(const ImDrawData& panels) {
     return {static_cast<int>(panels.DisplaySize.x), static_cast<int>(panels.DisplaySize.y)};
 }
 
+/// What panels cover, in the bound framebuffer.
+void clear(std::span<const render::PictureArea> areas, int height) {
+    glClearColor(0, 0, 0, 1);
+    glEnable(GL_SCISSOR_TEST);
+    for (const auto& [left, top, size] : areas) {
+        glScissor(left, height - top - size.height, size.width, size.height);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
 }  // namespace
 
-void WindowPicture::draw(const render::PictureTexture& scene, const ui::PixelRect& area,
-                         const ImDrawData& panels) const {
+void WindowPicture::upload_fonts(ImFontAtlas& fonts) {
+    panels_.upload_fonts(fonts);
+    changes_.forget();
+}
+
+void WindowPicture::draw(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels) {
     const render::PictureSize size = size_of(panels);
+    if (kept_.size() != size) {
+        kept_.reserve(size);
+        glBindFramebuffer(GL_FRAMEBUFFER, kept_framebuffer_.id());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, kept_.name(), 0);
+        changes_.forget();
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, kept_framebuffer_.id());
+    const bool has_scene = scene.size().width > 0;
+    if (!has_scene) changes_.forget();
+    const render::PictureArea covered{area.x, area.y, {area.width, area.height}};
+    std::vector<render::PictureArea> areas =
+        changes_.take(panels, has_scene ? covered : render::PictureArea{0, 0, {0, 0}});
+    clear(areas, size.height);
+    if (has_scene) {
+        copy_scene(scene, area, size.height, kept_framebuffer_.id());
+        areas.push_back(covered);
+    }
+    panels_.draw(panels, areas);
+    show(size);
+}
+
+void WindowPicture::show(render::PictureSize size) const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, kept_framebuffer_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, size.width, size.height);
-    copy_scene(scene, area, size.height, 0);
-    panels_.draw(panels);
 }
 
 /// A copy of pixels, which needs no blending: as part of the panels the scene would cost as much as all of them.

@@ -4,6 +4,7 @@
 #include "app/window/caption_strip.hpp"
 #include "render/gl_objects.hpp"
 #include "render/imgui_renderer.hpp"
+#include "render/panel_changes.hpp"
 #include "render/picture_texture.hpp"
 #include "ui/display.hpp"
 
@@ -12,13 +13,16 @@ struct ImFontAtlas;
 
 namespace steplab {
 
-/// What the window shows: the picture of the scene and the panels over it.
+/// What the window shows: the picture of the scene and the panels over it. Of the panels it keeps a picture, in which
+/// only what has changed is drawn again.
 class WindowPicture {
 public:
     /// To be called when the fonts of the interface were built again.
-    void upload_fonts(ImFontAtlas& fonts) { panels_.upload_fonts(fonts); }
+    void upload_fonts(ImFontAtlas& fonts);
+    /// To be called when another texture of the panels has other content.
+    void forget_panels() { changes_.forget(); }
     /// Draws it in the window. The scene is stretched to its area where its picture has another size.
-    void draw(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels) const;
+    void draw(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels);
     /// What a picture shows.
     struct Shot {
         const render::PictureTexture& scene;
@@ -32,11 +36,15 @@ public:
     Picture read(const Shot& shot) const;
 
 private:
+    void show(render::PictureSize size) const;
     /// Copies the scene into the framebuffer of this name.
     void copy_scene(const render::PictureTexture& scene, const ui::PixelRect& area, int height, GLuint to) const;
 
     render::ImguiRenderer panels_;
     render::Framebuffer scene_;
+    render::PanelChanges changes_;
+    render::PictureTexture kept_;
+    render::Framebuffer kept_framebuffer_;
 };
 
 }  // namespace steplab
