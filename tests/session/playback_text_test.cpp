@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,8 +76,12 @@ TEST(Playback, of_text_with_steps_alone_has_their_times_from_the_first_frame_on)
 TEST(Playback, of_damaged_text_shows_the_frames_before_and_says_why) {
     const Kept file("1\n\nH 1 2 3\n1\n\nH 2 3 4\n1\n\nH 3 x 5\n");
     Playback playback(file.name());
-    EXPECT_EQ(playback.frames(), 2u);
-    EXPECT_THAT(view_of(playback).playback->fault, HasSubstr("x"));
+    EXPECT_EQ(playback.frames(), 3u);
+    go_to(playback, 1);
+    EXPECT_THROW(go_to(playback, 2), FileError);
+    EXPECT_EQ(playback.frame().positions.front(), (Vec3{2, 3, 4})) << "it stays where it is";
+    const Kept broken("1\n\nH 1 2 3\n1\n\nH 2 3 4\nx\n\nH 3 4 5\n");
+    EXPECT_THAT(view_of(*std::make_unique<Playback>(broken.name())).playback->fault, HasSubstr("line 7: \"x\""));
     const Kept uneven("1\n\nH 1 2 3\n2\n\nH 2 3 4\nH 3 4 5\n");
     Playback first(uneven.name());
     EXPECT_THAT(view_of(first).playback->fault, HasSubstr("has 2 rows"));
