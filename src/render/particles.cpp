@@ -74,7 +74,7 @@ void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& tak
 }
 
 void Particles::colour_moving(const Shot& shot) {
-    if (!differs_by_particle(shot.style, *shot.known.shape) && shot.known.parts.empty()) {
+    if (!differs_by_particle(shot.frame, shot.style) && shot.known.parts.empty()) {
         return moving_.colour(vertex_colour(role_colour(shot.style, Role::moving)));
     }
     colours_.resize(shot.frame.positions.size());

@@ -153,8 +153,9 @@ Flat SceneRenderer::Body::draw_run(std::size_t run, const Frame& frame, ShownRun
     const Projection& projection = flat.projection;
     if (!known[run] || known[run]->shape != frame.shape) known[run].emplace(frame.shape);
     blocks.place(frame, projection);
-    const AxesBox box = axes_box(known[run]->expected, frame.shape->spacing, blocks.bounds());
+    const AxesBox box = axes_box(known[run]->expected, frame.shape->spacing, with_cell(blocks.bounds(), frame));
     if (style.grid) flat.axes = axes_of(box, projection, style.pixel_scale);
+    if (style.grid && frame.cell) add_cell_edges(flat.axes, *frame.cell);
     if (style.grid) add_box_edges(flat.axes, *frame.shape, blocks.bounds());
     mark_cross(flat.taken, tile.whole, style.pixel_scale);
     const Shot shot{frame, *known[run], style, flat.scale, projection, tile, part};

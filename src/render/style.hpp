@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,8 @@ using Trails = std::vector<std::vector<Vec3>>;
 /// Options of drawing a scene.
 struct Style {
     Colouring colouring = Colouring::role;
+    /// Name of a column of ParticleValues: particles are coloured by it, not by `colouring`, in frames that have it.
+    std::string column = {};
     Background background = Background::dark;
     bool springs = true;
     bool grid = true;                          ///< ground grid, axes with their numbers, and the small xyz cross

@@ -3,6 +3,7 @@
 #include "app/window/priority.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "render/colouring.hpp"
 #include "render/framing.hpp"
 #include "render/gl.hpp"
 #include "session/session_file.hpp"
@@ -267,6 +268,7 @@ void Viewer::report() {
     trace_.report(camera_);
     trace_.report("lesson", interface_.lesson().empty() ? "none" : interface_.lesson());
     trace_.report("focus", interface_.focused());
+    trace_.report("colour", render::colour_word(style_));
     trace_.report("scale", number_text(interface_.choices(style_).scale));
     trace_.report(interface_.widgets(), frames_wanted_ == 0 && (interface_.shows_scenes() || painted_.view == view_));
     if (painted_.view) trace_.report("pictured", std::to_string(painted_.view->leading.frame.step));
