@@ -108,8 +108,9 @@ const ParticleValues* shown_column(const Frame& frame, const Style& style) {
     return found == frame.values->end() ? nullptr : &*found;
 }
 
-std::string colour_word(const Style& style) {
-    return style.column.empty() ? std::string(id(style.colouring)) : std::string(column_prefix) + style.column;
+std::string colour_word(const Frame& frame, const Style& style) {
+    const bool by_column = shown_column(frame, style) != nullptr;
+    return by_column ? std::string(column_prefix) + style.column : std::string(id(style.colouring));
 }
 
 std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style) {

@@ -34,9 +34,9 @@ std::string title(const ColourScale& scale);
 /// The column by which the particles of a frame are coloured; null: by the colouring of the style.
 const ParticleValues* shown_column(const Frame& frame, const Style& style);
 
-/// What --colour says of a style: "speed", "column:c_pe".
+/// What --colour says of how a frame is coloured: "speed", "column:c_pe".
 inline constexpr std::string_view column_prefix = "column:";
-std::string colour_word(const Style& style);
+std::string colour_word(const Frame& frame, const Style& style);
 
 /// True if particles are coloured by a value, not by their role.
 constexpr bool shows_values(Colouring colouring) {

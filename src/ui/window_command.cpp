@@ -53,7 +53,7 @@ void add_picture(CommandLine& line, const Context& context) {
     const bool usual = camera == home_camera(context);
     const std::string view = usual ? std::string(said(&SceneDefaults::camera, "default")) : render::view_text(camera);
     line.add_unless(usual && frame.step == 0, "--view", view);
-    const std::string colour = render::colour_word(style);
+    const std::string colour = render::colour_word(frame, style);
     const std::string_view background = id(style.background);
     line.add_unless(colour == said(&SceneDefaults::colour, id(render::Style{}.colouring)), "--colour",
                     shell_word(colour));

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,6 +72,18 @@ TEST(Playback, of_text_with_steps_alone_has_their_times_from_the_first_frame_on)
         playback.handle(event::Step{1});
     }
     EXPECT_EQ(playback.frames(), 3u);
+}
+
+TEST(Playback, of_text_leaves_nothing_in_the_view_of_a_run) {
+    const Kept file("1\nLattice=\"4 0 0 1 4 0 0 0 4\" Properties=species:S:1:pos:R:3:charge:R:1\nH 1 2 3 0.5\n");
+    Playback playback(file.name());
+    SessionView view = view_of(playback);
+    ASSERT_TRUE(view.leading.frame.values && view.leading.frame.cell);
+    EXPECT_EQ(view.leading.frame.values->front(), (ParticleValues{"charge", {0.5}}));
+    EXPECT_EQ(played_start(file.name()).columns, std::vector<std::string>{"charge"});
+    observe(Simulation(chain()), std::nullopt, view.leading);
+    EXPECT_EQ(view.leading.frame.values, nullptr);
+    EXPECT_FALSE(view.leading.frame.cell);
 }
 
 TEST(Playback, of_damaged_text_shows_the_frames_before_and_says_why) {

@@ -268,7 +268,7 @@ void Viewer::report() {
     trace_.report(camera_);
     trace_.report("lesson", interface_.lesson().empty() ? "none" : interface_.lesson());
     trace_.report("focus", interface_.focused());
-    trace_.report("colour", render::colour_word(style_));
+    trace_.report("colour", render::colour_word(view_->leading.frame, style_));
     trace_.report("scale", number_text(interface_.choices(style_).scale));
     trace_.report(interface_.widgets(), frames_wanted_ == 0 && (interface_.shows_scenes() || painted_.view == view_));
     if (painted_.view) trace_.report("pictured", std::to_string(painted_.view->leading.frame.step));

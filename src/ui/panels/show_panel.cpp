@@ -42,8 +42,8 @@ struct ColumnItems {
             items.push_back({.id = ids[i], .name = names[i], .tooltip = "a column of the file", .group = "columns"});
     }
     /// The number of the one that is shown among all items, of which so many come before these.
-    std::size_t chosen(const render::Style& style, std::size_t before) const {
-        const auto found = std::find(ids.begin(), ids.end(), render::colour_word(style));
+    std::size_t chosen(const Frame& frame, const render::Style& style, std::size_t before) const {
+        const auto found = std::find(ids.begin(), ids.end(), render::colour_word(frame, style));
         return found == ids.end() ? static_cast<std::size_t>(style.colouring)
                                   : before + static_cast<std::size_t>(found - ids.begin());
     }
@@ -58,7 +58,7 @@ void draw_colouring(const Context& context, render::Style& style) {
     const std::size_t quantities = items.size();
     const ColumnItems columns(context.view.frame);
     columns.append_to(items);
-    std::size_t chosen = columns.chosen(style, quantities);
+    std::size_t chosen = columns.chosen(context.view.frame, style, quantities);
     if (!combo(context, "colouring", items, chosen, places.right - places.control)) return;
     const bool is_column = chosen >= quantities;
     style.column = is_column ? (*context.view.frame.values)[chosen - quantities].name : "";
