@@ -3,6 +3,8 @@
 #include "core/number_text.hpp"
 #include "core/ticks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,6 +84,13 @@ void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& p
                           centre.y + letter * y + 8 * pixel_scale * near_eye - size.y / 2},
                          arm.name, arm.colour, palette.bottom);
     }
+}
+
+void sketch_share(Sketch& sketch, std::size_t one_of, PictureSize size, const Palette& palette, double pixel_scale) {
+    const std::string text = fmt::format("1 of {} distant particles drawn", one_of);
+    const PixelPoint extent = sketch.text_size(text);
+    const PixelPoint place{size.width - 28 * pixel_scale - extent.x, size.height - 24 * pixel_scale - extent.y};
+    sketch.text_over(place, text, palette.text, backdrop_at(palette, 1 - place.y / size.height));
 }
 
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,

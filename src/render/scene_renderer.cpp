@@ -69,6 +69,7 @@ struct Flat {
     RunLayout layout = RunLayout::ghosts;
     Tile tile = {};  ///< of the run's own picture, as if the whole target showed it
     bool legend = true;
+    std::size_t one_of = 1;  ///< see Particles::one_of()
 };
 
 /// The style with one colour scale for all runs: where none is given, that of the run with the largest value.
@@ -161,6 +162,7 @@ Flat SceneRenderer::Body::draw_run(std::size_t run, const Frame& frame, ShownRun
     const Shot shot{frame, *known[run], style, flat.scale, projection, tile, part};
     if (style.springs) springs.prepare(shot, blocks);
     particles.prepare(shot, blocks, flat.taken);
+    flat.one_of = particles.one_of();
     ensemble.prepare(shot);
     arrows = motion_arrows(shot);
     trail = trail_lines(shot);
@@ -233,6 +235,7 @@ void SceneRenderer::Body::draw_flat(const Style& style, const Flat& flat, Pictur
     const bool above = texts.top < size.height / 2;
     if (in_full && style.legend && flat.legend && flat.scale)
         sketch_legend(sketch, *flat.scale, size, colours, style.pixel_scale, above ? texts.size.height : 0);
+    if (in_full && flat.one_of > 1) sketch_share(sketch, flat.one_of, size, colours, style.pixel_scale);
     sketch.finish(flat.tile, part);
 }
 

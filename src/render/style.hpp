@@ -51,6 +51,8 @@ struct Style {
     /// Factor by which ghosts are farther from the particles of the leading run than their runs say.
     double magnify = 1;
     double pixel_scale = 1;  ///< pixels per unit of the layout: scales text and lines
+    /// Of particles that are but dots, a fair sample of about so many is drawn; 0: all of them.
+    std::size_t most_dots = 0;
     /// The picture is shown so many times as wide as it is drawn. As many particles as pixels are left out of those
     /// that are but dots.
     int enlarged = 1;

@@ -22,6 +22,8 @@ constexpr std::chrono::duration<double> frame_time{1.0 / 60};
 constexpr int frames_after_input = 3;
 // Interpolated pictures between two steps are drawn only if a picture takes less than this.
 constexpr double slow_picture = 0.05;
+// More would take seconds where the processor draws; the picture says what it leaves out.
+constexpr std::size_t most_dots = 2'000'000;
 // A camera that has not moved for so long is at rest.
 constexpr std::chrono::duration<double> time_to_rest{0.3};
 
@@ -233,6 +235,7 @@ void Viewer::ask_for_scene(Clock::time_point now) {
                  .size = {}};
     job.style.enlarged = enlarged(now, scene);
     job.style.pixel_scale /= job.style.enlarged;
+    job.style.most_dots = film_ ? 0 : most_dots;
     const auto pixels = [&](int length) { return (length + job.style.enlarged - 1) / job.style.enlarged; };
     job.size = {pixels(scene.width), pixels(scene.height)};
     painter_.ask(job);
