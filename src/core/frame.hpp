@@ -1,12 +1,15 @@
 #pragma once
 
+#include "core/cell.hpp"
 #include "core/lattice.hpp"
+#include "core/particle_values.hpp"
 #include "core/precision.hpp"
 #include "core/shape.hpp"
 #include "core/vec3.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace steplab {
@@ -34,9 +37,16 @@ struct Frame {
     std::vector<Vec3> oscillation = {};
     Lattice reference = {};  ///< position = reference + displacement, rounded to the run's precision
     double mass = 0;         ///< of each particle; 0: not known, or they differ
+    /// What a file has of its particles besides; null: nothing.
+    std::shared_ptr<const std::vector<ParticleValues>> values = {};
+    std::optional<Cell> cell = {};  ///< the box of a file in which edges lean; the shape has none then
 
-    /// The position at which a particle is drawn (Shape::seen).
-    Vec3 seen(std::size_t particle) const { return shape->seen(positions[particle]); }
+    /// A position as drawn: its image in the box (Shape::seen, Cell::seen).
+    Vec3 seen_at(Vec3 position) const { return cell ? cell->seen(position) : shape->seen(position); }
+    /// The way from one particle to the nearest image of another (Shape::nearest, Cell::through).
+    Vec3 nearest(Vec3 way) const { return cell ? way - cell->through(way) : shape->nearest(way); }
+    /// The position at which a particle is drawn.
+    Vec3 seen(std::size_t particle) const { return seen_at(positions[particle]); }
 };
 
 /// Where a particle is, as frames and files of this precision have it.

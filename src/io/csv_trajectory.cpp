@@ -1,11 +1,10 @@
 #include "core/error.hpp"
-#include "core/shown.hpp"
+#include "io/csv_line.hpp"
 #include "io/text_trajectory.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,37 +25,25 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 class CsvTrajectory final : public TextTrajectory {
 public:
-    explicit CsvTrajectory(TextInput input) : TextTrajectory(std::move(input)) {
-        constexpr std::string_view begin = "step,time,particle,";
-        const std::string_view head = input_.line().value_or("");
-        if (!head.starts_with(begin)) input_.fail("it has no columns of numbers behind step,time,particle");
-        try {
-            columns_ = parse_columns(head.substr(begin.size()));
-        } catch (const UsageError& error) {
-            input_.fail(error.what());
-        }
+    /// The lines of these columns, without the first one.
+    CsvTrajectory(TextInput input, Columns columns) : TextTrajectory(std::move(input)) {
+        columns_ = std::move(columns);
         take_line();
     }
 
 private:
-    /// The numbers before those of the columns.
-    struct Begin {
-        FrameBlock::Moment moment;
-        std::uint64_t particle = 0;
-    };
-
     /// A frame ends where the step changes, or where its particles begin again.
     bool read(FrameBlock& frame) override {
         if (!has_line_) return false;
-        const Begin first = begin_;
-        frame.moments.push_back(first.moment);
+        CsvBegin before = begin_;
+        frame.moments.push_back(before.moment);
         do {
             add_row(frame);
             for (std::size_t i = 0; i < columns_.size(); ++i) set(frame, columns_[i], fields_[i + 3]);
             frame.particles.push_back(begin_.particle);
+            before = begin_;
             take_line();
-        } while (has_line_ && begin_.moment.step == first.moment.step && begin_.moment.time == first.moment.time &&
-                 begin_.particle > frame.particles.back());
+        } while (has_line_ && begin_.follows(before));
         return true;
     }
 
@@ -68,19 +55,31 @@ private:
         fields_ = fields_of(line_);
         if (fields_.size() != columns_.size() + 3)
             input_.fail(fmt::format("it has {} fields, the first line {}", fields_.size(), columns_.size() + 3));
-        begin_ = {{number<std::uint64_t>(fields_[0]), number<double>(fields_[1])}, number<std::uint64_t>(fields_[2])};
+        begin_.moment = {number<std::uint64_t>(fields_[0]), number<double>(fields_[1])};
+        begin_.particle = number<std::uint64_t>(fields_[2]);
     }
 
     bool has_line_ = false;
     std::string line_;
     std::vector<std::string_view> fields_;  ///< of the line, which is the next to be used
-    Begin begin_;
+    CsvBegin begin_;
 };
 
 }  // namespace
 
 std::unique_ptr<TextTrajectory> csv_trajectory(TextInput input) {
-    return std::make_unique<CsvTrajectory>(std::move(input));
+    const std::string head(input.line().value_or(""));
+    Columns columns;
+    try {
+        columns = columns_of_csv(head);
+    } catch (const UsageError& error) {
+        input.fail(error.what());
+    }
+    return csv_trajectory(std::move(input), std::move(columns));
+}
+
+std::unique_ptr<TextTrajectory> csv_trajectory(TextInput rows, Columns columns) {
+    return std::make_unique<CsvTrajectory>(std::move(rows), std::move(columns));
 }
 
 }  // namespace steplab

@@ -84,32 +84,58 @@ std::vector<std::string_view> DumpTrajectory::numbers_line(std::size_t least) {
     return words;
 }
 
-/// "BOX BOUNDS pp pp ff", or "BOX BOUNDS xy xz yz pp pp pp", whose bounds are those of all that leans.
+/// "BOX BOUNDS pp pp ff", with a tilt "BOX BOUNDS xy xz yz pp pp pp", or "BOX BOUNDS abc origin pp pp pp".
 void DumpTrajectory::read_box(std::string_view item) {
     const auto words = words_of(item);
-    const bool tilted = std::find(words.begin(), words.end(), "xy") != words.end();
-    if (std::find(words.begin(), words.end(), "abc") != words.end())
-        input_.fail("its box is a general triclinic one: write it with `dump_modify triclinic/general no`");
+    const auto has = [&](std::string_view word) { return std::find(words.begin(), words.end(), word) != words.end(); };
     box_ = {};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        box_.periodic[axis] = words.size() >= 5 && words[words.size() - 3 + axis] == "pp";
+    has("abc") ? read_edges() : read_bounds(has("xy"));
+    const auto& [a, b, c] = box_.edges;
+    box_.leans = Vec3{0, a.y, a.z} != Vec3{} || Vec3{b.x, 0, b.z} != Vec3{} || Vec3{c.x, c.y, 0} != Vec3{};
+    if (!(a.x >= 0 && b.y >= 0 && c.z >= 0) && !has("abc")) input_.fail("the sides of its box are negative");
+    if (box_.leans && !Cell{box_.edges, box_.low, {}}.is_whole()) input_.fail("its box is flat");
+    has_box_ = true;
+}
+
+/// Of a tilted box the bounds are those of all that leans.
+void DumpTrajectory::read_bounds(bool tilted) {
     std::array<double, 3> low{}, high{}, tilt{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto numbers = numbers_line(tilted ? 3 : 2);
         low[axis] = number<double>(numbers[0]);
         high[axis] = number<double>(numbers[1]);
         if (tilted) tilt[axis] = number<double>(numbers[2]);
-        const std::size_t place = words.size() - 3 + axis;
-        box_.periodic[axis] = words.size() >= 5 && words[place] == "pp";
     }
-    std::tie(box_.xy, box_.xz, box_.yz) = std::tie(tilt[0], tilt[1], tilt[2]);
-    low[0] -= std::min({0.0, box_.xy, box_.xz, box_.xy + box_.xz});
-    high[0] -= std::max({0.0, box_.xy, box_.xz, box_.xy + box_.xz});
-    low[1] -= std::min(0.0, box_.yz);
-    high[1] -= std::max(0.0, box_.yz);
+    const auto [xy, xz, yz] = tilt;
+    low[0] -= std::min({0.0, xy, xz, xy + xz});
+    high[0] -= std::max({0.0, xy, xz, xy + xz});
+    low[1] -= std::min(0.0, yz);
+    high[1] -= std::max(0.0, yz);
     box_.low = {low[0], low[1], low[2]};
-    box_.sides = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
-    if (!(box_.sides.x >= 0 && box_.sides.y >= 0 && box_.sides.z >= 0))
-        input_.fail("the sides of its box are negative");
-    has_box_ = true;
+    box_.edges = {Vec3{high[0] - low[0], 0, 0}, Vec3{xy, high[1] - low[1], 0}, Vec3{xz, yz, high[2] - low[2]}};
+}
+
+/// Each line has an edge, and a component of the corner.
+void DumpTrajectory::read_edges() {
+    std::array<double, 3> low{};
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const auto numbers = numbers_line(4);
+        box_.edges[edge] = {number<double>(numbers[0]), number<double>(numbers[1]), number<double>(numbers[2])};
+        low[edge] = number<double>(numbers[3]);
+    }
+    box_.low = {low[0], low[1], low[2]};
+}
+
+void DumpTrajectory::put_box(FileScene& scene) const {
+    if (box_.leans) {
+        scene.cell = Cell{box_.edges, box_.low, box_.periodic};
+        return;
+    }
+    const auto side = [&](std::size_t axis, double length) { return box_.periodic[axis] ? length : 0; };
+    scene.box = {side(0, box_.edges[0].x), side(1, box_.edges[1].y), side(2, box_.edges[2].z)};
+    scene.corner = box_.low;
 }
 
 std::optional<std::size_t> DumpTrajectory::column(std::string_view name) const {
@@ -150,32 +176,49 @@ void DumpTrajectory::read_columns(std::string_view names) {
     names_.assign(words.begin(), words.end());
     for (std::size_t axis = 0; axis < 3; ++axis) coordinates_[axis] = coordinate(axes[axis]);
     const auto scaled = [this](std::size_t axis) { return coordinates_[axis].scaled; };
-    if (box_.is_tilted() && (scaled(0) != scaled(1) || scaled(1) != scaled(2)))
+    if (box_.leans && (scaled(0) != scaled(1) || scaled(1) != scaled(2)))
         input_.fail("in a tilted box all coordinates or none are scaled");
     velocity_ = vector_of('v');
     force_ = vector_of('f');
     id_ = column("id");
     type_ = column("type");
     mass_ = column("mass");
+    read_other_columns();
+}
+
+/// Those that say no more than where an atom is, how it moves and what it is are not among them.
+void DumpTrajectory::read_other_columns() {
+    std::vector<std::size_t> used;
+    for (const auto& [word, scaled, image] : coordinates_) {
+        used.push_back(word);
+        if (image) used.push_back(*image);
+    }
+    if (velocity_) used.insert(used.end(), velocity_->begin(), velocity_->end());
+    for (const auto& word : {id_, type_, mass_}) {
+        if (word) used.push_back(*word);
+    }
+    values_.clear();
+    others_.clear();
+    for (std::size_t word = 0; word < names_.size(); ++word) {
+        if (std::find(used.begin(), used.end(), word) != used.end()) continue;
+        values_.column(names_[word]);
+        others_.push_back(word);
+    }
 }
 
 bool DumpTrajectory::read(FrameBlock& frame) {
     if (std::exchange(used_, true)) has_head_ = read_head();
     if (!has_head_) return false;
     frame.moments.push_back(moment_);
-    if (!box_.is_tilted()) {
-        frame.scene.box = {box_.periodic[0] ? box_.sides.x : 0, box_.periodic[1] ? box_.sides.y : 0,
-                           box_.periodic[2] ? box_.sides.z : 0};
-        frame.scene.corner = box_.low;
-    }
+    put_box(frame.scene);
     ids_.clear();
-    types_.clear();
     forces_.clear();
     for (std::uint64_t row = 0; row < rows_; ++row) {
         const auto line = input_.line();
         if (!line) input_.fail(fmt::format("it ends after {} of the {} atoms of a frame", row, rows_));
         read_row(frame, *line);
     }
+    values_.put_into(frame.values);
     if (id_) sort(frame);
     return true;
 }
@@ -190,8 +233,9 @@ void DumpTrajectory::read_row(FrameBlock& frame, std::string_view line) {
     if (force_) forces_.push_back(vector_in(*force_));
     if (id_) ids_.push_back(number<std::uint64_t>(words_[*id_]));
     if (id_ && ids_.back() == 0) input_.fail("ids of atoms count from 1");
-    if (type_) types_.push_back(number<std::uint64_t>(words_[*type_]));
+    if (type_) frame.types.push_back(number<std::uint64_t>(words_[*type_]));
     if (mass_) frame.masses.push_back(number<double>(words_[*mass_]));
+    for (std::size_t other = 0; other < others_.size(); ++other) values_.add(other, words_[others_[other]]);
 }
 
 /// Image flags count boxes, of which each is one of its edges further.
@@ -204,12 +248,10 @@ Vec3 DumpTrajectory::position() const {
         from.scaled ? edges[axis] += value : at[axis] = value;
     }
     const auto low = [&](std::size_t axis, double of_box) { return coordinates_[axis].scaled ? of_box : at[axis]; };
-    const auto [a, b, c] = edges;
     Vec3 place{low(0, box_.low.x), low(1, box_.low.y), low(2, box_.low.z)};
-    // what is not asked for adds no rounding
-    if (a != 0) place.x += a * box_.sides.x;
-    if (b != 0) place = place + Vec3{b * box_.xy, b * box_.sides.y, 0};
-    if (c != 0) place = place + Vec3{c * box_.xz, c * box_.yz, c * box_.sides.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {  // what is not asked for adds no rounding
+        if (edges[axis] != 0) place = place + edges[axis] * box_.edges[axis];
+    }
     return place;
 }
 
@@ -225,8 +267,9 @@ void DumpTrajectory::sort(FrameBlock& frame) {
     reorder(order, frame.positions);
     reorder(order, frame.velocities);
     reorder(order, frame.masses);
-    reorder(order, types_);
+    reorder(order, frame.types);
     reorder(order, forces_);
+    for (ParticleValues& column : frame.values) reorder(order, column.values);
     for (const std::uint64_t id : ids_) frame.particles.push_back(static_cast<std::size_t>(id - 1));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/text_trajectory.hpp"
+#include "io/values_of_rows.hpp"
 
 #include <array>
 #include <cstddef>
@@ -15,7 +16,8 @@ namespace steplab {
 /// Reads the frames of a LAMMPS dump (`dump custom` and `dump atom`, as text) from front to back: atoms in any order,
 /// which are sorted by their ids, coordinates as they are, scaled or unwrapped, with image flags, in boxes that may
 /// change and be tilted. A particle has the number id - 1. Times are those of ITEM: TIME; without, that of step N is
-/// N s. Columns may differ from frame to frame.
+/// N s. Columns may differ from frame to frame. What else there is of numbers
+/// goes into values.
 class DumpTrajectory final : public TextTrajectory {
 public:
     /// True if a text that begins like this is one.
@@ -24,9 +26,7 @@ public:
     /// Reads the head of the first frame. Throws FileError.
     explicit DumpTrajectory(TextInput input);
 
-    /// Types of the atoms of the last frame, by rows; empty if it has none.
-    const std::vector<std::uint64_t>& types() const { return types_; }
-    /// Forces on them, in the units of the dump; empty if it has none.
+    /// Forces on the atoms of the last frame, in the units of the dump; empty if it has none.
     const std::vector<Vec3>& forces() const { return forces_; }
 
 private:
@@ -36,12 +36,12 @@ private:
         bool scaled = false;
         std::optional<std::size_t> image = {};  ///< the word with the number of the box
     };
-    /// The lowest corner of a box, its sides, and how far y leans along x, z along x, z along y.
+    /// The lowest corner of a box and its edges, which may lean.
     struct Box {
-        Vec3 low, sides;
-        double xy = 0, xz = 0, yz = 0;
+        Vec3 low;
+        std::array<Vec3, 3> edges{};
         std::array<bool, 3> periodic{};
-        bool is_tilted() const { return xy != 0 || xz != 0 || yz != 0; }
+        bool leans = false;
     };
 
     bool read(FrameBlock& frame) override;
@@ -50,7 +50,11 @@ private:
     std::string_view next_line();
     std::vector<std::string_view> numbers_line(std::size_t least);
     void read_box(std::string_view item);
+    void read_bounds(bool tilted);
+    void read_edges();
+    void put_box(FileScene& scene) const;
     void read_columns(std::string_view names);
+    void read_other_columns();
     std::optional<std::size_t> column(std::string_view name) const;
     std::optional<std::array<std::size_t, 3>> vector_of(char letter) const;
     Vec3 vector_in(const std::array<std::size_t, 3>& words) const;
@@ -70,7 +74,9 @@ private:
     std::optional<std::array<std::size_t, 3>> velocity_, force_;
     std::optional<std::size_t> id_, type_, mass_;
     std::vector<std::string_view> words_;  ///< of a row
-    std::vector<std::uint64_t> ids_, types_;
+    ValuesOfRows values_;
+    std::vector<std::size_t> others_;  ///< the words that are in values_
+    std::vector<std::uint64_t> ids_;
     std::vector<Vec3> forces_;
 };
 

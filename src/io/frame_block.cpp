@@ -9,7 +9,8 @@ FileScene scene_of(const Frame& frame) {
             .reference = frame.reference,
             .mass = frame.mass,
             .box = frame.shape->box,
-            .corner = frame.shape->corner};
+            .corner = frame.shape->corner,
+            .cell = frame.cell};
 }
 
 std::optional<Role> parse_role(std::string_view name) {

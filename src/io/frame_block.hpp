@@ -22,6 +22,7 @@ struct FileScene {
     double mass = 0;                        ///< of each particle; 0: not known
     Vec3 box = {};                          ///< sides of the periodic box; 0: none along this axis
     Vec3 corner = {};                       ///< of the box, where its coordinates are smallest
+    std::optional<Cell> cell = {};          ///< in place of the box: one whose edges lean
 };
 
 FileScene scene_of(const Frame& frame);
@@ -45,6 +46,8 @@ struct FrameBlock {
     std::vector<std::size_t> particles = {};  ///< the number in its scene for each of these rows; empty: as the row
     std::vector<Role> roles = {};             ///< of these rows; empty: not known
     std::vector<double> masses = {};          ///< of the rows of a file of any program; empty: not known
+    std::vector<std::uint64_t> types = {};    ///< of the atoms of a dump; empty: not known
+    std::vector<ParticleValues> values = {};  ///< further columns of numbers of a file of any program
     std::vector<Moment> moments = {};
     // Frame by frame; a vector that is not wanted, or not known, is empty.
     std::vector<Vec3> positions = {};

@@ -23,11 +23,13 @@ TextInput::TextInput(std::string name, Source source)
 TextInput::TextInput(const std::shared_ptr<const InputFile>& file)
     : TextInput(file->name(), [file](std::uint64_t place, std::uint64_t bytes) { return file->read(place, bytes); }) {}
 
-TextInput::TextInput(std::string name, const std::shared_ptr<const InputFile>& file, std::uint64_t place,
-                     std::uint64_t lines)
+TextInput::TextInput(std::string name, const std::shared_ptr<const InputFile>& file, std::uint64_t begin,
+                     std::uint64_t end, std::uint64_t lines)
     : name_(std::move(name)),
-      source_([file](std::uint64_t from, std::uint64_t bytes) { return file->read(from, bytes); }),
-      place_(place),
+      source_([file, end](std::uint64_t from, std::uint64_t bytes) {
+          return from < end ? file->read(from, std::min(bytes, end - from)) : std::string();
+      }),
+      place_(begin),
       lines_(lines) {}
 
 TextInput::TextInput(InputFile file) : TextInput(std::make_shared<const InputFile>(std::move(file))) {}

@@ -20,8 +20,9 @@ public:
     /// Of a text in memory, with this name in messages.
     TextInput(std::string name, std::shared_ptr<const std::string> text);
 
-    /// A plain text from a place in a file on, which is the beginning of the line after so many.
-    TextInput(std::string name, const std::shared_ptr<const InputFile>& file, std::uint64_t place, std::uint64_t lines);
+    /// A part of a plain text: the bytes of a file from `begin` to `end`, the first of which follows so many lines.
+    TextInput(std::string name, const std::shared_ptr<const InputFile>& file, std::uint64_t begin, std::uint64_t end,
+              std::uint64_t lines);
 
     /// The next line without its end; none at the end of the file. Valid until the next call. Throws FileError for
     /// damaged or truncated compressed data, and for lines that are no text of ours.
@@ -36,6 +37,8 @@ public:
     /// Throws FileError: the file, the number of the last line, the reason.
     [[noreturn]] void fail(const std::string& reason) const;
     const std::string& name() const { return name_; }
+    /// Bytes of the file, compressed or not, that were read so far.
+    std::uint64_t bytes_read() const { return place_; }
 
 private:
     /// The bytes from a place on, fewer at the end.

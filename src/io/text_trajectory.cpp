@@ -1,15 +1,12 @@
 #include "io/text_trajectory.hpp"
 
-#include "core/shown.hpp"
 #include "io/dump_trajectory.hpp"
+#include "io/number_read.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace steplab {
@@ -17,7 +14,7 @@ namespace steplab {
 namespace {
 
 /// As long as "step,time,particle", which no other file begins with.
-constexpr std::string_view csv_begin = "step,time,particle";
+constexpr std::string_view begin_of_csv = "step,time,particle";
 
 std::array<std::vector<Vec3>*, 3> vectors_of(FrameBlock& frame) {
     return {&frame.positions, &frame.velocities, &frame.displacements};
@@ -30,12 +27,23 @@ std::unique_ptr<TextTrajectory> TextTrajectory::open(InputFile file) {
 }
 
 std::unique_ptr<TextTrajectory> TextTrajectory::open(TextInput input, From from) {
-    std::string_view begin = input.peek(csv_begin.size());
-    if (begin == csv_begin) return csv_trajectory(std::move(input));
-    if (from == From::any_program && DumpTrajectory::begins(begin))
-        return std::make_unique<DumpTrajectory>(std::move(input));
-    if (from == From::any_program) begin.remove_prefix(std::min(begin.find_first_not_of(" \t"), begin.size()));
-    if (!begin.empty() && begin[0] >= '0' && begin[0] <= '9') return xyz_trajectory(std::move(input), from);
+    switch (format_of(input, from)) {
+        case TextFormat::csv:
+            return csv_trajectory(std::move(input));
+        case TextFormat::xyz:
+            return xyz_trajectory(std::move(input), from);
+        default:
+            return std::make_unique<DumpTrajectory>(std::move(input));
+    }
+}
+
+TextFormat format_of(TextInput& input, TextTrajectory::From from) {
+    const bool foreign = from == TextTrajectory::From::any_program;
+    std::string_view begin = input.peek(begin_of_csv.size());
+    if (begin == begin_of_csv) return TextFormat::csv;
+    if (foreign && DumpTrajectory::begins(begin)) return TextFormat::dump;
+    if (foreign) begin.remove_prefix(std::min(begin.find_first_not_of(" \t"), begin.size()));
+    if (!begin.empty() && begin[0] >= '0' && begin[0] <= '9') return TextFormat::xyz;
     if (begin.starts_with("run,step")) input.fail("it holds the runs of an ensemble: convert reads files of one run");
     input.fail("it is none of steplab's formats (CSV and XYZ of --out, trajectory), and no LAMMPS dump");
 }
@@ -72,12 +80,9 @@ void TextTrajectory::set(FrameBlock& frame, Column column, std::string_view word
 
 template <class Number>
 Number TextTrajectory::number(std::string_view word) const {
-    Number value{};
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-    bool right = result.ec == std::errc{} && result.ptr == word.data() + word.size();
-    if constexpr (std::is_floating_point_v<Number>) right = right && std::isfinite(value);
-    if (!right) input_.fail(fmt::format("\"{}\" is not a number that can stand here", shown(word)));
-    return value;
+    const auto value = number_in<Number>(word);
+    if (!value) input_.fail(no_number_text(word));
+    return *value;
 }
 template float TextTrajectory::number<float>(std::string_view) const;
 template double TextTrajectory::number<double>(std::string_view) const;

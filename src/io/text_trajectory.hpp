@@ -47,8 +47,15 @@ private:
     std::uint64_t frames_ = 0;
 };
 
+/// The kinds of text that are read.
+enum class TextFormat { csv, xyz, dump };
+/// That of a text of which nothing was taken yet. Throws FileError if it begins like none of them.
+TextFormat format_of(TextInput& input, TextTrajectory::From from);
+
 /// "step,time,particle" and columns. Its first line is not yet read.
 std::unique_ptr<TextTrajectory> csv_trajectory(TextInput input);
+/// Lines of it behind the first one, which names these columns.
+std::unique_ptr<TextTrajectory> csv_trajectory(TextInput rows, Columns columns);
 /// Extended XYZ.
 std::unique_ptr<TextTrajectory> xyz_trajectory(TextInput input, TextTrajectory::From from);
 

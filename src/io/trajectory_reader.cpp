@@ -139,6 +139,8 @@ void TrajectoryReader::frame(std::uint64_t number, Frame& out) {
     out.precision = scene().precision;
     out.reference = scene().reference.value_or(Lattice());
     out.mass = scene().mass;
+    out.values.reset();
+    out.cell.reset();
     out.shape = std::make_shared<const Shape>(std::move(shape));
 }
 

@@ -99,12 +99,19 @@ bool any_of(const std::array<Column, 3>& vector, const Columns& columns) {
 struct XyzColumns {
     Columns numbers;  ///< behind the species
     bool momenta, masses, roles;
+    std::vector<const ParticleValues*> values = {};  ///< at the end of a line
 
     XyzColumns(const FrameBlock& block, const Columns& wanted)
         : numbers(position.begin(), position.end()),
           momenta(block.scene.mass > 0 && any_of(velocity, wanted)),
           masses(block.scene.mass > 0),
           roles(!block.roles.empty()) {
+        const auto can_be_named = [](const ParticleValues& column) {
+            return column.name.find_first_of(":=\"") == std::string::npos;
+        };
+        for (const ParticleValues& column : block.values) {
+            if (can_be_named(column)) values.push_back(&column);
+        }
         for (const auto& vector : {velocity, displacement}) {
             if (any_of(vector, wanted)) numbers.insert(numbers.end(), vector.begin(), vector.end());
         }
@@ -115,12 +122,25 @@ struct XyzColumns {
         if (any_of(displacement, numbers)) text += ":disp:R:3";
         if (momenta) text += ":momenta:R:3";
         if (masses) text += ":masses:R:1";
-        return text + (roles ? ":role:S:1" : "");
+        if (roles) text += ":role:S:1";
+        for (const ParticleValues* const column : values) text += ':' + column->name + ":R:1";
+        return text;
     }
 };
 
+std::string cell_text(const Cell& cell) {
+    std::string edges;
+    for (const Vec3 edge : cell.edges)
+        edges += fmt::format("{}{} {} {}", edges.empty() ? "" : " ", number_text(edge.x), number_text(edge.y),
+                             number_text(edge.z));
+    const auto flag = [&](std::size_t edge) { return cell.periodic[edge] ? 'T' : 'F'; };
+    return fmt::format("Lattice=\"{}\" Origin=\"{} {} {}\" pbc=\"{} {} {}\"", edges, number_text(cell.corner.x),
+                       number_text(cell.corner.y), number_text(cell.corner.z), flag(0), flag(1), flag(2));
+}
+
 /// The periodic box, or that there is none, in the words of extended XYZ.
 std::string box_text(const FileScene& scene) {
+    if (scene.cell) return cell_text(*scene.cell);
     const Vec3 &box = scene.box, &corner = scene.corner;
     const auto flag = [](double side) { return side == 0 ? 'F' : 'T'; };
     std::string pbc = fmt::format("pbc=\"{} {} {}\"", flag(box.x), flag(box.y), flag(box.z));
@@ -170,6 +190,11 @@ void append_xyz(std::string& text, const FrameBlock& block, const Columns& colum
             if (kept.momenta) line.add_vector(' ', mass * block.velocities[i * block.rows + row]);
             if (kept.masses) line.add(' '), line.add_number(mass);
             if (kept.roles) line.add(' '), line.add(id(block.roles[row]));
+            if (kept.values.empty()) return;
+            line.append_to(text);
+            line.clear();
+            for (const ParticleValues* const column : kept.values)
+                text += ' ', append_number(text, column->values[row]);
         };
         append_rows(
             text, block, i, kept.numbers, ' ', [](Line& line, std::size_t) { line.add('X'); }, end_line);

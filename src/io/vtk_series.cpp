@@ -39,28 +39,6 @@ void append_vectors(std::string& text, std::string_view name, const std::vector<
     });
 }
 
-/// All but the positions.
-void append_point_data(std::string& text, const FrameBlock& frame) {
-    text += "<PointData>\n";
-    append_array(text, "type=\"Int64\" Name=\"particle\"", frame.rows,
-                 [&](std::size_t i) { append_number(text, static_cast<std::uint64_t>(frame.particle(i))); });
-    append_vectors(text, "velocity", frame.velocities);
-    append_vectors(text, "displacement", frame.displacements);
-    if (!frame.masses.empty())
-        append_array(text, "type=\"Float64\" Name=\"mass\"", frame.rows,
-                     [&](std::size_t i) { append_number(text, frame.masses[i]); });
-    if (!frame.roles.empty())
-        append_array(text, "type=\"UInt8\" Name=\"role\"", frame.rows,
-                     [&](std::size_t i) { append_number(text, static_cast<int>(frame.roles[i])); });
-    text += "</PointData>\n";
-}
-
-void write_whole(const std::filesystem::path& path, const std::string& text) {
-    OutputFile file(path.string());
-    file.write(text);
-    file.commit();
-}
-
 /// As an attribute of XML has it.
 std::string escaped(std::string_view name) {
     std::string text;
@@ -80,6 +58,34 @@ std::string escaped(std::string_view name) {
         }
     }
     return text;
+}
+
+/// All but the positions.
+void append_point_data(std::string& text, const FrameBlock& frame) {
+    text += "<PointData>\n";
+    append_array(text, "type=\"Int64\" Name=\"particle\"", frame.rows,
+                 [&](std::size_t i) { append_number(text, static_cast<std::uint64_t>(frame.particle(i))); });
+    append_vectors(text, "velocity", frame.velocities);
+    append_vectors(text, "displacement", frame.displacements);
+    if (!frame.masses.empty())
+        append_array(text, "type=\"Float64\" Name=\"mass\"", frame.rows,
+                     [&](std::size_t i) { append_number(text, frame.masses[i]); });
+    if (!frame.roles.empty())
+        append_array(text, "type=\"UInt8\" Name=\"role\"", frame.rows,
+                     [&](std::size_t i) { append_number(text, static_cast<int>(frame.roles[i])); });
+    if (!frame.types.empty())
+        append_array(text, "type=\"UInt64\" Name=\"type\"", frame.rows,
+                     [&](std::size_t i) { append_number(text, frame.types[i]); });
+    for (const ParticleValues& column : frame.values)
+        append_array(text, fmt::format("type=\"Float64\" Name=\"{}\"", escaped(column.name)), frame.rows,
+                     [&](std::size_t i) { append_number(text, column.values[i]); });
+    text += "</PointData>\n";
+}
+
+void write_whole(const std::filesystem::path& path, const std::string& text) {
+    OutputFile file(path.string());
+    file.write(text);
+    file.commit();
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ void WholeFrames::append(const FrameBlock& block, std::size_t moment) {
     append_part(block.particles, 0, block.rows, frame_.particles);
     append_part(block.roles, 0, block.rows, frame_.roles);
     append_part(block.masses, 0, block.rows, frame_.masses);
+    append_part(block.types, 0, block.rows, frame_.types);
+    if (moment == 0 && block.rows == block.frame_rows) frame_.values = block.values;
     for (const auto vectors : {&FrameBlock::positions, &FrameBlock::displacements, &FrameBlock::velocities})
         append_part(block.*vectors, moment * block.rows, block.rows, frame_.*vectors);
     frame_.rows += block.rows;

@@ -1,12 +1,13 @@
 #include "core/shown.hpp"
 #include "io/text_trajectory.hpp"
+#include "io/values_of_rows.hpp"
 #include "io/words.hpp"
+#include "io/xyz_comment.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,30 +17,12 @@ namespace steplab {
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
-
-/// The pairs of a comment line: key=value or key="a value of words".
-std::map<std::string, std::string, std::less<>> pairs_of(std::string_view line) {
-    std::map<std::string, std::string, std::less<>> pairs;
-    while (true) {
-        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-        const std::size_t equals = line.find('=');
-        if (equals == std::string_view::npos) return pairs;
-        const std::string key(line.substr(0, equals));
-        line.remove_prefix(equals + 1);
-        const bool quoted = line.starts_with('"');
-        if (quoted) line.remove_prefix(1);
-        const std::size_t end = std::min(quoted ? line.find('"') : line.find_first_of(blanks), line.size());
-        pairs[key] = std::string(line.substr(0, end));
-        line.remove_prefix(std::min(end + 1, line.size()));
-    }
-}
-
 /// What a word of a row is.
-enum class Word { number, momentum, mass, role, other };
+enum class Word { number, momentum, mass, role, value, other };
 struct Place {
     Word word = Word::other;
     Column column = Column::x;  ///< of a number, or a momentum
+    std::size_t value = 0;      ///< the number of its column among those of no meaning here
 };
 
 struct Property {
@@ -59,6 +42,12 @@ constexpr std::array properties{
     Property{"type", 1, Word::role},  // of steplab 0.2
 };
 
+/// "charge"; of a vector "forces_x", of more "tensor_4".
+std::string name_of_part(const std::string& name, std::uint64_t part, std::uint64_t parts) {
+    if (parts == 1) return name;
+    return parts == 3 ? fmt::format("{}_{}", name, "xyz"[part]) : fmt::format("{}_{}", name, part + 1);
+}
+
 class XyzTrajectory final : public TextTrajectory {
 public:
     XyzTrajectory(TextInput input, From from) : TextTrajectory(std::move(input)), foreign_(from == From::any_program) {
@@ -77,6 +66,7 @@ private:
             split(*line, words_);
             read_row(frame, words_);
         }
+        values_.put_into(frame.values);
         if (foreign_ && frame.masses.size() == frame.rows) take_momenta(frame);
         if (frame.roles.size() != frame.rows) frame.roles.clear();
         if (!same_mass_) frame.scene.mass = 0;
@@ -92,6 +82,7 @@ private:
             const Place& place = places_[i];
             if (place.word == Word::number || place.word == Word::momentum) set(frame, place.column, words[i]);
             if (place.word == Word::mass) set_mass(frame, number<double>(words[i]));
+            if (place.word == Word::value) values_.add(place.value, words[i]);
             if (place.word != Word::role) continue;
             if (const auto role = parse_role(words[i])) frame.roles.push_back(*role);
         }
@@ -121,19 +112,17 @@ private:
         rows_ = number<std::uint64_t>(words_of(*count).front());
         if (rows_ == 0) input_.fail("a frame has no rows");
         const auto comment = input_.line();
-        const auto pairs = pairs_of(comment.value_or(""));
+        const XyzComment pairs(comment.value_or(""));
         const auto value = [&](std::string_view key, std::string_view otherwise = "") -> std::string {
-            const auto pair = pairs.find(key);
-            if (pair != pairs.end()) return pair->second;
+            if (const auto known = pairs.value(key)) return *known;
             if (!foreign_ || otherwise.empty()) input_.fail(fmt::format("the line of a frame has no {}=", key));
             return std::string(otherwise);
         };
         moment_ = {number<std::uint64_t>(value("Step", std::to_string(heads_++))), number<double>(value("Time", "0"))};
-        const auto precision = pairs.find("Precision");
         scene_ = {};
-        if (precision != pairs.end() && precision->second == id(Precision::float_))
-            scene_.precision = Precision::float_;
-        if (pairs.contains("Lattice")) read_box(value("Lattice"), value("Origin", "0 0 0"));
+        if (pairs.value("Precision") == id(Precision::float_)) scene_.precision = Precision::float_;
+        if (pairs.value("Lattice"))
+            read_box(value("Lattice"), value("Origin", "0 0 0"), pairs.value("pbc").value_or("T T T"));
         read_properties(value("Properties", "species:S:1:pos:R:3"));
     }
 
@@ -144,9 +133,9 @@ private:
         }
     }
 
-    /// A box along the axes is all that a scene has. One of another program is left out where it is another.
-    void read_box(std::string_view lattice, std::string_view origin) {
-        if (foreign_ && !is_along_axes(lattice)) return;
+    /// A box along the axes is all that a scene has; that of another program may lean.
+    void read_box(std::string_view lattice, std::string_view origin, std::string_view periodic) {
+        if (foreign_ && !is_along_axes(lattice)) return read_cell(lattice, origin, periodic);
         const auto edges = words_of(lattice), corner = words_of(origin);
         if (edges.size() != 9 || corner.size() != 3) input_.fail("its Lattice or Origin is not one of steplab");
         std::array<double, 3> sides{};
@@ -158,6 +147,22 @@ private:
         scene_.box = {sides[0], sides[1], sides[2]};
         if (scene_.box == Vec3{}) input_.fail("its Lattice is not a box along the axes");
         scene_.corner = {number<double>(corner[0]), number<double>(corner[1]), number<double>(corner[2])};
+    }
+
+    /// One that is flat, or of another form, is left out.
+    void read_cell(std::string_view lattice, std::string_view origin, std::string_view periodic) {
+        const auto edges = words_of(lattice), corner = words_of(origin), flags = words_of(periodic);
+        if (edges.size() != 9 || corner.size() != 3) return;
+        Cell cell{.corner = vector_at(corner, 0)};
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            cell.edges[edge] = vector_at(edges, 3 * edge);
+            cell.periodic[edge] = flags.size() != 3 || flags[edge] == "T";
+        }
+        if (cell.is_whole()) scene_.cell = cell;
+    }
+
+    Vec3 vector_at(const std::vector<std::string_view>& words, std::size_t first) const {
+        return {number<double>(words[first]), number<double>(words[first + 1]), number<double>(words[first + 2])};
     }
 
     bool is_along_axes(std::string_view lattice) const {
@@ -176,12 +181,13 @@ private:
         for (const char c : text) c == ':' ? parts.emplace_back() : parts.back().append(1, c);
         use_momenta_ = foreign_ && std::find(parts.begin(), parts.end(), "velo") == parts.end();
         if (parts.size() % 3 != 0) input_.fail("its Properties are not name:type:count ...");
-        for (std::size_t i = 0; i < parts.size(); i += 3) add_places(parts[i], number<std::uint64_t>(parts[i + 2]));
+        for (std::size_t i = 0; i < parts.size(); i += 3)
+            add_places(parts[i], parts[i + 1], number<std::uint64_t>(parts[i + 2]));
         if (momenta_ && !with_masses_) input_.fail("momenta need masses");
         if (columns_.empty()) input_.fail("its Properties name none of pos, velo and disp");
     }
 
-    void add_places(std::string_view name, std::uint64_t words) {
+    void add_places(const std::string& name, std::string_view type, std::uint64_t words) {
         constexpr std::uint64_t most = 64;
         if (words == 0 || words > most) input_.fail(fmt::format("{} has {} columns", shown(name), words));
         const auto known = std::find_if(properties.begin(), properties.end(), [&](const Property& property) {
@@ -196,6 +202,10 @@ private:
             if (number && contains(columns_, place.column))
                 input_.fail(fmt::format("its Properties name {} twice", shown(name)));
             if (number) columns_.push_back(place.column);
+            if (known == properties.end() && foreign_ && (type == "R" || type == "I")) {
+                place.word = Word::value;
+                place.value = values_.column(name_of_part(name, i, words));
+            }
             momenta_ = momenta_ || place.word == Word::momentum;
             with_masses_ = with_masses_ || place.word == Word::mass;
             places_.push_back(place);
@@ -212,6 +222,7 @@ private:
     FileScene scene_;
     std::string properties_;
     std::vector<Place> places_;  ///< of each word of a row
+    ValuesOfRows values_;
     bool same_mass_ = false;
 };
 

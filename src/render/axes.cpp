@@ -168,4 +168,13 @@ void add_box_edges(Axes& axes, const Shape& shape, const Bounds& within) {
     }
 }
 
+void add_cell_edges(Axes& axes, const Cell& cell) {
+    const std::array<Vec3, 8> corners = cell.corners();
+    for (std::size_t from = 0; from < corners.size(); ++from) {
+        for (std::size_t along = 1; along < corners.size(); along *= 2) {
+            if ((from & along) == 0) axes.lines.push_back({corners[from], corners[from | along], 1});
+        }
+    }
+}
+
 }  // namespace steplab::render

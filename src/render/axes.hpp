@@ -36,5 +36,7 @@ Axes axes_of(const AxesBox& box, const Projection& projection, double pixel_scal
 /// Adds the edges of the periodic box. Along an axis on which it is open they are as long as what is drawn, `within`,
 /// and only the lower end has edges across, fainter.
 void add_box_edges(Axes& axes, const Shape& shape, const Bounds& within);
+/// The twelve edges of a cell.
+void add_cell_edges(Axes& axes, const Cell& cell);
 
 }  // namespace steplab::render

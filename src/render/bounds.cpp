@@ -58,10 +58,15 @@ Bounds expected_bounds(const Shape& shape) {
 
 AxesBox axes_box(const Frame& frame) {
     const Shape& shape = *frame.shape;
-    if (!shape.is_periodic()) return axes_box(expected_bounds(shape), shape.spacing, bounds_of(frame.positions));
+    if (!shape.is_periodic() && !frame.cell)
+        return axes_box(expected_bounds(shape), shape.spacing, bounds_of(frame.positions));
     std::vector<Vec3> seen(frame.positions.size());
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = frame.seen(i);
-    return axes_box(expected_bounds(shape), shape.spacing, bounds_of(seen));
+    return axes_box(expected_bounds(shape), shape.spacing, with_cell(bounds_of(seen), frame));
+}
+
+Bounds with_cell(const Bounds& bounds, const Frame& frame) {
+    return frame.cell ? joined(bounds, bounds_of(frame.cell->corners())) : bounds;
 }
 
 AxesBox axes_box(const Bounds& expected, double spacing, const Bounds& now) {

@@ -39,6 +39,8 @@ struct AxesBox {
     friend bool operator==(const AxesBox&, const AxesBox&) = default;
 };
 AxesBox axes_box(const Frame& frame);
+/// With the corners of the frame's cell, if it has one.
+Bounds with_cell(const Bounds& bounds, const Frame& frame);
 /// The same for a scene with these expected_bounds() and spacing of neighbours, whose particles are in the box `now`.
 AxesBox axes_box(const Bounds& expected, double spacing, const Bounds& now);
 

@@ -1,6 +1,7 @@
 #include "render/colouring.hpp"
 
 #include "core/clamped.hpp"
+#include "core/shown.hpp"
 #include "core/ticks.hpp"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ double particle_value(const Frame& frame, const Style& style, std::size_t i) {
 }
 
 double strain(const Frame& frame, const Spring& spring) {
-    const double now = size_of(frame.shape->nearest(frame.positions[spring.second] - frame.positions[spring.first]));
+    const double now = size_of(frame.nearest(frame.positions[spring.second] - frame.positions[spring.first]));
     // A spring without rest length has no strain: its length is the measure of its extension.
     return spring.rest_length > 0 ? now / spring.rest_length - 1 : now;
 }
@@ -70,6 +71,19 @@ double largest_value(const Frame& frame, const Style& style) {
     return largest;
 }
 
+/// From below its smallest number to above its largest one.
+ColourScale scale_of(const ParticleValues& column) {
+    constexpr int parts = 4;
+    double low = INFINITY, high = -INFINITY;
+    for (const double value : column.values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    const Range range = nice_range(low, high, parts);
+    return {.minimum = range.low, .maximum = range.high, .column = &column};
+}
+
 }  // namespace
 
 Rgb viridis(double part) {
@@ -80,26 +94,44 @@ Rgb viridis(double part) {
 }
 
 Rgb ColourScale::colour(double value, const Palette& palette) const {
+    if (column) return viridis(part_between(minimum, maximum, value));
     if (colouring != Colouring::strain) return viridis(value / maximum);
     const double quotient = value / maximum;
     const double part = std::isnan(quotient) ? 0 : std::clamp(quotient, -1.0, 1.0);
     return mixed(palette.spring, part < 0 ? palette.compressed : palette.stretched, std::abs(part));
 }
 
+const ParticleValues* shown_column(const Frame& frame, const Style& style) {
+    if (style.column.empty() || !frame.values) return nullptr;
+    const auto found = std::find_if(frame.values->begin(), frame.values->end(),
+                                    [&](const ParticleValues& column) { return column.name == style.column; });
+    return found == frame.values->end() ? nullptr : &*found;
+}
+
+std::string colour_word(const Frame& frame, const Style& style) {
+    const bool by_column = shown_column(frame, style) != nullptr;
+    return by_column ? std::string(column_prefix) + style.column : std::string(id(style.colouring));
+}
+
 std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style) {
+    if (const ParticleValues* const column = shown_column(frame, style)) return scale_of(*column);
     if (style.colouring == Colouring::role || style.colouring == Colouring::group) return std::nullopt;
     // Without a largest value, as before the first motion, any scale will do.
     const double largest = largest_value(frame, style);
     const double nice = nice_ceil(largest, scale_digits);
     const double end = std::isfinite(nice) ? nice : largest;
     const double maximum = style.scale_maximum.value_or(largest > 0 ? end : 1.0);
-    return ColourScale{style.colouring, style.colouring == Colouring::strain ? -maximum : 0.0, maximum};
+    return ColourScale{.colouring = style.colouring,
+                       .minimum = style.colouring == Colouring::strain ? -maximum : 0.0,
+                       .maximum = maximum};
 }
 
-std::string_view title(Colouring colouring) {
+std::string title(const ColourScale& scale) {
+    constexpr std::size_t most = 24;
+    if (scale.column) return shown(scale.column->name, most);
     constexpr std::array<std::string_view, 6> titles = {
         "", "speed [m/s]", "kinetic energy [J]", "displacement [m]", "strain", ""};
-    return titles[static_cast<std::size_t>(colouring)];
+    return std::string(titles[static_cast<std::size_t>(scale.colouring)]);
 }
 
 Rgb role_colour(const Style& style, Role role) {
@@ -110,6 +142,11 @@ Rgb role_colour(const Style& style, Role role) {
 
 Rgb particle_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i) {
     const Role role = frame.shape->roles[i];
+    if (scale && scale->column) {
+        const double value = scale->column->values[i];
+        const Palette& colours = palette(style.background);
+        return std::isfinite(value) ? scale->colour(value, colours) : colours.neutral;
+    }
     if (style.colouring == Colouring::group && role != Role::fixed && !frame.shape->groups.empty())
         return group_colour(frame.shape->groups[i]);
     if (!scale || !shows_values(scale->colouring) || role == Role::fixed) return role_colour(style, role);
@@ -118,7 +155,7 @@ Rgb particle_colour(const Frame& frame, const Style& style, const std::optional<
 
 Rgb spring_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i) {
     const Palette& colours = palette(style.background);
-    if (!scale || scale->colouring != Colouring::strain) return colours.spring;
+    if (!scale || scale->column || scale->colouring != Colouring::strain) return colours.spring;
     return scale->colour(strain(frame, frame.shape->springs[i]), colours);
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace steplab::render {
@@ -17,8 +18,9 @@ Rgb viridis(double part);
 /// The colour scale of a colouring, as in the legend.
 struct ColourScale {
     Colouring colouring = Colouring::displacement;
-    double minimum = 0;  ///< 0; -maximum for strain
-    double maximum = 1;
+    double minimum = 0;                      ///< 0; -maximum for strain; the nice number below the values of a column
+    double maximum = 1;                      ///< > minimum
+    const ParticleValues* column = nullptr;  ///< of the frame, in place of the colouring
     /// The colour of a value; the middle of the scale of strain is the spring colour of the palette.
     Rgb colour(double value, const Palette& palette) const;
 };
@@ -26,20 +28,29 @@ struct ColourScale {
 /// The scale for this frame; none for roles.
 std::optional<ColourScale> colour_scale(const Frame& frame, const Style& style);
 
-/// The title of the legend: "displacement [m]".
-std::string_view title(Colouring colouring);
+/// The title of the legend: "displacement [m]", "c_pe".
+std::string title(const ColourScale& scale);
+
+/// The column by which the particles of a frame are coloured; null: by the colouring of the style.
+const ParticleValues* shown_column(const Frame& frame, const Style& style);
+
+/// What --colour says of how a frame is coloured: "speed", "column:c_pe".
+inline constexpr std::string_view column_prefix = "column:";
+std::string colour_word(const Frame& frame, const Style& style);
 
 /// True if particles are coloured by a value, not by their role.
 constexpr bool shows_values(Colouring colouring) {
     return colouring != Colouring::role && colouring != Colouring::strain && colouring != Colouring::group;
 }
 /// True if moving particles have colours of their own, by a value or by their group.
-inline bool differs_by_particle(const Style& style, const Shape& shape) {
-    return shows_values(style.colouring) || (style.colouring == Colouring::group && !shape.groups.empty());
+inline bool differs_by_particle(const Frame& frame, const Style& style) {
+    return shown_column(frame, style) != nullptr || shows_values(style.colouring) ||
+           (style.colouring == Colouring::group && !frame.shape->groups.empty());
 }
 /// The colour of all particles of a role where they are not coloured by a value.
 Rgb role_colour(const Style& style, Role role);
-/// The colour of a particle. Fixed particles always have the colour of their role.
+/// The colour of a particle. Fixed particles have the colour of their role unless a column of a file is shown; those of
+/// which it has no number have a neutral one.
 Rgb particle_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i);
 /// The colour of a spring.
 Rgb spring_colour(const Frame& frame, const Style& style, const std::optional<ColourScale>& scale, std::size_t i);

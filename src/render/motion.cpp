@@ -25,6 +25,8 @@ void between(const Frame& from, const Frame& to, double fraction, Frame& out) {
     out.precision = to.precision;
     out.shape = to.shape;
     out.velocities = to.velocities;
+    out.values = to.values;
+    out.cell = to.cell;
     out.positions.resize(to.positions.size());
     for (std::size_t i = 0; i < to.positions.size(); ++i) {
         out.positions[i] = from_position * from.positions[i] + to_position * to.positions[i] +

@@ -53,10 +53,10 @@ void add_arrows(std::vector<Rod>& lines, const Shot& shot, const std::vector<Vec
 }
 
 void add_trail(std::vector<Rod>& lines, const Shot& shot, const std::vector<Vec3>& places) {
-    const Shape& shape = *shot.known.shape;
+    const Frame& frame = shot.frame;
     for (std::size_t i = 1; i < places.size(); ++i) {
-        const Vec3 from = shape.seen(places[i - 1]), to = shape.seen(places[i]);
-        if (!drawable(from) || !drawable(to) || shape.nearest(to - from) != to - from) continue;
+        const Vec3 from = frame.seen_at(places[i - 1]), to = frame.seen_at(places[i]);
+        if (!drawable(from) || !drawable(to) || frame.nearest(to - from) != to - from) continue;
         const double age = static_cast<double>(places.size() - i) / static_cast<double>(places.size());
         const auto alpha = static_cast<std::uint8_t>(std::lround(255 * (1 - 0.9 * age)));
         lines.push_back({vertex(shot.projection, from), vertex(shot.projection, to),

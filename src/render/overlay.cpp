@@ -1,6 +1,9 @@
 #include "render/overlay.hpp"
 
 #include "core/number_text.hpp"
+#include "core/ticks.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -22,10 +25,18 @@ PixelPoint cross_centre(PictureSize size, double pixel_scale) {
     return {56 * pixel_scale, size.height - 52 * pixel_scale};
 }
 
-/// Numbers of the scale: its ends, centre and, for strain, the quarters.
+double step_of(const ColourScale& scale) { return nice_step(scale.minimum, scale.maximum, 4); }
+
+/// Numbers of the scale: its ends, centre and, for strain, the quarters; of a column ticks as of axes.
 std::vector<double> legend_values(const ColourScale& scale) {
+    if (scale.column) return linear_ticks(scale.minimum, scale.maximum, step_of(scale));
     if (scale.minimum < 0) return {scale.minimum, scale.minimum / 2, 0, scale.maximum / 2, scale.maximum};
     return {0, scale.maximum / 2, scale.maximum};
+}
+
+std::string legend_text(const ColourScale& scale, double number) {
+    if (!scale.column) return typed(number, 3);
+    return tick_text(number, step_of(scale), std::max(std::abs(scale.minimum), std::abs(scale.maximum)));
 }
 
 }  // namespace
@@ -75,13 +86,20 @@ void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& p
     }
 }
 
+void sketch_share(Sketch& sketch, std::size_t one_of, PictureSize size, const Palette& palette, double pixel_scale) {
+    const std::string text = fmt::format("1 of {} distant particles drawn", one_of);
+    const PixelPoint extent = sketch.text_size(text);
+    const PixelPoint place{size.width - 28 * pixel_scale - extent.x, size.height - 24 * pixel_scale - extent.y};
+    sketch.text_over(place, text, palette.text, backdrop_at(palette, 1 - place.y / size.height));
+}
+
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,
                    double pixel_scale, double lower) {
     const double width = 11 * pixel_scale;
     const double height = std::min(160 * pixel_scale, 0.4 * size.height);
     const double right = size.width - 28 * pixel_scale;
     const double top = 58 * pixel_scale + lower;
-    const std::string heading(title(scale.colouring));
+    const std::string heading = title(scale);
     const auto write = [&](PixelPoint place, const std::string& text) {
         sketch.text_over(place, text, palette.text, backdrop_at(palette, 1 - place.y / size.height));
     };
@@ -95,8 +113,8 @@ void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, c
                           scale.colour(value(from), palette), scale.colour(value(to), palette));
     }
     for (const double number : legend_values(scale)) {
-        const double y = top + height * (1 - number / scale.maximum) / (1 - scale.minimum / scale.maximum);
-        const std::string text = typed(number, 3);
+        const double y = top + height * (1 - part_between(scale.minimum, scale.maximum, number));
+        const std::string text = legend_text(scale, number);
         const PixelPoint extent = sketch.text_size(text);
         write({right - width - 8 * pixel_scale - extent.x, y - extent.y / 2}, text);
     }

@@ -22,4 +22,7 @@ void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& p
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,
                    double pixel_scale, double lower = 0);
 
+/// At the lower right, that only one of so many particles is drawn.
+void sketch_share(Sketch& sketch, std::size_t one_of, PictureSize size, const Palette& palette, double pixel_scale);
+
 }  // namespace steplab::render

@@ -19,6 +19,16 @@ void pick(std::vector<GLuint>& picked, std::size_t begin, std::size_t end, std::
 
 }  // namespace
 
+std::vector<GLuint> sample_of(std::span<const IndexRange> ranges, std::size_t one_of) {
+    std::vector<GLuint> some;
+    for (const auto& [first, count] : ranges) {
+        // Blocks begin at the same places in every picture, so that the same particles are drawn.
+        for (std::size_t block = first; block < first + count; block += ParticleBlocks::block_size)
+            pick(some, block, std::min(block + ParticleBlocks::block_size, first + count), one_of);
+    }
+    return some;
+}
+
 ParticleArrays::ParticleArrays() {
     glBindVertexArray(quads_.id());
     for (const GLuint location : {0U, 1U}) per_instance(location);
@@ -62,16 +72,10 @@ void ParticleArrays::draw_points(std::span<const IndexRange> ranges) const {
     }
 }
 
-void ParticleArrays::draw_some_points(std::span<const IndexRange> ranges, std::size_t one_of) const {
-    std::vector<GLuint> some;
-    for (const auto& [first, count] : ranges) {
-        // Blocks begin at the same places in every picture, so that the same particles are drawn.
-        for (std::size_t block = first; block < first + count; block += ParticleBlocks::block_size)
-            pick(some, block, std::min(block + ParticleBlocks::block_size, first + count), one_of);
-    }
+void ParticleArrays::draw_points(std::span<const GLuint> particles) const {
     bind(points_, 0);
-    render::upload(some_, GL_ELEMENT_ARRAY_BUFFER, std::span<const GLuint>(some));
-    glDrawElements(GL_POINTS, static_cast<GLsizei>(some.size()), GL_UNSIGNED_INT, nullptr);
+    render::upload(some_, GL_ELEMENT_ARRAY_BUFFER, particles);
+    glDrawElements(GL_POINTS, static_cast<GLsizei>(particles.size()), GL_UNSIGNED_INT, nullptr);
 }
 
 void ParticleArrays::draw_quads(std::span<const IndexRange> ranges) const {

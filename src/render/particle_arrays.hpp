@@ -7,8 +7,12 @@
 #include <glm/glm.hpp>
 
 #include <span>
+#include <vector>
 
 namespace steplab::render {
+
+/// One of `one_of` particles, at uneven distances: even ones would make stripes of a grid. In every picture the same.
+std::vector<GLuint> sample_of(std::span<const IndexRange> ranges, std::size_t one_of);
 
 /// Particles on the GPU, in the order of the run. Ranges of them are drawn by the current program as points or as one
 /// quad each. Attribute 0 is the centre, attribute 1 the colour.
@@ -23,8 +27,8 @@ public:
     void colour(VertexColour colour);
 
     void draw_points(std::span<const IndexRange> ranges) const;
-    /// Draws one of `one_of` particles, at uneven distances: even ones would make stripes of a grid.
-    void draw_some_points(std::span<const IndexRange> ranges, std::size_t one_of) const;
+    /// Draws these particles.
+    void draw_points(std::span<const GLuint> particles) const;
     void draw_quads(std::span<const IndexRange> ranges) const;
 
 private:

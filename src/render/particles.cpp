@@ -47,6 +47,17 @@ std::size_t pixels_of(const Style& style) {
     return side * side;
 }
 
+std::size_t count_of(const std::vector<IndexRange>& ranges) {
+    std::size_t count = 0;
+    for (const IndexRange& range : ranges) count += range.count;
+    return count;
+}
+
+/// One of so many dots is drawn, by the style.
+std::size_t share_of(const Style& style, std::size_t dots) {
+    return style.most_dots == 0 ? 1 : std::max<std::size_t>(1, (dots + style.most_dots - 1) / style.most_dots);
+}
+
 }  // namespace
 
 Particles::Particles()
@@ -64,7 +75,10 @@ void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& tak
     const double radius = shot.known.largest_radius(Role::moving);
     for (const std::uint32_t i : shot.known.special) blocks.hide(i);
     chosen_ = blocks.choose(shot.projection, shot.tile, shot.part, radius);
-    const std::size_t one_of = pixels_of(shot.style);
+    const auto& dots = chosen_[index(Detail::dot)];
+    one_of_ = share_of(shot.style, count_of(dots));
+    const std::size_t one_of = std::max(one_of_, pixels_of(shot.style));
+    sample_ = one_of > 1 ? sample_of(dots, one_of) : std::vector<GLuint>();
     for (const Detail detail : {Detail::dot, Detail::point, Detail::body})
         blocks.mark(shot.projection, chosen_[index(detail)], radius, taken, detail == Detail::dot ? one_of : 1);
     moving_.upload(blocks.vertices());
@@ -74,17 +88,18 @@ void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& tak
 }
 
 void Particles::colour_moving(const Shot& shot) {
-    if (!differs_by_particle(shot.style, *shot.known.shape) && shot.known.parts.empty()) {
+    if (!differs_by_particle(shot.frame, shot.style) && shot.known.parts.empty()) {
         return moving_.colour(vertex_colour(role_colour(shot.style, Role::moving)));
     }
     colours_.resize(shot.frame.positions.size());
-    for (const auto& ranges : chosen_) {
-        for (const auto& [first, count] : ranges) {
-            for (std::size_t i = first; i < first + count; ++i) {
-                colours_[i] = own_colour(shot, i);
-            }
+    const bool all_dots = one_of_ == 1 && shot.style.enlarged == 1;
+    for (const Detail detail : {Detail::dot, Detail::point, Detail::body}) {
+        if (detail == Detail::dot && !all_dots) continue;
+        for (const auto& [first, count] : chosen_[index(detail)]) {
+            for (std::size_t i = first; i < first + count; ++i) colours_[i] = own_colour(shot, i);
         }
     }
+    for (const GLuint i : sample_) colours_[i] = own_colour(shot, i);
     moving_.colour(colours_);
 }
 
@@ -164,9 +179,8 @@ void Particles::draw(const ViewUniforms& view, const RenderTarget& target, const
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     use(dot_, view, radius, least_coverage);
-    const auto& dots = chosen_[index(Detail::dot)];
-    if (style.enlarged == 1) return moving_.draw_points(dots);
-    moving_.draw_some_points(dots, pixels_of(style));
+    if (one_of_ == 1 && style.enlarged == 1) return moving_.draw_points(chosen_[index(Detail::dot)]);
+    moving_.draw_points(sample_);
 }
 
 void Particles::draw_rings(const ViewUniforms& view, double pixel_scale) const {

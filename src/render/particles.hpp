@@ -23,6 +23,8 @@ public:
     void prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& taken);
     /// Draws the particles.
     void draw(const ViewUniforms& view, const RenderTarget& target, const Style& style) const;
+    /// One of so many of those that are but dots is drawn, besides what a coarse picture leaves out.
+    std::size_t one_of() const { return one_of_; }
     /// Draws the rings; blended, so after everything opaque.
     void draw_rings(const ViewUniforms& view, double pixel_scale) const;
 
@@ -48,8 +50,10 @@ private:
     ShaderProgram sphere_, cube_, octahedron_, point_, dot_, ring_;
     ParticleArrays moving_;
     std::array<std::vector<IndexRange>, details> chosen_;  ///< of the moving ones, by Detail
-    std::vector<VertexColour> colours_;                    ///< kept to reuse its memory
-    std::array<Kind, 4> kinds_;                            ///< by Role
+    std::size_t one_of_ = 1;
+    std::vector<GLuint> sample_;         ///< of the dots, if not all of them are drawn
+    std::vector<VertexColour> colours_;  ///< kept to reuse its memory
+    std::array<Kind, 4> kinds_;          ///< by Role
     DotList kicked_ring_;
     std::vector<Rings> selected_rings_;
 };

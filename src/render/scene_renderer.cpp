@@ -88,6 +88,7 @@ struct Flat {
     RunLayout layout = RunLayout::ghosts;
     Tile tile = {};  ///< of the run's own picture, as if the whole target showed it
     bool legend = true;
+    std::size_t one_of = 1;  ///< see Particles::one_of()
 };
 
 /// The style with one colour scale for all runs: where none is given, that of the run with the largest value.
@@ -173,13 +174,15 @@ Flat SceneRenderer::Body::draw_run(std::size_t run, const Frame& frame, ShownRun
     const Projection& projection = flat.projection;
     if (!known[run] || known[run]->shape != frame.shape) known[run].emplace(frame.shape);
     blocks.place(frame, projection);
-    const AxesBox box = axes_box(known[run]->expected, frame.shape->spacing, blocks.bounds());
+    const AxesBox box = axes_box(known[run]->expected, frame.shape->spacing, with_cell(blocks.bounds(), frame));
     if (style.grid) flat.axes = axes_of(box, projection, style.pixel_scale);
+    if (style.grid && frame.cell) add_cell_edges(flat.axes, *frame.cell);
     if (style.grid) add_box_edges(flat.axes, *frame.shape, blocks.bounds());
     mark_cross(flat.taken, tile.whole, style.pixel_scale);
     const Shot shot{frame, *known[run], style, flat.scale, projection, tile, part};
     if (style.springs) springs.prepare(shot, blocks);
     particles.prepare(shot, blocks, flat.taken);
+    flat.one_of = particles.one_of();
     ensemble.prepare(shot);
     arrows = motion_arrows(shot);
     trail = trail_lines(shot);
@@ -290,6 +293,7 @@ void SceneRenderer::Body::draw_flat(const Style& style, const Flat& flat, Pictur
     const bool above = texts.top < size.height / 2;
     if (in_full && style.legend && flat.legend && flat.scale)
         sketch_legend(sketch, *flat.scale, size, colours, style.pixel_scale, above ? texts.size.height : 0);
+    if (in_full && flat.one_of > 1) sketch_share(sketch, flat.one_of, size, colours, style.pixel_scale);
     sketch.finish(flat.tile, part);
 }
 

@@ -72,9 +72,14 @@ glm::vec3 in_vertex_lengths(const Projection& projection, Vec3 box) {
     return {vertex_length(projection, box.x), vertex_length(projection, box.y), vertex_length(projection, box.z)};
 }
 
-/// The part of a way that its nearest image does not have: whole sides of the box.
-glm::vec3 way_through_sides(glm::vec3 way, glm::vec3 sides) {
+/// The part of a way that its nearest image does not have: whole sides of the box, or edges of the cell.
+glm::vec3 way_through_sides(const Projection& projection, const Frame& frame, glm::vec3 way, glm::vec3 sides) {
     glm::vec3 through(0);
+    if (frame.cell) {
+        const double unit = projection.camera().distance;
+        const Vec3 part = frame.cell->through(unit * Vec3{way.x, way.y, way.z});
+        return in_vertex_lengths(projection, part);
+    }
     for (int axis = 0; axis < 3; ++axis) {
         if (sides[axis] > 0) through[axis] = sides[axis] * std::round(way[axis] / sides[axis]);
     }
@@ -121,7 +126,7 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks, const Look
     for (std::size_t i = 0; i < springs.size(); ++i) {
         if (!look.wants(springs[i])) continue;
         const glm::vec3 start = blocks.vertices()[springs[i].first], end = blocks.vertices()[springs[i].second];
-        const glm::vec3 through = way_through_sides(end - start, sides);
+        const glm::vec3 through = way_through_sides(projection, frame, end - start, sides);
         if (through == glm::vec3(0)) {
             add(start, end, i);
         } else {  // to the nearest image: half of it at each end

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,8 @@ using Trails = std::vector<std::vector<Vec3>>;
 /// Options of drawing a scene.
 struct Style {
     Colouring colouring = Colouring::role;
+    /// Name of a column of ParticleValues: particles are coloured by it, not by `colouring`, in frames that have it.
+    std::string column = {};
     Background background = Background::dark;
     bool springs = true;
     bool grid = true;                          ///< ground grid, axes with their numbers, and the small xyz cross
@@ -48,6 +51,8 @@ struct Style {
     /// Factor by which ghosts are farther from the particles of the leading run than their runs say.
     double magnify = 1;
     double pixel_scale = 1;  ///< pixels per unit of the layout: scales text and lines
+    /// Of particles that are but dots, a fair sample of about so many is drawn; 0: all of them.
+    std::size_t most_dots = 0;
     /// The picture is shown so many times as wide as it is drawn. As many particles as pixels are left out of those
     /// that are but dots.
     int enlarged = 1;

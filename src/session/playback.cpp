@@ -320,14 +320,16 @@ Tracked Playback::tracked(std::size_t particle) const {
     return tracked;
 }
 
-RunDescription played_run(const std::string& file) {
+PlayedStart played_start(const std::string& file) {
     InputFile input(file);
-    if (TrajectoryReader::reads(input)) return Playback(file).run();
+    if (TrajectoryReader::reads(input)) return {Playback(file).run()};
     FrameBlock first;
     const auto text = TextTrajectory::open(TextInput(std::move(input)), TextTrajectory::From::any_program);
     text->require({Column::x, Column::y, Column::z});
     if (!text->next(first)) refuse_file(file, "it holds no frame");
-    return unknown_run(file);
+    PlayedStart start{unknown_run(file)};
+    for (const ParticleValues& column : first.values) start.columns.push_back(column.name);
+    return start;
 }
 
 RunDescription continued(const SessionView& view) {

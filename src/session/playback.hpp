@@ -19,8 +19,8 @@ namespace steplab {
 /// index, however many there are. It has neither a thread nor a clock of its own.
 class Playback {
 public:
-    /// Stands at the first frame. CSV and XYZ are read as a whole before. Throws FileError if the file cannot be read,
-    /// has no rows or holds no frame; UsageError if its run does not fit into memory; Interrupted.
+    /// Stands at the first frame. Throws FileError if the file cannot be read, has no rows or holds no frame;
+    /// UsageError if its run does not fit into memory; Interrupted.
     explicit Playback(const std::string& file);
 
     /// Does what an event says. Throws UsageError for what cannot be done to frames of a file, FileError if a frame is
@@ -107,9 +107,14 @@ private:
     std::vector<Mark> bookmarks_;
 };
 
-/// The description of the run that wrote a file, without reading all of it. Throws FileError if its first frame cannot
-/// be played.
-RunDescription played_run(const std::string& file);
+/// What is known of a file before it is played.
+struct PlayedStart {
+    RunDescription run;                     ///< that wrote it
+    std::vector<std::string> columns = {};  ///< names of the further values of the particles of its first frame
+};
+
+/// Reads no more than the first frame. Throws FileError if that cannot be played.
+PlayedStart played_start(const std::string& file);
 
 /// A run from the moment of a trajectory that is shown, of the scene and with the method of the file.
 /// Throws UsageError if the file does not hold all of its scene.

@@ -3,7 +3,6 @@
 #include "core/error.hpp"
 #include "io/compression.hpp"
 #include "io/data_bonds.hpp"
-#include "io/dump_frames.hpp"
 #include "io/indexed_text.hpp"
 #include "io/trajectory_reader.hpp"
 
@@ -18,25 +17,19 @@ namespace {
 
 class TrajectoryFrames final : public PlayedFrames {
 public:
-    explicit TrajectoryFrames(TrajectoryReader reader) : reader_(std::move(reader)), describes_run_(true) {
-        if (!reader_.complete()) fault_ = "the file is truncated or damaged after these";
-    }
-    explicit TrajectoryFrames(IndexedText text)
-        : reader_(std::move(text.frames)), describes_run_(false), fault_(std::move(text.fault)) {}
+    explicit TrajectoryFrames(TrajectoryReader reader) : reader_(std::move(reader)) {}
 
     std::uint64_t frames() const override { return reader_.frames(); }
     std::uint64_t rows() const override { return reader_.rows(); }
     FrameBlock::Moment moment(std::uint64_t number) override { return reader_.moment(number); }
     void frame(std::uint64_t number, Frame& out) override { reader_.frame(number, out); }
-    std::string fault() const override { return fault_; }
-    std::optional<RunDescription> run() const override {
-        return describes_run_ ? std::optional(reader_.run()) : std::nullopt;
+    std::string fault() const override {
+        return reader_.complete() ? "" : "the file is truncated or damaged after these";
     }
+    std::optional<RunDescription> run() const override { return reader_.run(); }
 
 private:
     TrajectoryReader reader_;
-    bool describes_run_;
-    std::string fault_;
 };
 
 /// Bonds as springs between rows.
@@ -57,9 +50,10 @@ std::vector<Spring> springs_of(const std::vector<DataBond>& bonds, const std::ve
     return springs;
 }
 
-class PlayedDump final : public PlayedFrames {
+/// CSV, XYZ or a dump.
+class PlayedText final : public PlayedFrames {
 public:
-    explicit PlayedDump(const std::string& file) : frames_(file) {
+    explicit PlayedText(const std::string& file) : frames_(file) {
         const std::string data = std::filesystem::path(without_compression(file)).replace_extension(".data").string();
         if (!std::filesystem::is_regular_file(data)) return;
         Frame first;
@@ -85,7 +79,7 @@ public:
     bool look_on() override { return frames_.look_on(std::uint64_t{16} << 20); }
 
 private:
-    DumpFrames frames_;
+    IndexedText frames_;
     std::vector<Spring> springs_;
 };
 
@@ -94,8 +88,7 @@ private:
 std::unique_ptr<PlayedFrames> played_frames(const std::string& file) {
     InputFile input(file);
     if (TrajectoryReader::reads(input)) return std::make_unique<TrajectoryFrames>(TrajectoryReader(std::move(input)));
-    if (DumpFrames::reads(file)) return std::make_unique<PlayedDump>(file);
-    return std::make_unique<TrajectoryFrames>(indexed(std::move(input)));
+    return std::make_unique<PlayedText>(file);
 }
 
 }  // namespace steplab

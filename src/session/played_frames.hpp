@@ -35,7 +35,7 @@ public:
     virtual bool look_on() { return false; }
 };
 
-/// Of a trajectory, CSV or XYZ file, or a LAMMPS dump. Of a dump, bonds come from a LAMMPS data file of the same name
+/// Of a trajectory, CSV or XYZ file, or a LAMMPS dump. Of a text, bonds come from a LAMMPS data file of the same name
 /// with the ending `.data`, if there is one. Throws FileError, Interrupted.
 std::unique_ptr<PlayedFrames> played_frames(const std::string& file);
 

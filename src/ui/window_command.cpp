@@ -2,6 +2,7 @@
 
 #include "core/number_text.hpp"
 #include "core/shell_word.hpp"
+#include "render/colouring.hpp"
 #include "render/framing.hpp"
 #include "sim/run/run_variant.hpp"
 #include "ui/actions.hpp"
@@ -52,8 +53,10 @@ void add_picture(CommandLine& line, const Context& context) {
     const bool usual = camera == home_camera(context);
     const std::string view = usual ? std::string(said(&SceneDefaults::camera, "default")) : render::view_text(camera);
     line.add_unless(usual && frame.step == 0, "--view", view);
-    const std::string_view colour = id(style.colouring), background = id(style.background);
-    line.add_unless(colour == said(&SceneDefaults::colour, id(render::Style{}.colouring)), "--colour", colour);
+    const std::string colour = render::colour_word(frame, style);
+    const std::string_view background = id(style.background);
+    line.add_unless(colour == said(&SceneDefaults::colour, id(render::Style{}.colouring)), "--colour",
+                    shell_word(colour));
     line.add_unless(background == said(&SceneDefaults::background, id(render::Style{}.background)), "--background",
                     background);
     line.add_unless(style.springs, "--springs", "off");

@@ -3,8 +3,8 @@
 
 #include "core/error.hpp"
 #include "fuzz/memory_file.hpp"
-#include "io/dump_frames.hpp"
 #include "io/dump_text.hpp"
+#include "io/indexed_text.hpp"
 #include "io/text_trajectory.hpp"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ void read(const std::string& text) {
 }
 
 void look_through(const std::string& name) {
-    DumpFrames frames(name);
+    IndexedText frames(name);
     while (frames.has_more()) frames.look_on(1000);
     Frame frame;
     for (std::uint64_t number = 0; number < frames.frames(); ++number) frames.frame(number, frame);

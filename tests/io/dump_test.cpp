@@ -3,7 +3,6 @@
 #include "core/error.hpp"
 #include "io/compression.hpp"
 #include "io/data_bonds.hpp"
-#include "io/dump_frames.hpp"
 #include "io/dump_text.hpp"
 #include "io/dump_trajectory.hpp"
 #include "io/files.hpp"
@@ -14,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -74,8 +74,39 @@ TEST(Dump, in_a_tilted_box_is_unwrapped_along_its_edges) {
     const auto flags = frames_of(head(0, 1, "id x y z ix iy iz", box) + "1 1.5 1 0 0 2 0\n");
     EXPECT_EQ(flags[0].positions[0], (Vec3{3.5, 5, 0}));
     EXPECT_EQ(flags[0].scene.box, Vec3{}) << "no box along the axes";
-    EXPECT_THAT(refusal_of(head(0, 1, "id x y z", "BOX BOUNDS abc origin pp pp pp\n1 0 0 0\n0 1 0 0\n0 0 1 0\n")),
-                HasSubstr("line 5: its box is a general triclinic one"));
+    const Cell leaning{{Vec3{4, 0, 0}, Vec3{1, 2, 0}, Vec3{0, 0, 3}}, {}, {true, true, true}};
+    EXPECT_EQ(flags[0].scene.cell, leaning);
+    EXPECT_EQ(scaled[0].scene.cell, leaning);
+    const std::string other = "BOX BOUNDS xy xz yz pp ff pp\n-1 5 -1\n0 2.5 0.5\n0 3 0.5\n";
+    const auto back = frames_of(head(0, 1, "id xs ys zs", other) + "1 0.5 0.5 1\n");
+    EXPECT_EQ(back[0].scene.cell,
+              (Cell{{Vec3{4.5, 0, 0}, Vec3{-1, 2, 0}, Vec3{0.5, 0.5, 3}}, {0, 0, 0}, {true, false, true}}));
+    EXPECT_EQ(back[0].positions[0], (Vec3{2.25 - 0.5 + 0.5, 1.5, 3}));
+}
+
+TEST(Dump, in_a_general_triclinic_box_has_its_edges) {
+    const std::string box = "BOX BOUNDS abc origin pp pp pp\n0 2 0 5\n-3 0 0 6\n0 0 4 7\n";
+    const auto frames = frames_of(head(0, 1, "id xs ys zs", box) + "1 0.5 0.5 0.25\n");
+    EXPECT_EQ(frames[0].scene.cell, (Cell{{Vec3{0, 2, 0}, Vec3{-3, 0, 0}, Vec3{0, 0, 4}}, {5, 6, 7}}));
+    EXPECT_EQ(frames[0].positions[0], (Vec3{3.5, 7, 8}));
+    EXPECT_THAT(refusal_of(head(0, 1, "id x y z", "BOX BOUNDS abc origin pp pp pp\n1 0 0 0\n1 0 0 0\n0 0 1 0\n")),
+                HasSubstr("line 8: its box is flat"));
+}
+
+TEST(Dump, has_what_else_there_is_of_numbers_by_the_ids) {
+    const auto frames =
+        frames_of(head(0, 3, "id element x y z vx vy vz c_pe q ix") +
+                  "3 Cu 0 0 11 1 2 3 -0.5 nan 0\n1 O 1 1 12 1 2 3 2.5 7 0\n2 O 1 1 12 1 2 3 inf what 0\n");
+    ASSERT_EQ(frames[0].values.size(), 2u) << "without names, positions, velocities and image flags";
+    EXPECT_EQ(frames[0].values[0].name, "c_pe");
+    EXPECT_EQ(frames[0].values[0].values[0], 2.5);
+    EXPECT_TRUE(std::isnan(frames[0].values[0].values[1])) << "no finite number";
+    EXPECT_EQ(frames[0].values[0].values[2], -0.5);
+    EXPECT_EQ(frames[0].values[1].name, "q");
+    EXPECT_TRUE(std::isnan(frames[0].values[1].values[1]));
+    EXPECT_TRUE(std::isnan(frames[0].values[1].values[2]));
+    EXPECT_EQ(frames[0].values[1].values[0], 7);
+    EXPECT_TRUE(frames_of(head(0, 1, "id type mass xs ys zs") + "1 1 2 0 0 0\n")[0].values.empty());
 }
 
 TEST(Dump, may_change_its_columns_box_and_times) {
@@ -112,15 +143,6 @@ TEST(Dump, that_is_wrong_says_what_and_where) {
     refuses(head(0, 1, "id x y z", "BOX BOUNDS pp pp pp\n3 -1\n0 2\n0 2\n") + "1 0 0 0\n", "negative");
 }
 
-/// Three frames of two atoms.
-std::string three() {
-    std::string text;
-    for (int i = 0; i < 3; ++i)
-        text += head(10 * static_cast<std::uint64_t>(i), 2, "id type x y z") +
-                fmt::format("2 2 1 1 {}\n1 1 0 0 11\n", 12 + i);
-    return text;
-}
-
 class DumpFile : public testing::Test {
 protected:
     std::string path(const std::string& name) const { return folder_.file(name); }
@@ -128,88 +150,10 @@ protected:
         put_text(path(name), text);
         return path(name);
     }
-    static void look_through(DumpFrames& frames) {
-        while (frames.has_more()) frames.look_on(100);
-    }
 
 private:
     TemporaryFolder folder_;
 };
-
-TEST_F(DumpFile, has_its_frames_in_any_order) {
-    DumpFrames frames(written("a.dump", three()));
-    look_through(frames);
-    ASSERT_EQ(frames.frames(), 3u);
-    EXPECT_EQ(frames.fault(), "");
-    Frame frame;
-    for (const std::uint64_t number : {std::uint64_t{2}, std::uint64_t{0}, std::uint64_t{1}}) {
-        frames.frame(number, frame);
-        EXPECT_EQ(frame.step, 10 * number);
-        EXPECT_EQ(frame.positions[1].z, 12 + static_cast<double>(number));
-        EXPECT_EQ(frame.shape->groups, (std::vector<std::uint16_t>{0, 1})) << "the types";
-        EXPECT_EQ(frames.moment(number).step, 10 * number);
-    }
-}
-
-TEST_F(DumpFile, is_read_compressed) {
-    for (const char* const name : {"a.dump.gz", "a.dump.zst"}) {
-        std::string bytes;
-        const auto to = compressor(compression_of(name));
-        to->add(three(), bytes);
-        to->finish(bytes);
-        EXPECT_TRUE(DumpFrames::reads(written(name, bytes)));
-        DumpFrames frames(path(name));
-        look_through(frames);
-        EXPECT_EQ(frames.frames(), 3u) << name;
-    }
-}
-
-// Another program is writing it: a frame is there once its last line is.
-TEST_F(DumpFile, is_followed_while_it_grows) {
-    const std::string text = three();
-    const std::size_t first = text.find("ITEM: TIMESTEP", 1), second = text.find("ITEM: TIMESTEP", first + 1);
-    DumpFrames frames(written("a.dump", text.substr(0, first)));
-    for (std::size_t bytes = first; bytes <= text.size(); ++bytes) {
-        written("a.dump", text.substr(0, bytes));
-        frames.look_on(1000);
-        const std::size_t whole = bytes == text.size() ? 3 : bytes >= second ? 2 : 1;
-        ASSERT_EQ(frames.frames(), whole) << bytes;
-        const bool at_end = bytes == first || bytes == second || bytes == text.size();
-        ASSERT_EQ(frames.fault().empty(), at_end) << bytes;
-    }
-    Frame frame;
-    frames.frame(2, frame);
-    EXPECT_EQ(frame.positions[1].z, 14);
-}
-
-TEST_F(DumpFile, is_shown_up_to_its_fault) {
-    DumpFrames mixed(written("a.dump", three() + head(30, 1, "id x y z") + "1 0 0 0\n" + three()));
-    look_through(mixed);
-    EXPECT_EQ(mixed.frames(), 3u);
-    EXPECT_THAT(mixed.fault(), HasSubstr("line 34: frame 4 has 1 atoms, the ones before 2"));
-    DumpFrames back(written("b.dump", three() + three()));
-    look_through(back);
-    EXPECT_EQ(back.frames(), 3u);
-    EXPECT_THAT(back.fault(), HasSubstr("line 34: frame 4 is of step 0, the one before of step 20"));
-    DumpFrames huge(written("c.dump", three() + head(30, 2147483648, "id x y z") + "1 0 0 0\n"));
-    look_through(huge);
-    EXPECT_THAT(huge.fault(), HasSubstr("the file ends within a frame"));
-    std::string text = three();
-    text.replace(text.find("2 2 1 1 13"), 10, "2 2 1 x 13");
-    DumpFrames damaged(written("d.dump", text));
-    look_through(damaged);
-    EXPECT_EQ(damaged.frames(), 3u) << "the lines of atoms are read when the frame is gone to";
-    Frame frame;
-    EXPECT_NO_THROW(damaged.frame(0, frame));
-    EXPECT_NO_THROW(damaged.frame(2, frame));
-    try {
-        damaged.frame(1, frame);
-        FAIL();
-    } catch (const FileError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("d.dump': line 21: \"x\" is not a number"));
-    }
-    EXPECT_THROW(DumpFrames(written("e.dump", "ITEM: TIMESTEP\n")), FileError);
-}
 
 TEST_F(DumpFile, has_bonds_of_a_data_file) {
     const std::string data =
@@ -243,6 +187,36 @@ TEST(DumpText, reads_back_to_the_last_digit) {
     EXPECT_EQ(back[0].moments[0].time, frame.moments[0].time);
     EXPECT_EQ(back[0].moments[0].step, 12u);
     EXPECT_EQ(back[0].scene.box, frame.scene.box);
+}
+
+TEST(DumpText, keeps_types_masses_and_further_columns) {
+    const std::string given =
+        head(3, 2, "id type mass x y z c_pe v_a[1] xu") + "1 7 2.5 0 1 15 0.1 -3 9\n4 2 1 1 1 15 nan 1e-300 9\n";
+    std::string text;
+    append_dump(text, frames_of(given)[0]);
+    const auto back = frames_of(text);
+    EXPECT_EQ(back[0].types, (std::vector<std::uint64_t>{7, 2}));
+    EXPECT_EQ(back[0].masses, (std::vector<double>{2.5, 1}));
+    EXPECT_EQ(back[0].particles, (std::vector<std::size_t>{0, 3}));
+    ASSERT_EQ(back[0].values.size(), 2u) << "x, of which the position is not made, would be taken for it";
+    EXPECT_EQ(back[0].values[0].name, "c_pe");
+    EXPECT_EQ(back[0].values[0].values[0], 0.1);
+    EXPECT_TRUE(std::isnan(back[0].values[0].values[1]));
+    EXPECT_EQ(back[0].values[1], (ParticleValues{"v_a[1]", {-3, 1e-300}}));
+}
+
+TEST(DumpText, keeps_a_box_that_leans) {
+    for (const Cell& cell : {Cell{{Vec3{4, 0, 0}, Vec3{-1, 2, 0}, Vec3{0.5, -0.25, 3}}, {1, 2, 3}, {true, false, true}},
+                             Cell{{Vec3{0, 2, 0}, Vec3{-3, 0, 0}, Vec3{0, 1, 4}}, {5, 6, 7}, {true, true, true}}}) {
+        FrameBlock frame = frame_of_numbers();
+        frame.scene.box = {};
+        frame.scene.cell = cell;
+        std::string text;
+        append_dump(text, frame);
+        const auto back = frames_of(text);
+        EXPECT_EQ(back[0].scene.cell, cell) << text;  // these bounds are sums without rounding
+        EXPECT_EQ(back[0].positions, frame.positions);
+    }
 }
 
 TEST_F(DumpFile, of_blocks_is_made_of_whole_frames) {

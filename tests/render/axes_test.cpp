@@ -83,6 +83,19 @@ TEST(BoxEdges, of_an_open_box_close_it_at_its_lower_end_alone) {
     }
 }
 
+TEST(BoxEdges, of_a_cell_lean_as_it_does) {
+    Axes axes;
+    const Cell cell{{Vec3{3, 0, 0}, Vec3{1, 4, 0}, Vec3{0, 1, 5}}, {-1, 0, 2}, {true, true, true}};
+    add_cell_edges(axes, cell);
+    ASSERT_EQ(axes.lines.size(), 12u);
+    for (const Vec3& edge : cell.edges) {
+        EXPECT_EQ(std::count_if(axes.lines.begin(), axes.lines.end(),
+                                [&](const AxisLine& line) { return line.end - line.start == edge; }),
+                  4);
+    }
+    EXPECT_EQ(axes.lines.front().start, cell.corner);
+}
+
 TEST(BoxEdges, of_a_scene_without_box_are_none) {
     Axes axes;
     add_box_edges(axes, Shape{}, {{0, 0, 0}, {1, 1, 1}});

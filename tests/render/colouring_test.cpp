@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace steplab::render {
 namespace {
@@ -37,6 +41,61 @@ TEST(ColourScale, ends_a_little_above_the_largest_value) {
     ASSERT_TRUE(scale);
     EXPECT_DOUBLE_EQ(scale->minimum, 0);
     EXPECT_DOUBLE_EQ(scale->maximum, 2.5);
+}
+
+Frame with_column(std::vector<double> values) {
+    Frame frame = test::particles_at(std::vector<Vec3>(values.size()));
+    frame.values = std::make_shared<const std::vector<ParticleValues>>(
+        std::vector<ParticleValues>{{"q", {}}, {"c_pe", std::move(values)}});
+    return frame;
+}
+
+Style coloured_by_column(std::string name) {
+    Style style = coloured_by(Colouring::speed);
+    style.column = std::move(name);
+    return style;
+}
+
+/// But for the rounding of a channel.
+void expect_near(Rgb a, Rgb b) {
+    EXPECT_NEAR(a.red, b.red, 1);
+    EXPECT_NEAR(a.green, b.green, 1);
+    EXPECT_NEAR(a.blue, b.blue, 1);
+}
+
+TEST(ColourScale, of_a_column_ends_at_nice_numbers_around_its_values) {
+    const Frame frame = with_column({-3.36, NAN, -2.9, INFINITY});
+    const Style style = coloured_by_column("c_pe");
+    const auto scale = colour_scale(frame, style);
+    ASSERT_TRUE(scale);
+    EXPECT_DOUBLE_EQ(scale->minimum, -3.4);
+    EXPECT_DOUBLE_EQ(scale->maximum, -2.8);
+    EXPECT_EQ(title(*scale), "c_pe");
+    const Rgb neutral = palette(style.background).neutral;
+    expect_near(particle_colour(frame, style, scale, 0), viridis(0.04 / 0.6));
+    EXPECT_EQ(particle_colour(frame, style, scale, 1), neutral) << "not a number";
+    expect_near(particle_colour(frame, style, scale, 2), viridis(0.5 / 0.6));
+    EXPECT_EQ(particle_colour(frame, style, scale, 3), neutral);
+}
+
+TEST(ColourScale, of_a_column_that_a_frame_lacks_is_that_of_the_quantity) {
+    const Frame frame = with_column({1, 2});
+    EXPECT_EQ(title(*colour_scale(frame, coloured_by_column("c_ke"))), "speed [m/s]");
+    EXPECT_EQ(title(*colour_scale(test::particles_at({{0, 0, 0}}), coloured_by_column("c_pe"))), "speed [m/s]");
+    EXPECT_EQ(colour_word(frame, coloured_by_column("c_pe")), "column:c_pe");
+    EXPECT_EQ(colour_word(frame, coloured_by_column("c_ke")), "speed");
+    EXPECT_EQ(colour_word(frame, coloured_by_column("")), "speed");
+}
+
+TEST(ColourScale, of_a_column_has_a_range_for_any_values) {
+    for (const auto& [a, b] : extreme_pairs(2000)) {
+        const Frame frame = with_column({a, b});
+        const Style style = coloured_by_column("c_pe");
+        const auto scale = colour_scale(frame, style);
+        ASSERT_TRUE(scale->minimum < scale->maximum) << a << " " << b;
+        particle_colour(frame, style, scale, 0);
+        particle_colour(frame, style, scale, 1);
+    }
 }
 
 TEST(ColourScale, has_an_end_and_a_colour_for_any_values) {

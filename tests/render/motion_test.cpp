@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <vector>
+
 namespace steplab::render {
 namespace {
 
@@ -25,6 +28,18 @@ TEST(Motion, begins_and_ends_at_the_frames) {
     EXPECT_EQ(shown.positions, a.positions);
     between(a, b, 1, shown);
     EXPECT_EQ(shown.positions, b.positions);
+}
+
+TEST(Motion, keeps_what_a_file_says_of_its_particles) {
+    Frame a = on_a_cubic(1), b = on_a_cubic(1.5), shown;
+    b.values = std::make_shared<const std::vector<ParticleValues>>(std::vector<ParticleValues>{{"q", {1}}});
+    b.cell = Cell{{Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 0, 1}}};
+    between(a, b, 0.5, shown);
+    EXPECT_EQ(shown.values, b.values);
+    EXPECT_EQ(shown.cell, b.cell);
+    between(b, a, 0.5, shown);
+    EXPECT_EQ(shown.values, nullptr);
+    EXPECT_FALSE(shown.cell);
 }
 
 TEST(Motion, follows_a_cubic_exactly) {

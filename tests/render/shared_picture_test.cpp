@@ -96,10 +96,48 @@ TEST_F(SharedPicture, coarse_ones_have_some_of_the_dots_and_the_same_every_time)
     EXPECT_EQ(differing_pixels(drawn(4), drawn(4)), 0);
 }
 
+TEST_F(SharedPicture, of_more_dots_than_are_wanted_has_a_fair_sample) {
+    const PictureSize without_texts{150, 100};
+    const Frame frame = grid_of_dots(), nothing = particles_at({{100, 100, 0}}, {}, 0.01);
+    const auto drawn = [&](std::size_t most) {
+        Style style = bare();
+        style.most_dots = most;
+        return draw(frame, straight, style, without_texts);
+    };
+    const Image empty = draw(nothing, straight, bare(), without_texts);
+    const int all = differing_pixels(drawn(0), empty), some = differing_pixels(drawn(400), empty);
+    ASSERT_GT(all, 3000);
+    EXPECT_EQ(differing_pixels(drawn(0), drawn(3321)), 0) << "as many as there are";
+    EXPECT_NEAR(some, all / 9, all / 40);  // one of 9 of 3321
+    EXPECT_EQ(differing_pixels(drawn(400), drawn(400)), 0);
+}
+
+TEST_F(SharedPicture, that_leaves_out_particles_says_so) {
+    const Frame frame = grid_of_dots(), nothing = particles_at({{100, 100, 0}}, {}, 0.01);
+    const auto lower_right = [](const Image& image, const Image& empty) {
+        int count = 0;
+        for (int y = 0; y < image.size.height; ++y) {
+            for (int x = 0; x < image.size.width; ++x)
+                count += y > image.size.height - 50 && x > image.size.width / 2 && image.at(x, y) != empty.at(x, y);
+        }
+        return count;
+    };
+    Style style = bare();
+    const Camera above{{0, -10, 0}, 4, 0, 0};  // all dots are out of the picture, and so is what they would cover
+    const Image empty = draw(nothing, above, style);
+    style.most_dots = 1;
+    EXPECT_EQ(lower_right(draw(frame, above, style), empty), 0) << "nothing is left out of what is not seen";
+    const Camera far{{0, 0, 0}, 40, 0, 0};  // the dots are in the middle
+    EXPECT_GT(lower_right(draw(frame, far, style), empty), 100) << "the letters of a line";
+    style.most_dots = 0;
+    EXPECT_EQ(lower_right(draw(frame, far, style), empty), 0);
+}
+
 TEST_F(SharedPicture, coarse_ones_have_all_that_is_more_than_a_dot) {
     const Frame frame = string_of({{-1, 0, 0}, {0, 0.2, 0}, {1, 0, 0}});
     Style full, coarse;
     coarse.enlarged = 4;
+    coarse.most_dots = 1;
     EXPECT_EQ(differing_pixels(draw(frame, straight, full), draw(frame, straight, coarse)), 0);
 }
 

@@ -51,6 +51,32 @@ TEST_F(Snapshot, writes_a_png_of_the_size_asked_for) {
     EXPECT_THAT(outcome.out, HasSubstr("a.png"));
 }
 
+TEST_F(Snapshot, of_a_file_is_of_its_frame_and_coloured_by_its_column) {
+    std::string text;
+    for (int frame = 0; frame < 3; ++frame)
+        text += "2\nProperties=species:S:1:pos:R:3:charge:R:1 Step=" + std::to_string(10 * frame) +
+                "\nH 0 0 0 1\nH 1 0 " + std::to_string(frame) + " 2\n";
+    put_text(file("a.xyz"), text);
+    const auto drawn = [&](const std::string& out, std::vector<std::string> more) {
+        more.insert(more.end(), {"--trajectory", "a.xyz", "--size", "200x200", "--out", out});
+        return snapshot(more);
+    };
+    const Outcome second = drawn("a.png", {"--steps", "15"});
+    EXPECT_EQ(second.code, 0) << second.err;
+    EXPECT_THAT(second.out, HasSubstr("step 10, time 10 s"));
+    ASSERT_EQ(drawn("b.png", {"--steps", "10"}).code, 0);
+    EXPECT_EQ(bytes("a.png"), bytes("b.png")) << "the last one that is no later";
+    ASSERT_EQ(drawn("c.png", {"--steps", "20"}).code, 0);
+    EXPECT_NE(bytes("a.png"), bytes("c.png"));
+    ASSERT_EQ(drawn("d.png", {"--steps", "20", "--colour", "column:charge"}).code, 0);
+    EXPECT_NE(bytes("c.png"), bytes("d.png"));
+    const Outcome wrong = drawn("e.png", {"--colour", "column:change"});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("unknown column 'change' (did you mean 'charge'?); known: charge"));
+    EXPECT_EQ(drawn("e.png", {"--model", "chain"}).code, 2) << "the scene is that of the file";
+    EXPECT_EQ(snapshot({"--trajectory", "none.xyz", "--out", "e.png"}).code, 3);
+}
+
 TEST_F(Snapshot, is_1280_by_720_by_default) {
     ASSERT_EQ(snapshot({"--out", "a.png"}).code, 0);
     EXPECT_EQ(big_endian(bytes("a.png"), 16), 1280u);

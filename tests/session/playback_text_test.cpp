@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,11 +74,27 @@ TEST(Playback, of_text_with_steps_alone_has_their_times_from_the_first_frame_on)
     EXPECT_EQ(playback.frames(), 3u);
 }
 
+TEST(Playback, of_text_leaves_nothing_in_the_view_of_a_run) {
+    const Kept file("1\nLattice=\"4 0 0 1 4 0 0 0 4\" Properties=species:S:1:pos:R:3:charge:R:1\nH 1 2 3 0.5\n");
+    Playback playback(file.name());
+    SessionView view = view_of(playback);
+    ASSERT_TRUE(view.leading.frame.values && view.leading.frame.cell);
+    EXPECT_EQ(view.leading.frame.values->front(), (ParticleValues{"charge", {0.5}}));
+    EXPECT_EQ(played_start(file.name()).columns, std::vector<std::string>{"charge"});
+    observe(Simulation(chain()), std::nullopt, view.leading);
+    EXPECT_EQ(view.leading.frame.values, nullptr);
+    EXPECT_FALSE(view.leading.frame.cell);
+}
+
 TEST(Playback, of_damaged_text_shows_the_frames_before_and_says_why) {
     const Kept file("1\n\nH 1 2 3\n1\n\nH 2 3 4\n1\n\nH 3 x 5\n");
     Playback playback(file.name());
-    EXPECT_EQ(playback.frames(), 2u);
-    EXPECT_THAT(view_of(playback).playback->fault, HasSubstr("x"));
+    EXPECT_EQ(playback.frames(), 3u);
+    go_to(playback, 1);
+    EXPECT_THROW(go_to(playback, 2), FileError);
+    EXPECT_EQ(playback.frame().positions.front(), (Vec3{2, 3, 4})) << "it stays where it is";
+    const Kept broken("1\n\nH 1 2 3\n1\n\nH 2 3 4\nx\n\nH 3 4 5\n");
+    EXPECT_THAT(view_of(*std::make_unique<Playback>(broken.name())).playback->fault, HasSubstr("line 7: \"x\""));
     const Kept uneven("1\n\nH 1 2 3\n2\n\nH 2 3 4\nH 3 4 5\n");
     Playback first(uneven.name());
     EXPECT_THAT(view_of(first).playback->fault, HasSubstr("has 2 rows"));

@@ -12,6 +12,7 @@ readonly folder
 source "$(dirname "$0")/window_driver.sh"
 # shellcheck source=/dev/null
 source "$(dirname "$0")/window_choices_cases.sh"
+source "$(dirname "$0")/window_playback_cases.sh"
 export XDG_CONFIG_HOME=$folder/config # not that of the person who runs the tests
 trap clean_up EXIT
 
@@ -530,36 +531,6 @@ session_file_is_played_by_path_and_by_drop() {
     xdotool type a.session
     xdotool key Return
     expect 'widget scenes.path gone' 'run [0-9]+'
-    close_window
-}
-
-trajectory_is_played() {
-    start_display 1280x800
-    local steplab
-    steplab=$(dirname "$program")/steplab
-    (cd "$folder" && "$steplab" run --model chain --dt 0.1 --steps 40 --every 2 --out a.trajectory >run.txt)
-    open_window --trajectory a.trajectory
-    grep -qx 'playback 0 21' "$folder/said" || expect 'playback 0 21'
-    xdotool key Right; expect 'playback 1 21' 'step 2'
-    click time; expect 'step 20'
-    enter time 1.3; expect 'step 12'
-    enter time 'step 7'; expect 'step 6'
-    xdotool key b; expect 'bookmarks 1'
-    xdotool key r; expect 'error a trajectory is played back.*' 'widget refusal.close [0-9].*'
-    xdotool key Escape; expect 'widget refusal.close gone'
-    xdotool key t; expect 'error a trajectory is played back: no runs go beside it.*'
-    xdotool key Escape
-    click fastest; expect 'rate fastest'
-    click play; expect 'playback 20 21' 'playing false'
-    choose menu 'copy command'
-    expect 'copied steplab view --trajectory a.trajectory --steps 40 .*'
-    xdotool key BackSpace; expect 'playback 0 21'
-    xdotool key Right; expect 'step 2'
-    click continue; expect 'playback none' 'step 0' 'command .*--from a.trajectory:2.*'
-    xdotool key Right; expect 'step 1'
-    drop "$folder/a.trajectory"
-    expect 'playback 0 21'
-    xdotool key bracketright; expect 'playback none' 'model mesh'
     close_window
 }
 

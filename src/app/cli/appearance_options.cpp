@@ -3,7 +3,9 @@
 #include "app/cli/command_line.hpp"
 #include "core/entry.hpp"
 #include "core/error.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
+#include "render/colouring.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace steplab {
 namespace {
@@ -45,7 +48,8 @@ void AppearanceOptions::declare(CLI::App& app, const Help& help) {
     add("--view", view_, "VIEW",
         "Camera: default, front, side, top, or yaw,pitch,distance,x,y,z as copied from the window");
     add("--colour", colour_, "WHAT",
-        fmt::format("Quantity shown by colour: {} (default {})", joined(render::colouring_ids), colour_));
+        fmt::format("Quantity shown by colour: {}, or column:NAME of a file that is played (default {})",
+                    joined(render::colouring_ids), colour_));
     add("--background", background_, "dark|light", fmt::format("Theme of scene and panels (default {})", background_));
     add("--particle", particle_, "I", help.particle);
     add("--springs", springs_, "on|off", fmt::format("Draw the springs (default {})", springs_));
@@ -64,7 +68,12 @@ const std::string& AppearanceOptions::said(const RunDescription& description, co
 
 render::Style AppearanceOptions::style(const RunDescription& description) const {
     render::Style style;
-    style.colouring = colouring_of(said(description, "--colour", colour_, &SceneDefaults::colour));
+    const std::string& colour = said(description, "--colour", colour_, &SceneDefaults::colour);
+    if (colour.starts_with(render::column_prefix)) {
+        style.column = colour.substr(render::column_prefix.size());
+    } else {
+        style.colouring = colouring_of(colour);
+    }
     style.background = background_of(said(description, "--background", background_, &SceneDefaults::background));
     style.springs = is_on("--springs", springs_);
     style.grid = is_on("--grid", grid_);
@@ -87,6 +96,18 @@ void AppearanceOptions::put_remembered(const ui::ViewChoices& choices, const Run
     if (!is_given(*app_, "--grid")) style.grid = choices.grid;
     style.velocities = choices.velocities;
     style.forces = choices.forces;
+}
+
+void check_column(const render::Style& style, const std::vector<std::string>& columns) {
+    if (style.column.empty()) return;
+    const std::vector<std::string_view> known(columns.begin(), columns.end());
+    if (known.empty())
+        throw UsageError(
+            fmt::format("--colour column:{}: only files that are played have columns, and only those of "
+                        "XYZ and LAMMPS dumps besides positions and velocities (--trajectory FILE)",
+                        shown(style.column)));
+    if (std::find(known.begin(), known.end(), style.column) == known.end())
+        throw UsageError(unknown_word("column", style.column, known));
 }
 
 const std::string& AppearanceOptions::view(const RunDescription& description) const {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -55,5 +56,8 @@ private:
     std::string panel_;
     std::string scale_;
 };
+
+/// Throws UsageError if the style names a column that is none of those of the file that is played; none: no file is.
+void check_column(const render::Style& style, const std::vector<std::string>& columns);
 
 }  // namespace steplab

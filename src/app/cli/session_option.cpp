@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace steplab {
 
@@ -48,7 +49,8 @@ GivenSession SessionOption::trajectory(const SceneOptions& scene) const {
     if (scene.any_given())
         throw UsageError(
             fmt::format("the frames of '{}' are played: the scene is that of its run", shown(trajectory_)));
-    return {.trajectory = trajectory_, .played_run = played_run(trajectory_)};
+    PlayedStart start = played_start(trajectory_);
+    return {.trajectory = trajectory_, .played_run = std::move(start.run), .columns = std::move(start.columns)};
 }
 
 }  // namespace steplab

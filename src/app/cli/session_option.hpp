@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -20,6 +21,7 @@ struct GivenSession {
     std::string record_to = {};                     ///< empty: nowhere
     std::string trajectory = {};                    ///< empty: none
     std::optional<RunDescription> played_run = {};  ///< that wrote the trajectory
+    std::vector<std::string> columns = {};          ///< that its frames have besides
     std::optional<Lesson> lesson = {};
 
     /// The run with which the window begins, if it is not that of the scene options.

@@ -95,6 +95,7 @@ WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, Give
         throw UsageError("--steps and --until are of a new run: a session that is played begins at its start");
     if (!session.trajectory.empty() && (ensemble_.is_given() || runs.size() > 1))
         throw UsageError("--ensemble goes beside a run: a trajectory is played alone");
+    check_column(request.style, session.columns);
     request.session = std::move(session);
     return request;
 }

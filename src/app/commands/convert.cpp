@@ -157,13 +157,15 @@ private:
                 fmt::format("'{}' is text, which does not describe its run as a trajectory file must: "
                             "--format csv or xyz",
                             shown(file_)));
-        if (columns.empty()) columns = text.columns();
+        const bool all = columns.empty();
+        if (all) columns = text.columns();
         if (format == TrajectoryFormat::xyz) check_columns(format, columns);
         text.require(columns);
         write([&](OutputFile& file) {
             TrajectoryWriter writer(file, format, {}, {.columns = columns});
             for (FrameBlock frame; text.next(frame);) {
                 check_interruption();
+                if (!all) frame.values.clear();
                 writer.add(std::move(frame));
             }
             writer.finish();

@@ -1,5 +1,6 @@
 #include "app/commands/record.hpp"
 
+#include "app/cli/appearance_options.hpp"
 #include "app/cli/catalogue_text.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/ensemble_options.hpp"
@@ -53,6 +54,7 @@ public:
         const RunDescription& description = runs.front();
         const RunEnd end = time_.end(description);
         PictureRequest request = film_.request(description);
+        check_column(request.style, {});
         runs_.put_into(request.style);
         const FilmFormat format = film_.format(request.size);
         const FilmTimes times(description, end, time_.end_time(description), film_.spacing());

@@ -1,5 +1,6 @@
 #include "app/commands/snapshot.hpp"
 
+#include "app/cli/appearance_options.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/scene_options.hpp"
@@ -8,14 +9,18 @@
 #include "app/commands/pictured_runs.hpp"
 #include "app/commands/snapshot_options.hpp"
 #include "app/png.hpp"
+#include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
 #include "io/output_file.hpp"
+#include "session/playback.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -34,13 +39,18 @@ public:
         picture_.declare(app);
         runs_.declare(app);
         ensemble_.declare(app);
+        text_option(app, "--trajectory", trajectory_, "FILE",
+                    "Draw a frame of a trajectory, CSV or XYZ file or a LAMMPS dump, the one at --steps or --until",
+                    "Scene");
     }
 
     int run() override {
+        if (!trajectory_.empty()) return draw_frame();
         const std::vector<RunDescription> runs = runs_.runs(scene_.description());
         const RunDescription& description = runs.front();
         const RunEnd end = time_.end(description);
         PictureRequest request = picture_.request(description);
+        check_column(request.style, {});
         runs_.put_into(request.style);
         catch_interruptions();
         std::optional<PicturedEnsemble> ensemble = pictured_ensemble(ensemble_, description);
@@ -59,6 +69,41 @@ public:
     }
 
 private:
+    int draw_frame() {
+        if (scene_.any_given() || ensemble_.is_given())
+            throw UsageError(fmt::format("a frame of '{}' is drawn: the scene is that of its run", shown(trajectory_)));
+        catch_interruptions();
+        PlayedStart start = played_start(trajectory_);
+        const RunEnd end = time_.end(start.run);
+        PictureRequest request = picture_.request(start.run);
+        check_column(request.style, start.columns);
+        OutputFile file(picture_.out());
+        Offscreen offscreen(picture_.gl());
+        put_frame(end, request);
+        const Picture picture = offscreen.draw(request);
+        file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
+        file.commit();
+        if (!written_directly(picture_.out())) print_result(request.view, offscreen.kind());
+        return static_cast<int>(ExitCode::done);
+    }
+
+    /// The last one that is no later than this.
+    void put_frame(const RunEnd& end, PictureRequest& request) const {
+        Playback playback(trajectory_);
+        for (; playback.has_more(); playback.look_on()) check_interruption();
+        playback.handle(event::Track{request.style.selected});
+        if (end.time) {
+            playback.handle(event::SeekTime{*end.time});
+        } else {
+            playback.handle(event::Seek{end.step});
+        }
+        SessionView view;
+        playback.observe(view);
+        request.view = std::move(view.leading);
+        request.playback = std::move(view.playback);
+        request.line = std::move(view.line);
+    }
+
     void print_result(const RunView& view, const std::string& gl) const {
         print(fmt::format("{}: step {}, time {} s, {} pixels, drawn with {}\n", picture_.out(), view.frame.step,
                           short_number(view.frame.time), picture_.size_text(), gl));
@@ -69,6 +114,7 @@ private:
     SnapshotOptions picture_;
     ShownRunsOptions runs_;
     EnsembleOptions ensemble_;
+    std::string trajectory_;
 };
 
 }  // namespace

@@ -36,6 +36,8 @@ struct PictureRequest {
     std::optional<SessionErrors> errors = {};          ///< of all of them, for the panel
     std::shared_ptr<const PresentLimit> present = {};  ///< of the leading run, for the panel
     std::shared_ptr<const BlowUp> blow_up = {};        ///< if that diverged
+    std::optional<PlaybackView> playback = {};         ///< if it is a frame of a file
+    TimeLineView line = {};                            ///< of that file
 };
 
 /// A picture: rows from the top, 4 bytes per pixel (red, green, blue, alpha).

@@ -35,10 +35,11 @@ public:
         : interface_(interface),
           view_{.leading = request.view,
                 .followers = request.followers,
-                .line = {},
+                .line = request.line,
                 .errors = request.errors,
                 .present = request.present,
-                .blow_up = request.blow_up},
+                .blow_up = request.blow_up,
+                .playback = request.playback},
           style_(request.style),
           request_(request),
           renderer_(renderer) {

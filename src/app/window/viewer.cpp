@@ -3,6 +3,7 @@
 #include "app/window/priority.hpp"
 #include "core/error.hpp"
 #include "core/number_text.hpp"
+#include "render/colouring.hpp"
 #include "render/framing.hpp"
 #include "render/gl.hpp"
 #include "session/session_file.hpp"
@@ -21,6 +22,8 @@ constexpr std::chrono::duration<double> frame_time{1.0 / 60};
 constexpr int frames_after_input = 3;
 // Interpolated pictures between two steps are drawn only if a picture takes less than this.
 constexpr double slow_picture = 0.05;
+// More would take seconds where the processor draws; the picture says what it leaves out.
+constexpr std::size_t most_dots = 2'000'000;
 // A camera that has not moved for so long is at rest.
 constexpr std::chrono::duration<double> time_to_rest{0.3};
 
@@ -235,6 +238,7 @@ void Viewer::ask_for_scene(Clock::time_point now) {
                  .size = {}};
     job.style.enlarged = enlarged(now, scene);
     job.style.pixel_scale /= job.style.enlarged;
+    job.style.most_dots = film_ ? 0 : most_dots;
     const auto pixels = [&](int length) { return (length + job.style.enlarged - 1) / job.style.enlarged; };
     job.size = {pixels(scene.width), pixels(scene.height)};
     painter_.ask(job);
@@ -270,6 +274,7 @@ void Viewer::report() {
     trace_.report(camera_);
     trace_.report("lesson", interface_.lesson().empty() ? "none" : interface_.lesson());
     trace_.report("focus", interface_.focused());
+    trace_.report("colour", render::colour_word(view_->leading.frame, style_));
     trace_.report("scale", number_text(interface_.choices(style_).scale));
     trace_.report(interface_.widgets(), frames_wanted_ == 0 && (interface_.shows_scenes() || painted_.view == view_));
     if (const auto drawn = counted_.news(Clock::now())) trace_.report("drawn", *drawn);

@@ -98,7 +98,8 @@ void add_groups(const Scene& scene, Shape& shape) {
 }  // namespace
 
 double mean_nearest(const std::vector<Vec3>& places) {
-    constexpr std::size_t most = 300;  // asked
+    constexpr std::size_t most_distances = 300'000'000;  // some tenths of a second
+    const std::size_t most = std::clamp<std::size_t>(most_distances / (places.size() + 1), 16, 300);  // asked
     const std::size_t stride = std::max<std::size_t>(1, places.size() / most);
     double sum = 0, asked = 0;
     for (std::size_t i = 0; i < places.size(); i += stride) {

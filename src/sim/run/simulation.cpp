@@ -102,6 +102,8 @@ void Simulation::prepare(Frame& out, const FrameParts& wanted) const {
     out.velocities.resize(particles());
     out.ensemble.clear();
     out.forces.clear();
+    out.values.reset();
+    out.cell.reset();
 }
 
 void Simulation::fill(Frame& out, const Portion& portion) const {

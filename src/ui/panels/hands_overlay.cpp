@@ -1,4 +1,5 @@
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/format.hpp"
 
@@ -89,6 +90,18 @@ void draw_box(const Context& context, ImDrawList& list, ImVec2 pointer) {
     list.AddRect(low, high, colour::accent, 0, 0, context.px(1.5f));
 }
 
+/// What the file has of it besides, as many columns as are read at a glance.
+std::string values_of(const Frame& frame, std::size_t particle) {
+    constexpr std::size_t most = 6;
+    std::string text;
+    if (!frame.values) return text;
+    for (std::size_t i = 0; i < std::min(most, frame.values->size()); ++i) {
+        const ParticleValues& column = (*frame.values)[i];
+        text += fmt::format("\n{} {}", shown(column.name, 24), typed(column.values[particle], 4));
+    }
+    return text;
+}
+
 /// What a particle is doing.
 std::string numbers_of(const Context& context, std::size_t particle) {
     const RunView& view = context.view;
@@ -97,7 +110,8 @@ std::string numbers_of(const Context& context, std::size_t particle) {
     if (frame.shape->roles[particle] != Role::moving) text += fmt::format(" ({})", id(frame.shape->roles[particle]));
     if (const double mass = mass_of(view, particle); mass > 0) text += "   " + with_unit(setting_text(mass), "kg");
     return text +
-           fmt::format("\nat {} m\nvelocity {} m/s", vector(frame.seen(particle)), vector(frame.velocities[particle]));
+           fmt::format("\nat {} m\nvelocity {} m/s", vector(frame.seen(particle)), vector(frame.velocities[particle])) +
+           values_of(frame, particle);
 }
 
 void draw_numbers(const Context& context, ImDrawList& list) {

@@ -1,8 +1,12 @@
+#include "core/shown.hpp"
+#include "render/colouring.hpp"
 #include "ui/panels/panels.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 namespace steplab::ui {
 namespace {
@@ -22,16 +26,43 @@ std::vector<ComboItem> colouring_items() {
     };
 }
 
+/// The columns of the file that is played, behind the quantities that all frames have.
+struct ColumnItems {
+    std::vector<std::string> ids, names;
+
+    explicit ColumnItems(const Frame& frame) {
+        if (!frame.values) return;
+        for (const ParticleValues& column : *frame.values) {
+            ids.push_back(std::string(render::column_prefix) + column.name);
+            names.push_back(shown(column.name));
+        }
+    }
+    void append_to(std::vector<ComboItem>& items) const {
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            items.push_back({.id = ids[i], .name = names[i], .tooltip = "a column of the file", .group = "columns"});
+    }
+    /// The number of the one that is shown among all items, of which so many come before these.
+    std::size_t chosen(const Frame& frame, const render::Style& style, std::size_t before) const {
+        const auto found = std::find(ids.begin(), ids.end(), render::colour_word(frame, style));
+        return found == ids.end() ? static_cast<std::size_t>(style.colouring)
+                                  : before + static_cast<std::size_t>(found - ids.begin());
+    }
+};
+
 void draw_colouring(const Context& context, render::Style& style) {
     const RowPlaces places = row_places(context);
     row_label(context, "colour by", "quantity that the colours of the particles or springs show",
               ImGui::GetFrameHeight());
     ImGui::SameLine(places.control);
-    const auto items = colouring_items();
-    auto chosen = static_cast<std::size_t>(style.colouring);
-    if (combo(context, "colouring", items, chosen, places.right - places.control)) {
-        style.colouring = static_cast<render::Colouring>(chosen);
-    }
+    auto items = colouring_items();
+    const std::size_t quantities = items.size();
+    const ColumnItems columns(context.view.frame);
+    columns.append_to(items);
+    std::size_t chosen = columns.chosen(context.view.frame, style, quantities);
+    if (!combo(context, "colouring", items, chosen, places.right - places.control)) return;
+    const bool is_column = chosen >= quantities;
+    style.column = is_column ? (*context.view.frame.values)[chosen - quantities].name : "";
+    if (!is_column) style.colouring = static_cast<render::Colouring>(chosen);
 }
 
 void draw_background(const Context& context, render::Style& style) {

@@ -159,6 +159,7 @@ const std::vector<WrongUse> wrong_uses{
     {{"snapshot"}, {"--out FILE.png is required"}},
     {{"snapshot", "--out", "a.gif"}, {"--out", ".png", "a.gif"}},
     {{"snapshot", "--out", "a.png", "--size", "0x5"}, {"--size", "WIDTHxHEIGHT", "0x5"}},
+    {{"snapshot", "--out", "a.png", "--colour", "column:q"}, {"column:q", "only files that are played have columns"}},
     {{"record"}, {"--out FILE is required", "frames/%05d.png"}},
     {{"record", "--out", "a.avi"}, {"--out", ".mp4", ".webm", ".gif", "a.avi"}},
     {{"record", "--out", "a.png"}, {"one number", "frames/%05d.png", "a.png"}},
