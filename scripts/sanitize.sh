@@ -24,7 +24,7 @@ if [[ ${1:-} == --threads ]]; then
     exit
 fi
 # Minutes of runs through code that other tests run too, and memory that a sanitizer adds to or does not let be limited.
-left_out='HardCase|LongTime|LargeRun|MemoryLimits|repository'
+left_out='HardCase|LongTime|LargeRun|MemoryLimits|memory_does_not_grow|repository'
 if [[ ${1:-} == --all ]]; then
     shift
     ensure_packages graphics tests
