@@ -56,6 +56,7 @@ py::dict read(const std::string& file, std::uint64_t first, std::uint64_t every)
     py::dict rows = arrays_of(std::move(trajectory.rows));
     rows["run"] = trajectory.run;
     rows["complete"] = trajectory.complete;
+    rows["fault"] = trajectory.fault;
     return rows;
 }
 

@@ -66,14 +66,17 @@ struct Recorded {
 STEPLAB_PUBLIC Result run(const Scene& scene, const Settings& settings = {}, const End& end = {},
                           const Recorded& recorded = {});
 
-/// The rows of a file that `steplab run --out` wrote as `.trajectory`.
+/// The rows of a file of frames. Its steps are numbered in order where it has none; velocities that it does not have
+/// are 0.
 struct Trajectory {
-    Recording rows;        ///< without energies
-    std::string run;       ///< how it was made: options of the command line
-    bool complete = true;  ///< false: the file is damaged or cut off behind these rows
+    Recording rows;          ///< without energies
+    std::string run;         ///< how it was made: options of the command line; empty of a file that does not say it
+    bool complete = true;    ///< false: the file is damaged or cut off behind these rows
+    std::string fault = {};  ///< what is wrong there
 };
 
-/// Reads frames first, first + every ... of a trajectory file. Throws FileError.
+/// Reads frames first, first + every ... of a file that `steplab run --out` wrote, or another program as extended XYZ
+/// or LAMMPS dump, also compressed. Throws FileError if there is none that can be read.
 STEPLAB_PUBLIC Trajectory read(const std::string& file, std::uint64_t first = 0, std::uint64_t every = 1);
 
 }  // namespace steplab::library

@@ -28,8 +28,9 @@ class Trajectory:
     times: Floats  #: (f,) [s]
     positions: Floats  #: (f, n, 3) [m]
     velocities: Floats  #: (f, n, 3) [m/s]
-    run: str  #: how it was made: options of the command line
+    run: str  #: how it was made: options of the command line; empty of a file that does not say it
     complete: bool  #: False if the file is damaged or cut off behind these rows
+    fault: str  #: what is wrong there
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -125,7 +126,11 @@ def run(
 
 
 def read(file: str | os.PathLike[str], *, first: int = 0, every: int = 1) -> Trajectory:
-    """The rows of a ``.trajectory`` that ``steplab run --out`` wrote: of the frames first, first + every, ..."""
+    """The rows of a file: of the frames first, first + every, ...
+
+    The file is one that ``steplab run --out`` wrote, or another program as extended XYZ or LAMMPS dump, also compressed.
+    Steps are numbered in order where it has none; velocities that it does not have are 0.
+    """
     return Trajectory(**_core.read(os.fspath(file), count_from(first, "first"), count_from(every, "every", 1)))
 
 

@@ -80,6 +80,36 @@ class Runs(unittest.TestCase):
             with open(file, "r+b") as cut:
                 cut.truncate(os.path.getsize(file) - 40)
             self.assertFalse(steplab.read(file).complete)
+            self.assertIn("truncated", steplab.read(file).fault)
+
+    def test_files_of_every_format_are_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole = os.path.join(folder, "chain.trajectory")
+            run = [PROGRAM, "run", "--model", "chain", "--steps", "30", "--every", "3", "--out", whole]
+            subprocess.run(run, check=True, capture_output=True)
+            expected = steplab.read(whole)
+            for ending in ["csv", "xyz", "xyz.gz", "csv.zst", "lammpstrj", "lammpstrj.gz"]:
+                file = os.path.join(folder, "chain." + ending)
+                subprocess.run([PROGRAM, "convert", whole, "--out", file], check=True, capture_output=True)
+                read = steplab.read(file)
+                np.testing.assert_array_equal(read.steps, expected.steps, ending)
+                np.testing.assert_array_equal(read.positions, expected.positions, ending)
+                np.testing.assert_array_equal(read.velocities, expected.velocities, ending)
+                self.assertTrue(read.complete, ending)
+                self.assertEqual(steplab.read(file, first=2, every=4).steps.tolist(), [6, 18, 30])
+
+    def test_rows_before_a_damaged_one_are_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "two.xyz")
+            frame = '1\nProperties=species:S:1:pos:R:3 Time={}\nX 1 2 {}\n'
+            with open(file, "w") as out:
+                out.write(frame.format(0, 3) + frame.format(1, 4) + frame.format(2, "four"))
+            read = steplab.read(file)
+            self.assertEqual(read.positions[:, 0, 2].tolist(), [3, 4])
+            self.assertFalse(read.complete)
+            self.assertIn("four", read.fault)
+            with self.assertRaises(steplab.FileError):
+                steplab.read(os.path.join(folder, "none.xyz"))
 
 
 class Interruption(unittest.TestCase):

@@ -5,7 +5,7 @@
 #include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/recorded_run.hpp"
-#include "io/trajectory_reader.hpp"
+#include "session/played_frames.hpp"
 #include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +47,18 @@ RunEnd end_of(const RunDescription& run, const End& end) {
 void append(std::vector<double>& to, std::span<const Vec3> vectors) {
     const auto from = numbers(vectors);
     to.insert(to.end(), from.begin(), from.end());
+}
+
+void append_frames(PlayedFrames& frames, std::uint64_t first, std::uint64_t every, Recording& rows) {
+    Frame frame;
+    for (std::uint64_t number = first; number < frames.frames(); number += every) {
+        check_interruption();
+        frames.frame(number, frame);
+        rows.steps.push_back(frame.step);
+        rows.times.push_back(frame.time);
+        append(rows.positions, frame.positions);
+        append(rows.velocities, frame.velocities);
+    }
 }
 
 /// Rows of a run, one after the other.
@@ -161,21 +173,18 @@ Result run(const Scene& scene, const Settings& settings, const End& end, const R
 Trajectory read(const std::string& file, std::uint64_t first, std::uint64_t every) {
     return translated([&] {
         if (every == 0) throw steplab::UsageError("every must be 1 or more");
-        TrajectoryReader reader{InputFile(file)};
+        const auto frames = played_frames(file);
+        for (; frames->has_more(); frames->look_on()) check_interruption();
         Trajectory trajectory;
-        Recording& rows = trajectory.rows;
-        rows.particles = static_cast<std::size_t>(reader.rows());
-        Frame frame;
-        for (std::uint64_t number = first; number < reader.frames(); number += every) {
-            check_interruption();
-            reader.frame(number, frame);
-            rows.steps.push_back(frame.step);
-            rows.times.push_back(frame.time);
-            append(rows.positions, frame.positions);
-            append(rows.velocities, frame.velocities);
+        trajectory.rows.particles = static_cast<std::size_t>(frames->rows());
+        if (const auto run = frames->run()) trajectory.run = command_line(*run);
+        trajectory.fault = frames->fault();
+        try {
+            append_frames(*frames, first, every, trajectory.rows);
+        } catch (const steplab::FileError& error) {  // in a row of particles
+            trajectory.fault = error.what();
         }
-        trajectory.run = command_line(reader.run());
-        trajectory.complete = reader.complete();
+        trajectory.complete = trajectory.fault.empty();
         return trajectory;
     });
 }
