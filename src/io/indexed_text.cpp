@@ -4,6 +4,7 @@
 #include "core/interruption.hpp"
 #include "core/shown.hpp"
 #include "io/scene_file.hpp"
+#include "io/text_input.hpp"
 #include "io/text_trajectory.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,6 @@ namespace steplab {
 namespace {
 
 constexpr std::uint64_t piece_of_text = std::uint64_t{1} << 20;
-constexpr std::size_t longest_line = std::size_t{1} << 16;
 
 constexpr const char* unknown_scene =
     "steplab = 1\n"
@@ -121,7 +121,7 @@ bool IndexedText::look_at_piece() {
         place_ += end + 1 - begin;
         ++lines_;
     }
-    if (begin == 0 && text.size() > longest_line && broken_.empty())
+    if (begin == 0 && text.size() > longest_text_line && broken_.empty())
         broken_ = fmt::format("line {}: it is too long for a text of particles", lines_ + 1);
     stuck_ = begin == 0;
     if (broken_.empty() && !is_restoring() && (stuck_ || place_ == file_->size())) look_at_end();
@@ -141,7 +141,7 @@ void IndexedText::restore_piece() {
 /// A file that is not being written may have a last line without an end, and its last frame ends with it.
 void IndexedText::look_at_end() {
     if (grown_) return;
-    const std::string last = file_->read(place_, longest_line);
+    const std::string last = file_->read(place_, longest_text_line);
     if (!last.empty() && damaged_.empty() && finder_->may_end_with(last)) {
         take_line(last);
         place_ += last.size();

@@ -13,7 +13,6 @@ namespace steplab {
 namespace {
 
 constexpr std::size_t read_at_once = std::size_t{1} << 18;
-constexpr std::size_t longest_line = std::size_t{1} << 16;
 
 }  // namespace
 
@@ -87,7 +86,7 @@ std::optional<std::string_view> TextInput::line() {
     std::size_t searched = 0, end = 0;
     while ((end = text_.find('\n', taken_ + searched)) == std::string::npos) {
         searched = text_.size() - taken_;
-        if (searched > longest_line) {
+        if (searched > longest_text_line) {
             ++lines_;
             fail("it is too long for CSV or XYZ");
         }

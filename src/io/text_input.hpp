@@ -3,6 +3,7 @@
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,6 +12,9 @@
 #include <string_view>
 
 namespace steplab {
+
+/// Bytes; longer ones are no text of ours.
+inline constexpr std::size_t longest_text_line = std::size_t{1} << 16;
 
 /// The lines of a text, decompressed if it is compressed, whatever its name. Holds a line and a piece of a file at a
 /// time.

@@ -102,7 +102,7 @@ void PanelChanges::add(PixelPoint low, PixelPoint high, std::uint64_t triangle) 
     const int last_column = last(high.x, columns_), last_row = last(high.y, rows_);
     for (int row = first(low.y, rows_); row <= last_row; ++row) {
         for (int column = first(low.x, columns_); column <= last_column; ++column) {
-            std::uint64_t& tile = now_[static_cast<std::size_t>(row * columns_ + column)];
+            std::uint64_t& tile = now_[number(column, row)];
             tile = mixed(tile, triangle);
         }
     }
@@ -120,7 +120,7 @@ std::vector<PictureArea> PanelChanges::changed_areas() const {
         std::vector<PictureArea> in_row;
         bool open = false;
         for (int column = 0; column < columns_; ++column) {
-            const auto place = static_cast<std::size_t>(row * columns_ + column);
+            const std::size_t place = number(column, row);
             const PictureArea here = tile(column, row);
             const bool changed = seen_.empty() || seen_[place] != now_[place];
             if (changed && open) {

@@ -2,6 +2,7 @@
 
 #include "render/split.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -30,6 +31,9 @@ private:
     void add(PixelPoint low, PixelPoint high, std::uint64_t triangle);
     std::vector<PictureArea> changed_areas() const;
     PictureArea tile(int column, int row) const;
+    std::size_t number(int column, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    }
 
     PictureSize size_{0, 0};
     int columns_ = 0, rows_ = 0;

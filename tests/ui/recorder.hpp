@@ -73,6 +73,9 @@ private:
         void operator()(const event::ShowSamples& show) const {
             to.calls.emplace_back(show.on ? "samples on" : "samples off");
         }
+        void operator()(const event::ShowCosts& show) const {
+            to.calls.emplace_back(show.on ? "costs on" : "costs off");
+        }
         template <class Other>
         void operator()(const Other&) const {
             to.calls.emplace_back("other");

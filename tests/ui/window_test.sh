@@ -125,6 +125,12 @@ plots_are_chosen_and_saved() {
     expect 'widget energies.csv gone'
     [[ $(head -n 1 steplab-energies-1.csv) == time,kinetic,potential,total && $(wc -l <steplab-energies-1.csv) == 5 ]] ||
         fail 'the table of a plot does not hold the four steps'
+    xdotool key Tab; expect 'widget energies gone'
+    xdotool key Right; expect 'step 4'
+    xdotool key Tab; expect 'widget energies [0-9].*'
+    click energies.save; expect 'widget energies.csv [0-9].*'; click energies.csv
+    expect 'widget energies.csv gone'
+    [[ $(wc -l <steplab-energies-2.csv) == 6 ]] || fail 'steps are missing from a plot that was hidden'
     click energies.save; expect 'widget energies.svg [0-9].*'; click energies.svg
     expect 'widget energies.svg gone'
     grep -q '<polyline' steplab-energies-1.svg || fail 'the drawing of a plot has no line'

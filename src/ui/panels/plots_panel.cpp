@@ -17,11 +17,11 @@ namespace {
 
 constexpr float header = 26;  // height of a plot's own line of controls, in units of the layout
 
-/// Samples are taken while there are plots to show them.
+/// Samples are taken once there are plots to show them, and on while these are hidden: what is missing then would be
+/// missing from the curves later.
 void ask_for_samples(const Context& context) {
-    if (context.purpose != Purpose::use) return;
-    const bool wanted = !context.layout.plots.empty();
-    if (std::exchange(context.state.plots.sampled, wanted) != wanted) context.events.send(event::ShowSamples{wanted});
+    if (context.purpose != Purpose::use || context.layout.plots.empty()) return;
+    if (std::exchange(context.state.plots.sampled, true) != true) context.events.send(event::ShowSamples{true});
 }
 
 /// How many of the chosen plots have room.
@@ -29,16 +29,16 @@ std::size_t shown_plots(const Context& context) {
     return std::min(context.state.plots.shown.size(), static_cast<std::size_t>(context.layout.plot_count));
 }
 
-/// Costs are scanned while their plot is shown.
+/// Costs are scanned once their plot is shown, and on while it is hidden, until it is closed.
 void ask_for_costs(const Context& context) {
     if (context.purpose != Purpose::use) return;
-    const auto& shown = context.state.plots.shown;
-    const std::size_t count = context.layout.plots.empty() ? 0 : shown_plots(context);
-    const bool wanted = !context.session.playback &&
-                        std::any_of(shown.begin(), shown.begin() + static_cast<std::ptrdiff_t>(count),
-                                    [](const PlotChoice& choice) { return choice.kind == PlotKind::costs; });
-    if (std::exchange(context.state.plots.scanned, wanted).value_or(false) != wanted)
-        context.events.send(event::ShowCosts{wanted});
+    PlotsState& plots = context.state.plots;
+    const auto chosen = std::find_if(plots.shown.begin(), plots.shown.end(),
+                                     [](const PlotChoice& choice) { return choice.kind == PlotKind::costs; });
+    const auto number = static_cast<std::size_t>(chosen - plots.shown.begin());
+    const bool seen = !context.layout.plots.empty() && number < shown_plots(context);
+    const bool wanted = !context.session.playback && chosen != plots.shown.end() && (seen || plots.scanned == true);
+    if (std::exchange(plots.scanned, wanted).value_or(false) != wanted) context.events.send(event::ShowCosts{wanted});
 }
 
 /// A click on a point of the diagram adds its run.

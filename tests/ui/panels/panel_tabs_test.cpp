@@ -77,11 +77,11 @@ TEST(panel_tabs, have_a_plot_where_there_is_no_room_below_the_scene) {
     desk.click("tab/Plot");
     EXPECT_TRUE(desk.has("plot 1"));
     EXPECT_FALSE(desk.has("scene.n"));
-    EXPECT_EQ(desk.calls().back(), "samples on");
+    EXPECT_EQ(desk.calls(), std::vector<std::string>{"samples on"}) << "not before there is a plot";
     EXPECT_LE(desk.widget("energy error.save").right, 300);
     desk.click("tab/State");
     EXPECT_FALSE(desk.has("plot 1"));
-    EXPECT_EQ(desk.calls().back(), "samples off");
+    EXPECT_TRUE(desk.calls().empty()) << "they are taken on";
     desk.click("tab/Plot");
     desk.key(Key::tab);
     EXPECT_FALSE(desk.has("tab/Plot")) << "the key hides the panel with its plot";

@@ -192,14 +192,35 @@ TEST(plots, over_other_things_than_time_are_moved_alone) {
     EXPECT_TRUE(saved_svg(desk, 2) == other);
 }
 
-// Samples cost the run something.
-TEST(plots, ask_for_samples_while_they_are_shown) {
+long asked(Desk& desk, const char* what) {
+    const auto calls = desk.calls();
+    return std::count(calls.begin(), calls.end(), what);
+}
+
+// What a run did while its plots were hidden would be missing from them.
+TEST(plots, keep_their_samples_while_they_are_hidden) {
     Desk desk(describe("chain"));
     EXPECT_TRUE(desk.calls().empty()) << "asked for in the first frame";
     desk.key(Key::tab);
     desk.frame();
-    const auto calls = desk.calls();
-    EXPECT_EQ(std::count(calls.begin(), calls.end(), "samples off"), 1) << testing::PrintToString(calls);
+    EXPECT_FALSE(desk.has("plot 1"));
+    EXPECT_EQ(asked(desk, "samples off"), 0);
+    desk.key(Key::tab);
+    EXPECT_TRUE(desk.has("plot 1"));
+    EXPECT_EQ(asked(desk, "samples on"), 0) << "they are being taken";
+}
+
+TEST(plots, of_costs_are_kept_while_they_are_hidden_but_not_closed) {
+    Desk desk(describe("chain"));
+    choose(desk, 1, "speed against error");
+    EXPECT_EQ(asked(desk, "costs on"), 1);
+    desk.key(Key::tab);
+    desk.frame();
+    desk.key(Key::tab);
+    EXPECT_EQ(asked(desk, "costs off"), 0);
+    desk.click("speed against error.close");
+    EXPECT_EQ(asked(desk, "costs off"), 1);
+    EXPECT_EQ(asked(desk, "costs on"), 0);
 }
 
 }  // namespace
