@@ -32,6 +32,17 @@ WidgetRect Desk::widget(std::string_view name) {
     return {};
 }
 
+int Desk::vertices_within(const WidgetRect& place) const {
+    int count = 0;
+    const ImDrawData& data = interface.draw_data();
+    for (int i = 0; i < data.CmdListsCount; ++i)
+        for (const ImDrawVert& vertex : data.CmdLists[i]->VtxBuffer)
+            if (vertex.pos.x > place.left && vertex.pos.x < place.right && vertex.pos.y > place.top &&
+                vertex.pos.y < place.bottom)
+                ++count;
+    return count;
+}
+
 void Desk::move_to(float x, float y) {
     interface.input().push(PointerMoved{x, y});
     frame();

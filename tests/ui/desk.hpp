@@ -24,6 +24,8 @@ public:
     /// Where a widget is; fails the test, naming those there are, if it is not drawn.
     WidgetRect widget(std::string_view name);
     bool has(std::string_view name) const { return interface.widgets().contains(name); }
+    /// How many vertices were drawn inside a place.
+    int vertices_within(const WidgetRect& place) const;
 
     void move_to(float x, float y);
     /// Moves onto a widget, `part` of its width from the left.

@@ -22,18 +22,6 @@ std::string drawn(const Desk& desk) {
     return bytes;
 }
 
-/// How many vertices were drawn inside a place.
-int vertices_within(const Desk& desk, const WidgetRect& place) {
-    int count = 0;
-    const ImDrawData& data = desk.interface.draw_data();
-    for (int i = 0; i < data.CmdListsCount; ++i)
-        for (const ImDrawVert& vertex : data.CmdLists[i]->VtxBuffer)
-            if (vertex.pos.x > place.left && vertex.pos.x < place.right && vertex.pos.y > place.top &&
-                vertex.pos.y < place.bottom)
-                ++count;
-    return count;
-}
-
 /// A desk with a run of some steps, so that its plots have curves.
 struct Recorded {
     Recorded() : desk(describe("chain")) {
@@ -109,9 +97,9 @@ TEST(picture, holds_no_button_that_saves_plots) {
     Desk& desk = recorded.desk;
     desk.frame();
     const WidgetRect button = desk.widget("displacement.save");
-    EXPECT_GT(vertices_within(desk, button), 0);
+    EXPECT_GT(desk.vertices_within(button), 0);
     desk.picture(true);
-    EXPECT_EQ(vertices_within(desk, button), 0);
+    EXPECT_EQ(desk.vertices_within(button), 0);
 }
 
 TEST(picture, changes_nothing_in_the_window) {

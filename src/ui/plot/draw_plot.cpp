@@ -226,10 +226,14 @@ void draw_values_under_pointer(const Context& context, const Plot& plot, const p
     tooltip_beside(context, {pointer.x, area.y, pointer.x, area.bottom()}, text);
 }
 
+/// In the middle of the frame, in as many lines as it takes.
 void draw_empty(const Context& context, const Plot& plot, const Area& frame) {
     const WithFont font(context.theme.fonts().small);
-    const float width = ImGui::CalcTextSize(plot.empty.c_str()).x;
-    text_left(frame.x + 0.5f * (frame.width - width), frame.y + 0.5f * frame.height, plot.empty, colour::text_faint);
+    const float room = frame.width - context.px(12);
+    const ImVec2 size = ImGui::CalcTextSize(plot.empty.c_str(), nullptr, false, room);
+    const ImVec2 corner{frame.x + 0.5f * (frame.width - size.x), frame.y + 0.5f * (frame.height - size.y)};
+    ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), corner, colour::text_faint,
+                                        plot.empty.c_str(), nullptr, room);
 }
 
 void draw_save_menu(const Context& context, const Plot& plot, const Area& area) {

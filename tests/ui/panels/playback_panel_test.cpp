@@ -62,5 +62,15 @@ TEST_F(PlayedBack, of_some_particles_says_nothing_of_energies) {
     EXPECT_FALSE(desk.has("forces"));
 }
 
+// "not known: the file does not have a whole scene" takes several lines there.
+TEST(played_back_in_a_small_window, plots_say_why_they_are_empty_within_their_frames) {
+    Desk desk(describe("mesh"), {900, 600, 1});
+    desk.session.playback = PlaybackView{.file = "a.xyz", .frame = 3, .frames = 12, .measured = false};
+    for (int i = 0; i < 3; ++i) desk.frame();
+    const WidgetRect frame = desk.widget("displacement");
+    EXPECT_GT(desk.vertices_within(frame), 0);
+    EXPECT_EQ(desk.vertices_within({frame.right + 1, frame.top, 900, frame.bottom}), 0);
+}
+
 }  // namespace
 }  // namespace steplab::ui
