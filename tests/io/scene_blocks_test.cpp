@@ -1,5 +1,6 @@
 // What each key of a scene file means, and which values it refuses.
 #include "core/error.hpp"
+#include "io/scene_toml.hpp"
 #include "models/scene/scene_particles.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/run_description.hpp"
@@ -190,6 +191,31 @@ TEST(SceneBlocks, what_the_start_depends_on_restarts) {
     EXPECT_EQ(change("a", "1"), OnChange::restarts);
     EXPECT_EQ(change("c", "1"), OnChange::restarts) << "through b";
     EXPECT_EQ(change("c", "a"), OnChange::restarts) << "used by both";
+}
+
+TEST(SceneBlocks, what_the_box_depends_on_restarts_though_forces_use_it_first) {
+    const SceneOrigin scene = read_scene(
+        pair_and("[[springs]]\nbetween = \"pair\"\nk = \"a\"\n[box]\nsize = [\"a\", 0, 0]\n[parameters]\na = 9"));
+    EXPECT_EQ(describe(scene).scene.infos()[0].on_change, OnChange::restarts);
+}
+
+// Only a chain is limited, not how many parameters follow others.
+TEST(SceneBlocks, many_parameters_may_follow_one) {
+    std::string parameters = "[parameters]\na = 1\n", sum = "a";
+    for (int i = 0; i < 250; ++i) {
+        parameters += "b" + std::to_string(i) + " = \"a\"\n";
+        sum += " + b" + std::to_string(i);
+    }
+    EXPECT_EQ(
+        scene_of(pair_and("[[springs]]\nbetween = \"pair\"\nk = \"" + sum + "\"\n" + parameters)).springs[0].k.value,
+        251);
+}
+
+TEST(SceneBlocks, every_character_of_a_text_is_written_so_that_it_is_read_again) {
+    std::string text;
+    for (int c = 1; c < 128; ++c) text += static_cast<char>(c);
+    const toml::table read = toml::parse("a = " + toml_string(text));
+    EXPECT_EQ(read["a"].value<std::string>(), text);
 }
 
 TEST(SceneBlocks, a_box_has_its_corner) {
