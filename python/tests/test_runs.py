@@ -15,6 +15,14 @@ import steplab
 from steplab import Scene
 
 
+def written_by_the_program(folder):
+    """A trajectory of 11 rows of a chain."""
+    file = os.path.join(folder, "chain.trajectory")
+    run = [PROGRAM, "run", "--model", "chain", "--steps", "30", "--every", "3", "--out", file]
+    subprocess.run(run, check=True, capture_output=True)
+    return file
+
+
 class Runs(unittest.TestCase):
     def test_has_the_hash_of_the_program(self):
         given = "--model chain --set n=20 --method pefrl --dt 0.05 --until 30"
@@ -67,9 +75,7 @@ class Runs(unittest.TestCase):
 
     def test_trajectory_is_read_back(self):
         with tempfile.TemporaryDirectory() as folder:
-            file = os.path.join(folder, "chain.trajectory")
-            run = [PROGRAM, "run", "--model", "chain", "--steps", "30", "--every", "3", "--out", file]
-            subprocess.run(run, check=True, capture_output=True)
+            file = written_by_the_program(folder)
             trajectory = steplab.read(file)
             here = steplab.run(Scene.model("chain"), steps=30, every=3)
             np.testing.assert_array_equal(trajectory.positions, here.positions)
@@ -84,9 +90,7 @@ class Runs(unittest.TestCase):
 
     def test_files_of_every_format_are_read(self):
         with tempfile.TemporaryDirectory() as folder:
-            whole = os.path.join(folder, "chain.trajectory")
-            run = [PROGRAM, "run", "--model", "chain", "--steps", "30", "--every", "3", "--out", whole]
-            subprocess.run(run, check=True, capture_output=True)
+            whole = written_by_the_program(folder)
             expected = steplab.read(whole)
             for ending in ["csv", "xyz", "xyz.gz", "csv.zst", "lammpstrj", "lammpstrj.gz"]:
                 file = os.path.join(folder, "chain." + ending)

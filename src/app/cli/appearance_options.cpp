@@ -103,8 +103,8 @@ void check_column(const render::Style& style, const std::vector<std::string>& co
     const std::vector<std::string_view> known(columns.begin(), columns.end());
     if (known.empty())
         throw UsageError(
-            fmt::format("--colour column:{}: only files that are played have columns, and only those of "
-                        "XYZ and LAMMPS dumps besides positions and velocities (--trajectory FILE)",
+            fmt::format("--colour column:{}: there is no column besides positions and velocities; XYZ files and LAMMPS "
+                        "dumps that are played (--trajectory FILE) may have some",
                         shown(style.column)));
     if (std::find(known.begin(), known.end(), style.column) == known.end())
         throw UsageError(unknown_word("column", style.column, known));
