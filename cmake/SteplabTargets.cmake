@@ -9,7 +9,8 @@ target_compile_definitions(steplab_arithmetic INTERFACE EIGEN_DONT_VECTORIZE)
 
 # `-Wno-psabi`: how vector registers are handed over depends on the instruction set; none are between code of several.
 add_library(steplab_warnings INTERFACE)
-target_compile_options(steplab_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wno-psabi
+target_compile_options(steplab_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-psabi
+                                                  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wno-subobject-linkage,-Wshadow>
                                                   $<$<BOOL:${STEPLAB_WERROR}>:-Werror>
                                                   # clang says where a loop over dual numbers cannot be vectorised
                                                   $<$<CXX_COMPILER_ID:Clang>:-Wno-pass-failed>)
@@ -59,11 +60,18 @@ function(steplab_precompile target)
   endif()
 endfunction()
 
-# steplab_library(folder [LINK target...] [SOURCES file...] [EXCLUDE regex] [PRECOMPILE header...]): the static library
-# steplab_<folder> of all sources in the current folder and the rooms below it.
+# steplab_join(target): most of the time of small sources goes into headers, which several read at once. Hence names in
+# unnamed namespaces differ within a room, as tidy asks for too. What the compiler says of names of one source
+# alone is said where sources are not joined (presets `clang` and `debug`).
+function(steplab_join target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${STEPLAB_JOINED_SOURCES} UNITY_BUILD_BATCH_SIZE 8)
+endfunction()
+
+# steplab_library(folder [LINK target...] [SOURCES file...] [EXCLUDE regex] [PRECOMPILE header...] [APART]): the static
+# library steplab_<folder> of all sources in the current folder and the rooms below it; APART: never several at a time.
 # It is compiled as position-independent code, because the off-screen modules link it too.
 function(steplab_library folder)
-  cmake_parse_arguments(ARG "" "EXCLUDE" "LINK;SOURCES;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "APART" "EXCLUDE" "LINK;SOURCES;PRECOMPILE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(ARG_EXCLUDE)
     list(FILTER sources EXCLUDE REGEX ${ARG_EXCLUDE})
@@ -75,6 +83,9 @@ function(steplab_library folder)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_link_libraries(${target} PUBLIC ${ARG_LINK})
     steplab_precompile(${target} ${ARG_PRECOMPILE})
+    if(NOT ARG_APART)
+      steplab_join(${target})
+    endif()
   else()
     add_library(${target} INTERFACE)
     target_include_directories(${target} INTERFACE ${PROJECT_SOURCE_DIR}/src)
@@ -111,10 +122,10 @@ function(steplab_test_headers)
   target_precompile_headers(test_headers PRIVATE ${steplab_test_precompiled})
 endfunction()
 
-# steplab_tests(folder [LINK target...] [PRECOMPILE header...]): test_<folder> of all sources in the current folder and
-# the rooms below it, each test known to ctest; PRECOMPILE as in steplab_library().
+# steplab_tests(folder [LINK target...] [PRECOMPILE header...] [APART]): test_<folder> of all sources in the current folder
+# and the rooms below it, each test known to ctest; PRECOMPILE and APART as in steplab_library().
 function(steplab_tests folder)
-  cmake_parse_arguments(ARG "" "" "LINK;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "APART" "" "LINK;PRECOMPILE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(NOT sources)
     return()
@@ -124,6 +135,9 @@ function(steplab_tests folder)
     target_precompile_headers(test_${folder} PRIVATE ${steplab_test_precompiled} ${ARG_PRECOMPILE})
   elseif(TARGET test_headers)
     target_precompile_headers(test_${folder} REUSE_FROM test_headers)
+  endif()
+  if(NOT ARG_APART)
+    steplab_join(test_${folder})
   endif()
   target_include_directories(test_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   set_target_properties(test_${folder} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
@@ -136,7 +150,9 @@ endfunction()
 
 # steplab_count_allocations(folder): its tests have an operator new that counts, and fails when asked to.
 function(steplab_count_allocations folder)
-  target_sources(test_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/allocations.cpp)
+  set(counting ${PROJECT_SOURCE_DIR}/tests/support/allocations.cpp)
+  target_sources(test_${folder} PRIVATE ${counting})
+  set_source_files_properties(${counting} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(STEPLAB_SANITIZE STREQUAL thread)
     # the sanitizer comes with an operator new of its own: that of allocations.cpp, which is linked first, counts
     target_link_options(test_${folder} PRIVATE -Wl,--allow-multiple-definition)

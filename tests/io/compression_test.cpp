@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 const Compression both[] = {Compression::gzip, Compression::zstd};
 
-std::string ending(Compression compression) { return compression == Compression::gzip ? ".gz" : ".zst"; }
+std::string file_ending(Compression compression) { return compression == Compression::gzip ? ".gz" : ".zst"; }
 
 /// Lines of digits, as rows have them.
 std::string rows(std::size_t count) {
@@ -30,7 +30,7 @@ std::string rows(std::size_t count) {
 /// A text in a file compressed by its name.
 std::string compressed(const std::string& text, Compression compression) {
     const TemporaryFolder folder;
-    const std::string name = folder.file("a.csv") + ending(compression);
+    const std::string name = folder.file("a.csv") + file_ending(compression);
     OutputFile file(name, compression_of(name));
     for (std::size_t begin = 0; begin < text.size(); begin += 10007) {
         file.write(std::string_view(text).substr(begin, 10007));
@@ -128,7 +128,7 @@ TEST(Compression, rubbish_behind_it_is_refused) {
 TEST(Compression, an_interrupted_file_is_whole_up_to_there) {
     const TemporaryFolder folder;
     for (const Compression compression : both) {
-        OutputFile file(folder.file("a.csv") + ending(compression), compression);
+        OutputFile file(folder.file("a.csv") + file_ending(compression), compression);
         file.write("step\n1\n");
         const auto kept = file.keep_partial();
         ASSERT_TRUE(kept);

@@ -101,13 +101,14 @@ TEST(Ias15Order, is_15_also_inside_a_step) {
     EXPECT_LT(order_inside<HardlyIterated>(1.125L, 0.9375L), 13);
 }
 
-constexpr LineForces rope{.count = 5, .first_fixed = true, .mass = 1, .k = 20, .rest_length = 0.5, .gravity = 9.81};
+constexpr LineForces hanging_rope{
+    .count = 5, .first_fixed = true, .mass = 1, .k = 20, .rest_length = 0.5, .gravity = 9.81};
 
 template <class Integrator, class T>
 State<T> rope_after(T duration, std::size_t frames, T drag, double tolerance, const ParameterValues& defaults) {
     ParameterValues values = defaults;
     values.set("tolerance", tolerance);
-    System system(engine<T>(rope), drag, duration / static_cast<T>(frames));
+    System system(engine<T>(hanging_rope), drag, duration / static_cast<T>(frames));
     Integrator integrator(values);
     integrator.start(system, {Field<T>(5), Field<T>(5)});
     for (std::size_t i = 0; i < frames; ++i) integrator.step(system);
@@ -135,7 +136,7 @@ TEST(Ias15, drag_and_gravity_agree_with_gauss) {
 
 TEST(Ias15, saved_state_goes_on_with_the_same_bits) {
     const ParameterValues values(Ias15::info.parameters);
-    System system(engine<double>(rope), 0.3, 0.07), other(engine<double>(rope), 0.3, 0.07);
+    System system(engine<double>(hanging_rope), 0.3, 0.07), other(engine<double>(hanging_rope), 0.3, 0.07);
     GaussRadau<double> first(values), second(values);
     first.start(system, {Field<double>(5), Field<double>(5)});
     for (int i = 0; i < 20; ++i) first.step(system);

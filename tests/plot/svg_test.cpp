@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-Plot two_curves() {
+Plot two_drawn_curves() {
     Plot plot;
     plot.curves = {{.name = "run", .x = {0, 0.1, 0.2}, .y = {1, 2.5, -3}},
                    {.name = "exact", .colour = Curve::exact, .x = {0, 0.1, 0.2}, .y = {1, NAN, -3.125}}};
@@ -24,7 +24,7 @@ Plot two_curves() {
 }
 
 TEST(svg, holds_title_axes_curves_and_caption) {
-    Plot plot = two_curves();
+    Plot plot = two_drawn_curves();
     plot.title = "E < E0 & more";
     plot.caption = "chain, rk4";
     plot.moments = {{0.1, "dt 0.2"}};
@@ -123,7 +123,7 @@ TEST(svg, element_of_a_plot_without_a_point_is_empty) {
 }
 
 TEST(svg, legend_names_curves_and_bands_but_not_those_that_are_left_out_of_it) {
-    Plot plot = two_curves();
+    Plot plot = two_drawn_curves();
     plot.bands = {{.name = "spread", .x = {0, 0.2}, .low = {-1, -1}, .high = {1, 1}}};
     plot.curves[1].in_legend = false;
     const std::string text = svg(plot);

@@ -13,13 +13,15 @@ namespace steplab::render {
 namespace {
 
 const AxesBox box{{{0, -1, -18}, {18, 3, 0}}, 2};
-const PictureSize size{1280, 720};
+const PictureSize size_of_axes{1280, 720};
 
 bool has_label(const Axes& axes, const std::string& text) {
     return std::any_of(axes.labels.begin(), axes.labels.end(), [&](const AxisLabel& l) { return l.text == text; });
 }
 
-Axes seen_from(double yaw, double pitch) { return axes_of(box, Projection({{9, 1, -9}, 60, yaw, pitch}, size), 1); }
+Axes seen_from(double yaw, double pitch) {
+    return axes_of(box, Projection({{9, 1, -9}, 60, yaw, pitch}, size_of_axes), 1);
+}
 
 TEST(Axes, have_titles_with_units_and_numbers) {
     const Axes axes = seen_from(30, 30);
@@ -40,12 +42,12 @@ TEST(Axes, lie_on_the_side_that_faces_the_eye) {
 
 TEST(Axes, numbers_keep_their_distance) {
     // Seen from four times as far, there is room for fewer numbers.
-    const auto far = axes_of(box, Projection({{9, 1, -9}, 240, 30, 30}, size), 1);
+    const auto far = axes_of(box, Projection({{9, 1, -9}, 240, 30, 30}, size_of_axes), 1);
     EXPECT_LT(far.labels.size(), seen_from(30, 30).labels.size());
 }
 
 TEST(Axes, behind_the_eye_there_are_none) {
-    EXPECT_TRUE(axes_of(box, Projection({{9, 1, 500}, 60, 0, 0}, size), 1).labels.empty());
+    EXPECT_TRUE(axes_of(box, Projection({{9, 1, 500}, 60, 0, 0}, size_of_axes), 1).labels.empty());
 }
 
 std::ptrdiff_t strong(const Axes& axes) {
@@ -121,7 +123,7 @@ TEST(Axes, of_any_box_are_few_lines_and_labels) {
         const double reach = std::clamp(length(any.bounds.size()), 1e-99, 1e99);
         for (const Camera& camera :
              {Camera{any.bounds.centre(), reach, 30, 30}, Camera{{a, 0, 0}, 1e-9 * reach, 0, 0}}) {
-            const Axes axes = axes_of(any, Projection(camera, size), 1);
+            const Axes axes = axes_of(any, Projection(camera, size_of_axes), 1);
             ASSERT_LE(axes.labels.size(), 3 * 1002u) << a << " .. " << b;
             for (const AxisLabel& label : axes.labels) {
                 ASSERT_TRUE(label.strength > 0 && label.strength <= 1);

@@ -16,7 +16,7 @@ namespace {
 
 using test::Image;
 
-const PictureSize size{320, 180};
+const PictureSize golden_size{320, 180};
 
 Image read_png(const std::filesystem::path& file) {
     png_image png{};
@@ -32,7 +32,7 @@ Image read_png(const std::filesystem::path& file) {
 /// Other versions of Mesa and other processors round differently: outlines may gain or lose a sample, which changes a
 /// pixel by a quarter of its contrast. The text's pixels depend on the fonts that are installed, so it is left out.
 bool similar(const Image& a, const Image& b) {
-    return a.size == b.size && test::differing_pixels(a, b, 24) < size.width * size.height / 1000;
+    return a.size == b.size && test::differing_pixels(a, b, 24) < golden_size.width * golden_size.height / 1000;
 }
 
 std::filesystem::path golden_file(const std::string& model) {
@@ -44,9 +44,9 @@ protected:
     /// Each model some time after its start; without the axes' numbers and the legend.
     static Image draw_model(std::uint64_t steps, const Style& style) {
         Simulation simulation(describe(GetParam()));
-        const Camera camera = default_camera(simulation.frame(), size);
+        const Camera camera = default_camera(simulation.frame(), golden_size);
         simulation.advance(steps);
-        return draw(simulation.frame(), camera, style, size);
+        return draw(simulation.frame(), camera, style, golden_size);
     }
     static Style style() {
         Style style;
@@ -77,13 +77,14 @@ TEST_P(Golden, a_changed_picture_is_detected) {
     EXPECT_FALSE(similar(draw_model(60, style()), golden));
 }
 
-std::vector<std::string> model_ids() {
+std::vector<std::string> golden_models() {
     std::vector<std::string> ids;
     for (const Model& model : models()) ids.emplace_back(model.info.id);
     return ids;
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, Golden, testing::ValuesIn(model_ids()), [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(Models, Golden, testing::ValuesIn(golden_models()),
+                         [](const auto& test) { return test.param; });
 
 TEST(Png, reads_back_as_it_was_written) {
     const std::vector<std::uint8_t> rgba{255, 0, 1, 255, 2, 3, 4, 255, 5, 6, 7, 255, 250, 251, 252, 255};

@@ -15,19 +15,19 @@
 namespace steplab::render {
 namespace {
 
-const PictureSize size{320, 200};
+const PictureSize size_of_lines{320, 200};
 
 /// What the lines are made of.
 struct Scene {
     explicit Scene(Frame given) : frame(std::move(given)), known(frame.shape) {}
-    Shot shot() const { return {frame, known, style, scale, projection, tile, size}; }
+    Shot shot() const { return {frame, known, style, scale, projection, tile, size_of_lines}; }
 
     Frame frame;
     KnownShape known;
     Style style;
     std::optional<ColourScale> scale;
-    Projection projection{Camera{{0, 0, 0}, 10, 0, 0}, size};
-    Tile tile{size};
+    Projection projection{Camera{{0, 0, 0}, 10, 0, 0}, size_of_lines};
+    Tile tile{size_of_lines};
 };
 
 TEST(MotionArrows, are_as_long_as_velocities_to_one_scale) {

@@ -9,8 +9,8 @@
 namespace steplab::render {
 namespace {
 
-const PictureSize size{800, 600};
-const Projection projection({{0, 0, 0}, 10, 0, 0}, size);
+const PictureSize window_of_picks{800, 600};
+const Projection projection({{0, 0, 0}, 10, 0, 0}, window_of_picks);
 
 /// As picking.hpp says, with a tolerance of 6 pixels unless another is given.
 std::optional<std::size_t> particle_at(const Frame& frame, const Projection& from, PixelPoint pixel,

@@ -15,16 +15,18 @@ using test::differing_pixels;
 using test::Image;
 
 /// Clearly not the background: its gradient stays far below this.
-constexpr int something = 40;
+constexpr int visible = 40;
 
-const PictureSize size{320, 180};
-const Camera straight{{0, 0, 0}, 4, 0, 0};
+const PictureSize picture_size{320, 180};
+const Camera frontal{{0, 0, 0}, 4, 0, 0};
 
-PixelPoint place_of(Vec3 point, const Camera& camera = straight) { return *Projection(camera, size).pixel(point); }
+PixelPoint frontal_place_of(Vec3 point, const Camera& camera = frontal) {
+    return *Projection(camera, picture_size).pixel(point);
+}
 
 class Picture : public test::Studio {
 protected:
-    static Image empty(const Style& style = bare()) { return draw(test::particles_at({{0, 0, 100}}), straight, style); }
+    static Image empty(const Style& style = bare()) { return draw(test::particles_at({{0, 0, 100}}), frontal, style); }
 };
 
 TEST_F(Picture, of_nothing_is_the_background_alone) {
@@ -34,11 +36,11 @@ TEST_F(Picture, of_nothing_is_the_background_alone) {
 }
 
 TEST_F(Picture, shows_a_particle_where_it_is_and_nowhere_else) {
-    const Image image = draw(test::particles_at({{0.5, 0.3, 0}}), straight, bare());
+    const Image image = draw(test::particles_at({{0.5, 0.3, 0}}), frontal, bare());
     const Image background = empty();
-    const PixelPoint place = place_of({0.5, 0.3, 0});
-    EXPECT_GT(difference(image.at(place), background.at(place)), something);
-    const PixelPoint mirrored = place_of({-0.5, 0.3, 0});
+    const PixelPoint place = frontal_place_of({0.5, 0.3, 0});
+    EXPECT_GT(difference(image.at(place), background.at(place)), visible);
+    const PixelPoint mirrored = frontal_place_of({-0.5, 0.3, 0});
     EXPECT_EQ(image.at(mirrored), background.at(mirrored));
 }
 
@@ -46,8 +48,7 @@ TEST_F(Picture, of_a_periodic_scene_is_the_same_after_whole_periods) {
     Style style = bare();
     style.selected = 1;
     const auto moved = [&](Vec3 by) {
-        return draw(test::periodic({{0.5, 0.25, 0}, Vec3{-0.5, 0.25, 0.5} + by}, 2, {-1, -1, -1}), straight, style)
-            .rgba;
+        return draw(test::periodic({{0.5, 0.25, 0}, Vec3{-0.5, 0.25, 0.5} + by}, 2, {-1, -1, -1}), frontal, style).rgba;
     };
     EXPECT_EQ(moved({6, -2, 4}), moved({0, 0, 0}));
     EXPECT_NE(moved({1, 0, 0}), moved({0, 0, 0})) << "by half a period";
@@ -55,18 +56,19 @@ TEST_F(Picture, of_a_periodic_scene_is_the_same_after_whole_periods) {
 
 TEST_F(Picture, ball_has_the_size_of_its_radius) {
     const Frame frame = test::particles_at({{0, 0, 0}});
-    const int area = differing_pixels(draw(frame, straight, bare()), empty(), 8);
-    const double radius = DrawnSizes(*frame.shape).radius(Role::moving) * Projection(straight, size).pixels_per_unit(4);
+    const int area = differing_pixels(draw(frame, frontal, bare()), empty(), 8);
+    const double radius =
+        DrawnSizes(*frame.shape).radius(Role::moving) * Projection(frontal, picture_size).pixels_per_unit(4);
     // The outline is half covered pixels, about 2 pi r of them.
     EXPECT_NEAR(area, 3.1416 * radius * radius, 6.3 * radius);
 }
 
 TEST_F(Picture, balls_in_front_hide_those_behind) {
     Frame frame = test::particles_at({{0, 0, 1}, {0, 0, -1}}, {Role::moving, Role::kicked});
-    const PixelPoint centre = place_of({0, 0, 0});
-    const Image front_first = draw(frame, straight, bare());
+    const PixelPoint centre = frontal_place_of({0, 0, 0});
+    const Image front_first = draw(frame, frontal, bare());
     std::swap(frame.positions[0], frame.positions[1]);
-    const Image other_in_front = draw(frame, straight, bare());
+    const Image other_in_front = draw(frame, frontal, bare());
     EXPECT_GT(front_first.at(centre).blue, front_first.at(centre).red);
     EXPECT_GT(other_in_front.at(centre).red, other_in_front.at(centre).blue);
 }
@@ -74,23 +76,24 @@ TEST_F(Picture, balls_in_front_hide_those_behind) {
 TEST_F(Picture, balls_that_cross_share_the_picture_by_depth) {
     // The left half of each is nearer by half a radius than the other's right half.
     const Image image =
-        draw(test::particles_at({{-0.1, 0, 0}, {0.1, 0, 0}}, {Role::moving, Role::kicked}), straight, bare());
-    const Rgb left = image.at(place_of({-0.15, 0, 0}));
-    const Rgb right = image.at(place_of({0.15, 0, 0}));
+        draw(test::particles_at({{-0.1, 0, 0}, {0.1, 0, 0}}, {Role::moving, Role::kicked}), frontal, bare());
+    const Rgb left = image.at(frontal_place_of({-0.15, 0, 0}));
+    const Rgb right = image.at(frontal_place_of({0.15, 0, 0}));
     EXPECT_GT(left.blue, left.red);
     EXPECT_GT(right.red, right.blue);
 }
 
 TEST_F(Picture, outlines_are_smooth) {
-    const Image image = draw(test::particles_at({{0, 0, 0}}), straight, bare());
+    const Image image = draw(test::particles_at({{0, 0, 0}}), frontal, bare());
     const Image background = empty();
-    const Rgb inside = image.at(place_of({0, 0, 0}));
+    const Rgb inside = image.at(frontal_place_of({0, 0, 0}));
     const double edge = DrawnSizes(*test::particles_at({{0, 0, 0}}).shape).radius(Role::moving);
     int between = 0;
     for (int angle = 0; angle < 64; ++angle) {
         const double turn = angle * 6.2832 / 64;
         // A ball's outline lies a little outside its radius in perspective.
-        const Rgb colour = image.at(place_of({1.001 * edge * std::cos(turn), 1.001 * edge * std::sin(turn), 0}));
+        const Rgb colour =
+            image.at(frontal_place_of({1.001 * edge * std::cos(turn), 1.001 * edge * std::sin(turn), 0}));
         between += colour.blue > background.at(160, 90).blue + 12 && colour.blue < inside.blue - 12;
     }
     EXPECT_GT(between, 16);
@@ -98,12 +101,12 @@ TEST_F(Picture, outlines_are_smooth) {
 
 TEST_F(Picture, named_particle_has_its_colour) {
     Frame frame = test::particles_at({{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {Role::moving, Role::kicked, Role::bullet});
-    const Image image = draw(frame, straight, bare());
-    const auto colour = [&](std::size_t i) { return image.at(place_of(frame.positions[i])); };
-    EXPECT_GT(colour(0).blue, colour(0).red + something);  // blue
-    EXPECT_GT(colour(1).red, colour(1).blue + something);  // amber
-    EXPECT_GT(colour(1).green, colour(1).blue + something);
-    EXPECT_GT(colour(2).red, colour(2).green + something);  // red
+    const Image image = draw(frame, frontal, bare());
+    const auto colour = [&](std::size_t i) { return image.at(frontal_place_of(frame.positions[i])); };
+    EXPECT_GT(colour(0).blue, colour(0).red + visible);  // blue
+    EXPECT_GT(colour(1).red, colour(1).blue + visible);  // amber
+    EXPECT_GT(colour(1).green, colour(1).blue + visible);
+    EXPECT_GT(colour(2).red, colour(2).green + visible);  // red
 }
 
 TEST_F(Picture, colours_follow_the_speed) {
@@ -111,11 +114,11 @@ TEST_F(Picture, colours_follow_the_speed) {
     frame.velocities[1] = {0, 3, 0};
     Style style = bare();
     style.colouring = Colouring::speed;
-    const Image image = draw(frame, straight, style);
-    const Rgb slow = image.at(place_of({-1, 0, 0}));
-    const Rgb fast = image.at(place_of({1, 0, 0}));
-    EXPECT_GT(slow.blue, slow.green);              // purple
-    EXPECT_GT(fast.green, fast.blue + something);  // yellow
+    const Image image = draw(frame, frontal, style);
+    const Rgb slow = image.at(frontal_place_of({-1, 0, 0}));
+    const Rgb fast = image.at(frontal_place_of({1, 0, 0}));
+    EXPECT_GT(slow.blue, slow.green);            // purple
+    EXPECT_GT(fast.green, fast.blue + visible);  // yellow
 }
 
 TEST_F(Picture, fixed_particle_and_bullet_have_shapes_of_their_own) {
@@ -124,7 +127,7 @@ TEST_F(Picture, fixed_particle_and_bullet_have_shapes_of_their_own) {
     for (const Role role : {Role::moving, Role::fixed, Role::bullet}) {
         const Image image = draw(test::particles_at({{0, 0, 0}}, {role}), slanted, bare());
         const DrawnSizes drawn(*test::particles_at({{0, 0, 0}}, {role}).shape);
-        const double radius = drawn.radius(role) * Projection(slanted, size).pixels_per_unit(2);
+        const double radius = drawn.radius(role) * Projection(slanted, picture_size).pixels_per_unit(2);
         areas.push_back(static_cast<int>(100 * differing_pixels(image, empty(), 8) / (3.1416 * radius * radius)));
     }
     // Of the disc of their ball, a cube and an octahedron with their corners on it cover clearly less.
@@ -136,7 +139,7 @@ TEST_F(Picture, fixed_particle_and_bullet_have_shapes_of_their_own) {
 TEST_F(Picture, kicked_particle_has_a_ring) {
     const double radius = DrawnSizes(*test::particles_at({{0, 0, 0}}).shape).radius(Role::kicked);
     const auto ring_drawn = [&](Role role) {
-        const Image image = draw(test::particles_at({{0, 0, 0}}, {role}), straight, bare());
+        const Image image = draw(test::particles_at({{0, 0, 0}}, {role}), frontal, bare());
         return differing_pixels(image, empty(), 8) > 1.2 * 3.1416 * std::pow(radius * 90 / (4 * 0.2493), 2);
     };
     EXPECT_TRUE(ring_drawn(Role::kicked));
@@ -146,26 +149,26 @@ TEST_F(Picture, kicked_particle_has_a_ring) {
 TEST_F(Picture, selected_particle_is_marked_even_behind_others) {
     Style style = bare();
     const Frame frame = test::particles_at({{0, 0, 1}, {0, 0, 0}});
-    const Image without = draw(frame, straight, style);
+    const Image without = draw(frame, frontal, style);
     style.selected = 1;
-    EXPECT_GT(differing_pixels(draw(frame, straight, style), without, something), 20);
+    EXPECT_GT(differing_pixels(draw(frame, frontal, style), without, visible), 20);
     style.selected = 99;  // a particle that is not there
-    EXPECT_EQ(differing_pixels(draw(frame, straight, style), without), 0);
+    EXPECT_EQ(differing_pixels(draw(frame, frontal, style), without), 0);
 }
 
 TEST_F(Picture, springs_are_drawn_where_wanted) {
     const Frame frame = test::string_of({{-1, 0, 0}, {1, 0, 0}});
     Style style = bare();
-    const PixelPoint middle = place_of({0, 0, 0});
-    EXPECT_EQ(draw(frame, straight, style).at(middle), empty().at(middle));
+    const PixelPoint middle = frontal_place_of({0, 0, 0});
+    EXPECT_EQ(draw(frame, frontal, style).at(middle), empty().at(middle));
     style.springs = true;
-    EXPECT_GT(difference(draw(frame, straight, style).at(middle), empty().at(middle)), something);
+    EXPECT_GT(difference(draw(frame, frontal, style).at(middle), empty().at(middle)), visible);
 }
 
 TEST_F(Picture, grid_and_axes_are_drawn_where_wanted) {
     Style style = bare();
     const Frame frame = test::particles_at({{0, 0, 0}, {3, 0, 3}});
-    const Camera camera = default_camera(frame, size);
+    const Camera camera = default_camera(frame, picture_size);
     const Image without = draw(frame, camera, style);
     style.grid = true;
     EXPECT_GT(differing_pixels(draw(frame, camera, style), without, 8), 500);
@@ -174,8 +177,8 @@ TEST_F(Picture, grid_and_axes_are_drawn_where_wanted) {
 TEST_F(Picture, grid_does_not_cover_particles_above_it) {
     Style style = bare();
     const Frame frame = test::particles_at({{0, 0, 0}, {3, 0, 3}});
-    const Camera camera = default_camera(frame, size);
-    const PixelPoint place = place_of({3, 0, 3}, camera);
+    const Camera camera = default_camera(frame, picture_size);
+    const PixelPoint place = frontal_place_of({3, 0, 3}, camera);
     const Rgb without = draw(frame, camera, style).at(place);
     style.grid = true;
     EXPECT_EQ(draw(frame, camera, style).at(place), without);
@@ -185,9 +188,9 @@ TEST_F(Picture, legend_is_drawn_at_the_upper_right_where_wanted) {
     Style style = bare();
     style.colouring = Colouring::speed;
     const Frame frame = test::particles_at({{0, 0, 0}});
-    const Image without = draw(frame, straight, style);
+    const Image without = draw(frame, frontal, style);
     style.legend = true;
-    const Image with = draw(frame, straight, style);
+    const Image with = draw(frame, frontal, style);
     EXPECT_GT(differing_pixels(with, without, 8), 200);
     EXPECT_EQ(with.at(10, 170), without.at(10, 170));
 }
@@ -201,11 +204,11 @@ TEST_F(Picture, background_is_dark_or_light) {
 
 TEST_F(Picture, changes_after_steps_and_not_without) {
     Simulation simulation(describe("mesh"));
-    const Camera camera = default_camera(simulation.frame(), size);
+    const Camera camera = default_camera(simulation.frame(), picture_size);
     const Image start = draw(simulation.frame(), camera);
     EXPECT_EQ(differing_pixels(draw(simulation.frame(), camera), start), 0);
     simulation.advance(20);
-    EXPECT_GT(differing_pixels(draw(simulation.frame(), camera), start, something), 10);
+    EXPECT_GT(differing_pixels(draw(simulation.frame(), camera), start, visible), 10);
 }
 
 TEST_F(Picture, same_frame_gives_the_same_bytes) {
@@ -218,10 +221,11 @@ TEST_F(Picture, same_frame_gives_the_same_bytes) {
 
 TEST_F(Picture, tiles_make_up_the_whole) {
     Simulation simulation(describe("mesh"));
-    const Camera camera = default_camera(simulation.frame(), size);
+    const Camera camera = default_camera(simulation.frame(), picture_size);
     const Image whole = draw(simulation.frame(), camera);
     int differing = 0;
-    for (const Tile& tile : {Tile{size, 0, 0}, Tile{size, 160, 0}, Tile{size, 0, 90}, Tile{size, 160, 90}}) {
+    for (const Tile& tile : {Tile{picture_size, 0, 0}, Tile{picture_size, 160, 0}, Tile{picture_size, 0, 90},
+                             Tile{picture_size, 160, 90}}) {
         const RenderTarget target({160, 90});
         renderer().draw(simulation.frame(), {}, camera, target, tile);
         const Image part{{160, 90}, target.read()};
@@ -238,7 +242,7 @@ TEST_F(Picture, far_from_the_origin_is_as_sharp) {
     const Vec3 far{1e9, -2e9, 3e9};
     Frame near_frame = test::particles_at({{0, 0, 0}, {0.5, 0, 0}});
     Frame far_frame = test::particles_at({far, far + Vec3{0.5, 0, 0}});
-    const Image a = draw(near_frame, straight, bare());
+    const Image a = draw(near_frame, frontal, bare());
     const Image b = draw(far_frame, {far, 4, 0, 0}, bare());
     // Positions are multiples of 2^-22 there, far below a pixel; outlines may fall on the other side of a sample.
     EXPECT_LT(differing_pixels(a, b, 8), 20);
@@ -277,12 +281,12 @@ TEST_F(Picture, of_a_million_particles_shows_them_all_over) {
     RunDescription description = describe("mesh");
     description.scene.set("dim", 1000);
     const Frame frame = Simulation(description).frame();
-    const Camera camera = default_camera(frame, size);
+    const Camera camera = default_camera(frame, picture_size);
     const Image image = draw(frame, camera, bare());
-    const Image background = draw(test::particles_at({{0, 0, 1e6}}), straight, bare());
+    const Image background = draw(test::particles_at({{0, 0, 1e6}}), frontal, bare());
     for (const std::size_t i : {250'250u, 500'400u, 750'750u, 300'700u}) {
-        const PixelPoint place = place_of(frame.positions[i], camera);
-        EXPECT_GT(difference(image.at(place), background.at(place)), something) << i;
+        const PixelPoint place = frontal_place_of(frame.positions[i], camera);
+        EXPECT_GT(difference(image.at(place), background.at(place)), visible) << i;
     }
 }
 
@@ -291,7 +295,7 @@ TEST_F(Picture, small_balls_become_points_without_a_jump) {
     const Frame frame = test::particles_at({{0, 0, 0}});
     const double radius = DrawnSizes(*frame.shape).radius(Role::moving);
     const auto brightness = [&](double pixels) {
-        const double distance = radius * Projection({{0, 0, 0}, 1, 0, 0}, size).pixels_per_unit(1) / pixels;
+        const double distance = radius * Projection({{0, 0, 0}, 1, 0, 0}, picture_size).pixels_per_unit(1) / pixels;
         const Image image = draw(frame, {{0, 0, 0}, distance, 0, 0}, bare());
         int sum = 0;
         for (int y = 80; y < 100; ++y) {

@@ -17,13 +17,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const Words chain{"--model", "chain", "--view", "0,10,60,9,0,0", "--size", "200x150"};
+const Words recorded_chain{"--model", "chain", "--view", "0,10,60,9,0,0", "--size", "200x150"};
 
 TEST_F(Record, a_film_has_every_frame_and_its_length) {
     const std::vector<std::pair<std::string, std::string>> films{
         {"a.mp4", "h264,200,150,yuv420p,31"}, {"a.webm", "vp9,200,150,yuv420p,31"}, {"a.gif", "gif,200,150,bgra,31"}};
     for (const auto& [name, expected] : films) {
-        const Outcome outcome = record(joined(chain, {"--until", "1", "--out", name}));
+        const Outcome outcome = record(joined(recorded_chain, {"--until", "1", "--out", name}));
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_THAT(outcome.out, StartsWith(name + ": 31 frames, 1.033 s, 200x150 pixels"));
         EXPECT_THAT(content(name), StartsWith(expected));
@@ -33,11 +33,11 @@ TEST_F(Record, a_film_has_every_frame_and_its_length) {
 }
 
 TEST_F(Record, speed_and_rate_set_the_number_of_frames) {
-    const Words options = joined(chain, {"--until", "1", "--fps", "7", "--speed", "0.3", "--out", "a.mp4"});
+    const Words options = joined(recorded_chain, {"--until", "1", "--fps", "7", "--speed", "0.3", "--out", "a.mp4"});
     ASSERT_EQ(record(options).code, 0);
     EXPECT_THAT(content("a.mp4"), HasSubstr(",24"));  // the last one at 23 * 0.3 / 7 s
     EXPECT_NEAR(seconds("a.mp4"), 24.0 / 7, 0.01);
-    EXPECT_THAT(record(joined(chain, {"--steps", "0", "--out", "b.mp4"})).out, HasSubstr(": 1 frame, "));
+    EXPECT_THAT(record(joined(recorded_chain, {"--steps", "0", "--out", "b.mp4"})).out, HasSubstr(": 1 frame, "));
 }
 
 TEST_F(Record, sides_of_a_film_may_be_odd_where_its_format_allows_it) {
@@ -60,7 +60,7 @@ double mean_difference(const ReadPicture& a, const ReadPicture& b) {
 }
 
 TEST_F(Record, a_film_shows_the_pictures_in_their_colours) {
-    const Words options = joined(chain, {"--until", "1", "--fps", "5", "--background", "light"});
+    const Words options = joined(recorded_chain, {"--until", "1", "--fps", "5", "--background", "light"});
     ASSERT_EQ(record(joined(options, {"--out", "%d.png"})).code, 0);
     for (const std::string name : {"a.mp4", "a.webm", "a.gif"}) {
         ASSERT_EQ(record(joined(options, {"--out", name})).code, 0);
@@ -71,7 +71,7 @@ TEST_F(Record, a_film_shows_the_pictures_in_their_colours) {
 }
 
 TEST_F(Record, a_run_that_diverges_ends_the_film_at_its_last_good_step) {
-    const Words options = joined(chain, {"--method", "euler", "--dt", "2", "--steps", "2000"});
+    const Words options = joined(recorded_chain, {"--method", "euler", "--dt", "2", "--steps", "2000"});
     const Outcome outcome = record(joined(options, {"--speed", "60", "--out", "%03d.png"}));
     EXPECT_EQ(outcome.code, 4) << outcome.err;
     const std::size_t frames = files();

@@ -102,7 +102,7 @@ TEST_F(FilmPartTest, is_over_where_the_run_is_played_on) {
 }
 
 TEST(FilmPart, takes_the_place_of_a_trajectory) {
-    const Written written(chain());
+    const Written written(played_chain());
     Worker worker(TrajectoryFile{written.path});
     worker.on_view(News::wake);
     worker.send(event::SetRate{{.as_fast_as_possible = true}});

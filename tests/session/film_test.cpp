@@ -11,11 +11,11 @@
 namespace steplab::test {
 namespace {
 
-RunDescription chain() { return run_of("chain", "verlet", Precision::double_, 0.1); }
+RunDescription filmed_chain() { return run_of("chain", "verlet", Precision::double_, 0.1); }
 
 /// Pulls, a change and a way back, with steps between them.
 Recording recorded() {
-    Session session(chain());
+    Session session(filmed_chain());
     session.record();
     session.handle(event::Play{true});
     session.advance(30);
@@ -66,7 +66,7 @@ TEST_F(FilmTest, plays_to_the_end_and_stands_there) {
 
 /// Two steps, with a pause of so many seconds before the second one.
 Recording recorded_with_pause(double seconds) {
-    Session session(chain());
+    Session session(filmed_chain());
     session.record();
     session.handle(event::SetRate{{.seconds_per_second = 2}});
     session.handle(event::Step{1});
@@ -141,12 +141,12 @@ TEST(Film, of_a_run_that_diverges_goes_on) {
 }
 
 TEST(Worker, records_what_happens_to_its_session) {
-    Worker worker(chain());
+    Worker worker(filmed_chain());
     worker.on_view(News::wake);
     worker.send(event::Do{Pull{3, {2.5, 0.25, 0}}});
     worker.send(event::Step{20});
     const Recording recording = worker.recording().get();
-    EXPECT_EQ(recording.start, chain());
+    EXPECT_EQ(recording.start, filmed_chain());
     Session session(recording.start);
     Replay replay(recording, session);
     while (!replay.is_done()) {
@@ -157,7 +157,7 @@ TEST(Worker, records_what_happens_to_its_session) {
 }
 
 TEST(Worker, hands_out_its_recording_when_it_is_destroyed_in_a_long_step) {
-    auto worker = std::make_unique<Worker>(chain());
+    auto worker = std::make_unique<Worker>(filmed_chain());
     worker->send(event::Do{Pull{3, {2.5, 0.25, 0}}});
     worker->send(event::Step{1'000'000'000'000});
     std::future<Recording> recording = worker->recording();

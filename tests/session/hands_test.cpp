@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto never = [] { return false; };
 
-void go_to(Session& session, std::uint64_t step) {
+void step_on_to(Session& session, std::uint64_t step) {
     session.handle(event::Seek{step});
     session.finish();
 }
@@ -98,11 +98,11 @@ TEST(Hands, every_moment_of_what_they_did_is_gone_to_with_the_same_bits) {
         use_hands(session, hashes);
         ASSERT_EQ(hashes.size(), session.run().step());
         for (auto moment = hashes.rbegin(); moment != hashes.rend(); ++moment) {
-            go_to(session, moment->first);
+            step_on_to(session, moment->first);
             ASSERT_EQ(session.run().hash(), moment->second) << scene.model << ", step " << moment->first;
         }
         for (std::uint64_t step = 1; step < hashes.size(); step += 7) {
-            go_to(session, step);
+            step_on_to(session, step);
             ASSERT_EQ(session.run().hash(), hashes.at(step)) << scene.model << ", step " << step;
         }
     }
@@ -212,10 +212,10 @@ TEST(Hands, one_undo_takes_back_a_whole_hold) {
         EXPECT_EQ(session.run().hash(), before.at(20));
         EXPECT_EQ(session.line().changes().size(), 1u);
         session.handle(event::Redo{});
-        go_to(session, end);
+        step_on_to(session, end);
         EXPECT_EQ(session.run().hash(), held.at(end)) << scene.model;
         session.handle(event::Redo{});
-        go_to(session, second);
+        step_on_to(session, second);
         EXPECT_EQ(session.run().hash(), later.at(second)) << scene.model;
         SessionView view;
         session.observe(view);
@@ -250,7 +250,7 @@ TEST(Hands, each_alteration_is_undone_and_done_again) {
 }
 
 TEST(Hands, a_dragged_mass_leaves_one_change) {
-    Session session(chain());
+    Session session(replayed_chain());
     session.handle(event::Step{20});
     for (int i = 1; i < 30; ++i) session.handle(event::Change{altered(session, {{5, std::nullopt, 0.1 * i}})});
     EXPECT_EQ(session.line().changes().size(), 2u);
@@ -262,7 +262,7 @@ TEST(Hands, a_dragged_mass_leaves_one_change) {
 }
 
 TEST(Hands, a_tug_without_time_in_between_does_nothing) {
-    Session session(chain());
+    Session session(replayed_chain());
     session.handle(event::Step{20});
     session.handle(event::Do{Tug{5, {9, 1, 0}, 4}});
     const std::string tugged = session.run().hash();
@@ -274,7 +274,7 @@ TEST(Hands, a_tug_without_time_in_between_does_nothing) {
 }
 
 TEST(Hands, long_holds_keep_their_history_within_bounds) {
-    Session session(chain());
+    Session session(replayed_chain());
     session.handle(event::Play{});
     for (int i = 0; i < 6000; ++i) {
         session.handle(event::Do{Tug{5, {9, 1, 0}, 4, i > 0}});
@@ -282,8 +282,8 @@ TEST(Hands, long_holds_keep_their_history_within_bounds) {
         session.keep_moment();
     }
     const std::string end = session.run().hash();
-    go_to(session, 5000);
-    go_to(session, 12000);
+    step_on_to(session, 5000);
+    step_on_to(session, 12000);
     EXPECT_EQ(session.run().hash(), end);
     EXPECT_LT(session.line().bytes(), std::size_t{4} << 20);
     session.handle(event::Undo{});

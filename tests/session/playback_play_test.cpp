@@ -9,7 +9,7 @@ namespace steplab::test {
 namespace {
 
 TEST(Playback, plays_backwards_to_the_first_frame) {
-    const Written written(chain());  // frames at 0, 0.2, 0.4 ... 4.6
+    const Written written(played_chain());  // frames at 0, 0.2, 0.4 ... 4.6
     Playback playback(written.path);
     go_to(playback, 9);
     playback.handle(event::Play{true, true});
@@ -31,7 +31,7 @@ TEST(Playback, plays_backwards_to_the_first_frame) {
 }
 
 TEST(Playback, plays_a_loop_from_either_end_to_the_other) {
-    const Written written(chain());
+    const Written written(played_chain());
     for (const bool backwards : {false, true}) {
         Playback playback(written.path);
         go_to(playback, 6);
@@ -51,7 +51,7 @@ TEST(Playback, plays_a_loop_from_either_end_to_the_other) {
 }
 
 TEST(Playback, plays_in_simulated_time_and_stops_at_the_last_frame) {
-    const Written written(chain());
+    const Written written(played_chain());
     Playback playback(written.path);
     playback.play_to(1);
     EXPECT_EQ(playback.number(), 0u) << "it does not play";

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Playback, EveryModel, testing::ValuesIn(every_model()),
 });
 
 TEST(Playback, goes_to_any_frame_from_any_other) {
-    const Written written(chain());
+    const Written written(played_chain());
     Playback playback(written.path);
     for (const std::size_t number : {23u, 0u, 11u, 12u, 4u, 5u, 22u, 1u}) {
         go_to(playback, number);
@@ -83,7 +83,7 @@ TEST(Playback, goes_to_any_frame_from_any_other) {
 
 TEST(Playback, goes_to_the_last_frame_that_is_not_later_than_a_step_or_time) {
     for (const double dt : {0.1, -0.1}) {
-        const Written written(chain(dt));
+        const Written written(played_chain(dt));
         Playback playback(written.path);
         for (std::uint64_t step = 0; step < 60; ++step) {
             const std::size_t right = std::min<std::size_t>(step / 2, 23);
@@ -104,8 +104,8 @@ TEST(Playback, finds_frames_that_are_not_evenly_spaced) {
     const std::vector<std::uint64_t> steps{0, 1, 2, 3, 100, 101, 900, 901, 902, 5000};
     {
         OutputFile file(path);
-        TrajectoryWriter writer(file, TrajectoryFormat::trajectory, chain(), {});
-        Simulation simulation(chain());
+        TrajectoryWriter writer(file, TrajectoryFormat::trajectory, played_chain(), {});
+        Simulation simulation(played_chain());
         for (const std::uint64_t step : steps) {
             simulation.advance(step - simulation.step());
             Frame frame;
@@ -128,7 +128,7 @@ TEST(Playback, finds_frames_that_are_not_evenly_spaced) {
 
 /// One of each kind.
 std::map<std::size_t, Event> events_of_all_kinds() {
-    const RunDescription other = chain(0.05);
+    const RunDescription other = played_chain(0.05);
     const std::vector<Event> all{event::Play{true},       event::Loop{},
                                  event::Step{1},          event::Seek{4},
                                  event::SeekTime{0.8},    event::Restart{},
@@ -148,7 +148,7 @@ std::map<std::size_t, Event> events_of_all_kinds() {
 }
 
 TEST(Playback, refuses_what_cannot_be_done_to_frames_of_a_file_and_does_all_else) {
-    const Written written(chain());
+    const Written written(played_chain());
     const auto events = events_of_all_kinds();
     ASSERT_EQ(events.size(), std::variant_size_v<Event>) << "a kind of event is not tested";
     for (const auto& [kind, event] : events) {
@@ -173,7 +173,7 @@ TEST(Playback, refuses_what_cannot_be_done_to_frames_of_a_file_and_does_all_else
 }
 
 TEST(Playback, shows_forces_tracked_particles_and_bookmarks) {
-    const Written written(chain());
+    const Written written(played_chain());
     Playback playback(written.path);
     Simulation simulation(written.run);
     simulation.advance(8);
@@ -197,7 +197,7 @@ TEST(Playback, shows_forces_tracked_particles_and_bookmarks) {
 }
 
 TEST(Playback, has_samples_of_the_frames_that_were_gone_to) {
-    const Written written(chain());
+    const Written written(played_chain());
     Playback playback(written.path);
     playback.handle(event::ShowSamples{true});
     playback.handle(event::Track{5});
@@ -216,8 +216,8 @@ TEST(Playback, has_samples_of_the_frames_that_were_gone_to) {
 TEST(Playback, of_some_particles_shows_them_alone) {
     const TemporaryFolder folder;
     const std::string path = folder.file("a.trajectory");
-    const std::vector<Frame> frames = frames_of(chain(), 3);
-    put_text(path, written(chain(), frames, TrajectoryFormat::trajectory, {.particles = {2, 5}}));
+    const std::vector<Frame> frames = frames_of(played_chain(), 3);
+    put_text(path, written(played_chain(), frames, TrajectoryFormat::trajectory, {.particles = {2, 5}}));
     Playback playback(path);
     playback.handle(event::Step{2});
     SessionView view = view_of(playback);
@@ -230,7 +230,7 @@ TEST(Playback, of_some_particles_shows_them_alone) {
 }
 
 TEST(Playback, cut_anywhere_shows_the_frames_before_or_is_refused) {
-    const Written written(chain(), 8);
+    const Written written(played_chain(), 8);
     const std::string bytes = text_of(written.path);
     std::size_t refused = 0, most = 0;
     for (std::size_t length = 0; length < bytes.size(); length += 7) {
@@ -268,7 +268,7 @@ TEST(Playback, of_a_long_file_needs_memory_for_a_frame_alone) {
 }
 
 TEST(Playback, stays_where_it_is_if_a_frame_is_damaged) {
-    const Written written(chain());
+    const Written written(played_chain());
     std::string bytes = text_of(written.path);
     Playback whole(written.path);
     // the third of five chunks: its content begins behind the frames 0 to 9
@@ -292,7 +292,7 @@ TEST(Playback, stays_where_it_is_if_a_frame_is_damaged) {
 }
 
 TEST(Playback, of_one_frame_stands_and_of_none_is_refused) {
-    const Written one(chain(), 1);
+    const Written one(played_chain(), 1);
     Playback playback(one.path);
     playback.handle(event::Play{true});
     EXPECT_FALSE(playback.playing());
@@ -300,7 +300,7 @@ TEST(Playback, of_one_frame_stands_and_of_none_is_refused) {
     playback.handle(event::SeekTime{7});
     EXPECT_EQ(playback.number(), 0u);
     EXPECT_EQ(view_of(playback).playback->frames, 1u);
-    const Written none(chain(), 0);
+    const Written none(played_chain(), 0);
     EXPECT_THROW(Playback{none.path}, FileError);
     EXPECT_THROW(Playback{"there is no such file"}, FileError);
 }

@@ -12,7 +12,7 @@
 
 namespace steplab::test {
 
-inline RunDescription chain(double dt = 0.1) { return run_of("chain", "rk4", Precision::double_, dt); }
+inline RunDescription played_chain(double dt = 0.1) { return run_of("chain", "rk4", Precision::double_, dt); }
 
 /// Every second step of a run, in chunks of a few frames each, and what the run measured there.
 struct Written {

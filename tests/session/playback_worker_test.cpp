@@ -27,7 +27,7 @@ protected:
         }
     }
 
-    Written written{chain()};
+    Written written{played_chain()};
     Worker worker{TrajectoryFile{written.path}};
     SessionView view;
 };

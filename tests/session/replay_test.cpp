@@ -58,7 +58,7 @@ Recording of_every_kind(const RunDescription& start) {
 
 TEST(Replay, every_kind_of_event_has_the_same_hashes) {
     for (const Precision precision : precisions) {
-        const Recording recording = of_every_kind(chain(precision));
+        const Recording recording = of_every_kind(replayed_chain(precision));
         EXPECT_EQ(recording.events.size(), 28u);
         ASSERT_TRUE(recording.end);
         EXPECT_EQ(recording.end->hashes.size(), 2u);
@@ -85,7 +85,7 @@ TEST(Replay, carries_a_scene_file_and_what_it_reads) {
     session.advance(20);
     session.handle(event::Change{with(session.run().description(), "G", 1.75)});
     session.advance(20);
-    session.handle(event::Change{chain()});
+    session.handle(event::Change{replayed_chain()});
     session.advance(20);
     session.handle(event::Undo{});
     session.advance(20);
@@ -99,7 +99,7 @@ TEST(Replay, carries_a_scene_file_and_what_it_reads) {
 }
 
 TEST(Replay, carries_the_values_that_a_run_starts_from) {
-    RunDescription start = chain();
+    RunDescription start = replayed_chain();
     StartingValues values;
     for (int i = 0; i < 10; ++i) {
         values.positions.push_back({1.01 * i, 0.1 * i, 0});
@@ -119,7 +119,7 @@ TEST(Replay, carries_the_values_that_a_run_starts_from) {
 /// As a person and a worker do it: what is gone to is not always reached, and what goes beside the run not always
 /// there.
 Recording random_session(Precision precision, unsigned seed, int events) {
-    Session session(chain(precision));
+    Session session(replayed_chain(precision));
     session.record();
     Visitor visitor(seed);
     for (int i = 0; i < events; ++i) {
@@ -150,7 +150,7 @@ TEST(Replay, five_hundred_random_events_have_the_same_hashes) {
 }
 
 TEST(Replay, says_where_a_changed_number_makes_a_difference) {
-    const std::string text = session_text(of_every_kind(chain()));
+    const std::string text = session_text(of_every_kind(replayed_chain()));
     const auto found = [&](const std::string& from, const std::string& to) {
         return replayed(parse_session(replaced(text, from, to), "a.session"));
     };
@@ -163,9 +163,9 @@ TEST(Replay, says_where_a_changed_number_makes_a_difference) {
 }
 
 TEST(Replay, finds_a_run_beside_the_first_that_differs) {
-    Session session(chain());
+    Session session(replayed_chain());
     session.record();
-    session.handle(event::AddRun{with(chain(), "dt", 0.05)});
+    session.handle(event::AddRun{with(replayed_chain(), "dt", 0.05)});
     session.advance(40);
     session.finish();
     const std::string text = session_text(*session.recorded());
@@ -220,7 +220,7 @@ TEST(Replay, takes_what_is_done_to_a_run_that_diverged) {
 }
 
 TEST(SessionFile, with_changed_bytes_is_answered) {
-    const std::string text = session_text(of_every_kind(chain()));
+    const std::string text = session_text(of_every_kind(replayed_chain()));
     std::mt19937 random(7);
     for (int i = 0; i < 600; ++i) {
         std::string changed = text;

@@ -37,7 +37,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
     return place == std::string::npos ? text : text.replace(place, from.size(), to);
 }
 
-inline RunDescription chain(Precision precision = Precision::double_) {
+inline RunDescription replayed_chain(Precision precision = Precision::double_) {
     return run_of("chain", "verlet", precision, 0.1);
 }
 

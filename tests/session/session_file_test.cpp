@@ -19,7 +19,7 @@ std::string refusal_of(const std::string& text) {
 }
 
 TEST(Recording, keeps_one_event_of_a_drag) {
-    Session session(chain());
+    Session session(replayed_chain());
     session.record(0);
     session.advance(100);
     for (int i = 0; i < 50; ++i) session.handle(event::Do{Pull{3, {2 + 0.01 * i, 0, 0}}});
@@ -33,7 +33,7 @@ TEST(Recording, keeps_one_event_of_a_drag) {
 }
 
 TEST(Recording, is_bounded) {
-    Recording recording{.start = chain()};
+    Recording recording{.start = replayed_chain()};
     for (std::size_t i = 0; i < Recording::most_events + 10; ++i) recording.add({event::Step{1}, i}, false);
     EXPECT_EQ(recording.events.size(), Recording::most_events);
     EXPECT_FALSE(recording.complete);
@@ -41,7 +41,7 @@ TEST(Recording, is_bounded) {
 
 // They are part of how it was done, and of no hash.
 TEST(SessionFile, holds_speeds_and_pauses) {
-    Session session(chain());
+    Session session(replayed_chain());
     session.record();
     session.handle(event::SetRate{{.seconds_per_second = 0.5}});
     session.handle(event::SetRate{{.seconds_per_second = 0.25}});
@@ -62,7 +62,7 @@ TEST(SessionFile, holds_speeds_and_pauses) {
     EXPECT_EQ(read.events[3].pause, 0) << "of one event alone";
     EXPECT_EQ(session_text(read), text);
     EXPECT_EQ(replayed_from_text(read), "the same");
-    Session played(chain());
+    Session played(replayed_chain());
     Replay replay(read, played);
     while (replay.handled() < 1) replay.perform();
     EXPECT_EQ(played.rate().seconds_per_second, 0.25);
@@ -72,7 +72,7 @@ TEST(SessionFile, holds_speeds_and_pauses) {
 }
 
 TEST(SessionFile, of_version_1_is_read) {
-    Session session(chain());
+    Session session(replayed_chain());
     session.record();
     session.advance(10);
     session.handle(event::Do{Kick{3, {0.5, 0, 0}}});

@@ -23,8 +23,8 @@ std::string drawn(const Desk& desk) {
 }
 
 /// A desk with a run of some steps, so that its plots have curves.
-struct Recorded {
-    Recorded() : desk(describe("chain")) {
+struct RecordedPictures {
+    RecordedPictures() : desk(describe("chain")) {
         Simulation simulation(describe("chain"));
         for (int i = 0; i < 20; ++i) {
             simulation.advance(1);
@@ -40,7 +40,7 @@ struct Recorded {
 };
 
 TEST(picture, holds_nothing_of_the_pointer) {
-    Recorded recorded;
+    RecordedPictures recorded;
     Desk& desk = recorded.desk;
     const std::string clean = recorded.picture();
     for (const char* widget : {"displacement", "energy error", "dt", "play", "displacement.save"}) {
@@ -53,7 +53,7 @@ TEST(picture, holds_nothing_of_the_pointer) {
 }
 
 TEST(picture, holds_no_ring_around_the_particle_under_the_pointer) {
-    Recorded recorded;
+    RecordedPictures recorded;
     Desk& desk = recorded.desk;
     const std::string clean = recorded.picture();
     const PixelRect rect = desk.interface.scene();
@@ -67,7 +67,7 @@ TEST(picture, holds_no_ring_around_the_particle_under_the_pointer) {
 }
 
 TEST(picture, holds_no_notice_and_no_menu) {
-    Recorded recorded;
+    RecordedPictures recorded;
     Desk& desk = recorded.desk;
     const std::string clean = recorded.picture();
     desk.interface.notify("saved something else");
@@ -83,7 +83,7 @@ TEST(picture, holds_no_notice_and_no_menu) {
 }
 
 TEST(picture, of_a_plot_holds_no_card_over_it_and_one_of_the_window_does) {
-    Recorded recorded;
+    RecordedPictures recorded;
     const std::string clean = recorded.picture(true);
     const std::string window = recorded.picture();
     recorded.desk.frame();
@@ -93,7 +93,7 @@ TEST(picture, of_a_plot_holds_no_card_over_it_and_one_of_the_window_does) {
 }
 
 TEST(picture, holds_no_button_that_saves_plots) {
-    Recorded recorded;
+    RecordedPictures recorded;
     Desk& desk = recorded.desk;
     desk.frame();
     const WidgetRect button = desk.widget("displacement.save");
@@ -103,7 +103,7 @@ TEST(picture, holds_no_button_that_saves_plots) {
 }
 
 TEST(picture, changes_nothing_in_the_window) {
-    Recorded recorded;
+    RecordedPictures recorded;
     Desk& desk = recorded.desk;
     desk.point_at("dt", 0.3f);
     desk.press();
@@ -126,7 +126,7 @@ TEST(picture, changes_nothing_in_the_window) {
 
 // As in a film of the window: a picture after each frame.
 TEST(picture, leaves_menus_open_and_their_items_at_work) {
-    Recorded recorded;
+    RecordedPictures recorded;
     Desk& desk = recorded.desk;
     const auto then_pictures = [&](auto act) {
         act();
@@ -146,7 +146,7 @@ TEST(picture, leaves_menus_open_and_their_items_at_work) {
 }
 
 TEST(picture, leaves_the_places_of_what_is_on_the_screen) {
-    Recorded recorded;
+    RecordedPictures recorded;
     Desk& desk = recorded.desk;
     desk.interface.show_film(FilmStatus{3, 0.1});
     for (int i = 0; i < 3; ++i) desk.frame();

@@ -10,7 +10,7 @@ namespace {
 
 /// A way of so many steps is long: moments are kept at the ends of its parts, as far as this memory holds them.
 constexpr std::uint64_t long_way = 4096, parts_of_long_way = 64;
-constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr std::size_t most_kept_bytes = std::size_t{64} << 20;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void ReplayedRun::go_to(std::uint64_t step) {
     const std::uint64_t first = run_.step(), way = step - first;
     for (std::uint64_t part = 1; keeps && part < parts_of_long_way && !run_.divergence(); ++part) {
         advance_to(first + way * part / parts_of_long_way);
-        if (kept_.size() * kept_.front().snapshot.bytes() < most_bytes && run_.is_plausible())
+        if (kept_.size() * kept_.front().snapshot.bytes() < most_kept_bytes && run_.is_plausible())
             kept_.push_back(moment());
     }
     advance_to(step);

@@ -28,7 +28,7 @@ struct Case {
 };
 void PrintTo(const Case& of, std::ostream* out) { *out << of.name; }
 
-RunDescription model(const char* id, double dt, const std::vector<std::array<const char*, 2>>& settings = {}) {
+RunDescription crosschecked(const char* id, double dt, const std::vector<std::array<const char*, 2>>& settings = {}) {
     RunDescription run = describe(id);
     run.dt = dt;
     for (const auto& [name, value] : settings) set_parameter(run, name, value);
@@ -36,12 +36,12 @@ RunDescription model(const char* id, double dt, const std::vector<std::array<con
 }
 
 std::vector<Case> cases() {
-    return {{"chain", model("chain", 0.1), Verdict::rounding},
-            {"mesh", model("mesh", 0.1), Verdict::rounding},
-            {"rope_without_drag", model("rope", 0.01, {{"c", "0"}}), Verdict::rounding},
-            {"rope_with_drag", model("rope", 0.01), Verdict::drag},
-            {"morse", model("morse", 0.01), Verdict::rounding},
-            {"crystal", model("crystal", 0.01), Verdict::rounding},
+    return {{"chain", crosschecked("chain", 0.1), Verdict::rounding},
+            {"mesh", crosschecked("mesh", 0.1), Verdict::rounding},
+            {"rope_without_drag", crosschecked("rope", 0.01, {{"c", "0"}}), Verdict::rounding},
+            {"rope_with_drag", crosschecked("rope", 0.01), Verdict::drag},
+            {"morse", crosschecked("morse", 0.01), Verdict::rounding},
+            {"crystal", crosschecked("crystal", 0.01), Verdict::rounding},
             {"lennard_jones", describe(find_scene("fcc-crystal")), Verdict::rounding},
             {"random_network", describe(find_scene("spring-network")), Verdict::rounding}};
 }
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Lammps, CrosscheckOf, testing::ValuesIn(cases()),
 TEST(LammpsCrosscheck, says_where_rounding_hides_the_rest) {
     const TemporaryFolder folder;
     const Crosscheck check =
-        crosscheck(model("morse", 0.01),
+        crosscheck(crosschecked("morse", 0.01),
                    {.steps = 3000, .samples = 30, .ranks = 1, .folder = folder.path(), .exported = {}, .progress = {}});
     EXPECT_EQ(check.verdict, Verdict::sensitive) << check.verdict_text();
     EXPECT_GT(check.decided, 1U);

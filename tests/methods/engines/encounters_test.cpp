@@ -84,7 +84,7 @@ RunDescription with_tolerance(RunDescription description, double tolerance) {
 /// What the project asks of an error: 1000 tolerances, no less than 1e-9.
 double allowed(double tolerance) { return std::max(1000 * tolerance, 1e-9); }
 
-constexpr std::string_view ids[] = {"dopri5", "dop853", "rkn-12-10", "taylor", "ias15", "gauss-16"};
+constexpr std::string_view ids_of_own_steps[] = {"dopri5", "dop853", "rkn-12-10", "taylor", "ias15", "gauss-16"};
 
 class EncountersOf : public testing::TestWithParam<std::string_view> {
 protected:
@@ -203,7 +203,7 @@ TEST_P(EncountersOf, go_on_in_the_same_bits_from_a_saved_state) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, EncountersOf, testing::ValuesIn(ids), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(Methods, EncountersOf, testing::ValuesIn(ids_of_own_steps), [](const auto& test) {
     std::string name(test.param);
     std::replace(name.begin(), name.end(), '-', '_');
     return name;

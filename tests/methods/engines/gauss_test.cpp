@@ -24,7 +24,8 @@ ParameterValues with_tolerance(double tolerance) {
 }
 
 /// A soft rope that falls from the level: everything moves, nothing is linear.
-constexpr LineForces rope{.count = 5, .first_fixed = true, .mass = 1, .k = 20, .rest_length = 0.5, .gravity = 9.81};
+constexpr LineForces swinging_rope{
+    .count = 5, .first_fixed = true, .mass = 1, .k = 20, .rest_length = 0.5, .gravity = 9.81};
 
 template <class T>
 State<T> at_rest(std::size_t particles) {
@@ -87,8 +88,9 @@ TEST(Gauss16Order, inside_a_step_is_that_of_a_step) {
 // 1e-13.
 TEST(Gauss16Order, converges_to_what_another_method_finds) {
     for (const Real drag : {0.0L, 0.3L, 5.0L}) {
-        const auto mine = after<Gauss<Real>>(rope, at_rest<Real>(5), drag, Real(0.5) / 16, 16, with_tolerance(0));
-        const auto other = after<RungeKutta<Real, Rk4>>(rope, at_rest<Real>(5), drag, Real(0.5) / 20000, 20000,
+        const auto mine =
+            after<Gauss<Real>>(swinging_rope, at_rest<Real>(5), drag, Real(0.5) / 16, 16, with_tolerance(0));
+        const auto other = after<RungeKutta<Real, Rk4>>(swinging_rope, at_rest<Real>(5), drag, Real(0.5) / 20000, 20000,
                                                         ParameterValues(Rk4::info.parameters));
         EXPECT_LT(apart(mine, other), 1e-12L) << static_cast<double>(drag);
     }
@@ -227,7 +229,7 @@ std::vector<Field<double>> parts(Integrator& integrator) {
 // What is saved alone decides how a run goes on: another integrator takes it over and makes the same bits.
 TEST(Gauss16, saved_state_goes_on_with_the_same_bits) {
     for (const double tolerance : {0.0, 1e-8}) {
-        System system(engine<double>(rope), 0.3, 0.07), other(engine<double>(rope), 0.3, 0.07);
+        System system(engine<double>(swinging_rope), 0.3, 0.07), other(engine<double>(swinging_rope), 0.3, 0.07);
         Gauss<double> first(with_tolerance(tolerance)), second(with_tolerance(tolerance));
         first.start(system, at_rest<double>(5));
         for (int i = 0; i < 20; ++i) first.step(system);

@@ -11,17 +11,17 @@
 namespace steplab::test {
 namespace {
 
-constexpr std::size_t length = 20;
+constexpr std::size_t terms = 20;
 template <class T>
-using Coefficients = std::array<T, length>;
+using Coefficients = std::array<T, terms>;
 
 /// The coefficients of f(series), x being the coefficients of its argument, computed order by order.
 template <class T, class F>
 Coefficients<T> series_of(const Coefficients<T>& x, F f) {
-    std::array<Lanes<T>, SeriesTape<T>::most_kept * length> memory;
+    std::array<Lanes<T>, SeriesTape<T>::most_kept * terms> memory;
     Coefficients<T> result{};
-    for (std::size_t k = 0; k < length; ++k) {
-        SeriesTape<T> tape(memory.data(), length, k);
+    for (std::size_t k = 0; k < terms; ++k) {
+        SeriesTape<T> tape(memory.data(), terms, k);
         result[k] = f(Series<T>::variable(tape, Lanes<T>(x[k]))).coefficient()[0];
     }
     return result;
@@ -32,14 +32,14 @@ template <class T>
 Coefficients<T> exponential_series(T rate) {
     Coefficients<T> e{};
     e[0] = T(1);
-    for (std::size_t k = 1; k < length; ++k) e[k] = e[k - 1] * rate / static_cast<T>(static_cast<int>(k));
+    for (std::size_t k = 1; k < terms; ++k) e[k] = e[k - 1] * rate / static_cast<T>(static_cast<int>(k));
     return e;
 }
 
 template <class T>
 T largest_difference(const Coefficients<T>& a, const Coefficients<T>& b) {
     T most = T(0);
-    for (std::size_t k = 0; k < length; ++k) most = std::max(most, std::abs(a[k] - b[k]));
+    for (std::size_t k = 0; k < terms; ++k) most = std::max(most, std::abs(a[k] - b[k]));
     return most;
 }
 
@@ -89,7 +89,7 @@ TEST(Series, of_the_forces_in_double_are_those_of_long_double) {
                          [&](Series<T> s) { return formula(s, s * s, Series<T>(T(1))).x; });
     };
     const auto expect_equal = [](const Coefficients<double>& a, const Coefficients<long double>& b) {
-        for (std::size_t k = 0; k < length; ++k) EXPECT_NEAR(a[k], static_cast<double>(b[k]), 1e-14) << k;
+        for (std::size_t k = 0; k < terms; ++k) EXPECT_NEAR(a[k], static_cast<double>(b[k]), 1e-14) << k;
     };
     expect_equal(spring(0.0), spring(0.0L));
     expect_equal(morse(0.0), morse(0.0L));

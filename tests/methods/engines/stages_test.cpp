@@ -13,7 +13,8 @@ namespace steplab::test {
 namespace {
 
 /// A soft rope that falls from the level: everything moves, nothing is linear.
-constexpr LineForces rope{.count = 5, .first_fixed = true, .mass = 1, .k = 20, .rest_length = 0.5, .gravity = 9.81};
+constexpr LineForces rope_of_stages{
+    .count = 5, .first_fixed = true, .mass = 1, .k = 20, .rest_length = 0.5, .gravity = 9.81};
 
 /// Every layout of forces at scattered positions, in this lanes type; and in plain numbers, stage by stage.
 template <class N, class Forces>
@@ -54,7 +55,7 @@ void expect_the_same_bits(const Forces& forces, std::size_t particles) {
 
 TEST(StageLanes, give_the_bits_of_plain_numbers_in_every_layout) {
     expect_the_same_bits(ConstantForces{.count = 6}, 6);
-    expect_the_same_bits(rope, 5);
+    expect_the_same_bits(rope_of_stages, 5);
     expect_the_same_bits(LineForces{.count = 19, .first_fixed = false, .mass = 2, .k = 3, .rest_length = 1}, 19);
     expect_the_same_bits(GridForces{.rows = 4, .columns = 4, .mass = 2, .k = 3, .rest_length = 1}, 16);
 }

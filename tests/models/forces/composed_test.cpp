@@ -14,7 +14,7 @@
 namespace steplab::test {
 namespace {
 
-ComposedForces forces_of(Composition terms) {
+ComposedForces composed(Composition terms) {
     const std::size_t count = terms.count;
     const double mass = terms.mass;
     return {count, mass, std::make_shared<const Composition>(std::move(terms))};
@@ -78,7 +78,7 @@ double total(const ComposedForces& forces, const Field<double>& x) { return engi
 TEST(Composed, forces_are_the_slopes_of_the_energy) {
     for (const auto& [box, cutoff] : {std::pair{Vec3{}, 0.0}, std::pair{Vec3{}, 1.4}, std::pair{Vec3{4, 5, 0}, 1.4}}) {
         const Composition terms = everything(box, cutoff);
-        const ComposedForces forces = forces_of(terms);
+        const ComposedForces forces = composed(terms);
         const Field<double> x = random_positions(9, 2.5, 7);
         Field<double> a(9);
         engine<double>(forces).accelerations(x, a);
@@ -103,7 +103,7 @@ TEST(Composed, forces_within_a_scene_cancel_and_do_not_turn_it) {
     terms.fields.clear();
     const Field<double> x = random_positions(9, 2.5, 3);
     Field<double> a(9);
-    engine<double>(forces_of(terms)).accelerations(x, a);
+    engine<double>(composed(terms)).accelerations(x, a);
     Vec3 sum, turning;
     double size = 0;
     for (std::size_t i = 0; i < 9; ++i) {
@@ -144,7 +144,7 @@ TEST(Composed, agrees_with_the_layouts_of_models) {
         Field<double> u = random_positions(terms.count, 0.05, 1), a(terms.count), b(terms.count);
         for (std::size_t i = 0; i < terms.count; ++i)
             u.set(i, !terms.fixed.empty() && terms.fixed[i] != 0 ? Vec3{} : u.at(i) + start.displacement.at(i));
-        engine<double>(forces_of(terms)).accelerations(u, a);
+        engine<double>(composed(terms)).accelerations(u, a);
         std::visit([&](const auto& layout) { engine<double>(layout).accelerations(u, b); }, plan.forces);
         for (std::size_t i = 0; i < terms.count; ++i)
             EXPECT_LT(length(a.at(i) - b.at(i)), 1e-13 * (1 + length(b.at(i)))) << id << ' ' << i;
@@ -156,9 +156,9 @@ TEST(Composed, coincident_particles_feel_nothing) {
     terms.accelerations.clear();
     terms.fields.clear();
     Field<double> x(9), a(9);
-    engine<double>(forces_of(terms)).accelerations(x, a);
+    engine<double>(composed(terms)).accelerations(x, a);
     for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(a.at(i), Vec3{}) << i;
-    EXPECT_TRUE(std::isfinite(total(forces_of(terms), x)));
+    EXPECT_TRUE(std::isfinite(total(composed(terms), x)));
 }
 
 TEST(Composed, images_across_a_box_are_as_near_as_neighbours) {
@@ -174,7 +174,7 @@ TEST(Composed, images_across_a_box_are_as_near_as_neighbours) {
     const auto acceleration = [&](Vec3 second) {
         Field<double> x(2), a(2);
         x.set(1, second);
-        engine<double>(forces_of(terms)).accelerations(x, a);
+        engine<double>(composed(terms)).accelerations(x, a);
         return a.at(0);
     };
     const Vec3 beside = acceleration({0.75, 0, 0.5});
@@ -198,7 +198,7 @@ TEST(Composed, lists_of_neighbours_in_any_box_miss_no_pair) {
         terms.pairs = {pairs};
         const Field<double> x = random_positions(60, 12, 11);
         Field<double> a(60);
-        engine<double>(forces_of(terms)).accelerations(x, a);
+        engine<double>(composed(terms)).accelerations(x, a);
         const ShiftedPotential<double, MorsePotential<double>> potential(pairs.values, 1.5, 1);
         const auto nearest = [](double d, double side) { return side > 0 ? d - side * std::nearbyint(d / side) : d; };
         for (std::size_t i = 0; i < 60; ++i) {
@@ -226,7 +226,7 @@ Composition damped() {
 // D v by its blocks is what accelerations lose, and never drives: v.M D v >= 0. Rounding of sums of a few terms: 1e-14.
 TEST(Composed, damping_is_symmetric_and_takes_energy) {
     const Composition terms = damped();
-    auto force = engine<double>(forces_of(terms));
+    auto force = engine<double>(composed(terms));
     const Field<double> x = random_positions(9, 2.5, 5);
     Field<double> v = random_positions(9, 1, 6), lost(9), summed(9);
     v.set(8, {});
@@ -254,7 +254,7 @@ TEST(Composed, damping_is_symmetric_and_takes_energy) {
 // The flow against its rate: symmetric, so two flows of opposite times cancel to rounding, and over a small time the
 // change is that of the rate with an error of the square of the time.
 TEST(Composed, flow_of_damping_follows_its_rate_and_runs_back) {
-    auto force = engine<double>(forces_of(damped()));
+    auto force = engine<double>(composed(damped()));
     const Field<double> x = random_positions(9, 2.5, 5);
     Field<double> start = random_positions(9, 1, 6);
     start.set(8, {});

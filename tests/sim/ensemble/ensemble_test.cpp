@@ -21,7 +21,7 @@ namespace {
 using test::MethodCase;
 
 /// More than registers have lanes, and no multiple of them.
-constexpr std::size_t count = 37;
+constexpr std::size_t run_count = 37;
 
 struct Case {
     std::string_view model;
@@ -51,7 +51,7 @@ const std::vector<Case>& cases() {
 }
 
 std::vector<EnsembleRun> runs_of(RunDescription description, const std::vector<ParameterRange>& ranges,
-                                 std::uint64_t steps, std::size_t runs = count) {
+                                 std::uint64_t steps, std::size_t runs = run_count) {
     std::vector<EnsembleRun> all;
     for (std::size_t i = 0; i < runs; ++i) all.push_back({run_in_range(description, ranges, i, runs), {steps}});
     return all;
@@ -148,9 +148,9 @@ void expect_side_by_side_where_half_is_full(const RunDescription& chain, Instruc
     for (const ParameterRange& spread : {ParameterRange{"k", 1, 2}, ParameterRange{"dt", 0.01, 0.02}}) {
         EXPECT_EQ(together(spread, half), half);
         EXPECT_EQ(together(spread, half - 1), 0u);
-        EXPECT_GE(together(spread, count), 32u);
+        EXPECT_GE(together(spread, run_count), 32u);
     }
-    EXPECT_EQ(together({"n", 10, 46}, count), half == 1 ? count : 0u);
+    EXPECT_EQ(together({"n", 10, 46}, run_count), half == 1 ? run_count : 0u);
 }
 
 TEST(Ensemble, computes_runs_side_by_side_where_it_can) {
@@ -252,7 +252,7 @@ TEST(Ensemble, tells_how_many_steps_are_done_and_ends_when_that_throws) {
         EXPECT_GE(steps, done);
         done = steps;
     });
-    EXPECT_EQ(done, count * 1000);
+    EXPECT_EQ(done, run_count * 1000);
     EXPECT_THROW(run_ensemble(runs, 1000, {}, [](std::uint64_t) { throw std::runtime_error("enough"); }),
                  std::runtime_error);
 }

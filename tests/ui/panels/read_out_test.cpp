@@ -62,8 +62,8 @@ std::vector<Shown> all_shown() {
 }
 
 /// A desk that shows so many runs, with all lines in its read-out: that of the ensemble is one of them.
-struct Compared : Desk {
-    explicit Compared(const Shown& shown) : Desk(describe("mesh"), shown.display) {
+struct ComparedRuns : Desk {
+    explicit ComparedRuns(const Shown& shown) : Desk(describe("mesh"), shown.display) {
         style.layout = shown.layout;
         view.baseline_step = 5;
         view.frame.ensemble.resize(3);
@@ -79,7 +79,7 @@ struct Compared : Desk {
 
 TEST(read_out, keeps_to_the_picture_of_the_leading_run_in_windows_of_any_size) {
     for (const Shown& shown : all_shown()) {
-        const Compared desk(shown);
+        const ComparedRuns desk(shown);
         const auto place = read_out(desk);
         const PixelRect tile = desk.tile(shown);
         ASSERT_TRUE(place) << shown.text();
@@ -93,7 +93,7 @@ TEST(read_out, keeps_to_the_picture_of_the_leading_run_in_windows_of_any_size) {
 TEST(read_out, leaves_the_lines_about_the_runs_their_place) {
     for (const Shown& shown : all_shown()) {
         if (shown.runs == 1) continue;
-        const Compared desk(shown);
+        const ComparedRuns desk(shown);
         const auto place = read_out(desk);
         const PixelRect tile = desk.tile(shown);
         ASSERT_TRUE(place) << shown.text();
@@ -112,7 +112,7 @@ TEST(read_out, leaves_the_lines_about_the_runs_their_place) {
 TEST(read_out, has_all_its_lines_where_there_is_room) {
     const Shown small{{400, 300, 1}, 4, render::RunLayout::split}, large{{1280, 720, 1}, 4, render::RunLayout::split};
     const auto height = [](const Shown& shown) {
-        const auto place = read_out(Compared(shown));
+        const auto place = read_out(ComparedRuns(shown));
         return place ? place->bottom - place->top : 0;
     };
     EXPECT_LT(height(small), 40) << "one line";
