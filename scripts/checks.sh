@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # The checks that take longer than those of .ci/run: scripts/checks.sh
 #
-# Every instruction set with all tests, golden hashes with the other compiler, the kept inputs of what reads from outside
-# under the sanitizers, the site of the documentation, the packages, and that the benchmarks compile. Takes more than an
-# hour on two cores: run it before a release and after work on methods, forces or files.
+# Golden hashes with the other compiler, the kept inputs of what reads from outside under the sanitizers, the site of the
+# documentation, the packages, and that the benchmarks compile. Takes more than an hour on two cores: run it before a
+# release and after work on methods, forces or files.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

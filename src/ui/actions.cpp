@@ -247,13 +247,21 @@ bool acts_on_page(Action action) {
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
 
+/// A field that is being edited keeps all keys to itself but these: its value is not yet set, which files would not
+/// hold.
+bool acts_beside_an_entry(Action action) {
+    constexpr std::array actions{Action::larger,   Action::smaller, Action::usual_scale, Action::help,
+                                 Action::snapshot, Action::record,  Action::full_screen, Action::quit};
+    return std::find(actions.begin(), actions.end(), action) != actions.end();
+}
+
 bool goes_to_widgets(Key key) { return key == Key::space || key == Key::left || key == Key::right; }
 
 }  // namespace
 
 void perform_pressed_keys(const Context& context) {
-    if (ImGui::GetIO().WantTextInput) return;
     for (const KeyBinding& binding : key_bindings()) {
+        if (ImGui::GetIO().WantTextInput && !acts_beside_an_entry(binding.action)) continue;
         if (context.state.scenes.open && !acts_on_page(binding.action)) continue;
         if (context.state.steering && goes_to_widgets(binding.key)) continue;
         const bool repeats = binding.action == Action::step_forward || binding.action == Action::step_back;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <vector>
 
 namespace steplab::ui {
 namespace {
@@ -122,6 +123,23 @@ TEST(keys, an_entry_keeps_the_keyboard_to_itself) {
     desk.frame();
     desk.key(Key::right);
     EXPECT_THAT(desk.calls(), ElementsAre("step forward"));
+}
+
+TEST(keys, quit_and_those_of_the_window_act_while_a_value_is_typed) {
+    Desk desk(describe("rope"));
+    desk.click("dt.value");
+    desk.frame();
+    desk.type("0.03");
+    desk.key(Key::r, true);
+    desk.key(Key::f11);
+    desk.key(Key::z, true);  // of the text
+    desk.key(Key::o, true);
+    desk.key(Key::s, true);  // the scene has not got the value yet
+    desk.key(Key::q, true);
+    std::vector<Request::Kind> kinds;
+    for (const Request& request : desk.interface.take_requests()) kinds.push_back(request.kind);
+    EXPECT_THAT(kinds, ElementsAre(Request::Kind::record, Request::Kind::full_screen, Request::Kind::quit));
+    EXPECT_THAT(desk.calls(), IsEmpty());
 }
 
 TEST(keys, home_resets_the_view_and_f_zooms_to_fit) {
