@@ -10,7 +10,8 @@ target_compile_definitions(steplab_arithmetic INTERFACE EIGEN_DONT_VECTORIZE)
 # `-Wno-psabi`: how vector registers are handed over depends on the instruction set; none are between code of several.
 add_library(steplab_warnings INTERFACE)
 target_compile_options(steplab_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wno-psabi
-                                                  $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,-Wno-subobject-linkage,-Wshadow>
+                                                  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
+                                                  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wno-subobject-linkage>
                                                   $<$<BOOL:${STEPLAB_WERROR}>:-Werror>
                                                   # clang says where a loop over dual numbers cannot be vectorised
                                                   $<$<CXX_COMPILER_ID:Clang>:-Wno-pass-failed>)
@@ -204,6 +205,10 @@ endforeach()
 # What is compiled in each instruction set beside the steppers of the methods: sources of src/sim/steppers.
 set(steplab_shared_steppers energy_sums erased_forces kick_drift_steps own_steps runge_kutta_steps)
 
+# Methods that are compiled on layouts of forces of their own, in twice the time of all others: each precision is a source,
+# so that two processors share it.
+set(steplab_large_methods euler-forward midpoint rk4)
+
 # steplab_catalogue(sources METHODS id... MODELS id... [INSTRUCTIONS set...]): the sources of a catalogue of these, written
 # from their ids, the steppers of its methods in each of the instruction sets among them.
 function(steplab_catalogue sources)
@@ -220,6 +225,13 @@ function(steplab_catalogue sources)
     set(STEPLAB_METHOD ${id})
     steplab_stepper_makers(${STEPLAB_CLASS} "${ARG_INSTRUCTIONS}")
     configure_file(${templates}/method.cpp.in ${generated}/method_${id}.cpp @ONLY)
+    set(STEPLAB_FLOAT_APART "")
+    if(id IN_LIST steplab_large_methods)
+      configure_file(${templates}/stepper_float.cpp.in ${generated}/stepper_${id}_float.cpp @ONLY)
+      list(APPEND steppers ${generated}/stepper_${id}_float.cpp)
+      set(STEPLAB_FLOAT_APART
+          "extern template std::unique_ptr<Stepper> make_stepper_in<${STEPLAB_CLASS}, float>(const StepperSetup&);")
+    endif()
     configure_file(${templates}/stepper.cpp.in ${generated}/stepper_${id}.cpp @ONLY)
     list(APPEND written ${generated}/method_${id}.cpp)
     list(APPEND steppers ${generated}/stepper_${id}.cpp)
