@@ -254,6 +254,7 @@ function(steplab_catalogue sources)
   endforeach()
   foreach(set IN LISTS ARG_INSTRUCTIONS)
     if(set STREQUAL baseline)
+      set_source_files_properties(${steppers} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # one method is built at a time
       list(APPEND written ${steppers})
     else()
       steplab_steppers(${set} object ${steppers})
