@@ -74,10 +74,12 @@ std::uint64_t type_of(const FrameBlock& frame, std::size_t row) {
     return frame.roles.empty() ? 1 : 1 + static_cast<std::uint64_t>(frame.roles[row]);
 }
 
-/// Those that do not have the name of a column that every dump of ours has.
+/// Those that do not have the name of a column that every dump of ours has, nor say once more where particles are: such
+/// columns would be read in place of, or together with, the positions that are written.
 std::vector<const ParticleValues*> further_columns(const FrameBlock& frame) {
-    constexpr std::array<std::string_view, 12> own{"id", "type", "mass", "x",  "y",  "z",
-                                                   "xu", "yu",   "zu",   "vx", "vy", "vz"};
+    constexpr std::array<std::string_view, 21> own{"id", "type", "mass", "x",   "y",  "z",  "xu",
+                                                   "yu", "zu",   "vx",   "vy",  "vz", "xs", "ys",
+                                                   "zs", "xsu",  "ysu",  "zsu", "ix", "iy", "iz"};
     std::vector<const ParticleValues*> columns;
     for (const ParticleValues& column : frame.values) {
         if (std::find(own.begin(), own.end(), column.name) == own.end()) columns.push_back(&column);

@@ -205,6 +205,20 @@ TEST(DumpText, keeps_types_masses_and_further_columns) {
     EXPECT_EQ(back[0].values[1], (ParticleValues{"v_a[1]", {-3, 1e-300}}));
 }
 
+// A dump may say in several ways where its particles are; all but the one that was taken would be read with what is
+// written.
+TEST(DumpText, says_once_where_particles_are) {
+    for (const std::string more : {"xs ys zs", "xsu ysu zsu", "xu yu zu", "ix iy iz", "zs iz q", "q xs ix"}) {
+        const auto given =
+            frames_of(head(3, 1, "id type x y z zu zs iz " + more + " c_pe") + "1 7 0 1 15 16 0.5 1 2 3 1 9\n");
+        std::string text;
+        append_dump(text, given.at(0));
+        const auto back = frames_of(text);
+        EXPECT_EQ(back.at(0).positions, given[0].positions) << text;
+        EXPECT_EQ(back[0].values.back(), (ParticleValues{"c_pe", {9}})) << text;
+    }
+}
+
 TEST(DumpText, keeps_a_box_that_leans) {
     for (const Cell& cell : {Cell{{Vec3{4, 0, 0}, Vec3{-1, 2, 0}, Vec3{0.5, -0.25, 3}}, {1, 2, 3}, {true, false, true}},
                              Cell{{Vec3{0, 2, 0}, Vec3{-3, 0, 0}, Vec3{0, 1, 4}}, {5, 6, 7}, {true, true, true}}}) {
