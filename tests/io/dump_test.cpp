@@ -208,14 +208,15 @@ TEST(DumpText, keeps_types_masses_and_further_columns) {
 // A dump may say in several ways where its particles are; all but the one that was taken would be read with what is
 // written.
 TEST(DumpText, says_once_where_particles_are) {
-    for (const std::string more : {"xs ys zs", "xsu ysu zsu", "xu yu zu", "ix iy iz", "zs iz q", "q xs ix"}) {
-        const auto given =
-            frames_of(head(3, 1, "id type x y z zu zs iz " + more + " c_pe") + "1 7 0 1 15 16 0.5 1 2 3 1 9\n");
+    const std::string box = "BOX BOUNDS ff ff ff\n-1 3\n0 2\n10 20\n";
+    for (const std::string more : {"xs ys zs", "xsu ysu zsu", "xu yu q", "ix iy q", "q xs ix"}) {
+        const auto given = frames_of(head(3, 2, "id type x y zu zs iz " + more + " c_pe", box) +
+                                     "1 7 0 1 15 0.5 1 2 3 1 9\n2 7 1 0 17 0 1 2 3 1 9\n");
         std::string text;
         append_dump(text, given.at(0));
         const auto back = frames_of(text);
         EXPECT_EQ(back.at(0).positions, given[0].positions) << text;
-        EXPECT_EQ(back[0].values.back(), (ParticleValues{"c_pe", {9}})) << text;
+        EXPECT_EQ(back[0].values.back(), (ParticleValues{"c_pe", {9, 9}})) << text;
     }
 }
 
