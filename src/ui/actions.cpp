@@ -247,8 +247,7 @@ bool acts_on_page(Action action) {
     return std::find(actions.begin(), actions.end(), action) != actions.end();
 }
 
-/// A field that is being edited keeps all keys to itself but these: its value is not yet set, which files would not
-/// hold.
+/// A field that is being edited keeps all other keys to itself: a scene would be saved without the value that is typed.
 bool acts_beside_an_entry(Action action) {
     constexpr std::array actions{Action::larger,   Action::smaller, Action::usual_scale, Action::help,
                                  Action::snapshot, Action::record,  Action::full_screen, Action::quit};
