@@ -225,6 +225,31 @@ TEST(SceneBlocks, a_box_has_its_corner) {
     EXPECT_EQ(scene.corner->value(), (Vec3{-1, -2, -3}));
 }
 
+/// The first block of a scene whose particles stand in a file: with the columns role and mass, all of mass 2.
+ParticleBlock block_of_a_file(const std::string& more) {
+    const std::string file =
+        "2\nProperties=species:S:1:pos:R:3:role:S:1:masses:R:1\nX 0 0 0 bullet 2\nX 1 0 0 fixed 2\n";
+    const RunDescription run =
+        describe(scene_from({{.name = "", .content = with_blocks("[[particles]]\nfile = \"a.xyz\"\n" + more)},
+                             {.name = "a.xyz", .content = file}},
+                            "a.toml"));
+    return model_of(run).scene(run.scene).particles.front();
+}
+
+TEST(SceneBlocks, of_a_file_have_its_roles_unless_the_block_gives_one) {
+    for (const auto& [more, roles] : {std::pair{"", true}, {"role = \"kicked\"", false}, {"fixed = false", false}})
+        EXPECT_EQ(std::get<ListedParticles>(block_of_a_file(more).arrangement).roles, roles) << more;
+}
+
+// So that what is drawn from one mass, a temperature, can be given.
+TEST(SceneBlocks, of_a_file_of_equal_masses_have_one_mass) {
+    for (const auto& [more, mass] : {std::pair{"", 2.0}, {"mass = 5", 5.0}, {"temperature = { kT = 1 }", 2.0}}) {
+        const ParticleBlock block = block_of_a_file(more);
+        EXPECT_FALSE(std::get<ListedParticles>(block.arrangement).masses) << more;
+        EXPECT_EQ(block.mass.value, mass) << more;
+    }
+}
+
 TEST(SceneBlocks, versions_are_whole_numbers) {
     for (const char* version : {"0", "2", "1.0", "\"1\"", "-1"})
         EXPECT_THAT(refusal_of_scene("steplab = " + std::string(version) + "\n"),

@@ -73,7 +73,8 @@ amplitude = 0.3
 TEST(SceneStart, that_is_wrong_is_refused_with_its_place) {
     const std::vector<std::pair<std::string, const char*>> cases{
         {"mode = 0\namplitude = 1", "a.toml:14:8: must be an integer from 1"},
-        {"mode = 1", "mode and amplitude belong together"},
+        {"mode = 1", "a.toml:13:1: mode and amplitude belong together"},
+        {"amplitude = 1", "a.toml:13:1: mode and amplitude belong together"},
         {"mode = 7\namplitude = 1", "there is no normal mode 7: the scene has 6"},
         {"reverse = 1", "a.toml:14:11: must be true or false"},
         {"from = \"a.csv\"", "a.toml:14:8: cannot read 'a.csv': the run does not carry it"},
@@ -83,7 +84,19 @@ TEST(SceneStart, that_is_wrong_is_refused_with_its_place) {
     std::string large = between_walls;
     large.replace(large.find("count = 8"), 9, "count = 301");
     EXPECT_THAT(refusal_of_scene(large + "[start]\nmode = 1\namplitude = 1\n"),
-                HasSubstr("at most 300 particles, the scene has 301"));
+                HasSubstr("a.toml:14:8: normal modes are computed of at most 300 particles, the scene has 301"));
+}
+
+TEST(SceneStart, from_a_file_of_other_particles_is_refused_with_its_place) {
+    const std::string few = "step,time,particle,x,y,z\n0,0,0,1,2,3\n0,0,1,1,2,3\n";
+    try {
+        scene_from(
+            {{.name = "", .content = between_walls + "[start]\nfrom = \"a.csv\"\n"}, {.name = "a.csv", .content = few}},
+            "a.toml");
+        ADD_FAILURE();
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("a.toml:14:8: it holds 2 particles, the scene has 8"));
+    }
 }
 
 TEST(SceneStart, from_a_trajectory_continues_its_run) {
@@ -148,6 +161,12 @@ TEST(SceneRun, compares_only_runs_that_there_can_be) {
         {"\"method=dopri5,tolerance=1e-9\"", "read"}};
     for (const auto& [list, message] : cases)
         EXPECT_THAT(refusal_of_scene(between_walls + "compare = " + list + "\n"), HasSubstr(message)) << list;
+    // where no method is named, the first run is one of rk4, which has no tolerance
+    const std::string unnamed = row_between_walls(moving) + "[run]\ncompare = ";
+    EXPECT_EQ(refusal_of_scene(unnamed + "\"dt=0.05\"\n"), "read");
+    EXPECT_THAT(refusal_of_scene(unnamed + "\"tolerance=1e-9\"\n"), HasSubstr("unknown setting 'tolerance'"));
+    EXPECT_EQ(refusal_of_scene(replaced(unnamed, "compare", "method = \"dopri5\"\ncompare") + "\"tolerance=1e-9\"\n"),
+              "read");
 }
 
 TEST(StartingValues, are_the_same_from_their_text) {

@@ -7,6 +7,7 @@
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/extreme_doubles.hpp"
+#include "support/runs.hpp"
 
 #include <gmock/gmock.h>
 
@@ -58,13 +59,7 @@ TEST_P(EveryModel, is_whole_again_after_framing_a_later_moment) {
     for (const PictureSize size : sizes) EXPECT_LT(filled(frame, framed(frame, 70, 10, size), size), 1);
 }
 
-std::vector<std::string> framed_models() {
-    std::vector<std::string> ids;
-    for (const Model& model : models()) ids.emplace_back(model.info.id);
-    return ids;
-}
-
-INSTANTIATE_TEST_SUITE_P(Framing, EveryModel, testing::ValuesIn(framed_models()),
+INSTANTIATE_TEST_SUITE_P(Framing, EveryModel, testing::ValuesIn(test::model_ids()),
                          [](const auto& test) { return test.param; });
 
 TEST(Framing, mesh_stays_in_the_picture_while_it_swings) {

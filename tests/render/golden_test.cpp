@@ -2,6 +2,7 @@
 #include "render/studio.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/runs.hpp"
 
 #include <gmock/gmock.h>
 #include <png.h>
@@ -77,13 +78,7 @@ TEST_P(Golden, a_changed_picture_is_detected) {
     EXPECT_FALSE(similar(draw_model(60, style()), golden));
 }
 
-std::vector<std::string> golden_models() {
-    std::vector<std::string> ids;
-    for (const Model& model : models()) ids.emplace_back(model.info.id);
-    return ids;
-}
-
-INSTANTIATE_TEST_SUITE_P(Models, Golden, testing::ValuesIn(golden_models()),
+INSTANTIATE_TEST_SUITE_P(Models, Golden, testing::ValuesIn(test::model_ids()),
                          [](const auto& test) { return test.param; });
 
 TEST(Png, reads_back_as_it_was_written) {

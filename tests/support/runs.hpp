@@ -30,11 +30,32 @@ inline RunDescription run_of(std::string_view model, std::string_view method, Pr
     return description;
 }
 
-/// The same at the model's defaults; but a crystal of 125 particles, for which implicit methods solve in milliseconds.
+/// A description at the model's defaults; but a crystal of 125 particles, for which implicit methods solve in
+/// milliseconds.
 inline RunDescription small_run_of(std::string_view model, std::string_view method, Precision precision, double dt) {
     RunDescription description = run_of(model, method, precision, dt);
     if (model == "crystal") description.scene.set("edge", 5);
     return description;
+}
+
+/// A scene of the catalogue with these parameters, for tests that ask nothing of the method.
+inline RunDescription scene_with(std::string_view model, Settings settings = {}) {
+    return run_of(model, "rk4", Precision::double_, 0.1, settings);
+}
+
+/// A description with a tolerance for methods that choose their own steps.
+inline RunDescription run_to_tolerance(std::string_view model, std::string_view method, double dt, double tolerance,
+                                       Settings settings = {}, Precision precision = Precision::double_) {
+    RunDescription description = run_of(model, method, precision, dt, settings);
+    description.method_parameters.set("tolerance", tolerance);
+    return description;
+}
+
+/// Of the models, as a test's parameters.
+inline std::vector<std::string> model_ids() {
+    std::vector<std::string> ids;
+    for (const Model& model : models()) ids.emplace_back(model.info.id);
+    return ids;
 }
 
 inline Frame frame_after(const RunDescription& description, std::uint64_t steps) {

@@ -9,6 +9,7 @@
 #include "io/scene_file.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/runs.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -117,12 +118,7 @@ class ExportedModel : public testing::TestWithParam<std::string> {};
 
 TEST_P(ExportedModel, has_the_energy_and_the_forces_of_steplab) { expect_agreement(describe(GetParam())); }
 
-std::vector<std::string> exported_models() {
-    std::vector<std::string> ids;
-    for (const Model& model : models()) ids.emplace_back(model.info.id);
-    return ids;
-}
-INSTANTIATE_TEST_SUITE_P(Lammps, ExportedModel, testing::ValuesIn(exported_models()),
+INSTANTIATE_TEST_SUITE_P(Lammps, ExportedModel, testing::ValuesIn(model_ids()),
                          [](const auto& model) { return with_underscores(model.param); });
 
 RunDescription described(const std::string& terms) {

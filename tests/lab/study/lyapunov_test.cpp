@@ -17,10 +17,6 @@
 namespace steplab::test {
 namespace {
 
-RunDescription scene_of(std::string_view id, Settings settings = {}) {
-    return run_of(id, "rk4", Precision::double_, 0.1, settings);
-}
-
 LyapunovExponent exponent_of(const RunDescription& run, double time) {
     return lyapunov_exponent(model_of(run).plan(run.scene), model_of(run).shape(run.scene), time);
 }
@@ -41,7 +37,7 @@ Plan balanced_for_duals(Plan scene) {
 /// A Morse cube, balanced at its start, from where it departs as e^(rate t): its rate by the eigenvalues of the
 /// linearised scene, and as measured by neighbouring runs.
 std::pair<double, double> departure(double stretched) {
-    const RunDescription run = scene_of("morse", {{"edge", 2}, {"spacing", 2.5 * stretched}, {"k", 8}, {"v0", 0}});
+    const RunDescription run = scene_with("morse", {{"edge", 2}, {"spacing", 2.5 * stretched}, {"k", 8}, {"v0", 0}});
     const Shape shape = model("morse").shape(run.scene);
     const Plan scene = balanced_for_duals(model("morse").plan(run.scene));
     const double least = modes(LinearisedScene(scene, shape)).values[0];
@@ -58,22 +54,22 @@ TEST(Lyapunov, exponent_of_a_linear_departure_is_the_rate_of_its_eigenvalue) {
 
 // Distances in a regular motion grow at most linearly in time.
 TEST(Lyapunov, exponent_of_regular_motion_is_zero) {
-    EXPECT_NEAR(exponent_of(scene_of("oscillator"), 1000).exponent, 0, 1e-12);
-    EXPECT_LT(exponent_of(scene_of("free"), 1000).exponent, 1e-2);
-    EXPECT_FALSE(exponent_of(scene_of("free"), 1000).chaotic());
-    EXPECT_FALSE(exponent_of(scene_of("mesh"), 20).chaotic());
+    EXPECT_NEAR(exponent_of(scene_with("oscillator"), 1000).exponent, 0, 1e-12);
+    EXPECT_LT(exponent_of(scene_with("free"), 1000).exponent, 1e-2);
+    EXPECT_FALSE(exponent_of(scene_with("free"), 1000).chaotic());
+    EXPECT_FALSE(exponent_of(scene_with("mesh"), 20).chaotic());
 }
 
 // With drag c / m = 1 the motion dies out as e^(-t/2).
 TEST(Lyapunov, exponent_of_damped_motion_is_negative) {
-    EXPECT_NEAR(exponent_of(scene_of("oscillator", {{"c", 1}}), 100).exponent, -0.5, 1e-2);
-    EXPECT_LT(exponent_of(scene_of("rope"), 20).exponent, 0);
+    EXPECT_NEAR(exponent_of(scene_with("oscillator", {{"c", 1}}), 100).exponent, -0.5, 1e-2);
+    EXPECT_LT(exponent_of(scene_with("rope"), 20).exponent, 0);
 }
 
 // The same rope with and without drag. Between intervals of 2 s the exponent varies by about 1.
 TEST(Lyapunov, exponent_of_a_whipping_rope_is_significantly_positive) {
-    const LyapunovExponent whip = exponent_of(scene_of("rope", {{"c", 0}}), 20),
-                           damped = exponent_of(scene_of("rope"), 20);
+    const LyapunovExponent whip = exponent_of(scene_with("rope", {{"c", 0}}), 20),
+                           damped = exponent_of(scene_with("rope"), 20);
     EXPECT_TRUE(whip.chaotic());
     EXPECT_NEAR(whip.exponent, 2.7, 3 * whip.spread);
     EXPECT_FALSE(damped.chaotic());
@@ -81,7 +77,7 @@ TEST(Lyapunov, exponent_of_a_whipping_rope_is_significantly_positive) {
 
 TEST(Chaos, is_reported_where_the_reference_is_lost_and_nowhere_else) {
     const ReferenceEffort effort{.most_particle_evaluations = 3e5};
-    const RunDescription whip = scene_of("rope", {{"c", 0}}), calm = scene_of("rope");
+    const RunDescription whip = scene_with("rope", {{"c", 0}}), calm = scene_with("rope");
     const auto note = [&](const RunDescription& scene, double time) {
         return chaos_note(scene, time, reference(scene, std::vector<double>{time}, effort).moments.back().error);
     };
@@ -94,7 +90,7 @@ TEST(Chaos, is_reported_where_the_reference_is_lost_and_nowhere_else) {
 
 TEST(Chaos, is_reported_with_advice) {
     StudyPlan plan;
-    plan.scene = scene_of("rope", {{"c", 0}});
+    plan.scene = scene_with("rope", {{"c", 0}});
     plan.time = 20;
     const Reference lost = reference(plan.scene, std::vector<double>{plan.time}, {.most_particle_evaluations = 3e5});
     try {

@@ -13,19 +13,15 @@
 namespace steplab::test {
 namespace {
 
-RunDescription moving_scene(std::string_view id, Settings settings = {}) {
-    return run_of(id, "rk4", Precision::double_, 0.1, settings);
-}
-
 std::vector<double> numbers(const ReferenceMoment& moment) {
     const auto flat = moment.state.displacement.flat();
     return {flat.begin(), flat.end()};
 }
 
 std::vector<RunDescription> scenes_without_a_closed_form() {
-    return {moving_scene("mesh", {{"dim", 5}}), moving_scene("rope", {{"n", 5}}),
-            moving_scene("morse", {{"spacing", 0.3}}), moving_scene("morse", {{"edge", 2}, {"cutoff", 2}}),
-            moving_scene("chain", {{"n", 4}, {"v0", 0.3}, {"fixed", 1}})};
+    return {scene_with("mesh", {{"dim", 5}}), scene_with("rope", {{"n", 5}}), scene_with("morse", {{"spacing", 0.3}}),
+            scene_with("morse", {{"edge", 2}, {"cutoff", 2}}),
+            scene_with("chain", {{"n", 4}, {"v0", 0.3}, {"fixed", 1}})};
 }
 
 // Two families of steps, equal ones and those of its own: each one's estimate is of its own error.
@@ -59,8 +55,8 @@ TEST(ReferenceMotion, says_the_same_of_a_time_whatever_it_was_asked_before) {
 }
 
 TEST(ReferenceMotion, is_the_closed_form_where_there_is_one) {
-    ReferenceMotion chain(moving_scene("chain")), mesh(moving_scene("mesh", {{"dim", 5}}));
-    const Reference exact = reference(moving_scene("chain"), std::vector<double>{68.1});
+    ReferenceMotion chain(scene_with("chain")), mesh(scene_with("mesh", {{"dim", 5}}));
+    const Reference exact = reference(scene_with("chain"), std::vector<double>{68.1});
     EXPECT_EQ(numbers(chain.at(68.1)), numbers(exact.moments[0]));
     EXPECT_TRUE(chain.is_exact());
     EXPECT_EQ(chain.how(), "exact solution");
@@ -71,7 +67,7 @@ TEST(ReferenceMotion, is_the_closed_form_where_there_is_one) {
 
 // The partner: another scene is another motion.
 TEST(ReferenceMotion, tells_scenes_apart) {
-    ReferenceMotion one(moving_scene("mesh", {{"dim", 5}})), other(moving_scene("mesh", {{"dim", 5}, {"k", 1.01}}));
+    ReferenceMotion one(scene_with("mesh", {{"dim", 5}})), other(scene_with("mesh", {{"dim", 5}, {"k", 1.01}}));
     const ReferenceMoment a = one.at(1), b = other.at(1);
     EXPECT_GT(largest_distance(a.state.displacement, b.state.displacement), 1e6 * (a.error + b.error));
 }
@@ -89,7 +85,7 @@ std::vector<SegmentBegin> held_pull(const RunDescription& scene, std::size_t imp
 // 3600 particles: the states of two runs take 0.7 MB in long double, and all impulses 83 MB; 33.6 MB are kept, and as
 // much again is what runs under way, the scene and its forces may take.
 TEST(ReferenceMotion, keeps_its_memory_in_a_pull_that_is_held_for_long) {
-    const RunDescription scene = moving_scene("mesh", {{"dim", 60}});
+    const RunDescription scene = scene_with("mesh", {{"dim", 60}});
     const auto changes = held_pull(scene, 120);
     const double before = heap();
     ReferenceMotion motion(scene);

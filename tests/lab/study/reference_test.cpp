@@ -11,10 +11,6 @@
 namespace steplab::test {
 namespace {
 
-RunDescription known_scene(std::string_view id, Settings settings = {}) {
-    return run_of(id, "rk4", Precision::double_, 0.1, settings);
-}
-
 double distance(const Field<double>& a, const Field<double>& b) {
     double largest = 0;
     for (std::size_t i = 0; i < a.count(); ++i) largest = std::max(largest, length(a.at(i) - b.at(i)));
@@ -45,9 +41,9 @@ void expect_honest(const Pair& pair) {
 const std::vector<double> times{0, 0.1, 3, 20.5, 68.1};
 
 TEST(Reference, estimates_its_error_correctly_where_the_solution_is_known) {
-    for (const auto& scene : {known_scene("free"), known_scene("oscillator"), known_scene("oscillator", {{"c", 0.7}}),
-                              known_scene("oscillator", {{"c", 9}, {"k", 3}}), known_scene("chain"),
-                              known_scene("chain", {{"fixed", 0}}), known_scene("chain", {{"c", 0.2}, {"n", 5}})}) {
+    for (const auto& scene : {scene_with("free"), scene_with("oscillator"), scene_with("oscillator", {{"c", 0.7}}),
+                              scene_with("oscillator", {{"c", 9}, {"k", 3}}), scene_with("chain"),
+                              scene_with("chain", {{"fixed", 0}}), scene_with("chain", {{"c", 0.2}, {"n", 5}})}) {
         SCOPED_TRACE(command_line(scene));
         expect_honest(both(scene, times));
     }
@@ -55,7 +51,7 @@ TEST(Reference, estimates_its_error_correctly_where_the_solution_is_known) {
 
 // Displacements of 2: a few roundings of a double; with absolute positions near 18 they would be ten times as large.
 TEST(Reference, of_the_chain_is_accurate_to_rounding) {
-    const Pair pair = both(known_scene("chain"), {68.1});
+    const Pair pair = both(scene_with("chain"), {68.1});
     EXPECT_LT(pair.exact.moments[0].error, 2e-15);
     EXPECT_LT(pair.run.moments[0].error, 2e-15);
     EXPECT_LT(distance(pair.run.moments[0].state.displacement, pair.exact.moments[0].state.displacement), 1e-15);
@@ -64,7 +60,7 @@ TEST(Reference, of_the_chain_is_accurate_to_rounding) {
 
 // The partner: steps far too long, with an estimate that says so.
 TEST(Reference, of_too_coarse_steps_has_a_large_estimate) {
-    const Pair pair = both(known_scene("oscillator"), {68.1}, {.error = 0, .first_phase = 8, .most_refinements = 0});
+    const Pair pair = both(scene_with("oscillator"), {68.1}, {.error = 0, .first_phase = 8, .most_refinements = 0});
     const double error = distance(pair.run.moments[0].state.displacement, pair.exact.moments[0].state.displacement);
     EXPECT_GT(error, 1e-9);
     EXPECT_GT(pair.run.moments[0].error, error / 10);
@@ -73,8 +69,8 @@ TEST(Reference, of_too_coarse_steps_has_a_large_estimate) {
 
 TEST(Reference, keeps_to_the_allowed_cost) {
     const Reference cheap =
-        reference_run(known_scene("mesh"), std::vector<double>{20}, {.most_particle_evaluations = 1});
-    const Reference fine = reference_run(known_scene("mesh"), std::vector<double>{20});
+        reference_run(scene_with("mesh"), std::vector<double>{20}, {.most_particle_evaluations = 1});
+    const Reference fine = reference_run(scene_with("mesh"), std::vector<double>{20});
     EXPECT_GT(cheap.moments[0].error, 100 * fine.moments[0].error);
     EXPECT_LT(fine.moments[0].error, 1e-13);
     EXPECT_LE(distance(cheap.moments[0].state.displacement, fine.moments[0].state.displacement),
@@ -97,7 +93,7 @@ TEST(Reference, of_the_morse_cube_agrees_with_a_fine_run_of_another_family) {
 // Where particles pass through each other the force jumps, and steps that do not locate collisions lose their order.
 // The reference crosses collisions: three methods of other families agree with it within its own estimate.
 TEST(Reference, crosses_collisions) {
-    const RunDescription scene = known_scene("morse", {{"spacing", 0.5}, {"v0", 1.5}});
+    const RunDescription scene = scene_with("morse", {{"spacing", 0.5}, {"v0", 1.5}});
     const Reference right = reference(scene, std::vector<double>{1}, {.most_particle_evaluations = 1});
     EXPECT_LT(right.moments[0].error, 1e-9);
     EXPECT_NE(right.how.find("2 collisions"), std::string::npos) << right.how;
@@ -109,12 +105,12 @@ TEST(Reference, crosses_collisions) {
         for (std::size_t i = 0; i < frame.positions.size(); ++i)
             EXPECT_LT(length(frame.positions[i] - right.moments[0].state.displacement.at(i)), 1e-10) << id << " " << i;
     }
-    const Frame blind = frame_after(known_scene("morse", {{"spacing", 0.5}, {"v0", 1.5}}), 10);  // rk4
+    const Frame blind = frame_after(scene_with("morse", {{"spacing", 0.5}, {"v0", 1.5}}), 10);  // rk4
     EXPECT_GT(length(blind.positions[6] - right.moments[0].state.displacement.at(6)), 1e-6);
 }
 
 TEST(Reference, of_a_float_run_is_that_of_its_parameters) {
-    RunDescription run = known_scene("oscillator", {{"k", 1.1}});
+    RunDescription run = scene_with("oscillator", {{"k", 1.1}});
     run.precision = Precision::float_;
     const Reference in_float = reference(run, std::vector<double>{10});
     run.precision = Precision::double_;
@@ -125,14 +121,14 @@ TEST(Reference, of_a_float_run_is_that_of_its_parameters) {
 }
 
 TEST(RestingReference, is_that_of_the_published_rope) {
-    const auto rest = resting_reference(known_scene("rope"));
+    const auto rest = resting_reference(scene_with("rope"));
     ASSERT_TRUE(rest.has_value());
     EXPECT_NEAR(rest->state.displacement.y()[9], -6.70725, 1e-14);
     EXPECT_NEAR(rest->state.displacement.x()[9], -4.5, 1e-14);
-    EXPECT_FALSE(resting_reference(known_scene("rope", {{"c", 0}})).has_value());
-    EXPECT_FALSE(resting_reference(known_scene("chain")).has_value());
+    EXPECT_FALSE(resting_reference(scene_with("rope", {{"c", 0}})).has_value());
+    EXPECT_FALSE(resting_reference(scene_with("chain")).has_value());
     // with strong drag a run of 200 s ends there: the slowest motion has decayed by e^-100
-    const Reference late = reference_run(known_scene("rope", {{"c", 1}}), std::vector<double>{200}, {.error = 1e-12});
+    const Reference late = reference_run(scene_with("rope", {{"c", 1}}), std::vector<double>{200}, {.error = 1e-12});
     EXPECT_LT(error_against(*rest, late.moments[0].state.displacement), 1e-12 + 10 * late.moments[0].error);
 }
 
@@ -147,7 +143,7 @@ class HeadOnMotion : public testing::TestWithParam<HeadOn> {};
 TEST_P(HeadOnMotion, is_that_of_a_fine_run) {
     const HeadOn& c = GetParam();
     const RunDescription scene =
-        known_scene("morse", {{"edge", 1}, {"D", c.depth}, {"k", c.k}, {"r0", c.r0}, {"v0", c.v0}});
+        scene_with("morse", {{"edge", 1}, {"D", c.depth}, {"k", c.k}, {"r0", c.r0}, {"v0", c.v0}});
     const auto exact = model("morse").exact(scene.scene);
     ASSERT_TRUE(exact);
     ASSERT_GT(exact->valid_until(), c.until);
@@ -166,15 +162,15 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.what); });
 
 TEST(HeadOn, touches_where_the_distance_reaches_zero) {
-    const auto exact = model("morse").exact(known_scene("morse", {{"edge", 1}}).scene);
+    const auto exact = model("morse").exact(scene_with("morse", {{"edge", 1}}).scene);
     const double touch = exact->valid_until();
     EXPECT_NEAR(exact->displacement(0, touch).x, exact->displacement(1, touch).x, 1e-13);
     EXPECT_GT(exact->displacement(0, 0.999 * touch).x, exact->displacement(1, 0.999 * touch).x);
     EXPECT_EQ(exact->displacement(0, 0).x, 0);
     EXPECT_NEAR(exact->displacement(1, 0).x, -10, 1e-15);
-    EXPECT_EQ(model("morse").exact(known_scene("morse", {{"edge", 1}, {"v0", -3}}).scene)->valid_until(), infinity);
-    EXPECT_FALSE(model("morse").exact(known_scene("morse", {{"edge", 1}, {"cutoff", 3}}).scene));
-    EXPECT_FALSE(model("morse").exact(known_scene("morse").scene));
+    EXPECT_EQ(model("morse").exact(scene_with("morse", {{"edge", 1}, {"v0", -3}}).scene)->valid_until(), infinity);
+    EXPECT_FALSE(model("morse").exact(scene_with("morse", {{"edge", 1}, {"cutoff", 3}}).scene));
+    EXPECT_FALSE(model("morse").exact(scene_with("morse").scene));
 }
 
 // At the exact threshold of escape the energy is 0 and the general solution divides 0 by 0: its limit is taken.
@@ -203,8 +199,8 @@ TEST(HeadOn, is_no_measure_after_they_touched) {
 
 // The partner: a run whose spring constant is 1e-6 off is no reference.
 TEST(ReferenceOfAWrongScene, is_refused) {
-    const Reference wrong = reference(known_scene("chain", {{"k", 1.000001}}), std::vector<double>{68.1});
-    const Reference right = reference_run(known_scene("chain"), std::vector<double>{68.1});
+    const Reference wrong = reference(scene_with("chain", {{"k", 1.000001}}), std::vector<double>{68.1});
+    const Reference right = reference_run(scene_with("chain"), std::vector<double>{68.1});
     EXPECT_GT(distance(wrong.moments[0].state.displacement, right.moments[0].state.displacement),
               1e6 * (right.moments[0].error + wrong.moments[0].error));
 }

@@ -18,13 +18,6 @@
 namespace steplab::test {
 namespace {
 
-RunDescription adaptive_run(std::string_view model, std::string_view id, double dt, double tolerance,
-                            Settings settings = {}, Precision precision = Precision::double_) {
-    RunDescription description = run_of(model, id, precision, dt, settings);
-    description.method_parameters.set("tolerance", tolerance);
-    return description;
-}
-
 constexpr std::string_view ids[] = {"dopri5", "dop853", "rkn-12-10", "taylor", "gauss-16", "ias15"};
 
 // Two particles of a spring of rest length 1, the second thrown at the held first: from d = 1 it arrives at d = 0 with
@@ -33,7 +26,7 @@ constexpr std::string_view ids[] = {"dopri5", "dop853", "rkn-12-10", "taylor", "
 TEST(Collisions, of_a_chain_are_found_located_and_passed) {
     const double v0 = 2, meeting = std::asin(1 / v0), speed = std::sqrt(v0 * v0 - 1);
     for (const std::string_view id : ids) {
-        Simulation simulation(adaptive_run("chain", id, 1, 1e-13, {{"n", 2}, {"L", 1}, {"v0", -v0}}));
+        Simulation simulation(run_to_tolerance("chain", id, 1, 1e-13, {{"n", 2}, {"L", 1}, {"v0", -v0}}));
         simulation.advance(1);
         const auto collisions = simulation.collisions();
         ASSERT_EQ(collisions.count(), 1u) << id;
@@ -48,7 +41,7 @@ TEST(Collisions, of_a_chain_are_found_located_and_passed) {
 
 TEST(Collisions, are_none_where_particles_keep_apart) {
     for (const std::string_view id : ids) {
-        Simulation simulation(adaptive_run("chain", id, 1, 1e-10));
+        Simulation simulation(run_to_tolerance("chain", id, 1, 1e-10));
         simulation.advance(60);
         EXPECT_EQ(simulation.collisions().count(), 0u) << id;
     }
@@ -123,7 +116,7 @@ TEST(MovingAxes, are_those_of_positions_velocities_and_forces) {
 TEST(Collisions, of_a_chain_look_right_from_all_sides) {
     const double meeting = std::asin(0.5), speed = std::sqrt(3.0);
     for (const std::string_view id : ids) {
-        Simulation simulation(adaptive_run("chain", id, meeting / 100, 1e-13, {{"n", 2}, {"L", 1}, {"v0", -2}}));
+        Simulation simulation(run_to_tolerance("chain", id, meeting / 100, 1e-13, {{"n", 2}, {"L", 1}, {"v0", -2}}));
         for (int i = 1; i <= 150; ++i) {
             simulation.advance(1);
             const double t = simulation.time(), left = t - meeting;
@@ -142,7 +135,7 @@ TEST(Collisions, of_a_chain_look_right_from_all_sides) {
 TEST(Collisions, come_again_after_a_return) {
     for (const std::string_view id : ids) {
         const double meeting = std::asin(0.5);
-        Simulation simulation(adaptive_run("chain", id, meeting / 3, 1e-9, {{"n", 2}, {"L", 1}, {"v0", -2}}));
+        Simulation simulation(run_to_tolerance("chain", id, meeting / 3, 1e-9, {{"n", 2}, {"L", 1}, {"v0", -2}}));
         simulation.advance(2);
         const auto before = simulation.save();
         simulation.advance(1);
@@ -164,7 +157,7 @@ struct Throw {
     State<double> end;
 
     Throw(std::string_view id, double miss, double tolerance) {
-        const RunDescription run = adaptive_run("chain", id, 1, tolerance, {{"n", 2}, {"L", 1}});
+        const RunDescription run = run_to_tolerance("chain", id, 1, tolerance, {{"n", 2}, {"L", 1}});
         const Plan scene = model("chain").plan(run.scene);
         State<double> state{Field<double>(2), Field<double>(2)};
         state.displacement.set(1, {0, miss, 0});
@@ -202,7 +195,7 @@ TEST(Collisions, of_the_morse_cube_are_named_alike_by_all) {
                                {16, 22, 2.549161}, {16, 22, 4.136706}, {4, 10, 4.136806}};
     for (const std::string_view id : ids) {
         for (const double tolerance : {1e-8, 1e-11}) {
-            Simulation simulation(adaptive_run("morse", id, 5, tolerance, {{"spacing", 0.5}, {"v0", 1.5}}));
+            Simulation simulation(run_to_tolerance("morse", id, 5, tolerance, {{"spacing", 0.5}, {"v0", 1.5}}));
             simulation.advance(1);
             const CollisionRecord collisions = simulation.collisions();
             ASSERT_EQ(collisions.count(), std::size(named)) << id << " " << tolerance;
@@ -219,7 +212,7 @@ TEST(Collisions, of_the_morse_cube_are_named_alike_by_all) {
 // not look, rk4, is off by 1e-3 there.
 TEST(Collisions, of_the_morse_cube_do_not_stall_the_error) {
     const auto end = [](double tolerance, std::string_view id = "rkn-12-10") {
-        Simulation simulation(adaptive_run("morse", id, 2, tolerance, {{"spacing", 0.5}, {"v0", 1.5}}));
+        Simulation simulation(run_to_tolerance("morse", id, 2, tolerance, {{"spacing", 0.5}, {"v0", 1.5}}));
         simulation.advance(1);
         EXPECT_EQ(simulation.collisions().count(), 2u);
         EXPECT_NEAR(simulation.collisions().kept()[0].time, 0.937855, 1e-5);  // as the finest run has it
@@ -242,7 +235,7 @@ TEST(Collisions, of_the_morse_cube_do_not_stall_the_error) {
 // whatever the tolerance.
 TEST(Collisions, leave_no_rounding_behind) {
     const auto end = [](std::string_view id, double tolerance) {
-        return frame_after(adaptive_run("morse", id, 5, tolerance, {{"spacing", 0.5}, {"v0", 1.5}}), 1);
+        return frame_after(run_to_tolerance("morse", id, 5, tolerance, {{"spacing", 0.5}, {"v0", 1.5}}), 1);
     };
     const Frame right = end("gauss-16", 1e-15);  // which takes no force where a step begins
     for (const std::string_view id : {"dopri5", "dop853", "rkn-12-10", "ias15"})

@@ -185,17 +185,10 @@ TEST(DenseOutput, has_its_own_order) {
     EXPECT_LT((dense_order<EmbeddedNystrom<Number, WrongRkn1210>>(free_circle, 1.0L, 0.75L)), 3);
 }
 
-RunDescription embedded_run(std::string_view model, std::string_view id, double dt, double tolerance,
-                            Settings settings = {}, Precision precision = Precision::double_) {
-    RunDescription description = run_of(model, id, precision, dt, settings);
-    description.method_parameters.set("tolerance", tolerance);
-    return description;
-}
-
 constexpr std::string_view embedded_ids[] = {"dopri5", "dop853", "rkn-12-10"};
 
 double chain_error(std::string_view id, double tolerance) {
-    Simulation simulation(embedded_run("chain", id, 0.1, tolerance));
+    Simulation simulation(run_to_tolerance("chain", id, 0.1, tolerance));
     simulation.advance(681);
     return simulation.diagnostics().error.value();
 }
@@ -228,7 +221,7 @@ TEST(Rkn1210, comes_within_1e_14_of_the_chain) {
 
 TEST(Frames, however_dense_cost_no_evaluations) {
     for (const std::string_view id : embedded_ids) {
-        Simulation coarse(embedded_run("chain", id, 8, 1e-8)), fine(embedded_run("chain", id, 1.0 / 128, 1e-8));
+        Simulation coarse(run_to_tolerance("chain", id, 8, 1e-8)), fine(run_to_tolerance("chain", id, 1.0 / 128, 1e-8));
         coarse.advance(1);
         fine.advance(1024);
         EXPECT_EQ(coarse.evaluations(), fine.evaluations()) << id;
@@ -241,7 +234,7 @@ TEST(Frames, however_dense_cost_no_evaluations) {
 TEST(Frames, looked_at_or_restored_give_the_same_bits) {
     for (const Precision precision : precisions) {
         for (const std::string_view id : embedded_ids) {
-            const auto run = embedded_run("rope", id, 0.07, 1e-5, {}, precision);
+            const auto run = run_to_tolerance("rope", id, 0.07, 1e-5, {}, precision);
             Simulation quiet(run), watched(run);
             quiet.advance(30);
             for (int i = 0; i < 30; ++i) watched.advance(1);
@@ -264,7 +257,7 @@ TEST(Frames, looked_at_or_restored_give_the_same_bits) {
 TEST(Drag, keeps_the_accuracy) {
     for (const std::string_view id : embedded_ids) {
         for (const double c : {0.5, 4.0, 40.0}) {
-            Simulation simulation(embedded_run("oscillator", id, 0.5, 1e-10, {{"c", c}}));
+            Simulation simulation(run_to_tolerance("oscillator", id, 0.5, 1e-10, {{"c", c}}));
             simulation.advance(20);
             EXPECT_LT(simulation.diagnostics().error.value(), 1e-8) << id << " " << c;
         }
@@ -274,7 +267,7 @@ TEST(Drag, keeps_the_accuracy) {
 // Float: within 200 ulp of its displacements of 2, 2e-7 each.
 TEST(Float, follows_the_chain) {
     for (const std::string_view id : embedded_ids) {
-        Simulation simulation(embedded_run("chain", id, 0.1, 1e-6, {}, Precision::float_));
+        Simulation simulation(run_to_tolerance("chain", id, 0.1, 1e-6, {}, Precision::float_));
         simulation.advance(200);
         EXPECT_LT(simulation.diagnostics().error.value(), 2e-4) << id;
     }
