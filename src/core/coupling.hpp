@@ -24,6 +24,7 @@ struct Coupling {
     Kind kind = Kind::none;
     std::size_t particles = 0;
     bool smooth = true;  ///< false where a potential has min, max or abs, which have seams
+    bool cut = false;    ///< some act on each other within a cut-off alone
 };
 
 /// How many pairs act on each other.

@@ -118,6 +118,12 @@ ExpressionGraph::Place ExpressionGraph::power(Place base, Place exponent) {
         const Place inmost = node_of_base.arguments[0];
         if (is_whole(outer) || !is_whole(inner)) return power(inmost, number(inner * outer));
     }
+    if (is_number(exponent) && is_whole(nodes_[exponent].value) && node_of_base.kind == Node::Kind::product) {
+        // (r / w)^2 of a distance r is known without a root.
+        const std::array<Place, 4> factors = node_of_base.arguments;
+        const Place first = power(factors[0], exponent);
+        return product(first, power(factors[1], exponent));
+    }
     return node({.kind = Node::Kind::power, .arguments = {base, exponent}});
 }
 

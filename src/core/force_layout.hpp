@@ -2,6 +2,7 @@
 
 #include "core/coupling.hpp"
 #include "core/field.hpp"
+#include "core/pair_approach.hpp"
 #include "core/pair_range.hpp"
 #include "core/vector.hpp"
 
@@ -50,7 +51,10 @@ struct ForceCapabilities {
     bool damping = false;
     /// range(): how the force between two particles changes with their distance (core/pair_range.hpp).
     bool range = false;
-    /// hold(u, v), held(): the pairs within a cut-off can be held, so that nothing jumps where one crosses it.
+    /// approaches(): the same of any number of pair forces (core/pair_approach.hpp).
+    bool approaches = false;
+    /// hold(u, v), held(), each_held(f): the pairs within a cut-off can be held, so that nothing jumps where one
+    /// crosses it. f(i, j, cutoff, whether it acts) for every pair that has one.
     bool holds = false;
     /// elastic_bound(u): an upper bound of the elastic energy divided by a particle's mass.
     bool bounds_energy = false;
@@ -139,10 +143,22 @@ concept HasRange = requires(const Force& force) {
     { force.range() } -> std::convertible_to<std::optional<PairRange<T>>>;
 };
 
+template <class Force>
+concept HasApproaches = requires(const Force& force) {
+    { force.approaches() } -> std::same_as<const Approaches&>;
+};
+
+/// A visitor of held pairs.
+struct AnyHeldVisitor {
+    template <class T>
+    void operator()(std::size_t, std::size_t, const T&, bool) const {}
+};
+
 template <class Force, class T>
 concept HasHold = requires(Force& force, const Force& same, const Field<T>& u) {
     { force.hold(u, u) } -> std::same_as<bool>;
     { same.held() } -> std::convertible_to<const std::vector<bool>&>;
+    same.each_held(AnyHeldVisitor());
 };
 
 template <class Force, class T>
@@ -202,7 +218,8 @@ concept ForceLayout = ForceEngine<Force, T> && requires(Force& force, const Forc
     detail::HasMasses<Force, T>&& Force::capabilities.fields ==
     detail::HasFields<Force, T>&& Force::capabilities.damping ==
     detail::HasDamping<Force, T>&& Force::capabilities.range ==
-    detail::HasRange<Force, T>&& Force::capabilities.holds ==
+    detail::HasRange<Force, T>&& Force::capabilities.approaches ==
+    detail::HasApproaches<Force>&& Force::capabilities.holds ==
     detail::HasHold<Force, T>&& Force::capabilities.bounds_energy == detail::HasElasticBound<Force, T>;
 
 }  // namespace steplab

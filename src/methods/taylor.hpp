@@ -37,7 +37,7 @@ struct Taylor {
     static std::optional<std::string> refusal(const Coupling& coupling) {
         constexpr std::size_t most_near = Coupling::most_held, most_pairs = 2000;
         const std::string not_for = " particles, not for " + std::to_string(coupling.particles);
-        if (coupling.kind == Coupling::Kind::near && coupling.particles > most_near)
+        if (coupling.cut && coupling.particles > most_near)
             return "a power series ends whenever a pair crosses the cut-off, which is practical for up to " +
                    std::to_string(most_near) + not_for;
         if (coupling.kind == Coupling::Kind::all && coupling.particles > most_pairs)
@@ -94,7 +94,7 @@ public:
         x_[0] = state.displacement;
         v_ = state.velocity;
         // passes through each other cost ten times the tolerance
-        log_tolerance_ = logarithm(tolerance_in(system, tolerance_) / (system.range() ? 8 : 1));
+        log_tolerance_ = logarithm(tolerance_in(system, tolerance_) / (has_encounters(system) ? 8 : 1));
         forces_ = series_forces(system.force(), state, last_ - 1);
         progress_ = {};
         progress_.unit = power_of_two_below(system.dt());
@@ -227,15 +227,17 @@ private:
     template <class System>
     void expand(System& system) {
         system.hold(x_[0], v_);
+        T too_small = T(0), too_large = std::numeric_limits<T>::infinity();
         for (int attempt = 0; attempt < 40; ++attempt) {
             compute_series(system);
             const T share = reach();
             // in too small a unit all coefficients underflow, and the series seems to end
-            const bool too_small = share >= longest_series<T> && progress_.unit < system.dt() / longest_series<T>;
-            const bool fits = share > T(1) / T(64) && share < T(64) && !too_small;
+            const bool ends = share >= longest_series<T> && progress_.unit < system.dt() / longest_series<T>;
+            const bool fits = share > T(1) / T(64) && share < T(64) && !ends;
             progress_.length = progress_.unit * (std::isfinite(share) ? share : T(1) / T(4096));
             if (fits || forces_->singular()) break;
-            progress_.unit = power_of_two_below(progress_.length);
+            (share < T(1) ? too_large : too_small) = progress_.unit;
+            progress_.unit = unit_between(too_small, progress_.length, too_large);
         }
         progress_.length = longest_step(system, x_[0], v_, progress_.length, static_cast<T>(tolerance_));
         if (!system.held().empty())
@@ -244,6 +246,14 @@ private:
                     series_motion(std::span<const Field<T>>(x_), v_, progress_.unit, t, forces_->axes(), then);
                 });
         if (!forces_->singular()) end_at_collision(system);
+    }
+
+    /// A power of two near `wanted`; halfway between the units that were tried where it is beyond them, as far from the
+    /// right unit coefficients are noise and the reach that is read from them means little.
+    static T unit_between(T too_small, T wanted, T too_large) {
+        const T unit = power_of_two_below(wanted);
+        if (unit > too_small && unit < too_large) return unit;
+        return power_of_two_below(square_root(too_small) * square_root(too_large));
     }
 
     /// When a collision approaches, the series ends before it; close to the collision it ends as far behind it. A

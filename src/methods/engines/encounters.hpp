@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "core/number.hpp"
 #include "core/own_stop.hpp"
+#include "core/pair_approach.hpp"
 #include "core/pair_range.hpp"
 #include "core/vector.hpp"
 #include "methods/engines/accelerate.hpp"
@@ -23,9 +24,13 @@ namespace steplab {
 // that chooses its own steps therefore
 //
 //     h = longest_step(system, x, v, h, tolerance)      takes no step that carries two particles deep into each other's
-//                                                       reach from outside;
+//                                                       reach from outside (PairRange of the models' own layouts,
+//                                                       Approaches of composed scenes);
 //     system.hold(x, v)                                 has no force jump inside a step;
 //     crossing(system, from, to, h)                     ends a step where a pair crosses the cut-off.
+
+/// Of the tolerance: what a force may do unseen, relative to the speeds that it changes.
+inline constexpr double negligible_share = 1e-3;
 
 /// Steps carry two particles that approach each other over this many lengths of the force at most: it grows by a factor
 /// of e^2, which the stages see.
@@ -52,11 +57,13 @@ Vector<T> difference_of(const Field<T>& field, std::size_t i, std::size_t j) {
 /// force changes. Not below what the precision holds.
 template <class System, class Number>
 Number tolerance_in(const System& system, Number tolerance) {
-    const auto range = system.range();
-    if (!range) return tolerance;
-    const Number least = static_cast<Number>(2 * std::numeric_limits<decltype(range->length)>::epsilon());
-    return std::max(std::min(tolerance, least),
-                    tolerance * std::min(Number(1), static_cast<Number>(range->length) / Number(8)));
+    double length = std::numeric_limits<double>::infinity();
+    if (const auto range = system.range()) length = static_cast<double>(range->length);
+    const double negligible = negligible_share * static_cast<double>(tolerance);
+    for (const auto& [table, strongest] : system.approaches().terms)
+        length = std::min(length, table.length(strongest, negligible));
+    const Number least = static_cast<Number>(2 * std::numeric_limits<decltype(system.dt())>::epsilon());
+    return std::max(std::min(tolerance, least), tolerance * static_cast<Number>(std::min(1.0, length / 8)));
 }
 
 /// How long a step of two particles may be at a distance: to where they begin to act on each other as they approach,
@@ -68,13 +75,16 @@ T time_to_act(const PairRange<T>& range, T effect, T distance, T speed) {
     return (way > T(0) ? way / speed : T(0)) + on / square_root(speed * speed + range.gain * depth * depth);
 }
 
-/// The length allowed of a step that would have the length h. In scenes of many particles, where all are among others,
-/// the fastest motion decides.
+template <class System>
+bool has_encounters(const System& system) {
+    return system.range() || !system.approaches().terms.empty();
+}
+
+/// longest_step() by a PairRange.
 template <class System, class T>
-T longest_step(const System& system, const Field<T>& x, const Field<T>& v, T h, T tolerance) {
-    const auto range = system.range();
-    if (!range) return h;
-    const T effect = distance_of_effect(*range, tolerance);
+T longest_within(const System& system, const PairRange<T>& range, const Field<T>& x, const Field<T>& v, T h,
+                 T tolerance) {
+    const T effect = distance_of_effect(range, tolerance);
     const bool small = x.count() <= Coupling::most_held;
     T fastest2 = T(0);
     for (std::size_t i = 0; i < x.count(); ++i) {
@@ -84,13 +94,70 @@ T longest_step(const System& system, const Field<T>& x, const Field<T>& v, T h, 
             const Vector<T> d = system.separation(x, i, j), w = difference_of(v, i, j);
             const T distance = square_root(dot(d, d));
             if (distance < effect || dot(d, w) < T(0))
-                h = std::min(h, time_to_act(*range, effect, distance, square_root(dot(w, w))));
+                h = std::min(h, time_to_act(range, effect, distance, square_root(dot(w, w))));
         }
     }
     const T fastest = T(2) * square_root(fastest2);
-    if (!small) h = std::min(h, time_to_act(*range, effect, effect, fastest));
+    if (!small) h = std::min(h, time_to_act(range, effect, effect, fastest));
     // what comes near must be the image that was nearest where the step began
-    return range->period > T(0) ? std::min(h, (range->period / T(2) - range->cutoff) / fastest) : h;
+    return range.period > T(0) ? std::min(h, (range.period / T(2) - range.cutoff) / fastest) : h;
+}
+
+/// In a step, what a pair force does may grow by this factor, from afar and from a thousandth of the tolerance on.
+inline constexpr double growth_per_step = 4;
+
+/// How long a step of many particles may be, by the fastest of them: as long as two of them take, from where a force is
+/// no longer negligible, until it has grown; and no farther than the images stay those that were nearest.
+template <class T>
+double longest_of_many(const Approaches& approaches, const Field<T>& v, double h, double negligible) {
+    T fastest2 = T(0);
+    for (std::size_t i = 0; i < v.count(); ++i) {
+        const Vector<T> own{v.x()[i], v.y()[i], v.z()[i]};
+        fastest2 = std::max(fastest2, dot(own, own));
+    }
+    const double speed2 = 4 * static_cast<double>(fastest2);
+    for (const auto& [table, strongest] : approaches.terms) {
+        if (approaches.shortest_side > 0 && table.cutoff() > 0) {
+            const double side = approaches.shortest_side;
+            h = std::min(h, std::max(side / 2 - table.cutoff(), side / 16) / std::sqrt(speed2));
+        }
+        if (!approaches.pairs.empty()) continue;
+        const double distance = table.outermost(strongest, negligible * speed2);
+        h = std::min(h,
+                     table.time_to_growth({distance, speed2, 0, strongest, negligible * speed2}, growth_per_step, h));
+    }
+    return h;
+}
+
+/// longest_step() by Approaches.
+template <class System, class T>
+T longest_approach(const System& system, const Approaches& approaches, const Field<T>& x, const Field<T>& v, T h,
+                   T tolerance) {
+    double longest = static_cast<double>(h);
+    const double negligible = negligible_share * static_cast<double>(tolerance);
+    for (const Approaches::Pair& pair : approaches.pairs) {
+        const Vector<T> d = system.separation(x, pair.first, pair.second),
+                        w = difference_of(v, pair.first, pair.second);
+        const auto distance2 = static_cast<double>(dot(d, d)), speed2 = static_cast<double>(dot(w, w)),
+                   inwards = static_cast<double>(-dot(d, w));
+        if (!(inwards >= 0)) continue;
+        const ApproachTable::Pair now{.distance = std::sqrt(distance2),
+                                      .speed2 = speed2,
+                                      .momentum2 = std::max(distance2 * speed2 - inwards * inwards, 0.0),
+                                      .strength = pair.strength,
+                                      .negligible = negligible * speed2};
+        longest = std::min(longest, approaches.terms[pair.term].table.time_to_growth(now, growth_per_step, longest));
+    }
+    return static_cast<T>(std::min(longest, longest_of_many(approaches, v, longest, negligible)));
+}
+
+/// The length allowed of a step that would have the length h. In scenes of many particles, where all are among others,
+/// the fastest motion decides.
+template <class System, class T>
+T longest_step(const System& system, const Field<T>& x, const Field<T>& v, T h, T tolerance) {
+    if (const auto range = system.range()) return longest_within(system, *range, x, v, h, tolerance);
+    const Approaches& approaches = system.approaches();
+    return approaches.terms.empty() ? h : longest_approach(system, approaches, x, v, h, tolerance);
 }
 
 /// The way of one particle relative to another in a step, from positions, velocities and accelerations at both ends:
@@ -204,7 +271,7 @@ template <class System, class T>
 OwnStop own_stop(const System& system, const Field<T>& x, double time, T h) {
     OwnStop stop{time, static_cast<double>(h)};
     T nearest2 = std::numeric_limits<T>::infinity();
-    for (std::uint32_t i = 0; system.range() && i < x.count(); ++i) {
+    for (std::uint32_t i = 0; has_encounters(system) && i < x.count(); ++i) {
         for (std::uint32_t j = i + 1; j < x.count(); ++j) {
             const Vector<T> d = system.separation(x, i, j);
             if (!(dot(d, d) < nearest2)) continue;
@@ -224,18 +291,13 @@ enum class Crosses { no, yes, perhaps };
 /// does, h becomes the length to try instead.
 template <class System, class T>
 Crosses crossing(const System& system, const MotionOf<T>& from, const MotionOf<T>& to, T& h) {
-    const auto& acting = system.held();
-    if (acting.empty()) return Crosses::no;
-    const T cutoff = system.range()->cutoff;
+    if (system.held().empty()) return Crosses::no;
     typename Crossing<T>::Found first;
-    std::size_t pair = 0;
-    for (std::size_t i = 0; i < from.x.count(); ++i) {
-        for (std::size_t j = i + 1; j < from.x.count(); ++j) {
-            const PairWay<T> way(system, from, to, h, i, j);
-            const auto found = Crossing<T>(way, acting[pair++], cutoff).first();
-            if (found.part < first.part) first = found;
-        }
-    }
+    system.each_held([&](std::size_t i, std::size_t j, T cutoff, bool acts) {
+        const PairWay<T> way(system, from, to, h, i, j);
+        const auto found = Crossing<T>(way, acts, cutoff).first();
+        if (found.part < first.part) first = found;
+    });
     if (first.part > T(1)) return Crosses::no;
     h *= first.sure ? first.part : T(0.5);
     return first.sure ? Crosses::yes : Crosses::perhaps;

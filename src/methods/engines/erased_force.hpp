@@ -56,6 +56,7 @@ public:
     using PairVisitor = std::function<void(std::uint32_t, std::uint32_t)>;
     using InteractionVisitor = std::function<void(std::size_t, std::size_t, std::size_t)>;
     using RegisterVisitor = std::function<void(std::size_t, const Vector<Lanes<T>>&)>;
+    using HeldVisitor = std::function<void(std::size_t, std::size_t, T, bool)>;
     using BlockVisitor = std::function<void(std::size_t, std::size_t, const Block<T>&)>;
 
     /// What a layout does here; the members are those of ForceLayout and ForceCapabilities.
@@ -88,8 +89,10 @@ public:
 
         /// None where the layout has none.
         virtual std::optional<PairRange<T>> range() const = 0;
+        virtual const Approaches& approaches() const = 0;
         virtual bool hold(const Field<T>& x, const Field<T>& v) = 0;
         virtual const std::vector<bool>& held() const = 0;
+        virtual void each_held(const HeldVisitor& f) const = 0;
 
         virtual std::size_t moving_axes(const State<T>& state) const = 0;
         virtual std::size_t axes_of_steps(const State<T>& state) const = 0;
@@ -99,8 +102,13 @@ public:
         virtual void history(const Field<T>& made_at) = 0;
     };
 
-    static constexpr ForceCapabilities capabilities{
-        .along_x = true, .hands_out = true, .history = true, .damping = true, .range = true, .holds = true};
+    static constexpr ForceCapabilities capabilities{.along_x = true,
+                                                    .hands_out = true,
+                                                    .history = true,
+                                                    .damping = true,
+                                                    .range = true,
+                                                    .approaches = true,
+                                                    .holds = true};
 
     explicit ErasedForce(std::unique_ptr<Face> face) : face_(std::move(face)) {}
 
@@ -139,9 +147,14 @@ public:
     }
 
     std::optional<PairRange<T>> range() const { return face_->range(); }
+    const Approaches& approaches() const { return face_->approaches(); }
     /// False where the layout holds no pairs.
     bool hold(const Field<T>& x, const Field<T>& v) { return face_->hold(x, v); }
     const std::vector<bool>& held() const { return face_->held(); }
+    template <class F>
+    void each_held(F f) const {
+        face_->each_held(std::ref(f));
+    }
 
     const Field<T>& history() const { return face_->history(); }
     void history(const Field<T>& made_at) { face_->history(made_at); }

@@ -55,9 +55,9 @@ public:
           kept_(kept_by_formulas(force)) {}
 
     void find_interactions(const Field<T>& displacement, const Field<T>& velocity) override {
-        const Coupling::Kind coupling = force_.coupling().kind;
-        const bool each_on_each = coupling == Coupling::Kind::near || coupling == Coupling::Kind::all;
-        const bool known = !batches_.empty() && coupling != Coupling::Kind::near;
+        const Coupling coupling = force_.coupling();
+        const bool each_on_each = coupling.kind == Coupling::Kind::near || coupling.kind == Coupling::Kind::all;
+        const bool known = !batches_.empty() && !coupling.cut;
         if (known && !(each_on_each && (singular_ || left_out_))) return;
         batches_.clear();
         left_out_ = false;

@@ -91,6 +91,12 @@ public:
         if constexpr (Force::capabilities.range) return force_.range();
         return std::nullopt;
     }
+    /// The same of the forces of composed scenes; empty where there are none.
+    const Approaches& approaches() const {
+        static const Approaches none;
+        if constexpr (Force::capabilities.approaches) return force_.approaches();
+        return none;
+    }
     /// From now on those pairs act on each other that do at x and v (NearPairs::hold()): until the next call nothing
     /// jumps where a pair crosses the cut-off. True if they are others than before; false where no pairs are held.
     /// To be called where a step begins, and so no part of the internal state.
@@ -102,11 +108,16 @@ public:
         }
         return false;
     }
-    /// Whether each pair i < j, row by row, acts; empty where no pairs are held.
+    /// Whether each pair that has a cut-off acts; empty where no pairs are held.
     const std::vector<bool>& held() const {
         static const std::vector<bool> none;
         if constexpr (Force::capabilities.holds) return force_.held();
         return none;
+    }
+    /// Calls f(i, j, cutoff, acts) for every pair that has a cut-off; to be called where pairs are held.
+    template <class F>
+    void each_held(F f) const {
+        if constexpr (Force::capabilities.holds) force_.each_held(f);
     }
 
     /// a(x) at the eight stages of a step at once: eight evaluations. With `axes` 1 all moves along x alone; the rest

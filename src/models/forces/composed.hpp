@@ -6,6 +6,7 @@
 #include "core/sum.hpp"
 #include "core/team.hpp"
 #include "core/vector.hpp"
+#include "models/forces/composed_approaches.hpp"
 #include "models/forces/composed_damping.hpp"
 #include "models/forces/composed_formula.hpp"
 #include "models/forces/composed_pairs.hpp"
@@ -13,6 +14,7 @@
 #include "models/forces/composed_rows.hpp"
 #include "models/forces/composed_springs.hpp"
 #include "models/forces/forces.hpp"
+#include "models/forces/held_pairs.hpp"
 #include "models/forces/interactions.hpp"
 #include "models/forces/particle_registers.hpp"
 #include "models/forces/spring.hpp"
@@ -43,14 +45,18 @@ public:
                                                     .periodic = true,
                                                     .masses = true,
                                                     .fields = true,
-                                                    .damping = true};
+                                                    .damping = true,
+                                                    .approaches = true,
+                                                    .holds = true};
 
     explicit Composed(const ComposedForces& forces);
 
     /// The same forces in another number type.
     template <class N>
     Composed<N> in() const {
-        return Composed<N>(forces_);
+        Composed<N> same(forces_);
+        same.approaches_ = approaches_;
+        return same;
     }
 
     void accelerations(const Field<T>& u, Field<T>& a);
@@ -98,6 +104,30 @@ public:
         return particles_.difference(u, i, j);
     }
 
+    const Approaches& approaches() const {
+        if (!approaches_) approaches_ = std::make_shared<const Approaches>(approaches_of(forces_.terms));
+        return *approaches_;
+    }
+    /// From now on exactly those pairs with a cut-off act on each other that are within it at these positions, those at
+    /// it if they approach. In between the force is smooth. True if they are others than before.
+    bool hold(const Field<T>& u, const Field<T>& v) {
+        ActingPairs acting;
+        each_cut([&](const Approaches::Pair& pair, double cutoff) {
+            const Vec w = at(v, pair.second) - at(v, pair.first);
+            acting.push_back(is_within(separation(u, pair.first, pair.second), w, static_cast<T>(cutoff)));
+        });
+        return hold(std::move(acting));
+    }
+    bool hold(ActingPairs acting);
+    const ActingPairs& held() const { return held_; }
+    template <class F>
+    void each_held(F f) const {
+        std::size_t pair = 0;
+        each_cut([&](const Approaches::Pair& of, double cutoff) {
+            f(std::size_t{of.first}, std::size_t{of.second}, static_cast<T>(cutoff), bool(held_[pair++]));
+        });
+    }
+
     Coupling coupling() const { return steplab::coupling(forces_); }
     bool moves(std::size_t i) const { return particles_.moves(i); }
     Vector<T> external(std::size_t i) const {
@@ -142,6 +172,17 @@ public:
 
 private:
     using Vec = Vector<T>;
+    template <class N>
+    friend class Composed;
+
+    /// Calls f(pair, cutoff) for every pair of a term with a cut-off.
+    template <class F>
+    void each_cut(F f) const {
+        for (const Approaches::Pair& pair : approaches().pairs) {
+            const double cutoff = approaches().terms[pair.term].table.cutoff();
+            if (cutoff > 0) f(pair, cutoff);
+        }
+    }
 
     /// Of number types that are not summed in registers.
     struct None {
@@ -193,8 +234,10 @@ private:
     std::shared_ptr<Team> team_;  ///< shared with copies, which are never used at the same time
     typename RegistersOf<T, in_registers>::Particles registers_;
     std::optional<typename RegistersOf<T, in_registers>::Rows> rows_;
-    std::optional<ComposedSprings<T>> springs_;  ///< where there are no rows
-    Field<T> no_history_, sums_;                 ///< sums_: scratch of each_acceleration()
+    std::optional<ComposedSprings<T>> springs_;             ///< where there are no rows
+    Field<T> no_history_, sums_;                            ///< sums_: scratch of each_acceleration()
+    mutable std::shared_ptr<const Approaches> approaches_;  ///< once asked for
+    ActingPairs held_;
 };
 
 template <class T>
@@ -219,6 +262,21 @@ Composed<T>::Composed(const ComposedForces& forces)
         formulas_.push_back({from({0, field.along_y ? 1.0 : 0.0, field.along_z ? 1.0 : 0.0}), &(*fields_)[f]});
     }
     for (const Vec3 acceleration : terms().accelerations) external_.push_back(from(acceleration));
+}
+
+template <class T>
+bool Composed<T>::hold(ActingPairs acting) {
+    if (acting == held_) return false;
+    held_ = std::move(acting);
+    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> of_terms(pairs_.size());
+    std::size_t pair = 0;
+    each_cut([&](const Approaches::Pair& of, double) {
+        if (held_[pair++]) of_terms[of.term].emplace_back(of.first, of.second);
+    });
+    for (std::size_t t = 0; t < pairs_.size(); ++t) {
+        if (pairs_[t].potential().cut()) pairs_[t].hold(std::move(of_terms[t]));
+    }
+    return true;
 }
 
 template <class T>

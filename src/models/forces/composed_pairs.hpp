@@ -9,6 +9,7 @@
 #include "models/forces/neighbours.hpp"
 #include "models/forces/pair_list.hpp"
 #include "models/forces/pair_potential.hpp"
+#include "models/forces/pair_sides.hpp"
 #include "models/forces/potential_pulls.hpp"
 
 #include <algorithm>
@@ -30,9 +31,7 @@ class PairForce {
 public:
     /// The team shares the sums by clusters.
     PairForce(const ComposedPairs& pairs, const Composition& of, const std::shared_ptr<Team>& team)
-        : potential_(std::make_shared<const PairPotential<T>>(pairs, of.mass)), sides_(of.count) {
-        for (const std::uint32_t i : pairs.first) sides_[i] = pairs.second.empty() ? 3 : 1;
-        for (const std::uint32_t i : pairs.second) sides_[i] = sides_[i] == 1 ? 3 : 2;
+        : potential_(std::make_shared<const PairPotential<T>>(pairs, of.mass)), sides_(pairs, of.count) {
         if (pairs.cutoff > 0) neighbours_.emplace(pairs.cutoff, of.box);
         const PotentialInfo* const built_in = built_in_potential(pairs.potential);
         takes_properties_ =
@@ -47,13 +46,24 @@ public:
 
     /// Of a pair, in the order in which the two sets are named.
     PairProperties<T> properties(const ComposedParticles<T>& particles, std::size_t i, std::size_t j) const {
-        const bool turned = sides_[i] == 2 || (sides_[i] == 3 && sides_[j] == 1);
-        return turned ? particles.properties(j, i) : particles.properties(i, j);
+        return sides_.turned(i, j) ? particles.properties(j, i) : particles.properties(i, j);
     }
+
+    /// From now on these pairs act on each other and no others, as within the cut-off.
+    void hold(std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs) { held_ = std::move(pairs); }
 
     /// Calls f(i, j, d, |d|^2), i < j, d from i to the nearest image of j, for the pairs that act on each other.
     template <class F>
     void each(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
+        if (!held_) return each_near(particles, u, f);
+        for (const auto& [i, j] : *held_) {
+            const Vector<T> d = particles.difference(u, i, j);
+            f(std::size_t{i}, std::size_t{j}, d, d.x * d.x + d.y * d.y + d.z * d.z);
+        }
+    }
+    /// The same for the pairs within the cut-off, held or not.
+    template <class F>
+    void each_near(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
         const T cutoff2 = potential().cutoff() * potential().cutoff();
         each_candidate(particles, u, [&](std::size_t i, std::size_t j) {
             const Vector<T> d = particles.difference(u, i, j);
@@ -86,7 +96,7 @@ public:
                 const T inside = where(distance2 > T(0), distance2, T(1));
                 T factor = potential().factor(inside, properties(particles, i, j));
                 factor = where(distance2 > T(0), factor, T(0));
-                if (potential().cut()) factor = where(distance2 < cutoff2, factor, T(0));
+                if (potential().cut() && !held_) factor = where(distance2 < cutoff2, factor, T(0));
                 f(i, j, d, factor);
             });
         }
@@ -100,7 +110,7 @@ public:
             each_batch<true>(particles, u,
                              [&](std::size_t, std::size_t, const Vector<T>&, const T& energy) { f(energy); });
         } else {
-            each(particles, u, [&](std::size_t i, std::size_t j, const Vector<T>&, const T& distance2) {
+            each_near(particles, u, [&](std::size_t i, std::size_t j, const Vector<T>&, const T& distance2) {
                 const PairProperties<T> pair = properties(particles, i, j);
                 f(distance2 > T(0) ? potential().energy(distance2, pair) : potential().energy_of_coincident(pair));
             });
@@ -141,17 +151,15 @@ private:
     }
 
     bool acts(const ComposedParticles<T>& particles, std::size_t i, std::size_t j) const {
-        const bool across =
-            ((sides_[i] & 1) != 0 && (sides_[j] & 2) != 0) || ((sides_[i] & 2) != 0 && (sides_[j] & 1) != 0);
-        return across && (particles.moves(i) || particles.moves(j));
+        return sides_.joins(i, j) && (particles.moves(i) || particles.moves(j));
     }
 
     /// Calls f(i, j), i < j, for all pairs; of a force with a cut-off at least for those within it.
     template <class F>
     void each_candidate(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
         if (neighbours_) neighbours_->follow(u);
-        for (std::size_t i = 0; i < sides_.size(); ++i) {
-            if (sides_[i] == 0) continue;
+        for (std::size_t i = 0; i < sides_.count(); ++i) {
+            if (!sides_.has(i)) continue;
             const auto visit = [&](std::size_t j) {
                 if (acts(particles, i, j)) f(i, j);
             };
@@ -160,7 +168,7 @@ private:
                 const auto behind = std::upper_bound(near.begin(), near.end(), static_cast<std::uint32_t>(i));
                 std::for_each(behind, near.end(), visit);
             } else {
-                for (std::size_t j = i + 1; j < sides_.size(); ++j) visit(j);
+                for (std::size_t j = i + 1; j < sides_.count(); ++j) visit(j);
             }
         }
     }
@@ -168,14 +176,18 @@ private:
     template <bool Energies, class F>
     void each_batch(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
         Batch batch;
-        each(particles, u, [&](std::size_t i, std::size_t j, const Vector<T>& d, const T& distance2) {
+        const auto put = [&](std::size_t i, std::size_t j, const Vector<T>& d, const T& distance2) {
             const std::size_t k = batch.count++;
             batch.first[k] = static_cast<std::uint32_t>(i);
             batch.second[k] = static_cast<std::uint32_t>(j);
             batch.d[k] = d;
             batch.distance2[k] = distance2;
             if (batch.count == capacity) empty<Energies>(particles, batch, f);
-        });
+        };
+        if constexpr (Energies)
+            each_near(particles, u, put);
+        else
+            each(particles, u, put);
         empty<Energies>(particles, batch, f);
     }
 
@@ -237,9 +249,9 @@ private:
     }
 
     std::shared_ptr<const PairPotential<T>> potential_;
-    /// 1 for the particles of the first set, 2 for those of the second, 3 within one.
-    std::vector<unsigned char> sides_;
+    PairSides sides_;
     std::optional<Neighbours> neighbours_;
+    std::optional<std::vector<std::pair<std::uint32_t, std::uint32_t>>> held_;
     bool takes_properties_ = false;  ///< masses or charges
     /// Of number types that are not summed so.
     struct None {

@@ -67,17 +67,18 @@ inline Coupling coupling(const ConstantForces& forces) { return {Coupling::Kind:
 inline Coupling coupling(const LineForces& forces) { return {Coupling::Kind::chain, forces.count}; }
 inline Coupling coupling(const GridForces& forces) { return {Coupling::Kind::sheet, forces.rows * forces.columns}; }
 inline Coupling coupling(const PairForces& forces) { return {Coupling::Kind::all, forces.count}; }
-inline Coupling coupling(const NearPairForces& forces) { return {Coupling::Kind::near, forces.count}; }
+inline Coupling coupling(const NearPairForces& forces) { return {Coupling::Kind::near, forces.count, true, true}; }
 inline Coupling coupling(const ComposedForces& forces) {
     const Composition& terms = *forces.terms;
     const auto smooth = [](const auto& term) { return !term.expression || term.expression->force.is_smooth(); };
     const bool all_smooth = std::all_of(terms.pairs.begin(), terms.pairs.end(), smooth) &&
                             std::all_of(terms.fields.begin(), terms.fields.end(), smooth);
-    const auto of_kind = [&](Coupling::Kind kind) { return Coupling{kind, forces.count, all_smooth}; };
+    const auto is_cut = [](const ComposedPairs& pairs) { return pairs.cutoff > 0; };
+    const bool some_cut = std::any_of(terms.pairs.begin(), terms.pairs.end(), is_cut);
+    const auto of_kind = [&](Coupling::Kind kind) { return Coupling{kind, forces.count, all_smooth, some_cut}; };
     if (terms.pairs.empty()) return of_kind(terms.springs.empty() ? Coupling::Kind::none : Coupling::Kind::near);
-    const bool cut =
-        std::all_of(terms.pairs.begin(), terms.pairs.end(), [](const auto& pairs) { return pairs.cutoff > 0; });
-    return of_kind(cut ? Coupling::Kind::near : Coupling::Kind::all);
+    const bool all_cut = std::all_of(terms.pairs.begin(), terms.pairs.end(), is_cut);
+    return of_kind(all_cut ? Coupling::Kind::near : Coupling::Kind::all);
 }
 
 /// Potential energy of a state in the parts that the tests of energy need.

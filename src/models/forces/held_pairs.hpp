@@ -2,6 +2,7 @@
 
 #include "core/field.hpp"
 #include "core/lanes.hpp"
+#include "core/pair_range.hpp"
 #include "core/stages.hpp"
 #include "models/forces/morse_pair.hpp"
 
@@ -17,6 +18,14 @@ namespace steplab {
 
 /// For every pair i < j, row by row, whether its particles act on each other.
 using ActingPairs = std::vector<bool>;
+
+/// Whether a pair at the vector d, which moves with w, is within a cut-off; at it, whether it approaches.
+template <class T>
+bool is_within(const Vector<T>& d, const Vector<T>& w, T cutoff) {
+    const T beyond = square_root(d.x * d.x + d.y * d.y + d.z * d.z) - cutoff;
+    if (magnitude(beyond) > cutoff_width(cutoff)) return beyond < T(0);
+    return d.x * w.x + d.y * w.y + d.z * w.z < T(0);
+}
 
 /// Pairs that act on each other, and no others, for as long as they are held: by the formula that holds within the
 /// cut-off and goes on smoothly beyond it.

@@ -133,6 +133,14 @@ public:
     }
     bool hold(ActingPairs acting) { return held_.hold(std::move(acting), count_); }
     const ActingPairs& held() const { return held_.acting(); }
+    /// Calls f(i, j, cutoff, whether it acts) for every pair, held ones or not.
+    template <class F>
+    void each_held(F f) const {
+        std::size_t pair = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (std::size_t j = i + 1; j < count_; ++j) f(i, j, morse_.cutoff, bool(held_.acting()[pair++]));
+        }
+    }
 
     PairRange<T> range() const {
         PairRange<T> range = pair_range<T>(forces_, morse_);
@@ -161,7 +169,7 @@ public:
     /// The argument of the formulas.
     Vector<T> difference(const Field<T>& u, std::size_t i, std::size_t j) const { return separation(u, i, j); }
 
-    Coupling coupling() const { return {Coupling::Kind::near, count_}; }
+    Coupling coupling() const { return steplab::coupling(forces_); }
     bool moves(std::size_t) const { return true; }
     Vector<T> external(std::size_t) const { return {T(0), T(0), T(0)}; }
 
@@ -188,11 +196,8 @@ private:
     };
 
     bool acts(const Field<T>& u, const Field<T>& v, std::size_t i, std::size_t j) const {
-        const Vector<T> d = separation(u, i, j);
         const Vector<T> w{v.x()[j] - v.x()[i], v.y()[j] - v.y()[i], v.z()[j] - v.z()[i]};
-        const T beyond = square_root(d.x * d.x + d.y * d.y + d.z * d.z) - morse_.cutoff;
-        if (magnitude(beyond) > cutoff_width(morse_.cutoff)) return beyond < T(0);
-        return d.x * w.x + d.y * w.y + d.z * w.z < T(0);
+        return is_within(separation(u, i, j), w, morse_.cutoff);
     }
 
     /// Calls f(i, j, squared distance), i < j, for pairs nearer than the cut-off.

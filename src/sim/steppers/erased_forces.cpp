@@ -118,6 +118,14 @@ public:
             return std::nullopt;
         }
     }
+    const Approaches& approaches() const override {
+        if constexpr (Force::capabilities.approaches) {
+            return force_.approaches();
+        } else {
+            static const Approaches none;
+            return none;
+        }
+    }
     bool hold(const Field<T>& x, const Field<T>& v) override {
         if constexpr (Force::capabilities.holds) {
             return x.count() <= Coupling::most_held && force_.hold(x, v);
@@ -131,6 +139,9 @@ public:
         } else {
             return none_held_;
         }
+    }
+    void each_held(const typename Erased::HeldVisitor& f) const override {
+        if constexpr (Force::capabilities.holds) force_.each_held(std::cref(f));
     }
 
     std::size_t moving_axes(const State<T>& state) const override { return steplab::moving_axes(force_, state); }

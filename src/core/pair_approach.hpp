@@ -1,0 +1,127 @@
+#pragma once
+// How much the force of a pair changes as its particles approach: what tells a method that an encounter lies ahead,
+// which the control of errors does not see from afar (methods/engines/encounters.hpp).
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace steplab {
+
+/// A pair force F(r) in steps of a 32nd of an octave of the distance, from 2^-64 m to 2^64 m. What is narrower than
+/// that is not in it.
+class ApproachTable {
+public:
+    /// F: a function of r, divided by the unit of mass. `cutoff`: beyond it there is no force; 0: none.
+    template <class Force>
+    ApproachTable(Force force, double cutoff) : cutoff_(cutoff), weight_(nodes), pull_(nodes) {
+        std::vector<double> forces(nodes);
+        for (std::size_t k = 0; k < nodes; ++k) forces[k] = force(distance(k));
+        for (std::size_t k = 0; k + 1 < nodes; ++k) {
+            const double r = distance(k), slope = (forces[k + 1] - forces[k]) / (distance(k + 1) - r);
+            if (cutoff > 0 && !(r < cutoff)) continue;
+            pull_[k] = number(std::abs(forces[k]) * r);
+            weight_[k] = std::max(pull_[k], number(std::abs(slope) * r * r));
+        }
+    }
+
+    double cutoff() const { return cutoff_; }
+
+    /// Two particles that approach.
+    struct Pair {
+        double distance = 0, speed2 = 0;  ///< squared, relative to each other
+        double momentum2 = 0;             ///< |d x w|^2: what keeps them apart
+        double strength = 1;              ///< their relative acceleration is this times F
+        double negligible = 0;            ///< a squared speed: what a force that does less can be overlooked
+    };
+
+    /// After which time the force matters `growth` times as much as now, if all its work goes into their approach; not
+    /// within `longest`: infinity. What matters is |F| r or |F'| r^2, whichever is more.
+    double time_to_growth(const Pair& pair, double growth, double longest) const {
+        const std::size_t now = place(pair.distance);
+        const double limit = growth * std::max(pair.strength * weight_[now], pair.negligible);
+        // with the work of forces that do not matter yet they are hardly faster
+        const double farthest = pair.distance - 2 * longest * std::sqrt(pair.speed2);
+        const std::size_t last = farthest > 0 ? place(farthest) : 0;
+        for (std::size_t k = now; k-- > last;) {
+            if (pair.strength * weight_[k] >= limit) return meets(pair, k, limit) ? time_to(pair, k) : never;
+        }
+        return never;
+    }
+
+    /// Where, from afar inwards, a force of this strength first matters more than `negligible`; 0: nowhere.
+    double outermost(double strength, double negligible) const {
+        for (std::size_t k = nodes - 1; k-- > 0;) {
+            if (strength * weight_[k] > negligible) return distance(k);
+        }
+        return 0;
+    }
+
+    /// The length over which a force of this strength changes by a factor e, where from afar inwards it first matters
+    /// more than `negligible`; infinity: nowhere.
+    double length(double strength, double negligible) const {
+        const double outer = outermost(strength, negligible), here = weight_[place(outer)];
+        for (std::size_t k = place(outer); outer > 0 && k-- > 0;) {
+            if (weight_[k] >= e_squared * here) return (outer - distance(k)) / 2;
+        }
+        return never;
+    }
+
+private:
+    static constexpr double never = std::numeric_limits<double>::infinity();
+    static constexpr int octaves = 64, bits_of_step = 52 - 5;  // 32 = 2^5 nodes from one power of two to the next
+    static constexpr std::size_t nodes = std::size_t{2 * octaves} << 5;
+    static constexpr std::uint64_t first = std::uint64_t{1023 - octaves} << 5;
+    static constexpr double e_squared = 7.389;
+    static constexpr double step = 1.0 / 32;  ///< not less than the step of ln r
+
+    /// Node k, by the leading bits of the number.
+    static double distance(std::size_t k) { return std::bit_cast<double>((first + k) << bits_of_step); }
+    static std::size_t place(double r) {
+        if (!(r > distance(0))) return 0;
+        return std::min<std::size_t>((std::bit_cast<std::uint64_t>(r) >> bits_of_step) - first, nodes - 1);
+    }
+    static double number(double value) { return value < never ? value : std::numeric_limits<double>::max(); }
+
+    /// Whether they come as near as node k, if the force that is below `limit` until there draws them together.
+    bool meets(const Pair& pair, std::size_t k, double limit) const {
+        const double r = distance(k), steps = static_cast<double>(place(pair.distance) - k + 1);
+        return pair.momentum2 < r * r * (pair.speed2 + 2 * limit * step * steps);
+    }
+
+    double time_to(const Pair& pair, std::size_t last) const {
+        double time = 0, speed2 = pair.speed2, r = pair.distance;
+        for (std::size_t k = place(pair.distance) + 1; k-- > last;) {
+            const double next = std::min(distance(k), r);
+            speed2 += 2 * pair.strength * pull_[k] * step;
+            if (!(pair.momentum2 < next * next * speed2)) return never;
+            if (r > next) time += (r - next) / std::sqrt(speed2);
+            r = next;
+        }
+        return time;
+    }
+
+    double cutoff_;
+    std::vector<double> weight_, pull_;
+};
+
+/// How the pairs of a scene act on each other at all distances.
+struct Approaches {
+    struct Term {
+        ApproachTable table;
+        double strongest = 1;  ///< of its pairs
+    };
+    struct Pair {
+        std::uint32_t first = 0, second = 0, term = 0;
+        double strength = 1;  ///< of its relative acceleration in units of the force of the table
+    };
+    std::vector<Term> terms;
+    std::vector<Pair> pairs;   ///< of scenes of at most Coupling::most_held particles; else empty
+    double shortest_side = 0;  ///< of space that repeats itself; 0: it does not
+};
+
+}  // namespace steplab

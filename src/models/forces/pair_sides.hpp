@@ -1,0 +1,32 @@
+#pragma once
+
+#include "models/forces/composition.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace steplab {
+
+/// Which particles a term of pair forces joins: those of two sets, or of one.
+class PairSides {
+public:
+    PairSides(const ComposedPairs& pairs, std::size_t count) : sides_(count) {
+        for (const std::uint32_t i : pairs.first) sides_[i] = pairs.second.empty() ? 3 : 1;
+        for (const std::uint32_t i : pairs.second) sides_[i] = sides_[i] == 1 ? 3 : 2;
+    }
+
+    std::size_t count() const { return sides_.size(); }
+    bool has(std::size_t i) const { return sides_[i] != 0; }
+    bool joins(std::size_t i, std::size_t j) const {
+        return ((sides_[i] & 1) != 0 && (sides_[j] & 2) != 0) || ((sides_[i] & 2) != 0 && (sides_[j] & 1) != 0);
+    }
+    /// True if j stands before i in the order in which the two sets are named.
+    bool turned(std::size_t i, std::size_t j) const { return sides_[i] == 2 || (sides_[i] == 3 && sides_[j] == 1); }
+
+private:
+    /// 1 for the particles of the first set, 2 for those of the second, 3 within one.
+    std::vector<unsigned char> sides_;
+};
+
+}  // namespace steplab

@@ -1,0 +1,174 @@
+// Encounters of particles in scenes that people write: methods that choose their own steps jump over none.
+
+#include "io/scene_file.hpp"
+#include "sim/run/simulation.hpp"
+#include "support/runs.hpp"
+#include "support/scene_texts.hpp"
+
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace steplab::test {
+namespace {
+
+/// 34 digits: near a turning point nearly equal energies are subtracted.
+using Real = boost::multiprecision::cpp_bin_float_quad;
+
+/// A potential V(r) that ends at a distance.
+struct ShortRange {
+    std::string name;
+    std::string text;  ///< of the scene file
+    double end;        ///< beyond it there is no force, or less than 1e-30
+    std::function<Real(Real)> energy;
+};
+
+/// V(r) - V(c) - (r - c) V'(c) below a cut-off c: what a scene file's cut-off makes of a potential.
+ShortRange cut(ShortRange potential, double cutoff, std::function<Real(Real)> slope) {
+    const Real c = cutoff, there = potential.energy(c), slope_there = slope(c);
+    potential.name += fmt::format(", cut-off {}", cutoff);
+    potential.text += fmt::format("cutoff = {}\n", cutoff);
+    potential.end = cutoff;
+    potential.energy = [=, uncut = potential.energy](Real r) { return uncut(r) - there - (r - c) * slope_there; };
+    return potential;
+}
+
+ShortRange morse(double k, double cutoff) {
+    const Real b = sqrt(Real(k) / 2);
+    const auto e = [b](Real r) -> Real { return exp(-b * (r - Real(0.5))); };
+    return cut({fmt::format("morse, k {}", k), fmt::format("potential = \"morse\"\nD = 1\nk = {}\nr0 = 0.5\n", k), 0,
+                [e](Real r) -> Real { return e(r) * (e(r) - 2); }},
+               cutoff, [e, b](Real r) -> Real { return 2 * b * e(r) * (1 - e(r)); });
+}
+
+ShortRange lennard_jones(double sigma, double cutoffs) {
+    const auto s6 = [sigma](Real r) -> Real { return pow(sigma / r, 6); };
+    return cut({fmt::format("lennard-jones, sigma {}", sigma),
+                fmt::format("potential = \"lennard-jones\"\nepsilon = 1\nsigma = {}\n", sigma), 0,
+                [s6](Real r) -> Real { return 4 * s6(r) * (s6(r) - 1); }},
+               cutoffs * sigma, [s6](Real r) -> Real { return -24 * s6(r) * (2 * s6(r) - 1) / r; });
+}
+
+/// Typed, without a cut-off: from outside nothing of it is seen.
+ShortRange hill(double height, double width) {
+    return {fmt::format("hill of {}, width {}", height, width),
+            fmt::format("potential = \"A*exp(-(r/w)^2)\"\nA = {}\nw = {}\n", height, width), 8.5 * width,
+            [height, width](Real r) -> Real { return height * exp(-(r / width) * (r / width)); }};
+}
+
+/// A bullet that flies at one particle at rest, head on, from 10 m away.
+struct HeadOn {
+    ShortRange potential;
+    double target_mass, bullet_mass, speed;
+
+    double reduced_mass() const { return target_mass * bullet_mass / (target_mass + bullet_mass); }
+    Real energy() const { return Real(reduced_mass()) * speed * speed / 2; }
+    bool passes() const { return potential.energy(Real(1e-12)) < energy(); }
+    /// Where passing and turning are so near to each other that neither is asked for.
+    bool is_undecided() const {
+        const Real barrier = potential.energy(Real(1e-12));
+        return abs(barrier - energy()) < Real(0.01) * std::max(energy(), barrier);
+    }
+
+    Real turning_point() const {
+        Real inside = 1e-12, outside = potential.end;
+        for (int i = 0; i < 120; ++i) {
+            const Real middle = (inside + outside) / 2;
+            (potential.energy(middle) > energy() ? inside : outside) = middle;
+        }
+        return outside;
+    }
+
+    /// How long they are within reach: 2 int dr / speed, in r = nearest + s^2.
+    Real duration() const {
+        boost::math::quadrature::tanh_sinh<Real> integral;
+        const Real nearest = passes() ? Real(1e-12) : turning_point(), mass = reduced_mass();
+        const auto time = [&](Real s) -> Real {
+            const Real left = 2 * (energy() - potential.energy(nearest + s * s)) / mass;
+            return left > 0 ? 4 * s / sqrt(left) : Real(0);
+        };
+        return integral.integrate(time, Real(0), sqrt(Real(potential.end) - nearest), Real(1e-14));
+    }
+
+    /// The bullet's place at a time behind the encounter.
+    double bullet_at(double time, Real within) const {
+        const Real behind = potential.end + speed * (time - (10 - potential.end) / speed - within);
+        const double all = target_mass + bullet_mass;
+        const Real centre = bullet_mass * (10 - Real(speed) * time) / all;
+        return static_cast<double>(centre + target_mass / all * (passes() ? -behind : behind));
+    }
+
+    RunDescription run(std::string_view method, double tolerance, double dt) const {
+        const std::string text = fmt::format(
+            "steplab = 1\n[[particles]]\ngroup = \"target\"\nmass = {}\n[[particles]]\ngroup = \"bullet\"\nmass = {}\n"
+            "position = [10, 0, 0]\nvelocity = [{}, 0, 0]\n[[pairs]]\nbetween = [\"target\", \"bullet\"]\n{}",
+            target_mass, bullet_mass, -speed, potential.text);
+        RunDescription description = with_method(describe(read_scene(text)), method);
+        description.method_parameters.set("tolerance", tolerance);
+        description.dt = dt;
+        return description;
+    }
+};
+
+/// With a cusp where two particles meet.
+ShortRange cusp(double height, double width) {
+    return {fmt::format("cusp of {}, width {}", height, width),
+            fmt::format("potential = \"A*exp(-r/w)\"\nA = {}\nw = {}\n", height, width), 75 * width,
+            [height, width](Real r) -> Real { return height * exp(-r / width); }};
+}
+
+std::vector<ShortRange> potentials() {
+    std::vector<ShortRange> all{hill(0.1, 0.5),  hill(3, 0.5),   hill(3, 0.05),
+                                hill(-0.5, 0.2), cusp(0.1, 0.1), cusp(-0.5, 0.05)};
+    for (const double k : {0.5, 50.0, 500.0})
+        for (const double cutoff : {0.8, 1.5, 3.0}) all.push_back(morse(k, cutoff));
+    for (const double sigma : {0.1, 1.0}) all.push_back(lennard_jones(sigma, 2.5));
+    return all;
+}
+
+/// What the project asks of an error: 1000 tolerances, no less than 1e-9.
+double allowed(double tolerance) { return std::max(1000 * tolerance, 1e-9); }
+
+class SceneEncounters : public testing::TestWithParam<std::string_view> {};
+
+// With 40 for dt, the whole flight is one step of output and free for the method to divide.
+TEST_P(SceneEncounters, two_particles_head_on_follow_the_closed_form) {
+    double worst = 0;
+    for (const ShortRange& potential : potentials())
+        for (const auto& [mass, speed] : {std::pair{1.0, 0.5}, {1.0, 1.0}, {4.0, 3.0}}) {
+            const HeadOn scene{potential, 1, mass, speed};
+            if (scene.is_undecided()) continue;
+            const Real within = scene.duration();
+            const double time = std::max(40.0, std::ceil(static_cast<double>(20 / Real(speed) + within)));
+            for (const double tolerance : {1e-4, 1e-7, 1e-10, 1e-13})
+                for (const double dt : {0.1, 1.0, time}) {
+                    Simulation simulation(scene.run(GetParam(), tolerance, dt));
+                    simulation.advance(static_cast<std::uint64_t>(std::lround(time / dt)));
+                    const double exact =
+                        scene.bullet_at(static_cast<double>(std::lround(time / dt)) * simulation.dt(), within);
+                    const double error = std::abs(simulation.frame().positions[1].x - exact) / allowed(tolerance);
+                    EXPECT_LT(error, 1) << potential.name << ", mass " << mass << ", speed " << speed << ", tolerance "
+                                        << tolerance << ", dt " << dt << ": exact " << exact;
+                    worst = std::max(worst, error);
+                }
+        }
+    RecordProperty("worst_ratio", std::to_string(worst));
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, SceneEncounters,
+                         testing::Values("dopri5", "dop853", "rkn-12-10", "taylor", "ias15", "gauss-16"),
+                         [](const auto& test) {
+                             std::string name(test.param);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace steplab::test
