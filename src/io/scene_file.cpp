@@ -6,9 +6,8 @@
 #include "core/text.hpp"
 #include "io/scene_reader.hpp"
 #include "io/shared_files.hpp"
-#include "models/scene/composer.hpp"
 #include "models/scene/planner.hpp"
-#include "models/scene/scene_particles.hpp"
+#include "models/scene/scene_facts.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/known_motion.hpp"
 #include "sim/run/starting.hpp"
@@ -110,22 +109,6 @@ auto with_place(const std::string& name, const Work& work) {
     } catch (const SceneProblem& problem) {
         throw UsageError(place_text(name, problem.place()) + problem.what());
     }
-}
-
-SceneFacts facts_of(const Scene& scene) {
-    const SceneParticles particles(scene);
-    const SceneDamping damping = damping_of(scene, particles);
-    SceneFacts facts{.mass = particles[0].mass, .drag = damping.largest, .damping = damping.is_of_each()};
-    for (const ParticleBlock& block : scene.particles) {
-        const auto* const list = std::get_if<ListedParticles>(&block.arrangement);
-        if (list && list->masses) facts.mass = 0;
-        if (block.mass.value != scene.particles.front().mass.value) facts.mass = 0;
-    }
-    for (const Fix& fix : scene.fixes) {
-        if (fix.mass) facts.mass = 0;
-    }
-    for (const PairTerm& term : scene.pairs) facts.lists_pairs = facts.lists_pairs || term.cutoff.has_value();
-    return facts;
 }
 
 Model model_of(const std::shared_ptr<const Document>& document, const std::string& name) {

@@ -2,6 +2,7 @@
 
 #include "core/known.hpp"
 #include "models/scene/planner.hpp"
+#include "models/scene/scene_facts.hpp"
 #include "sim/run/known_motion.hpp"
 #include "sim/run/starting.hpp"
 
@@ -39,9 +40,8 @@ Model altered_model(const Model& base, const std::vector<Alteration>& all) {
     model.scene = [base_scene = base.scene, all](const ParameterValues& values) {
         return altered(base_scene(values), all);
     };
-    model.facts = [facts = base.facts, scene = model.scene,
-                   known = std::make_shared<Known<SceneFacts>>()](const ParameterValues& values) {
-        return known->of(values, [&] { return altered(facts(values), scene(values)); });
+    model.facts = [scene = model.scene, known = std::make_shared<Known<SceneFacts>>()](const ParameterValues& values) {
+        return known->of(values, [&] { return facts_of(scene(values)); });
     };
     model.plan = [scene = model.scene, known = std::make_shared<Known<Plan>>()](const ParameterValues& values) {
         return known->of(values, [&] {
