@@ -127,7 +127,7 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
     if (!defaults.precision.empty()) model.opening.precision = *parse_precision(defaults.precision);
     model.opening.until = defaults.until;
     model.particles = [scene](const ParameterValues& values) { return static_cast<double>(scene(values).count()); };
-    model.facts = [scene, known = std::make_shared<Known<SceneFacts>>()](const ParameterValues& values) {
+    model.facts = [scene, known = std::make_shared<KnownOfRuns<SceneFacts>>()](const ParameterValues& values) {
         return known->of(values, [&]() -> SceneFacts {
             try {
                 return facts_of(scene(values));
@@ -142,7 +142,7 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
     };
     model.shape = [scene](const ParameterValues& values) { return shape_of(scene(values)); };
     model.omega_max = [model_plan = model.plan, shape = model.shape,
-                       known = std::make_shared<Known<std::optional<double>>>()](const ParameterValues& values) {
+                       known = std::make_shared<KnownOfRuns<std::optional<double>>>()](const ParameterValues& values) {
         return known->of(values, [&]() -> std::optional<double> {
             const auto frequency = known_frequency(model_plan(values), shape(values));
             return frequency ? std::optional(frequency->omega) : std::nullopt;

@@ -88,7 +88,7 @@ TEST(SceneConservation, of_shipped_scenes_is_what_the_motion_keeps) {
     for (const std::string& name : shipped_scenes()) {
         const RunDescription run = describe(find_scene(name));
         const double particles = model_of(run).particles(run.scene);
-        expect_claimed(run, particles > 500 ? 8 : 200, name);
+        expect_claimed(run, particles > 500 ? 8 : particles > 100 ? 24 : 200, name);
     }
 }
 
