@@ -42,8 +42,8 @@ TEST_F(Snapshot, has_the_same_bytes_where_no_thread_can_be_started) {
 }
 
 TEST_F(Snapshot, says_where_rounding_rules_the_run) {
-    const std::vector<std::string> picture{"--model", "chain", "--precision", "float", "--steps", "2",
-                                           "--size",  "90x60", "--out",       "a.png"};
+    const std::vector<std::string> picture{"--model", "chain",  "--precision", "float", "--steps",
+                                           "2",       "--size", "90x60",       "--out", "a.png"};
     const auto notes = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = picture;
         all.insert(all.end(), more.begin(), more.end());

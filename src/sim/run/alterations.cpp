@@ -40,7 +40,8 @@ Model altered_model(const Model& base, const std::vector<Alteration>& all) {
     model.scene = [base_scene = base.scene, all](const ParameterValues& values) {
         return altered(base_scene(values), all);
     };
-    model.facts = [scene = model.scene, known = std::make_shared<KnownOfRuns<SceneFacts>>()](const ParameterValues& values) {
+    model.facts = [scene = model.scene,
+                   known = std::make_shared<KnownOfRuns<SceneFacts>>()](const ParameterValues& values) {
         return known->of(values, [&] { return facts_of(scene(values)); });
     };
     model.plan = [scene = model.scene, known = std::make_shared<Known<Plan>>()](const ParameterValues& values) {

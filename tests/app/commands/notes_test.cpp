@@ -13,8 +13,7 @@
 namespace steplab {
 namespace {
 
-using Json = nlohmann::ordered_json;
-using test::TemporaryFolder;
+using Json = nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -47,10 +46,10 @@ TEST(Notes, of_a_scene_file_are_those_of_its_model) {
     for (const char* const model : {"chain", "rope", "mesh", "morse", "crystal", "oscillator"}) {
         const std::string file = folder.file(std::string(model) + ".toml");
         ASSERT_EQ(run_program({"export", "--model", model, "--to", "scene", "--out", file}).code, 0);
-        const Words how{"--method", "velocity-verlet", "--precision", "float", "--dt", "1e-6", "--steps", "3"};
+        const Words how{"--method", "velocity-verlet", "--precision", "float", "--dt", "1e-7", "--steps", "3"};
         const Outcome direct = run_program(joined({"run", "--model", model}, how));
         const Outcome written = run_program(joined({"run", "--scene", file}, how));
-        EXPECT_THAT(direct.err, HasSubstr("steplab run: note: a step of dt = 1e-6 s")) << model;
+        EXPECT_THAT(direct.err, HasSubstr("steplab run: note: a step of dt = 1e-7 s")) << model;
         EXPECT_EQ(written.err, direct.err) << model;
     }
 }

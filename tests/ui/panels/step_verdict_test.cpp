@@ -133,9 +133,7 @@ std::vector<RunDescription> scenes_as_they_open() {
 StepVerdict shown_verdict(const RunDescription& description) {
     const Simulation start(description);
     const PresentLimit present = PresentLimits().at(description, start.state(), 0, 0);
-    const StepVerdict found = step_verdict(view_of(start), &present);
-    EXPECT_EQ(found.lamp == Lamp::none, !present.limit && !start.limit()) << description.model << ": " << found.text;
-    return found;
+    return step_verdict(view_of(start), &present);
 }
 
 TEST(step_verdict, of_every_scene_as_it_opens_is_green) {
@@ -149,7 +147,7 @@ TEST(step_verdict, of_every_scene_as_it_opens_is_green) {
 }
 
 TEST(step_verdict, of_scenes_with_longer_steps_is_not_green) {
-    for (const std::string& name : {"rope", "crystal", "spring-network", "newtons-cradle"}) {
+    for (const char* const name : {"rope", "crystal", "spring-network", "newtons-cradle"}) {
         RunDescription description = describe(find_scene(name));
         description.dt *= 20;
         EXPECT_NE(shown_verdict(description).lamp, Lamp::good) << name;

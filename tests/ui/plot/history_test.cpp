@@ -45,13 +45,21 @@ TEST(history, the_largest_error_so_far_is_kept) {
     EXPECT_EQ(history.largest_error(), 2);
 }
 
+Sample sample_with(std::uint64_t step, double displacement, double error) {
+    Sample sample;
+    sample.step = step;
+    sample.largest_displacement = displacement;
+    sample.error = error;
+    return sample;
+}
+
 /// A history of the steps of a run that are shown, of which the errors at all steps are sampled or not.
 History shown_every(std::uint64_t steps, bool sampled) {
     History history;
     RunView view;
     for (std::uint64_t step = 0; step <= 60; ++step) {
         const double error = 1e-3 * static_cast<double>(step * 7919 % 61);
-        if (sampled) view.series.samples.push_back({.step = step, .largest_displacement = 10 * error, .error = error});
+        if (sampled) view.series.samples.push_back(sample_with(step, 10 * error, error));
         view.frame.step = step;
         view.diagnostics.error = error;
         view.diagnostics.max_displacement = 10 * error;
@@ -72,7 +80,7 @@ TEST(history, samples_ahead_of_a_step_taken_back_do_not_count) {
     History history;
     RunView view = moment(2);
     for (const std::uint64_t step : {0u, 1u, 2u})
-        view.series.samples.push_back({.step = step, .error = static_cast<double>(step)});
+        view.series.samples.push_back(sample_with(step, 1, static_cast<double>(step)));
     history.record(view);
     EXPECT_EQ(history.largest_error(), 2);
     view.frame.step = 1;
