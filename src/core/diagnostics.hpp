@@ -15,6 +15,7 @@ struct Diagnostics {
     Vec3 momentum;
     Vec3 angular_momentum;        ///< about the origin
     double max_displacement = 0;  ///< largest |position - rest| of a particle
+    double farthest = 0;          ///< largest displacement from the reference position, from which the run counts
     double max_speed = 0;
     std::optional<double> error;  ///< largest distance of a particle from the exact solution, where one is known
 };

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <string>
-#include <vector>
+#include <optional>
 
 namespace steplab {
 
@@ -18,16 +17,10 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-/// They take memory of their own, which large scenes are spared.
-Diagnostics diagnostics_of(const Simulation& simulation) {
+/// Diagnostics take memory of their own, which large scenes are spared.
+std::optional<double> error_of(const Simulation& simulation) {
     constexpr std::size_t most_particles = 100000;
-    return simulation.particles() <= most_particles ? simulation.diagnostics() : Diagnostics();
-}
-
-/// A run that diverged has a reason instead.
-std::vector<std::string> notes_of(const Simulation& simulation, const Diagnostics& end) {
-    if (simulation.divergence()) return {};
-    return notes_of_rounding(simulation.description(), simulation.limit(), end.max_displacement);
+    return simulation.particles() <= most_particles ? simulation.diagnostics().error : std::nullopt;
 }
 
 }  // namespace
@@ -52,12 +45,11 @@ RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t e
         record(simulation);
     }
     const double wall_seconds = seconds_since(begin);
-    const Diagnostics last = diagnostics_of(simulation);
     return {.run = simulation.description(),
             .result = result_of(simulation, energy_start, energy_error),
             .wall_seconds = wall_seconds,
-            .error = last.error,
-            .notes = notes_of(simulation, last)};
+            .error = error_of(simulation),
+            .notes = notes_of_rounding(simulation)};
 }
 
 }  // namespace steplab

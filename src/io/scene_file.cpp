@@ -6,9 +6,8 @@
 #include "core/text.hpp"
 #include "io/scene_reader.hpp"
 #include "io/shared_files.hpp"
-#include "models/scene/composer.hpp"
 #include "models/scene/planner.hpp"
-#include "models/scene/scene_particles.hpp"
+#include "models/scene/scene_facts.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/known_motion.hpp"
 #include "sim/run/starting.hpp"
@@ -112,22 +111,6 @@ auto with_place(const std::string& name, const Work& work) {
     }
 }
 
-SceneFacts facts_of(const Scene& scene) {
-    const SceneParticles particles(scene);
-    const SceneDamping damping = damping_of(scene, particles);
-    SceneFacts facts{.mass = particles[0].mass, .drag = damping.largest, .damping = damping.is_of_each()};
-    for (const ParticleBlock& block : scene.particles) {
-        const auto* const list = std::get_if<ListedParticles>(&block.arrangement);
-        if (list && list->masses) facts.mass = 0;
-        if (block.mass.value != scene.particles.front().mass.value) facts.mass = 0;
-    }
-    for (const Fix& fix : scene.fixes) {
-        if (fix.mass) facts.mass = 0;
-    }
-    for (const PairTerm& term : scene.pairs) facts.lists_pairs = facts.lists_pairs || term.cutoff.has_value();
-    return facts;
-}
-
 Model model_of(const std::shared_ptr<const Document>& document, const std::string& name) {
     const auto scene = [document, name](const ParameterValues& values) {
         return with_place(name, [&] { return document->scene(values); });
@@ -144,7 +127,7 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
     if (!defaults.precision.empty()) model.opening.precision = *parse_precision(defaults.precision);
     model.opening.until = defaults.until;
     model.particles = [scene](const ParameterValues& values) { return static_cast<double>(scene(values).count()); };
-    model.facts = [scene, known = std::make_shared<Known<SceneFacts>>()](const ParameterValues& values) {
+    model.facts = [scene, known = std::make_shared<KnownOfRuns<SceneFacts>>()](const ParameterValues& values) {
         return known->of(values, [&]() -> SceneFacts {
             try {
                 return facts_of(scene(values));
@@ -159,7 +142,7 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
     };
     model.shape = [scene](const ParameterValues& values) { return shape_of(scene(values)); };
     model.omega_max = [model_plan = model.plan, shape = model.shape,
-                       known = std::make_shared<Known<std::optional<double>>>()](const ParameterValues& values) {
+                       known = std::make_shared<KnownOfRuns<std::optional<double>>>()](const ParameterValues& values) {
         return known->of(values, [&]() -> std::optional<double> {
             const auto frequency = known_frequency(model_plan(values), shape(values));
             return frequency ? std::optional(frequency->omega) : std::nullopt;

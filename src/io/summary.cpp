@@ -58,7 +58,7 @@ void add_carried(nlohmann::ordered_json& json, const RunDescription& run) {
 /// What drag takes is no error.
 bool energy_error_is_change(const RunSummary& summary) { return has_drag(summary.run) && !summary.result.drag_work; }
 
-/// The fields that may differ between the runs of an ensemble, which have no wall time of their own.
+/// The fields that may differ between the runs of an ensemble, which have notes and wall time in common.
 void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool timed) {
     const RunResult& result = summary.result;
     json["dt"] = shortest(summary.run.precision, result.dt);
@@ -157,6 +157,7 @@ std::string summary_json(const EnsembleSummary& summary) {
     json["ensemble"] = summary.runs.size();
     json["spread"] = ranges;
     json["diverged"] = summary.diverged();
+    json["notes"] = summary.notes;
     json["wall_seconds"] = summary.wall_seconds;
     json["runs"] = runs;
     return json.dump(2) + "\n";

@@ -39,6 +39,7 @@ struct EnsembleSummary {
     std::vector<ParameterRange> ranges;
     std::vector<Run> runs;  ///< one at least
     double wall_seconds = 0;
+    std::vector<std::string> notes = {};  ///< of rounding in any run (sim/run/notes.hpp)
 
     /// The number of runs that diverged.
     std::size_t diverged() const;

@@ -46,13 +46,16 @@ Scene scene(const ParameterValues& values) {
     return scene;
 }
 
+LineForces forces(const ParameterValues& values) {
+    return {.count = values.count("n"),
+            .first_fixed = values["fixed"] != 0,
+            .mass = values["m"],
+            .k = values["k"],
+            .rest_length = values["L"]};
+}
+
 Plan plan(const ParameterValues& values) {
-    return line_plan({.count = values.count("n"),
-                      .first_fixed = values["fixed"] != 0,
-                      .mass = values["m"],
-                      .k = values["k"],
-                      .rest_length = values["L"]},
-                     values["c"] / values["m"], {values["v0"], 0, 0});
+    return line_plan(forces(values), values["c"] / values["m"], {values["v0"], 0, 0});
 }
 
 Shape shape(const ParameterValues& values) {
@@ -83,10 +86,7 @@ const Model& chain_model() {
                  .parameters = parameters},
         .topic = "springs",
         .particles = [](const ParameterValues& values) { return values["n"]; },
-        .facts =
-            [](const ParameterValues& values) {
-                return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"], .bond = values["L"]};
-            },
+        .facts = [](const ParameterValues& values) { return line_facts(forces(values), values["c"] / values["m"]); },
         .scene = scene,
         .plan = plan,
         .shape = shape,

@@ -1,6 +1,17 @@
 #include "models/line_plan.hpp"
 
+#include <cmath>
+
 namespace steplab {
+
+SceneFacts line_facts(const LineForces& forces, double drag) {
+    const double ends =
+        forces.count == 2 && forces.first_fixed ? 1 : 2;  // that move, of the spring that swings fastest
+    return {.mass = forces.mass,
+            .drag = drag,
+            .bond = forces.rest_length,
+            .pair_frequency = std::sqrt(ends * forces.k / forces.mass)};
+}
 
 Plan line_plan(const LineForces& forces, double drag, Vec3 kick) {
     return {.mass = forces.mass,

@@ -4,6 +4,9 @@
 
 namespace steplab {
 
+/// What is known of such a scene with drag of this rate.
+SceneFacts line_facts(const LineForces& forces, double drag);
+
 /// A scene of `forces.count` particles at (i L, 0, 0), at rest except for the last one.
 Plan line_plan(const LineForces& forces, double drag, Vec3 kick = {});
 

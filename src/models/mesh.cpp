@@ -123,6 +123,11 @@ Shape shape(const ParameterValues& values) {
 /// few percent in small meshes, so that a dt below the limit computed from it is always below the true one.
 std::optional<double> omega_max(const ParameterValues& values) { return std::sqrt(8 * values["k"] / values["m"]); }
 
+SceneFacts facts(const ParameterValues& values) {
+    const double ends = values.count("dim") == 3 ? 1 : 2;  // that move, of the spring that swings fastest
+    return {.mass = values["m"], .bond = values["L"], .pair_frequency = std::sqrt(ends * values["k"] / values["m"])};
+}
+
 }  // namespace
 
 const Model& mesh_model() {
@@ -134,7 +139,7 @@ const Model& mesh_model() {
                  .parameters = parameters},
         .topic = "springs",
         .particles = [](const ParameterValues& values) { return values["dim"] * values["dim"]; },
-        .facts = [](const ParameterValues& values) { return SceneFacts{.mass = values["m"], .bond = values["L"]}; },
+        .facts = facts,
         .scene = scene,
         .plan = plan,
         .shape = shape,

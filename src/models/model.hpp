@@ -41,7 +41,7 @@ struct SceneFacts {
     double drag = 0;            ///< rate gamma = c / m of the drag -c v; the largest where they differ
     bool damping = false;       ///< dashpots, or drag that differs between particles
     double bond = 0;            ///< distance of bound neighbours that positions have to resolve; 0: nothing is bound
-    double pair_frequency = 0;  ///< of one bound pair alone, where pairs are bound by a potential
+    double pair_frequency = 0;  ///< angular, of the bound pair that swings fastest alone; 0: none is known
     bool lists_pairs = false;   ///< pairs near each other are kept in lists
 };
 

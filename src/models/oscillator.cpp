@@ -50,9 +50,12 @@ Scene scene(const ParameterValues& values) {
     return scene;
 }
 
+LineForces forces(const ParameterValues& values) {
+    return {.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0};
+}
+
 Plan plan(const ParameterValues& values) {
-    return line_plan({.count = 2, .first_fixed = true, .mass = values["m"], .k = values["k"], .rest_length = 0},
-                     values["c"] / values["m"], {values["v0"], 0, 0});
+    return line_plan(forces(values), values["c"] / values["m"], {values["v0"], 0, 0});
 }
 
 Shape shape(const ParameterValues& values) {
@@ -76,10 +79,7 @@ const Model& oscillator_model() {
                  .parameters = parameters},
         .topic = "first steps",
         .particles = [](const ParameterValues&) { return 2.0; },
-        .facts =
-            [](const ParameterValues& values) {
-                return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"]};
-            },
+        .facts = [](const ParameterValues& values) { return line_facts(forces(values), values["c"] / values["m"]); },
         .scene = scene,
         .plan = plan,
         .shape = shape,

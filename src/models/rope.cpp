@@ -32,15 +32,16 @@ Scene scene(const ParameterValues& values) {
     return scene;
 }
 
-Plan plan(const ParameterValues& values) {
-    return line_plan({.count = values.count("n"),
-                      .first_fixed = true,
-                      .mass = values["m"],
-                      .k = values["k"] * values["m"],
-                      .rest_length = values["L"],
-                      .gravity = values["g"]},
-                     values["c"] / values["m"]);
+LineForces forces(const ParameterValues& values) {
+    return {.count = values.count("n"),
+            .first_fixed = true,
+            .mass = values["m"],
+            .k = values["k"] * values["m"],
+            .rest_length = values["L"],
+            .gravity = values["g"]};
 }
+
+Plan plan(const ParameterValues& values) { return line_plan(forces(values), values["c"] / values["m"]); }
 
 /// The distance of the end below the fixed particle at rest: (n - 1) L + (g / k) n (n - 1) / 2.
 double hanging_length(const ParameterValues& values) {
@@ -80,10 +81,7 @@ const Model& rope_model() {
         .opening = {.method = "rk4", .dt = 0.02},
         .topic = "springs",
         .particles = [](const ParameterValues& values) { return values["n"]; },
-        .facts =
-            [](const ParameterValues& values) {
-                return SceneFacts{.mass = values["m"], .drag = values["c"] / values["m"], .bond = values["L"]};
-            },
+        .facts = [](const ParameterValues& values) { return line_facts(forces(values), values["c"] / values["m"]); },
         .scene = scene,
         .plan = plan,
         .shape = shape,

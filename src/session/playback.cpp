@@ -295,6 +295,7 @@ void Playback::observe(RunView& view) {
     samples_.put_into(series);
     view = RunView();
     view.description = run_;
+    view.facts = facts_of(run_);
     view.frame = std::move(frame);
     view.series = std::move(series);
     view.diagnostics = diagnostics_;

@@ -26,10 +26,10 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     if (particle && *particle < simulation.particles()) view.tracked = tracked_now(simulation, view.frame, *particle);
     view.limit = simulation.limit();
     view.resolution = simulation.resolution();
+    view.facts = facts_of(view.description);
     view.conservation = simulation.conservation();
     view.notes.clear();
-    if (!view.divergence)
-        view.notes = notes_of_rounding(view.description, view.limit, view.diagnostics.max_displacement);
+    if (!view.divergence) view.notes = notes_of_rounding(view.description, view.diagnostics.farthest);
     view.has_exact = simulation.has_exact();
     view.why_not_exact = simulation.why_not_exact();
     view.segment_start = simulation.segment_start();

@@ -49,6 +49,7 @@ struct RunView {
     std::optional<Divergence> divergence;
     std::optional<StabilityLimit> limit;
     std::optional<Resolution> resolution;  ///< of the fastest oscillation
+    SceneFacts facts;
     Conservation conservation;
     std::vector<std::string> notes;  ///< of rounding (notes.hpp)
     bool has_exact = false;

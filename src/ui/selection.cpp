@@ -70,6 +70,18 @@ double mass_of(const RunView& view, std::size_t particle) {
     return masses.empty() ? view.frame.mass : masses[particle];
 }
 
+double usual_mass(const RunView& view, double otherwise) {
+    const auto& masses = view.frame.shape->masses;
+    if (masses.empty()) return view.frame.mass > 0 ? view.frame.mass : otherwise;
+    std::optional<double> usual;
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+        if (masses[i] == usual || view.description.alterations.of(i).mass) continue;
+        if (usual) return otherwise;
+        usual = masses[i];
+    }
+    return usual.value_or(otherwise);
+}
+
 Middle middle_of(const RunView& view, std::span<const std::size_t> particles) {
     const bool known = std::all_of(particles.begin(), particles.end(),
                                    [&](std::size_t particle) { return mass_of(view, particle) > 0; });

@@ -33,6 +33,10 @@ private:
 /// The mass of a particle in kg; 0 where it is not known.
 double mass_of(const RunView& view, std::size_t particle);
 
+/// The mass that the scene itself gives, if it is one for all particles: that of those that are not altered. Else
+/// `otherwise`.
+double usual_mass(const RunView& view, double otherwise);
+
 /// Of several particles at one time: centre of mass and mean velocity weighted by mass, or, where masses are not known,
 /// the means of all.
 struct Middle {

@@ -41,6 +41,20 @@ TEST_F(Snapshot, has_the_same_bytes_where_no_thread_can_be_started) {
     EXPECT_TRUE(bytes("a.png") == bytes("b.png"));
 }
 
+TEST_F(Snapshot, says_where_rounding_rules_the_run) {
+    const std::vector<std::string> picture{"--model", "chain",  "--precision", "float", "--steps",
+                                           "2",       "--size", "90x60",       "--out", "a.png"};
+    const auto notes = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = picture;
+        all.insert(all.end(), more.begin(), more.end());
+        return snapshot(all).err;
+    };
+    EXPECT_THAT(notes({"--dt", "1e-6"}), HasSubstr("steplab snapshot: note: a step of dt = 1e-6 s adds so little"));
+    EXPECT_THAT(notes({"--run", "dt=0.1", "--run", "dt=1e-6"}),
+                HasSubstr("steplab snapshot: note: run 1: a step of dt = 1e-6 s"));
+    EXPECT_THAT(notes({"--dt", "0.1"}), testing::Not(HasSubstr("note")));
+}
+
 TEST_F(Snapshot, writes_a_png_of_the_size_asked_for) {
     const Outcome outcome = snapshot({"--out", "a.png", "--size", "200x100"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -73,7 +73,8 @@ std::vector<std::string> wrong_run_bits(const std::vector<TextFile>& files) {
 
 std::vector<std::string> scenes_made_by_the_interface(const std::vector<TextFile>& files) {
     static const std::regex pattern(
-        R"((\.|->)(plan|scene)\([^)]|\b(stability_limit|omega_max|fastest_frequency|start_frequency|opening_dt)\()"
+        R"((\.|->)(plan|scene|facts)\([^)]|\b(stability_limit|omega_max|fastest_frequency|start_frequency|opening_dt|facts_of|)"
+        R"(has_drag|integrates_drag_work)\()"
         R"(|\b(remedy_candidates|resolution|linear_limit|check)\([^)])");
     std::vector<TextFile> interface = files;
     std::erase_if(interface, [](const TextFile& file) {

@@ -49,9 +49,10 @@ TEST(Text, interface_makes_no_scene) { EXPECT_THAT(scenes_made_by_the_interface(
 TEST(Text, scenes_of_the_interface_are_found) {
     const std::string lines =
         "model(id).plan(values);\nstability_limit(description);\ncheck(description);\nentry->omega_max(values);\n"
-        "interface.scene();\ncheck_values(description);\nview.resolution.error;\n";
+        "interface.scene();\ncheck_values(description);\nview.resolution.error;\nfacts_of(description).drag;\nview."
+        "facts.drag;\n";
     EXPECT_THAT(scenes_made_by_the_interface({{"src/ui/panels/a.cpp", lines}, {"src/app/window/a.cpp", lines}}),
-                SizeIs(8));
+                SizeIs(10));
     EXPECT_THAT(scenes_made_by_the_interface({{"src/sim/run/a.cpp", lines}}), IsEmpty());
 }
 

@@ -176,6 +176,10 @@ void print(std::string_view text) {
     out.commit();
 }
 
+void print_note(std::string_view command, std::string_view note) {
+    fmt::print(stderr, "steplab {}: note: {}\n", command, note);
+}
+
 int guarded(const std::string& program, const std::function<int()>& body) {
     try {
         return body();

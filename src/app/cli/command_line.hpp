@@ -47,6 +47,9 @@ std::optional<std::string> parse(CLI::App& app, std::vector<std::string> argumen
 /// Writes text to standard output. Throws FileError or ReaderGone unless all of it is written.
 void print(std::string_view text);
 
+/// Writes what would be missed in the results on standard error: "steplab COMMAND: note: ...".
+void print_note(std::string_view command, std::string_view note);
+
 /// Runs the body of a main. Any exception becomes one line on standard error, "program: message", and its exit code.
 int guarded(const std::string& program, const std::function<int()>& body);
 

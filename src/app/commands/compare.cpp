@@ -11,6 +11,7 @@
 #include "io/compression.hpp"
 #include "io/output_file.hpp"
 #include "session/comparison.hpp"
+#include "sim/run/notes.hpp"
 
 #include <fmt/format.h>
 
@@ -84,6 +85,10 @@ public:
         const std::vector<Worst> worst = write(comparison, samples, file);
         file.commit();
         print_summary(comparison, worst);
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            for (const std::string& note : notes_of_rounding(comparison.run(i)))
+                print_note(name(), fmt::format("run {}: {}", i, note));
+        }
         return check_ends(comparison);
     }
 

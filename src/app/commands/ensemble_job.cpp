@@ -1,11 +1,13 @@
 #include "app/commands/ensemble_job.hpp"
 
+#include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
 #include "app/commands/ensemble_rows.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "io/recorded_run.hpp"
 #include "io/summary.hpp"
+#include "sim/run/notes.hpp"
 
 #include <fmt/format.h>
 
@@ -54,13 +56,20 @@ std::vector<RunSummary> recorded(const EnsembleJob& job, EnsembleRows& rows) {
 
 EnsembleSummary summary_of(const EnsembleJob& job, const std::vector<RunSummary>& runs, double seconds) {
     EnsembleSummary summary;
+    NotesOfRuns notes;
     summary.wall_seconds = seconds;
     for (const ParameterRange& range : job.ranges) summary.ranges.push_back({range.name, range.from, range.to});
     for (std::size_t i = 0; i < runs.size(); ++i) {
         std::vector<double> values;
         for (const ParameterRange& range : job.ranges) values.push_back(range.value(i, runs.size()));
         summary.runs.push_back({values, runs[i]});
+        if (runs[i].result.divergence) {
+            notes.add_diverged();
+        } else {
+            notes.add(runs[i].run, runs[i].result.farthest);
+        }
     }
+    summary.notes = notes.all();
     return summary;
 }
 
@@ -85,6 +94,7 @@ void EnsembleJob::run() const {
         rows.commit();
         if (summary_file) summary_file->write(summary_json(summary)), summary_file->commit();
         output.print_summary(summary_text(summary));
+        for (const std::string& note : summary.notes) print_note("run", note);
         if (summary.diverged() > 0) throw Error(ExitCode::diverged, divergence_message(summary));
     } catch (const Interrupted&) {
         print_interruption("interrupted", rows.keep_partial());

@@ -153,6 +153,17 @@ void PicturedRuns::judge_steps() {
     }
 }
 
+std::vector<std::string> PicturedRuns::notes() const {
+    std::vector<std::string> all = request_.view.notes;
+    if (runs_.size() == 1) return all;
+    for (std::string& note : all) note.insert(0, "run 0: ");
+    for (std::size_t i = 1; i < runs_.size(); ++i) {
+        for (const std::string& note : request_.followers[i - 1].notes)
+            all.push_back(fmt::format("run {}: {}", i, note));
+    }
+    return all;
+}
+
 void PicturedRuns::check_ends() const {
     if (runs_.size() == 1 && is_over()) throw Error(ExitCode::diverged, request_.view.divergence->message);
     std::string messages;

@@ -39,6 +39,8 @@ public:
     void keep_camera(std::string camera) { request_.camera = std::move(camera); }
     /// Clears what is shown of the progress.
     void end_progress() { progress_->clear(); }
+    /// Of rounding (sim/run/notes.hpp), of several runs with their numbers; the leading one is number 0.
+    std::vector<std::string> notes() const;
     /// Throws an error with code `diverged` that names the runs that did, if any; the leading one is number 0.
     void check_ends() const;
 

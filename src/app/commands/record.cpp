@@ -64,7 +64,8 @@ public:
         const std::unique_ptr<Film> film = make_film(format);
         PicturedRuns pictured(runs, times.end(), std::move(request), std::move(ensemble), "steplab record");
         const std::uint64_t frames = write(pictured, times, offscreen, *film);
-        if (const auto note = times.note()) fmt::print(stderr, "steplab record: note: {}\n", *note);
+        for (const std::string& note : pictured.notes()) print_note(name(), note);
+        if (const auto note = times.note()) print_note(name(), *note);
         print_result(frames, format.fps, offscreen.kind());
         pictured.check_ends();
         return static_cast<int>(ExitCode::done);

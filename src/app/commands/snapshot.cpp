@@ -62,7 +62,8 @@ public:
         pictured.end_progress();
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
-        if (const auto note = time_.note(description, end)) fmt::print(stderr, "steplab snapshot: note: {}\n", *note);
+        for (const std::string& note : pictured.notes()) print_note(name(), note);
+        if (const auto note = time_.note(description, end)) print_note(name(), *note);
         if (!written_directly(picture_.out())) print_result(pictured.request().view, offscreen.kind());
         pictured.check_ends();
         return static_cast<int>(ExitCode::done);

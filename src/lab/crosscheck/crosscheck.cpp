@@ -6,6 +6,7 @@
 #include "io/lammps/lammps_dump.hpp"
 #include "io/lammps/lammps_run.hpp"
 #include "lab/crosscheck/neighbouring_run.hpp"
+#include "models/scene/scene_particles.hpp"
 
 #include <fmt/format.h>
 
@@ -32,13 +33,11 @@ double size_of(const Frame& frame) {
     return size;
 }
 
-double mass_of(const Frame& frame, std::size_t i) { return frame.mass > 0 ? frame.mass : frame.shape->masses[i]; }
-
 /// LAMMPS and steplab on one scene at the same times.
 class CrosscheckRun {
 public:
     CrosscheckRun(const RunDescription& run, const LammpsExport& written, const CrosscheckOptions& options)
-        : written_(written), simulation_(run) {
+        : written_(written), scene_(model_of(run).scene(run.scene)), particles_(scene_), simulation_(run) {
         compute(options);
         compare(run, options);
     }
@@ -98,7 +97,7 @@ private:
             simulation_.forces(forces_);
             acceleration_ = std::max(acceleration_, written_.neighbour_acceleration);
             for (std::size_t i = 0; i < forces_.size(); ++i)
-                acceleration_ = std::max(acceleration_, length(forces_[i]) / mass_of(frame_, i));
+                acceleration_ = std::max(acceleration_, length(forces_[i]) / particles_[i].mass);
             by_tables = written_.table_error * acceleration_ * dt * dt * steps_of_a_kick;
         }
         constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -136,6 +135,8 @@ private:
     }
 
     const LammpsExport& written_;
+    Scene scene_;
+    SceneParticles particles_;  ///< of the scene
     Simulation simulation_;
     Frame frame_;
     std::vector<Vec3> forces_;

@@ -1,8 +1,6 @@
 #include "models/scene/alteration.hpp"
 
-#include "models/scene/composer.hpp"
 #include "models/scene/planner.hpp"
-#include "models/scene/scene_particles.hpp"
 
 #include <fmt/format.h>
 
@@ -43,18 +41,6 @@ Scene altered(Scene scene, std::span<const Alteration> alterations) {
         i += count;
     }
     return scene;
-}
-
-SceneFacts altered(SceneFacts facts, const Scene& scene) {
-    const SceneParticles particles(scene);
-    const SceneDamping damping = damping_of(scene, particles);
-    facts.mass = particles[0].mass;
-    for (std::size_t i = 1; i < particles.count() && facts.mass > 0; ++i) {
-        if (particles[i].mass != facts.mass) facts.mass = 0;
-    }
-    facts.drag = damping.largest;
-    facts.damping = damping.is_of_each();
-    return facts;
 }
 
 Shape altered(Shape shape, const Scene& scene) {

@@ -20,9 +20,7 @@ struct Alteration {
 /// The scene with these alterations, in ascending order of particles.
 Scene altered(Scene scene, std::span<const Alteration> alterations);
 
-/// What is known without making it of such a scene, from what is known of that without alterations.
-SceneFacts altered(SceneFacts facts, const Scene& scene);
-/// Its shape, from that without alterations.
+/// The shape of such a scene, from that without alterations.
 Shape altered(Shape shape, const Scene& scene);
 
 }  // namespace steplab

@@ -52,15 +52,6 @@ bool is_open(const Scene& scene) {
     return box.x == 0 && box.y == 0 && box.z == 0;
 }
 
-/// The mass of all particles; nothing where they differ.
-std::optional<double> common_mass(const SceneParticles& particles) {
-    const double mass = particles[0].mass;
-    for (std::size_t i = 1; i < particles.count(); ++i) {
-        if (particles[i].mass != mass) return std::nullopt;
-    }
-    return mass;
-}
-
 bool is_linear(const SpringTerm& term) {
     return term.damping.value == 0 && term.quadratic.value == 0 && term.cubic.value == 0;
 }

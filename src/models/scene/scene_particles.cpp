@@ -215,4 +215,12 @@ std::size_t SceneParticles::index_in(std::string_view text, const Group& group) 
     return counted(*j, grid->rows, name) * grid->columns + counted(*i, grid->columns, name);
 }
 
+std::optional<double> common_mass(const SceneParticles& particles) {
+    const double mass = particles[0].mass;
+    for (std::size_t i = 1; i < particles.count(); ++i) {
+        if (particles[i].mass != mass) return std::nullopt;
+    }
+    return mass;
+}
+
 }  // namespace steplab

@@ -64,4 +64,7 @@ private:
     std::map<std::size_t, Fixes> fixes_;  ///< those of the particles from an index to the next of the map, in order
 };
 
+/// The mass of all particles; nothing where they differ.
+std::optional<double> common_mass(const SceneParticles& particles);
+
 }  // namespace steplab

@@ -115,7 +115,9 @@ private:
         result.particles = member.scene.reference.count;
         result.evaluations = group_.evaluations();
         result.energy_end = energy_end;
-        result.hash = hash_of(step_, member.held.precision, [&](const PortionSink& sink) { show(run, sink); });
+        const auto emit = [&](const PortionSink& sink) { show(run, sink); };
+        result.farthest = farthest_of(emit);
+        result.hash = hash_of(step_, member.held.precision, emit);
         member.open = false;
     }
 

@@ -2,6 +2,7 @@
 
 #include "core/known.hpp"
 #include "models/scene/planner.hpp"
+#include "models/scene/scene_facts.hpp"
 #include "sim/run/known_motion.hpp"
 #include "sim/run/starting.hpp"
 
@@ -39,9 +40,9 @@ Model altered_model(const Model& base, const std::vector<Alteration>& all) {
     model.scene = [base_scene = base.scene, all](const ParameterValues& values) {
         return altered(base_scene(values), all);
     };
-    model.facts = [facts = base.facts, scene = model.scene,
-                   known = std::make_shared<Known<SceneFacts>>()](const ParameterValues& values) {
-        return known->of(values, [&] { return altered(facts(values), scene(values)); });
+    model.facts = [scene = model.scene,
+                   known = std::make_shared<KnownOfRuns<SceneFacts>>()](const ParameterValues& values) {
+        return known->of(values, [&] { return facts_of(scene(values)); });
     };
     model.plan = [scene = model.scene, known = std::make_shared<Known<Plan>>()](const ParameterValues& values) {
         return known->of(values, [&] {
@@ -53,7 +54,7 @@ Model altered_model(const Model& base, const std::vector<Alteration>& all) {
         return altered(shape(values), scene(values));
     };
     model.omega_max = [plan = model.plan, shape = model.shape,
-                       known = std::make_shared<Known<std::optional<double>>>()](const ParameterValues& values) {
+                       known = std::make_shared<KnownOfRuns<std::optional<double>>>()](const ParameterValues& values) {
         return known->of(values, [&]() -> std::optional<double> {
             const auto frequency = known_frequency(plan(values), shape(values));
             return frequency ? std::optional(frequency->omega) : std::nullopt;

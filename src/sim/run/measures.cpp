@@ -14,12 +14,13 @@ void ParticleSums::add(const Piece& piece) {
     const Field<double>&u = piece.state.displacement, &velocity = piece.state.velocity;
     Sums sums;
     scene_.reference.each(piece.first, piece.own, [&](std::size_t i, Vec3 reference) {
-        const Vec3 position = reference + u.at(i - piece.first), v = velocity.at(i - piece.first);
+        const Vec3 counted = u.at(i - piece.first), position = reference + counted, v = velocity.at(i - piece.first);
         const Vec3 displacement = position - shape_.rest[i];
         const Vec3 momentum = scene_.masses.empty() ? v : scene_.masses[i] * v;
         sums.velocity = sums.velocity + momentum;
         sums.turning = sums.turning + cross(position, momentum);
         sums.displacement_squared = std::max(sums.displacement_squared, dot(displacement, displacement));
+        sums.farthest_squared = std::max(sums.farthest_squared, dot(counted, counted));
         sums.speed_squared = std::max(sums.speed_squared, dot(v, v));
     });
     pieces_[piece.number] = sums;
@@ -31,12 +32,14 @@ Diagnostics ParticleSums::result() const {
         all.velocity = all.velocity + piece.velocity;
         all.turning = all.turning + piece.turning;
         all.displacement_squared = std::max(all.displacement_squared, piece.displacement_squared);
+        all.farthest_squared = std::max(all.farthest_squared, piece.farthest_squared);
         all.speed_squared = std::max(all.speed_squared, piece.speed_squared);
     }
     Diagnostics diagnostics;
     diagnostics.momentum = scene_.mass * all.velocity;
     diagnostics.angular_momentum = scene_.mass * all.turning;
     diagnostics.max_displacement = std::sqrt(all.displacement_squared);
+    diagnostics.farthest = std::sqrt(all.farthest_squared);
     diagnostics.max_speed = std::sqrt(all.speed_squared);
     return diagnostics;
 }
@@ -78,6 +81,17 @@ std::uint64_t hash_in(std::uint64_t step, const std::function<void(const Portion
 }
 
 }  // namespace
+
+double farthest_of(const std::function<void(const PortionSink&)>& emit) {
+    double largest = 0;
+    emit([&](const Portion& portion) {
+        for (std::size_t i = portion.place; i < portion.place + portion.count; ++i) {
+            const Vec3 counted = portion.state.displacement.at(i);
+            largest = std::max(largest, dot(counted, counted));
+        }
+    });
+    return std::sqrt(largest);
+}
 
 std::string hash_of(std::uint64_t step, Precision precision, const std::function<void(const PortionSink&)>& emit) {
     const std::uint64_t hash =

@@ -17,7 +17,7 @@ namespace steplab {
 
 // What is measured of all particles at one moment.
 
-/// Momentum, angular momentum and the largest displacement and speed of a scene that comes in pieces.
+/// Momentum, angular momentum and the largest displacements and speed of a scene that comes in pieces.
 class ParticleSums {
 public:
     ParticleSums(const Plan& scene, const Shape& shape, std::size_t pieces)
@@ -29,8 +29,8 @@ public:
 
 private:
     struct Sums {
-        Vec3 velocity, turning;                              ///< momenta without the mass
-        double displacement_squared = 0, speed_squared = 0;  ///< the largest
+        Vec3 velocity, turning;                                                    ///< momenta without the mass
+        double displacement_squared = 0, farthest_squared = 0, speed_squared = 0;  ///< the largest
     };
 
     const Plan& scene_;
@@ -40,6 +40,10 @@ private:
 
 /// Largest distance of a particle from the exact solution.
 double largest_error(const Field<double>& displacement, const ExactSolution& exact, double time);
+
+/// Largest displacement from the reference positions, in which no particle needs memory. `emit` emits all particles as
+/// Stepper::emit() does.
+double farthest_of(const std::function<void(const PortionSink&)>& emit);
 
 /// Of the step's number and the bits of the state as the precision holds it: 16 hexadecimal digits. `emit` emits all
 /// particles as Stepper::emit() does.

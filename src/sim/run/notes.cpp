@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace steplab {
 namespace {
@@ -15,19 +16,21 @@ double rounding_unit(Precision precision) {
                                           : std::numeric_limits<double>::epsilon();
 }
 
-/// The largest angular frequency; of pairs, for which none is known, that of one alone.
-double fastest(const RunDescription& run, const std::optional<StabilityLimit>& limit) {
-    return limit ? limit->omega_max : fastest_frequency(run);
-}
-
 /// A step moves a particle by about ω dt of its displacement. With less than these units of rounding, an increment
 /// keeps fewer than 7 binary digits, and what is lost has a sign of its own.
 constexpr double units_of_an_increment = 128;
 
-std::optional<std::string> note_of_increments(const RunDescription& run, double omega) {
+/// The largest frequency, which may take long to find, is asked for only where that of a pair alone, which is lower,
+/// does not answer.
+std::optional<std::string> note_of_increments(const RunDescription& run) {
     const bool compensated = run.method_parameters.contains("compensated") && run.method_parameters["compensated"] > 0;
-    const bool kept = compensated || chooses_its_steps(run) || !(omega > 0);
-    if (kept || std::abs(run.dt) * omega >= units_of_an_increment * rounding_unit(run.precision)) return std::nullopt;
+    if (compensated || chooses_its_steps(run)) return std::nullopt;
+    const auto is_kept = [&](double omega) {
+        return std::abs(run.dt) * omega >= units_of_an_increment * rounding_unit(run.precision);
+    };
+    if (is_kept(facts_of(run).pair_frequency)) return std::nullopt;
+    const double omega = fastest_frequency(run);
+    if (!(omega > 0) || is_kept(omega)) return std::nullopt;
     const std::string remedy = run.method_parameters.contains("compensated") ? ", compensated=1 keeps it" : "";
     return fmt::format(
         "a step of dt = {} s adds so little that {} rounds most of it away: a larger dt is more accurate{}",
@@ -45,14 +48,43 @@ std::optional<std::string> note_of_distance(const RunDescription& run, double fa
                        typed(farthest), typed(resolved), id(run.precision), typed(bond));
 }
 
+/// By kind.
+std::array<std::optional<std::string>, 2> notes_by_kind(const RunDescription& run, double farthest) {
+    return {note_of_increments(run), note_of_distance(run, farthest)};
+}
+
 }  // namespace
 
-std::vector<std::string> notes_of_rounding(const RunDescription& run, const std::optional<StabilityLimit>& limit,
-                                           double farthest) {
+std::vector<std::string> notes_of_rounding(const RunDescription& run, double farthest) {
     std::vector<std::string> notes;
-    if (auto note = note_of_increments(run, fastest(run, limit))) notes.push_back(std::move(*note));
-    if (auto note = note_of_distance(run, farthest)) notes.push_back(std::move(*note));
+    for (auto& note : notes_by_kind(run, farthest)) {
+        if (note) notes.push_back(std::move(*note));
+    }
     return notes;
+}
+
+std::vector<std::string> notes_of_rounding(const Simulation& simulation) {
+    if (simulation.divergence()) return {};
+    return notes_of_rounding(simulation.description(), simulation.farthest());
+}
+
+void NotesOfRuns::add(const RunDescription& run, double farthest) {
+    const auto notes = notes_by_kind(run, farthest);
+    for (std::size_t i = 0; i < kinds_.size(); ++i) {
+        if (!notes[i]) continue;
+        if (kinds_[i].runs++ == 0) kinds_[i] = {1, runs_, *notes[i]};
+    }
+    ++runs_;
+}
+
+std::vector<std::string> NotesOfRuns::all() const {
+    std::vector<std::string> all;
+    for (const Kind& kind : kinds_) {
+        if (kind.runs > 0)
+            all.push_back(
+                fmt::format("{} of {} runs, the first of them run {}: {}", kind.runs, runs_, kind.first, kind.text));
+    }
+    return all;
 }
 
 }  // namespace steplab

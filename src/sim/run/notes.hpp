@@ -1,8 +1,9 @@
 #pragma once
 
-#include "sim/run/run_description.hpp"
+#include "sim/run/simulation.hpp"
 
-#include <optional>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,27 @@ namespace steplab {
 
 /// What rounding does to a run that goes on all the same, one sentence each; none as a rule: steps so short that they
 /// add less than rounding keeps of it, and displacements so large that they no longer resolve the scene's bonds.
-/// `farthest`: largest displacement from the reference position, in metres.
-std::vector<std::string> notes_of_rounding(const RunDescription& run, const std::optional<StabilityLimit>& limit,
-                                           double farthest);
+/// `farthest`: largest displacement from the reference positions, in metres.
+std::vector<std::string> notes_of_rounding(const RunDescription& run, double farthest);
+/// Those of a run where it stands. One that diverged has a reason instead.
+std::vector<std::string> notes_of_rounding(const Simulation& simulation);
+
+/// Those of many runs: each kind of note once, with how many runs have it and the words of the first.
+class NotesOfRuns {
+public:
+    /// The next run, and its `farthest` at the end.
+    void add(const RunDescription& run, double farthest);
+    /// A run that diverged has none.
+    void add_diverged() { ++runs_; }
+    std::vector<std::string> all() const;
+
+private:
+    struct Kind {
+        std::size_t runs = 0, first = 0;
+        std::string text;
+    };
+    std::size_t runs_ = 0;
+    std::array<Kind, 2> kinds_;
+};
 
 }  // namespace steplab

@@ -244,10 +244,13 @@ double fastest_frequency(const RunDescription& description) {
 
 bool has_drag(const RunDescription& description) { return facts_of(description).drag > 0; }
 
+int order_of(const MethodInfo& method, const SceneFacts& scene) {
+    if (scene.damping) return method.order_with_damping;
+    return scene.drag > 0 ? method.order_with_drag : method.order;
+}
+
 int order_of(const RunDescription& description) {
-    const MethodInfo& info = method(description.method).info;
-    if (facts_of(description).damping) return info.order_with_damping;
-    return has_drag(description) ? info.order_with_drag : info.order;
+    return order_of(method(description.method).info, facts_of(description));
 }
 
 bool integrates_drag_work(const RunDescription& description) {

@@ -103,7 +103,8 @@ double fastest_frequency(const RunDescription& description);
 
 /// True if the scene takes energy out of the motion: the energy then changes without any error.
 bool has_drag(const RunDescription& description);
-/// The order of its method on its scene, drag and damping considered.
+/// The order of a method on a scene, drag and damping considered.
+int order_of(const MethodInfo& method, const SceneFacts& scene);
 int order_of(const RunDescription& description);
 
 /// True if it has drag and the method's steps are of parts whose work of drag is known (drag_work.hpp).

@@ -12,6 +12,7 @@ RunResult result_of(const Simulation& simulation, double energy_start, double en
             .energy_end = simulation.energy(),
             .energy_error = energy_error,
             .drag_work = simulation.drag_work(),
+            .farthest = simulation.farthest(),
             .hash = simulation.hash(),
             .divergence = simulation.divergence(),
             .collisions = simulation.collisions()};

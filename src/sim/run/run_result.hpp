@@ -21,6 +21,7 @@ struct RunResult {
     double energy_end = 0;
     double energy_error = 0;  ///< largest |E - E0| over the steps at which it was measured, drag_work added if counted
     std::optional<double> drag_work = {};  ///< what drag took, where it was counted
+    double farthest = 0;                   ///< largest displacement from the reference positions at the end
     std::string hash = {};
     std::optional<Divergence> divergence = {};
     CollisionRecord collisions = {};  ///< that an adaptive method found and restarted from

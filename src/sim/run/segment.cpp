@@ -77,6 +77,11 @@ const std::optional<Resolution>& Segment::resolution() const {
     return *resolution_;
 }
 
+const Conservation& Segment::conservation() const {
+    if (!conservation_) conservation_ = steplab::conservation(scene);
+    return *conservation_;
+}
+
 ParticleForces& Segment::forces() const {
     if (!forces_) forces_.emplace(scene);
     return *forces_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/conservation.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/energy.hpp"
 #include "sim/run/execution.hpp"
@@ -44,9 +45,11 @@ struct Segment {
     const std::optional<StabilityLimit>& limit() const;
     /// Of the fastest oscillation, if its frequency is known.
     const std::optional<Resolution>& resolution() const;
+    const Conservation& conservation() const;
     ParticleForces& forces() const;
 
 private:
+    mutable std::optional<Conservation> conservation_;
     mutable std::optional<ParticleForces> forces_;
     mutable std::optional<std::optional<StabilityLimit>> limit_;
     mutable std::optional<std::optional<Resolution>> resolution_;

@@ -44,7 +44,7 @@ std::uint64_t Simulation::baseline_step() const { return body_->baseline_step; }
 bool Simulation::has_exact() const { return body_->exact() != nullptr; }
 const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
 const std::optional<Resolution>& Simulation::resolution() const { return body_->segment.resolution(); }
-Conservation Simulation::conservation() const { return steplab::conservation(body_->segment.scene); }
+Conservation Simulation::conservation() const { return body_->segment.conservation(); }
 const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
 
 std::uint64_t Simulation::evaluations() const {
@@ -132,6 +132,11 @@ std::shared_ptr<const Shape> Simulation::shape() const {
 std::string Simulation::hash() const {
     Body& body = settled();
     return hash_of(body.step, body.segment.held.precision, [&](const PortionSink& sink) { body.emit(sink); });
+}
+
+double Simulation::farthest() const {
+    Body& body = settled();
+    return farthest_of([&](const PortionSink& sink) { body.emit(sink); });
 }
 
 const State<double>& Simulation::state() const { return settled().state(); }

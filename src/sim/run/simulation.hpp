@@ -100,6 +100,8 @@ public:
     /// Those two of them that cost least.
     double energy() const;
     double energy_error() const;
+    /// Diagnostics::farthest, in little memory.
+    double farthest() const;
     /// Displacements from the reference positions and velocities of the moment, with all the digits the run has.
     const State<double>& state() const;
     /// The unchanging part of the scene; built when first asked for.

@@ -9,6 +9,7 @@ namespace steplab {
 
 StateMeter::StateMeter(const RunDescription& description)
     : scene_(plan_of(as_held(description))),
+      conservation_(steplab::conservation(scene_)),
       shape_(std::make_shared<const Shape>(model_of(description).shape(as_held(description).scene))),
       exact_(exact_of(as_held(description))),
       meter_(scene_, instructions_of({})),

@@ -25,7 +25,7 @@ public:
 
     std::size_t particles() const { return scene_.reference.count; }
     const std::shared_ptr<const Shape>& shape() const { return shape_; }
-    Conservation conservation() const { return steplab::conservation(scene_); }
+    const Conservation& conservation() const { return conservation_; }
     /// Where the particles are by their exact solution; null if none is known. A scene changed under way has another.
     const ExactSolution* exact() const { return exact_.get(); }
 
@@ -36,6 +36,7 @@ public:
 
 private:
     Plan scene_;
+    Conservation conservation_;
     std::shared_ptr<const Shape> shape_;
     std::shared_ptr<const ExactSolution> exact_;
     EnergyMeter meter_;

@@ -22,7 +22,8 @@ void draw_method_panel(const Context& context) {
         context.ask(with_method(description, items[chosen].id));
     }
     const MethodInfo& info = method(description.method).info;
-    const std::string text = method_text(info, description, context.view.conservation);
+    const std::string text =
+        method_text(info, description.method_parameters, context.view.facts, context.view.conservation);
     explanation(context, text);
     term_tooltip(context, fmt::format("{}\n{}", info.what, info.source), text);
     parameter_rows(context, "method", description.method_parameters, [&](const ParameterValues& values) {

@@ -49,14 +49,15 @@ std::string conservation_text(const MethodInfo& info, const Conservation& scene)
 
 }  // namespace
 
-std::string method_text(const MethodInfo& info, const RunDescription& description, const Conservation& scene) {
-    const int order = order_of(description);
-    const double evaluations = evaluations_per_step(info, description.method_parameters);
+std::string method_text(const MethodInfo& info, const ParameterValues& parameters, const SceneFacts& scene,
+                        const Conservation& kept) {
+    const int order = order_of(info, scene);
+    const double evaluations = evaluations_per_step(info, parameters);
     std::string line =
         fmt::format("order {} · {} per step", order, counted(evaluations, "force evaluation", "force evaluations"));
     if (info.symplectic) line.append(" · symplectic");
     if (info.reversible) line.append(" · time-reversible");
-    return line + conservation_text(info, scene);
+    return line + conservation_text(info, kept);
 }
 
 }  // namespace steplab::ui

@@ -8,8 +8,10 @@
 
 namespace steplab::ui {
 
-/// "order 4 · 4 force evaluations per step · symplectic · conserves momentum": a method on a scene. What the scene does
-/// not let it conserve is named with the cause: "momentum changes in this scene (a fixed particle)".
-std::string method_text(const MethodInfo& info, const RunDescription& description, const Conservation& scene);
+/// "order 4 · 4 force evaluations per step · symplectic · conserves momentum": a method with these parameters on a
+/// scene. What the scene does not let it conserve is named with the cause: "momentum changes in this scene (a fixed
+/// particle)".
+std::string method_text(const MethodInfo& info, const ParameterValues& parameters, const SceneFacts& scene,
+                        const Conservation& kept);
 
 }  // namespace steplab::ui

@@ -66,7 +66,7 @@ std::vector<Line> lines_of(const Context& context) {
     lines.push_back(
         {fmt::format("t = {} s   step {}", time_text(view.frame.time, view.dt), view.frame.step), colour::text, true});
     if (context.session.playback && !context.session.playback->measured) return lines;
-    const std::string energy = has_drag(view.description) ? "energy change: " : "energy error: ";
+    const std::string energy = view.facts.drag > 0 ? "energy change: " : "energy error: ";
     lines.push_back({energy + with_unit(rounded_text(view.diagnostics.energy_error), "J")});
     if (view.baseline_step > 0) lines.push_back({fmt::format("relative to the energy at step {}", view.baseline_step)});
     append_error(lines, context);

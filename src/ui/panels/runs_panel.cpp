@@ -200,9 +200,8 @@ void draw_buttons(const Context& context) {
     ImGui::SameLine(0, context.px(6));
     if (text_button(context, "turn round", "turn round", false, context.px(92))) perform(context, Action::turn_round);
     term_tooltip(context,
-                 has_drag(context.view.description)
-                     ? "all velocities are turned round; with drag the motion does not return"
-                     : help_of(Action::turn_round),
+                 context.view.facts.drag > 0 ? "all velocities are turned round; with drag the motion does not return"
+                                             : help_of(Action::turn_round),
                  "time-reversible");
 }
 

@@ -35,20 +35,12 @@ void alter(const Context& context, const Particles& particles, Alteration how) {
     context.ask(with_alterations(context.description(), all));
 }
 
-/// The mass that the scene itself gives, if it is one for all particles.
-double usual_mass(const RunDescription& description, double now) {
-    RunDescription plain = description;
-    plain.alterations = {};
-    const double mass = facts_of(plain).mass;
-    return mass > 0 ? mass : now;
-}
-
 void draw_mass(const Context& context, const Particles& particles) {
     const double mass = asked_of(context, particles.front()).mass.value_or(mass_of(context.view, particles.front()));
     if (!(mass > 0)) return;
     const auto set = [&](double value) { alter(context, particles, {.mass = value}); };
     ParameterInfo info = altered_mass;
-    info.default_value = usual_mass(context.description(), mass);
+    info.default_value = usual_mass(context.view, mass);
     const std::string help = parameter_help(info);
     slider_row(context, {
                             .widget = "selection.mass",

@@ -24,10 +24,20 @@ void History::record(const RunView& view) {
     if (run_ != view.run) begin(view);
     follow(view);
     std::erase_if(reached_, [&](const Reached& before) { return before.step >= view.frame.step; });
-    const Reached before = reached_.empty() ? Reached{} : reached_.back();
-    reached_.push_back({view.frame.step, std::max(before.farthest, view.diagnostics.max_displacement),
-                        std::max(before.worst, view.diagnostics.error.value_or(0))});
+    Reached now = reached_.empty() ? Reached{} : reached_.back();
+    now.step = view.frame.step;
+    const auto& samples = view.series.samples;
+    for (const Sample& sample : samples) {
+        if (sample.step <= now.step) now.reach_to(sample.largest_displacement, sample.error);
+    }
+    if (samples.empty()) now.reach_to(view.diagnostics.max_displacement, view.diagnostics.error);
+    reached_.push_back(now);
     if (reached_.size() >= RunSamples::most) halve(reached_);
+}
+
+void History::Reached::reach_to(double displacement, std::optional<double> error) {
+    farthest = std::max(farthest, displacement);
+    worst = std::max(worst, error.value_or(0));
 }
 
 void History::begin(const RunView& view) {

@@ -17,7 +17,8 @@ public:
 
     /// The axis of the followed particle's largest displacement: 0 x, 1 y, 2 z.
     int direction() const { return direction_; }
-    /// Largest displacement and position error of all particles in the run so far, 0 if none is known.
+    /// Largest displacement and position error of all particles in the run so far, 0 if none is known: in the samples
+    /// of the run where it has some, which do not depend on how fast it is played, else in the views.
     double largest_displacement() const { return reached_.empty() ? 0 : reached_.back().farthest; }
     double largest_error() const { return reached_.empty() ? 0 : reached_.back().worst; }
 
@@ -27,6 +28,8 @@ private:
         std::uint64_t step = 0;
         double farthest = 0;  ///< largest displacement of a particle
         double worst = 0;     ///< largest position error, where one is known
+
+        void reach_to(double displacement, std::optional<double> error);
     };
 
     void begin(const RunView& view);

@@ -33,7 +33,7 @@ bool has_energy_scale(const SampleSeries& series) {
 }
 
 void energy_error_plot(Plot& plot, const Context& context) {
-    const bool drag = has_drag(context.view.description), relative = !drag && has_energy_scale(context.view.series);
+    const bool drag = context.view.facts.drag > 0, relative = !drag && has_energy_scale(context.view.series);
     plot.y = {.name = drag ? "energy change" : "E - E0", .unit = "J"};
     if (relative) plot.y = {.name = "(E - E0) / |E0|", .unit = ""};
     add_runs(plot, context, [relative](const Sample& sample) {

@@ -46,6 +46,12 @@ std::vector<Case> cases() {
             {"random_network", describe(find_scene("spring-network")), Verdict::rounding}};
 }
 
+/// Of particles that move all masses are equal; its forces are tables in LAMMPS.
+constexpr const char* held_by_another_mass =
+    "steplab = 1\n[[particles]]\nmass = 5\nfixed = true\n[[particles]]\nposition = [1, 0, 0]\n[[particles]]\n"
+    "position = [0, 1.1, 0]\n[[pairs]]\npotential = \"(r - 1)^2 * exp(-r)\"\ncutoff = 3\n"
+    "[run]\nmethod = \"velocity-verlet\"\ndt = 0.01\n";
+
 Crosscheck checked(const RunDescription& run, std::uint64_t ranks,
                    const std::function<void(const std::string&)>& exported = {}) {
     const TemporaryFolder folder;
@@ -65,6 +71,12 @@ std::function<void(const std::string&)> masses_times(double factor) {
         for (int type = 0; masses >> type >> mass;) altered += fmt::format("{} {}\n", type, mass * factor);
         put_text(file, altered + content.substr(to));
     };
+}
+
+TEST(Crosscheck, takes_a_fixed_particle_of_another_mass) {
+    const Crosscheck check =
+        checked(describe(scene_from({{.name = "", .content = held_by_another_mass}}, "a.toml")), 1);
+    EXPECT_TRUE(check.agrees()) << check.verdict_text();
 }
 
 class CrosscheckOf : public testing::TestWithParam<Case> {};

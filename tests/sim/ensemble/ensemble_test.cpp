@@ -80,6 +80,7 @@ void expect_same(const EnsembleResult& run, const RunResult& expected) {
     EXPECT_EQ(result.evaluations, expected.evaluations);
     EXPECT_EQ(result.energy_start, expected.energy_start);
     EXPECT_EQ(result.energy_end, expected.energy_end);
+    EXPECT_EQ(result.farthest, expected.farthest);
     ASSERT_EQ(result.divergence.has_value(), expected.divergence.has_value());
     if (result.divergence) {
         EXPECT_EQ(result.divergence->message, expected.divergence->message);

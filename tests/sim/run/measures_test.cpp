@@ -76,9 +76,30 @@ TEST(ParticleSums, are_those_of_plain_sums_in_long_double) {
         near(found.angular_momentum.z, expected.lz);
         EXPECT_NEAR(found.max_displacement, static_cast<double>(expected.displacement), rounding);
         EXPECT_NEAR(found.max_speed, static_cast<double>(expected.speed), rounding);
+        double farthest = 0;  // of displacements as they are counted, whatever the particles' rest positions
+        for (std::size_t i = 0; i < state.displacement.count(); ++i)
+            farthest = std::max(farthest, length(state.displacement.at(i)));
+        EXPECT_DOUBLE_EQ(found.farthest, farthest);
+        if (run.model == "crystal") {
+            EXPECT_LT(found.farthest, 0.2 * found.max_displacement)
+                << "of particles around the origin, far from where they rest";
+        }
         State<double> less = state;
         less.velocity.set(scene.reference.count / 2, {0, 0, 0});
         EXPECT_GT(length(in_pieces(scene, shape, less).angular_momentum - found.angular_momentum), rounding);
+    }
+}
+
+TEST(Farthest, is_the_same_in_little_memory) {
+    for (const RunDescription& run : {scene_with("chain", {{"n", 9001}}), scene_with("mesh"), scene_with("morse")}) {
+        for (const Precision precision : precisions) {
+            RunDescription here = run;
+            here.precision = precision;
+            Simulation simulation(here);
+            simulation.advance(30);
+            EXPECT_GT(simulation.farthest(), 0) << run.model;
+            EXPECT_DOUBLE_EQ(simulation.farthest(), simulation.diagnostics().farthest) << run.model;
+        }
     }
 }
 

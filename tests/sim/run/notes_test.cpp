@@ -18,9 +18,7 @@ TEST(NotesOfRounding, are_none_on_default_runs) {
             Simulation simulation(small_run_of(model->info.id, c.id(), c.precision, 0.1));
             simulation.advance(20);
             simulation.conclude();
-            const double farthest = simulation.diagnostics().max_displacement;
-            EXPECT_THAT(notes_of_rounding(simulation.description(), simulation.limit(), farthest), IsEmpty())
-                << c << ' ' << model->info.id;
+            EXPECT_THAT(notes_of_rounding(simulation), IsEmpty()) << c << ' ' << model->info.id;
         }
     }
 }
@@ -28,7 +26,7 @@ TEST(NotesOfRounding, are_none_on_default_runs) {
 std::vector<std::string> notes(std::string_view model, std::string_view method, Precision precision, double dt,
                                double farthest = 1, Settings settings = {}) {
     const RunDescription run = run_of(model, method, precision, dt, settings);
-    return notes_of_rounding(run, stability_limit(run), farthest);
+    return notes_of_rounding(run, farthest);
 }
 
 // velocity-verlet at dt = 1e-6 in float is off by 0.0095 m at t = 20, with compensated sums by 2e-8.
@@ -44,7 +42,7 @@ TEST(NotesOfRounding, name_steps_too_short_for_the_precision) {
 TEST(NotesOfRounding, are_none_with_compensated_sums) {
     RunDescription run = run_of("chain", "velocity-verlet", Precision::float_, 1e-6);
     run.method_parameters.set("compensated", 1);
-    EXPECT_THAT(notes_of_rounding(run, stability_limit(run), 1), IsEmpty());
+    EXPECT_THAT(notes_of_rounding(run, 1), IsEmpty());
 }
 
 TEST(NotesOfRounding, name_distances_at_which_bonds_are_not_resolved) {

@@ -17,7 +17,8 @@ using testing::Not;
 std::string text(std::string_view model_id, std::string_view method_id, double fixed = 1) {
     RunDescription run = describe(model_id, method_id);
     if (run.scene.contains("fixed")) run.scene.set("fixed", fixed);
-    return method_text(method(method_id).info, run, conservation(model(model_id).plan(run.scene)));
+    return method_text(method(method_id).info, run.method_parameters, facts_of(run),
+                       conservation(model(model_id).plan(run.scene)));
 }
 
 TEST(method_text, names_what_scene_and_method_keep) {

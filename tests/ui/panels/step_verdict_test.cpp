@@ -1,5 +1,7 @@
 #include "ui/panels/step_verdict.hpp"
 
+#include "io/scene_file.hpp"
+#include "lab/limits/present_limit.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/opening.hpp"
 
@@ -7,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace steplab::ui {
 namespace {
@@ -117,14 +121,36 @@ TEST(step_verdict, is_amber_where_rounding_rules_the_run) {
     EXPECT_EQ(step_verdict(unstable).lamp, Lamp::bad) << "the worse of the two";
 }
 
-TEST(step_verdict, of_every_model_as_it_opens_is_not_amber) {
-    for (const Model& model : models()) {
+/// The models and the shipped scenes.
+std::vector<RunDescription> scenes_as_they_open() {
+    std::vector<RunDescription> all;
+    for (const Model& model : models()) all.push_back(opening(describe(model.info.id)));
+    for (const std::string& name : shipped_scenes()) all.push_back(describe(find_scene(name)));
+    return all;
+}
+
+/// As the window shows it once the worker has found the limit of the scene at its start.
+StepVerdict shown_verdict(const RunDescription& description) {
+    const Simulation start(description);
+    const PresentLimit present = PresentLimits().at(description, start.state(), 0, 0);
+    return step_verdict(view_of(start), &present);
+}
+
+TEST(step_verdict, of_every_scene_as_it_opens_is_green) {
+    for (RunDescription description : scenes_as_they_open()) {
         for (const Precision precision : {Precision::float_, Precision::double_}) {
-            RunDescription description = opening(describe(model.info.id));
             description.precision = precision;
-            const Lamp lamp = step_verdict(view_of(Simulation(description))).lamp;
-            EXPECT_TRUE(lamp == Lamp::good || lamp == Lamp::none) << model.info.id;
+            const StepVerdict found = shown_verdict(description);
+            EXPECT_EQ(found.lamp, Lamp::good) << description.model << ": " << found.text;
         }
+    }
+}
+
+TEST(step_verdict, of_scenes_with_longer_steps_is_not_green) {
+    for (const char* const name : {"rope", "crystal", "spring-network", "newtons-cradle"}) {
+        RunDescription description = describe(find_scene(name));
+        description.dt *= 20;
+        EXPECT_NE(shown_verdict(description).lamp, Lamp::good) << name;
     }
 }
 

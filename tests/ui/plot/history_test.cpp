@@ -45,6 +45,49 @@ TEST(history, the_largest_error_so_far_is_kept) {
     EXPECT_EQ(history.largest_error(), 2);
 }
 
+Sample sample_with(std::uint64_t step, double displacement, double error) {
+    Sample sample;
+    sample.step = step;
+    sample.largest_displacement = displacement;
+    sample.error = error;
+    return sample;
+}
+
+/// A history of the steps of a run that are shown, of which the errors at all steps are sampled or not.
+History shown_every(std::uint64_t steps, bool sampled) {
+    History history;
+    RunView view;
+    for (std::uint64_t step = 0; step <= 60; ++step) {
+        const double error = 1e-3 * static_cast<double>(step * 7919 % 61);
+        if (sampled) view.series.samples.push_back(sample_with(step, 10 * error, error));
+        view.frame.step = step;
+        view.diagnostics.error = error;
+        view.diagnostics.max_displacement = 10 * error;
+        if (step % steps == 0) history.record(view);
+    }
+    return history;
+}
+
+TEST(history, the_largest_error_does_not_depend_on_the_playing_speed_where_there_are_samples) {
+    for (const std::uint64_t steps : {1u, 4u, 15u, 60u}) {
+        EXPECT_EQ(shown_every(steps, true).largest_error(), 0.06) << steps;
+        EXPECT_EQ(shown_every(steps, true).largest_displacement(), 0.6) << steps;
+    }
+    EXPECT_LT(shown_every(60, false).largest_error(), 0.06) << "views alone do not see it";
+}
+
+TEST(history, samples_ahead_of_a_step_taken_back_do_not_count) {
+    History history;
+    RunView view = moment(2);
+    for (const std::uint64_t step : {0u, 1u, 2u})
+        view.series.samples.push_back(sample_with(step, 1, static_cast<double>(step)));
+    history.record(view);
+    EXPECT_EQ(history.largest_error(), 2);
+    view.frame.step = 1;
+    history.record(view);
+    EXPECT_EQ(history.largest_error(), 1);
+}
+
 TEST(history, a_new_run_forgets_the_one_before) {
     History history;
     history.record(moment(7, {5, 0, 0}, 0));

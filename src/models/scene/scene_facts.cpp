@@ -1,0 +1,111 @@
+#include "models/scene/scene_facts.hpp"
+
+#include "models/scene/composer.hpp"
+#include "models/scene/pair_well.hpp"
+#include "models/scene/scene_particles.hpp"
+#include "models/scene/spring_list.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+
+namespace steplab {
+
+namespace {
+
+/// A fixed particle is as one of infinite mass.
+double inverse_mass(const SceneParticle& particle) { return particle.fixed ? 0 : 1 / particle.mass; }
+
+/// The shortest bond, and the fastest swing of two particles on one of them alone; those of fixed ones do not count.
+class Bonds {
+public:
+    void add(double length, double stiffness, double inverse_masses) {
+        if (inverse_masses == 0) return;
+        if (length > 0) shortest_ = std::min(shortest_, length);
+        frequency_ = std::max(frequency_, std::sqrt(std::max(0.0, stiffness) * inverse_masses));
+    }
+    double shortest() const { return std::isinf(shortest_) ? 0 : shortest_; }
+    double frequency() const { return frequency_; }
+
+private:
+    double shortest_ = std::numeric_limits<double>::infinity();
+    double frequency_ = 0;
+};
+
+/// What rounding makes of two equal places is no bond.
+double distance_of(Vec3 first, Vec3 second, const Shape& space) {
+    const double distance = length(space.nearest(second - first));
+    return distance > 1e-12 * (length(first) + length(second)) ? distance : 0;
+}
+
+void add_springs(const Scene& scene, const SceneParticles& particles, Bonds& bonds) {
+    Shape space;
+    space.box = scene.box.value();
+    for (const SpringTerm& term : scene.springs) {
+        each_spring(particles, term, [&](const ScenePair& pair) {
+            const SceneParticle first = particles[pair.first], second = particles[pair.second];
+            const double length =
+                term.length ? term.length->value : distance_of(first.position, second.position, space);
+            bonds.add(length, term.k.value, inverse_mass(first) + inverse_mass(second));
+        });
+    }
+}
+
+/// Of the particles of one charge.
+struct Lightest {
+    double mass = std::numeric_limits<double>::infinity();
+    double inverse = 0, next = 0;  ///< of the masses of the two lightest that move
+};
+using Charges = std::map<double, Lightest>;
+
+/// Where there are more charges than in any salt, those of the first particles.
+Charges charges_of(const SceneParticles& particles, IndexRange range) {
+    constexpr std::size_t most = 8;
+    Charges charges;
+    for (std::size_t i = range.first; i < range.first + range.count; ++i) {
+        const SceneParticle particle = particles[i];
+        if (charges.size() == most && !charges.contains(particle.charge)) continue;
+        Lightest& lightest = charges[particle.charge];
+        lightest.mass = std::min(lightest.mass, particle.mass);
+        const double inverse = inverse_mass(particle);
+        lightest.next = std::max(lightest.next, std::min(lightest.inverse, inverse));
+        lightest.inverse = std::max(lightest.inverse, inverse);
+    }
+    return charges;
+}
+
+void add_pairs(const PairTerm& term, const SceneParticles& particles, Bonds& bonds) {
+    const std::string first = term.between.empty() ? "all" : term.between.front();
+    const std::string second = term.between.size() == 2 ? term.between[1] : first;
+    const IndexRange range = particles.named(first);
+    if (range.count < 2 && second == first) return;
+    const Charges some = charges_of(particles, range), others = charges_of(particles, particles.named(second));
+    for (const auto& [charge, one] : some) {
+        for (const auto& [other_charge, other] : others) {
+            const auto well = pair_well(term, {one.mass, other.mass, charge, other_charge});
+            const bool same = second == first && charge == other_charge;
+            if (well) bonds.add(well->distance, well->stiffness, one.inverse + (same ? one.next : other.inverse));
+        }
+    }
+}
+
+}  // namespace
+
+SceneFacts facts_of(const Scene& scene) {
+    const SceneParticles particles(scene);
+    const SceneDamping damping = damping_of(scene, particles);
+    Bonds bonds;
+    add_springs(scene, particles, bonds);
+    for (const PairTerm& term : scene.pairs) add_pairs(term, particles, bonds);
+    return {.mass = common_mass(particles).value_or(0),
+            .drag = damping.largest,
+            .damping = damping.is_of_each(),
+            .bond = bonds.shortest(),
+            .pair_frequency = bonds.frequency(),
+            .lists_pairs = std::any_of(scene.pairs.begin(), scene.pairs.end(),
+                                       [](const PairTerm& term) { return term.cutoff.has_value(); })};
+}
+
+}  // namespace steplab
