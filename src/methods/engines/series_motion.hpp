@@ -134,11 +134,12 @@ T series_reach(std::span<const Field<T>> x, const Field<T>& v, T unit, double lo
             of_v = T(1) / (T(1) + largest_component(v, axes)) / unit;
     double log_radius = infinity;
     T high = T(0), low = T(0);
-    for (std::size_t k = std::max<std::size_t>(last, 7) - 3; k <= std::max<std::size_t>(last, 4); ++k) {
+    // no motion in a force ends with t^3: what is behind it was lost to rounding, next to a collision
+    for (std::size_t k = std::min(last, std::max<std::size_t>(last, 7) - 3); k <= last; ++k) {
         const T size = largest_component(x[k], axes);
         if (!std::isfinite(size)) return size;
         high = std::max(high, size);
-        low = std::max(low, largest_component(x[k - 4], axes));
+        if (k >= 4) low = std::max(low, largest_component(x[k - 4], axes));
         const auto order = static_cast<double>(k);
         log_radius = std::min({log_radius, detail::log_root(of_x * size, order),
                                detail::log_root(of_v * static_cast<T>(static_cast<int>(k)) * size, order - 1)});
