@@ -52,6 +52,14 @@ public:
                             [](const Step& step) { return step.operation == Operation::choose; });
     }
 
+    /// True if it only adds and multiplies: what it does anywhere is seen from everywhere.
+    bool is_polynomial() const {
+        return std::all_of(steps.begin(), steps.end(), [](const Step& step) {
+            return step.operation == Operation::add || step.operation == Operation::subtract ||
+                   step.operation == Operation::multiply || step.operation == Operation::negate;
+        });
+    }
+
     /// Sets the constants, T being the type of single numbers.
     template <class T, class N>
     void set_constants(std::span<N> in) const {

@@ -51,7 +51,9 @@ struct ForceCapabilities {
     bool damping = false;
     /// range(): how the force between two particles changes with their distance (core/pair_range.hpp).
     bool range = false;
-    /// approaches(): the same of any number of pair forces (core/pair_approach.hpp).
+    /// approaches(): the same of any number of pair forces (core/pair_approach.hpp); has_local_fields(),
+    /// field_bound(u, v, i, from, to): how large the acceleration of particle i by fields that are not polynomials is
+    /// at most on its straight way between two times from now.
     bool approaches = false;
     /// hold(u, v), held(), each_held(f): the pairs within a cut-off can be held, so that nothing jumps where one
     /// crosses it. f(i, j, cutoff, whether it acts) for every pair that has one.
@@ -143,9 +145,11 @@ concept HasRange = requires(const Force& force) {
     { force.range() } -> std::convertible_to<std::optional<PairRange<T>>>;
 };
 
-template <class Force>
-concept HasApproaches = requires(const Force& force) {
+template <class Force, class T>
+concept HasApproaches = requires(const Force& force, const Field<T>& u) {
     { force.approaches() } -> std::same_as<const Approaches&>;
+    { force.has_local_fields() } -> std::same_as<bool>;
+    { force.field_bound(u, u, 0, 0.0, 1.0) } -> std::same_as<double>;
 };
 
 /// A visitor of held pairs.
@@ -219,7 +223,7 @@ concept ForceLayout = ForceEngine<Force, T> && requires(Force& force, const Forc
     detail::HasFields<Force, T>&& Force::capabilities.damping ==
     detail::HasDamping<Force, T>&& Force::capabilities.range ==
     detail::HasRange<Force, T>&& Force::capabilities.approaches ==
-    detail::HasApproaches<Force>&& Force::capabilities.holds ==
+    detail::HasApproaches<Force, T>&& Force::capabilities.holds ==
     detail::HasHold<Force, T>&& Force::capabilities.bounds_energy == detail::HasElasticBound<Force, T>;
 
 }  // namespace steplab

@@ -63,6 +63,16 @@ ShortRange hill(double height, double width) {
             [height, width](Real r) -> Real { return height * exp(-(r / width) * (r / width)); }};
 }
 
+/// Where a potential, which falls from the inside, has this energy.
+Real turning_point(const std::function<Real(Real)>& potential, Real energy, Real outside) {
+    Real inside = 1e-12;
+    for (int i = 0; i < 120; ++i) {
+        const Real middle = (inside + outside) / 2;
+        (potential(middle) > energy ? inside : outside) = middle;
+    }
+    return outside;
+}
+
 /// A bullet that flies at one particle at rest, head on, from 10 m away.
 struct HeadOn {
     ShortRange potential;
@@ -77,14 +87,7 @@ struct HeadOn {
         return abs(barrier - energy()) < Real(0.01) * std::max(energy(), barrier);
     }
 
-    Real turning_point() const {
-        Real inside = 1e-12, outside = potential.end;
-        for (int i = 0; i < 120; ++i) {
-            const Real middle = (inside + outside) / 2;
-            (potential.energy(middle) > energy() ? inside : outside) = middle;
-        }
-        return outside;
-    }
+    Real turning_point() const { return steplab::test::turning_point(potential.energy, energy(), potential.end); }
 
     /// How long they are within reach: 2 int dr / speed, in r = nearest + s^2.
     Real duration() const {
@@ -160,6 +163,47 @@ TEST_P(SceneEncounters, two_particles_head_on_follow_the_closed_form) {
                 }
         }
     RecordProperty("worst_ratio", std::to_string(worst));
+}
+
+/// A particle that flies along x at a barrier or a well that stands across its way, from 10 m before it.
+RunDescription barrier_run(std::string_view method, double height, double width, double tolerance, double dt) {
+    const std::string text = fmt::format(
+        "steplab = 1\n[[particles]]\nposition = [-10, 0, 0]\nvelocity = [1, 0, 0]\n[[fields]]\n"
+        "potential = \"A*exp(-(x/w)^2)\"\nA = {}\nw = {}\n",
+        height, width);
+    RunDescription description = with_method(describe(read_scene(text)), method);
+    description.method_parameters.set("tolerance", tolerance);
+    description.dt = dt;
+    return description;
+}
+
+/// Where it is then. Its energy is 0.5: what is higher sends it back.
+double behind_barrier(double height, double width, double time) {
+    boost::math::quadrature::tanh_sinh<Real> integral;
+    const auto potential = [=](Real x) -> Real { return height * exp(-(x / width) * (x / width)); };
+    const bool passes = height < 0.5;
+    const Real end = 8.5 * width, nearest = passes ? Real(0) : turning_point(potential, Real(0.5), end);
+    const auto pace = [&](Real s) -> Real {  // in x = nearest + s^2
+        const Real left = 1 - 2 * potential(nearest + s * s);
+        return left > 0 ? 2 * s / sqrt(left) : Real(0);
+    };
+    const Real within = 2 * integral.integrate(pace, Real(0), sqrt(end - nearest), Real(1e-14));
+    const Real behind = end + time - (10 - end) - within;
+    return static_cast<double>(passes ? behind : -behind);
+}
+
+TEST_P(SceneEncounters, a_field_on_the_way_is_not_jumped_over) {
+    for (const double width : {0.05, 0.5})
+        for (const double height : {0.3, 0.6, 5.0, -2.0}) {
+            const double exact = behind_barrier(height, width, 40);
+            for (const double tolerance : {1e-4, 1e-7, 1e-10})
+                for (const double dt : {0.1, 40.0}) {
+                    Simulation simulation(barrier_run(GetParam(), height, width, tolerance, dt));
+                    simulation.advance(static_cast<std::uint64_t>(std::lround(40 / dt)));
+                    EXPECT_NEAR(simulation.frame().positions[0].x, exact, allowed(tolerance))
+                        << "height " << height << ", width " << width << ", tolerance " << tolerance << ", dt " << dt;
+                }
+        }
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, SceneEncounters,

@@ -151,13 +151,40 @@ T longest_approach(const System& system, const Approaches& approaches, const Fie
     return static_cast<T>(std::min(longest, longest_of_many(approaches, v, longest, negligible)));
 }
 
+/// The end of the first of 64 parts of the time from `from` to `to` in which a bound is not kept; infinity: it is kept.
+template <class Bound>
+double first_beyond(Bound bound, double limit, double from, double to, int halvings = 6) {
+    if (bound(from, to) <= limit) return std::numeric_limits<double>::infinity();
+    if (halvings == 0) return to;
+    const double middle = from + (to - from) / 2, first = first_beyond(bound, limit, from, middle, halvings - 1);
+    return std::isfinite(first) ? first : first_beyond(bound, limit, middle, to, halvings - 1);
+}
+
+/// longest_step() where fields act that may be felt at some places alone: no farther than to where one does more than
+/// it does now, as it changes now, and than a thousandth of the tolerance allows.
+template <class System, class T>
+T longest_to_fields(const System& system, const Field<T>& x, const Field<T>& v, T h, T tolerance) {
+    auto longest = static_cast<double>(h);
+    for (std::size_t i = 0; i < x.count(); ++i) {
+        const auto bound = [&](double from, double to) { return system.field_bound(x, v, i, from, to); };
+        const Vector<T> own{v.x()[i], v.y()[i], v.z()[i]};
+        const double soon = longest / 32, now = bound(0, 0), slope = (bound(soon, soon) - now) / soon,
+                     negligible = negligible_share * static_cast<double>(tolerance) *
+                                  std::sqrt(static_cast<double>(dot(own, own))) / longest,
+                     limit = growth_per_step * std::max(now + std::abs(slope) * longest, negligible);
+        longest = std::min(longest, first_beyond(bound, limit, 0, longest));
+    }
+    return static_cast<T>(longest);
+}
+
 /// The length allowed of a step that would have the length h. In scenes of many particles, where all are among others,
 /// the fastest motion decides.
 template <class System, class T>
 T longest_step(const System& system, const Field<T>& x, const Field<T>& v, T h, T tolerance) {
     if (const auto range = system.range()) return longest_within(system, *range, x, v, h, tolerance);
     const Approaches& approaches = system.approaches();
-    return approaches.terms.empty() ? h : longest_approach(system, approaches, x, v, h, tolerance);
+    if (!approaches.terms.empty()) h = longest_approach(system, approaches, x, v, h, tolerance);
+    return system.has_local_fields() ? longest_to_fields(system, x, v, h, tolerance) : h;
 }
 
 /// The way of one particle relative to another in a step, from positions, velocities and accelerations at both ends:

@@ -90,6 +90,9 @@ public:
         /// None where the layout has none.
         virtual std::optional<PairRange<T>> range() const = 0;
         virtual const Approaches& approaches() const = 0;
+        virtual bool has_local_fields() const = 0;
+        virtual double field_bound(const Field<T>& x, const Field<T>& v, std::size_t i, double from,
+                                   double to) const = 0;
         virtual bool hold(const Field<T>& x, const Field<T>& v) = 0;
         virtual const std::vector<bool>& held() const = 0;
         virtual void each_held(const HeldVisitor& f) const = 0;
@@ -148,6 +151,10 @@ public:
 
     std::optional<PairRange<T>> range() const { return face_->range(); }
     const Approaches& approaches() const { return face_->approaches(); }
+    bool has_local_fields() const { return face_->has_local_fields(); }
+    double field_bound(const Field<T>& x, const Field<T>& v, std::size_t i, double from, double to) const {
+        return face_->field_bound(x, v, i, from, to);
+    }
     /// False where the layout holds no pairs.
     bool hold(const Field<T>& x, const Field<T>& v) { return face_->hold(x, v); }
     const std::vector<bool>& held() const { return face_->held(); }

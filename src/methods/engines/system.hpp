@@ -97,6 +97,16 @@ public:
         if constexpr (Force::capabilities.approaches) return force_.approaches();
         return none;
     }
+    /// Whether fields act that may be felt at some places alone, and how large the acceleration of a particle by them
+    /// is at most on its straight way between two times from now.
+    bool has_local_fields() const {
+        if constexpr (Force::capabilities.approaches) return force_.has_local_fields();
+        return false;
+    }
+    double field_bound(const Field<T>& x, const Field<T>& v, std::size_t i, double from, double to) const {
+        if constexpr (Force::capabilities.approaches) return force_.field_bound(x, v, i, from, to);
+        return 0;
+    }
     /// From now on those pairs act on each other that do at x and v (NearPairs::hold()): until the next call nothing
     /// jumps where a pair crosses the cut-off. True if they are others than before; false where no pairs are held.
     /// To be called where a step begins, and so no part of the internal state.

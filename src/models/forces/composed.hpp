@@ -3,6 +3,7 @@
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
 #include "core/force_layout.hpp"
+#include "core/interval.hpp"
 #include "core/sum.hpp"
 #include "core/team.hpp"
 #include "core/vector.hpp"
@@ -20,6 +21,7 @@
 #include "models/forces/spring.hpp"
 #include "models/forces/spring_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -107,6 +109,25 @@ public:
     const Approaches& approaches() const {
         if (!approaches_) approaches_ = std::make_shared<const Approaches>(approaches_of(forces_.terms));
         return *approaches_;
+    }
+    bool has_local_fields() const { return std::any_of(terms().fields.begin(), terms().fields.end(), is_local); }
+    double field_bound(const Field<T>& u, const Field<T>& v, std::size_t i, double from, double to) const {
+        const Vec start = place(u, i), speed = at(v, i);
+        const auto along = [=](T x, T w) {
+            return Interval(static_cast<double>(x) + from * static_cast<double>(w),
+                            static_cast<double>(x) + to * static_cast<double>(w));
+        };
+        const Vector<Interval> way{along(start.x, speed.x), along(start.y, speed.y), along(start.z, speed.z)};
+        const auto number = [](T value) { return Interval(static_cast<double>(value)); };
+        double sum = 0;
+        for (std::size_t f = 0; f < fields_->size(); ++f) {
+            const ComposedField& field = terms().fields[f];
+            if (!is_local(field) || !std::binary_search(field.particles.begin(), field.particles.end(), i)) continue;
+            const Vector<Interval> force =
+                (*fields_)[f].force(way, number(particles_.mass(i)), number(particles_.charge(i)));
+            sum += force.x.largest() + force.y.largest() + force.z.largest();
+        }
+        return sum * static_cast<double>(moves(i) ? inverse_mass(i) : T(0));
     }
     /// From now on exactly those pairs with a cut-off act on each other that are within it at these positions, those at
     /// it if they approach. In between the force is smooth. True if they are others than before.
@@ -200,6 +221,7 @@ private:
     };
 
     const Composition& terms() const { return particles_.terms(); }
+    static bool is_local(const ComposedField& field) { return !field.expression->force.is_polynomial(); }
 
     /// Clusters of all terms are made at the same positions.
     bool clusters_hold_at(const Field<T>& u) {

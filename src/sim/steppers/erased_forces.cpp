@@ -126,6 +126,14 @@ public:
             return none;
         }
     }
+    bool has_local_fields() const override {
+        if constexpr (Force::capabilities.approaches) return force_.has_local_fields();
+        return false;
+    }
+    double field_bound(const Field<T>& x, const Field<T>& v, std::size_t i, double from, double to) const override {
+        if constexpr (Force::capabilities.approaches) return force_.field_bound(x, v, i, from, to);
+        return 0;
+    }
     bool hold(const Field<T>& x, const Field<T>& v) override {
         if constexpr (Force::capabilities.holds) {
             return x.count() <= Coupling::most_held && force_.hold(x, v);
