@@ -56,6 +56,7 @@ RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t e
     return {.run = simulation.description(),
             .result = result_of(simulation, energy_start, energy_error),
             .wall_seconds = wall_seconds,
+            .until = end.time,
             .error = last.error,
             .notes = notes_of(simulation, last)};
 }

@@ -33,7 +33,8 @@ std::vector<RunSummary> computed(const EnsembleJob& job) {
     });
     std::vector<RunSummary> summaries;
     for (std::size_t i = 0; i < results.size(); ++i)
-        summaries.push_back({.run = job.runs[i].description, .result = results[i].result});
+        summaries.push_back(
+            {.run = job.runs[i].description, .result = results[i].result, .until = job.runs[i].end.time});
     return summaries;
 }
 
