@@ -11,6 +11,26 @@ fail() {
     exit 1
 }
 
+# memory_grows GESTURES MB...: whether a program that was measured now and then took more in the last quarter than ever
+# before. What is used for the first time (the page of scenes, plots, undo) takes its memory once: up to 40 MB were
+# measured within the first thousand gestures, 2 MB behind the second. Beyond that only the scenes differ that
+# happen to be shown, by some MB, or under sanitizers by some of a hundred: an hour of 39 000 gestures is flat within that.
+memory_grows() {
+    local gestures=$1 before=0 after=0 allowed i
+    shift
+    for ((i = 1; i <= $#; ++i)); do
+        if ((i <= $# * 3 / 4)); then
+            ((${!i} > before)) && before=${!i}
+        else
+            ((${!i} > after)) && after=${!i}
+        fi
+    done
+    allowed=$((before / 20 > 16 ? before / 20 : 16))
+    allowed=$((allowed + (gestures < 1000 ? 48 : 48000 / gestures)))
+    echo "memory: at most $before MB in the first three quarters, $after MB in the last one, of $allowed MB more allowed"
+    ((after > before + allowed))
+}
+
 # help_of FILE: the comment at the head of a script, which is its --help.
 help_of() { awk 'NR > 1 && !/^#/ { exit } NR > 1 { sub(/^# ?/, ""); print }' "$1"; }
 
