@@ -25,5 +25,20 @@ TEST_F(Record, what_ffmpeg_says_reaches_no_terminal) {
     EXPECT_TRUE(is_safe(outcome.err)) << safe_message(outcome.err);
 }
 
+// Without a display the window says what it found in its file of choices, and how to draw the scene all the same.
+TEST_F(Record, names_that_the_window_prints_reach_no_terminal) {
+    std::ofstream(file(hostile_name(".toml")))
+        << "steplab = 1\n[[particles]]\nline = { count = 2, step = [1, 0, 0] }\n";
+    std::ofstream(file(hostile_name("-choices.toml"))) << "\x1b";
+    for (const char* program : {"steplab-view", "steplab"}) {
+        const Outcome outcome =
+            run_program({"--scene", hostile_name(".toml"), "--config", hostile_name("-choices.toml")},
+                        {.program = program, .folder = path(), .environment = {"DISPLAY=", "WAYLAND_DISPLAY="}});
+        EXPECT_EQ(outcome.code, 5) << safe_message(outcome.err);
+        EXPECT_THAT(outcome.err, testing::AllOf(HasSubstr("note: "), HasSubstr("$'a\\x1b[2J")));
+        EXPECT_TRUE(is_safe(outcome.err)) << safe_message(outcome.err);
+    }
+}
+
 }  // namespace
 }  // namespace steplab

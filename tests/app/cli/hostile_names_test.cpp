@@ -19,7 +19,7 @@ constexpr const char* scene_text =
     "steplab = 1\n[[particles]]\ngroup = \"pair\"\nline = { count = 2, step = [1, 0, 0] }\nvelocity = [0, 0.1, 0]\n"
     "[[particles]]\nposition = [0, 1, 0]\n[[springs]]\nbetween = \"pair\"\nk = 4\n";
 
-/// Every command that prints the name of a scene or a file; snapshot, record and view are tested where they are drawn.
+/// Every command that prints the name of a scene or a file; snapshot, record and view are tested in tests/render.
 const std::vector<std::vector<std::string>>& uses() {
     static const std::string scene = hostile_name(".toml"), rows = hostile_name(".trajectory");
     static const std::vector<std::vector<std::string>> all{
@@ -66,7 +66,7 @@ TEST(HostileNames, reach_no_terminal_when_a_file_is_wrong) {
 }
 
 TEST(HostileNames, are_tried_with_every_command) {
-    std::set<std::string_view> tried{"snapshot", "record", "view"};  // in tests/render and tests/ui
+    std::set<std::string_view> tried{"snapshot", "record", "view"};  // in tests/render
     for (const std::vector<std::string>& words : uses()) tried.insert(words[0]);
     const std::set<std::string_view> without_names{"bench", "crosscheck", "observe", "replay"};
     for (const auto& command : commands({}))
