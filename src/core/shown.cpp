@@ -55,12 +55,12 @@ std::string escaped(std::string_view text, bool lines) {
 }
 
 /// Collects small pieces, so that a message is one write as a rule.
-class Line {
+class SafeLine {
 public:
-    explicit Line(std::FILE* to) : to_(to) {}
-    ~Line() { send(); }
-    Line(const Line&) = delete;
-    Line& operator=(const Line&) = delete;
+    explicit SafeLine(std::FILE* to) : to_(to) {}
+    ~SafeLine() { send(); }
+    SafeLine(const SafeLine&) = delete;
+    SafeLine& operator=(const SafeLine&) = delete;
 
     void add(std::string_view piece) {
         if (used_ + piece.size() > bytes_.size()) send();
@@ -93,7 +93,7 @@ std::string shown(std::string_view text, std::size_t most) {
 std::string safe_message(std::string_view text) { return escaped(text, true); }
 
 void write_safely(std::FILE* to, std::initializer_list<std::string_view> texts) {
-    Line line(to);
+    SafeLine line(to);
     for (const std::string_view text : texts) escape(text, true, [&line](std::string_view piece) { line.add(piece); });
 }
 
