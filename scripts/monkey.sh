@@ -113,7 +113,7 @@ while ((gestures > 0 ? number * per_round < gestures : SECONDS - begin < minutes
     memory+=("$(megabytes)")
 done
 echo "$((number * per_round)) gestures with seed $seed in $((SECONDS - begin)) s"
-if memory_grows $((number * per_round)) "${memory[@]}"; then give_up "its memory grows"; fi
+if memory_grows "${memory[@]}"; then give_up "its memory grows"; fi
 xdotool mousemove 400 300 key --clearmodifiers ctrl+q
 end=$((SECONDS + 10))
 while kill -0 "$window_pid" 2>/dev/null; do
