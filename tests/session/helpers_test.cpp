@@ -11,10 +11,14 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <chrono>
+#include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace steplab::test {
 namespace {

@@ -4,7 +4,7 @@
 #include "app/commands/commands.hpp"
 #include "io/files.hpp"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <set>
 #include <string>
@@ -12,8 +12,6 @@
 
 namespace steplab {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr const char* scene_text =
     "steplab = 1\n[[particles]]\ngroup = \"pair\"\nline = { count = 2, step = [1, 0, 0] }\nvelocity = [0, 0.1, 0]\n"
