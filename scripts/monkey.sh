@@ -102,19 +102,6 @@ play_round() {
     wait_for "^size ${width}x$height" "$lines" || { check_end && open_for_the_monkey; }
 }
 
-last_quarter_grows() {
-    local rounds=${#memory[@]} i before=0 after=0
-    for ((i = 0; i < rounds; ++i)); do
-        if ((i < rounds * 3 / 4)); then
-            ((memory[i] > before)) && before=${memory[i]}
-        else
-            ((memory[i] > after)) && after=${memory[i]}
-        fi
-    done
-    echo "memory: at most $before MB in the first three quarters, $after MB in the last one"
-    ((after > before + before / 4 + 64))
-}
-
 number=0
 memory=()
 start_display 1300x820
@@ -126,7 +113,7 @@ while ((gestures > 0 ? number * per_round < gestures : SECONDS - begin < minutes
     memory+=("$(megabytes)")
 done
 echo "$((number * per_round)) gestures with seed $seed in $((SECONDS - begin)) s"
-if last_quarter_grows; then give_up "its memory grows"; fi
+if memory_grows "${memory[@]}"; then give_up "its memory grows"; fi
 xdotool mousemove 400 300 key --clearmodifiers ctrl+q
 end=$((SECONDS + 10))
 while kill -0 "$window_pid" 2>/dev/null; do

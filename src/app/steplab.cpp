@@ -1,4 +1,5 @@
 #include "app/cli/command_line.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/commands.hpp"
 
 int main(int argc, char** argv) {

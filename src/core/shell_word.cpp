@@ -1,5 +1,7 @@
 #include "core/shell_word.hpp"
 
+#include "core/shown.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -11,10 +13,19 @@ std::string shell_word(const std::string& text) {
         return std::isalnum(c) != 0 || c >= 0x80 ||
                std::string_view("/._-+,:=@%").find(static_cast<char>(c)) != std::string_view::npos;
     };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
+    const bool safe = shown(text, text.size()) == text;
+    if (safe && !text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    std::string quoted = safe ? "'" : "$'";
+    for (const char c : text) {
+        if (c == '\'') {
+            quoted += safe ? "'\\''" : "\\'";
+        } else if (c == '\\' && !safe) {
+            quoted += "\\\\";
+        } else {
+            quoted += c;
+        }
+    }
+    return (safe ? quoted : shown(quoted, quoted.size())) + "'";
 }
 
 }  // namespace steplab

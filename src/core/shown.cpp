@@ -1,8 +1,7 @@
 #include "core/shown.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 namespace steplab {
@@ -31,20 +30,55 @@ std::size_t plain_bytes(std::string_view text) {
     return point >= least[bytes] && point <= 0x10ffff && !surrogate && !turns ? bytes : 0;
 }
 
-std::string escaped(std::string_view text, bool lines) {
-    std::string safe;
+/// Hands a text over character by character, each as it may be shown. Needs no memory.
+template <class Take>
+void escape(std::string_view text, bool lines, const Take& take) {
+    constexpr std::string_view digits = "0123456789abcdef";
     while (!text.empty()) {
         std::size_t bytes = plain_bytes(text);
         if (bytes == 0 && lines && (text[0] == '\n' || text[0] == '\t')) bytes = 1;
         if (bytes > 0) {
-            safe += text.substr(0, bytes);
+            take(text.substr(0, bytes));
         } else {
-            safe += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+            const auto byte = static_cast<unsigned char>(text[0]);
+            const std::array<char, 4> code{'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+            take(std::string_view(code.data(), code.size()));
         }
         text.remove_prefix(std::max<std::size_t>(bytes, 1));
     }
+}
+
+std::string escaped(std::string_view text, bool lines) {
+    std::string safe;
+    escape(text, lines, [&safe](std::string_view piece) { safe += piece; });
     return safe;
 }
+
+/// Collects small pieces, so that a message is one write as a rule.
+class SafeLine {
+public:
+    explicit SafeLine(std::FILE* to) : to_(to) {}
+    ~SafeLine() { send(); }
+    SafeLine(const SafeLine&) = delete;
+    SafeLine& operator=(const SafeLine&) = delete;
+
+    void add(std::string_view piece) {
+        if (used_ + piece.size() > bytes_.size()) send();
+        std::copy(piece.begin(), piece.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(used_));
+        used_ += piece.size();
+    }
+
+private:
+    void send() {
+        const std::size_t written = std::fwrite(bytes_.data(), 1, used_, to_);
+        static_cast<void>(written);
+        used_ = 0;
+    }
+
+    std::FILE* to_;
+    std::array<char, 4096> bytes_;
+    std::size_t used_ = 0;
+};
 
 }  // namespace
 
@@ -57,5 +91,10 @@ std::string shown(std::string_view text, std::size_t most) {
 }
 
 std::string safe_message(std::string_view text) { return escaped(text, true); }
+
+void write_safely(std::FILE* to, std::initializer_list<std::string_view> texts) {
+    SafeLine line(to);
+    for (const std::string_view text : texts) escape(text, true, [&line](std::string_view piece) { line.add(piece); });
+}
 
 }  // namespace steplab

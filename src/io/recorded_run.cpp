@@ -48,6 +48,7 @@ RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t e
     return {.run = simulation.description(),
             .result = result_of(simulation, energy_start, energy_error),
             .wall_seconds = wall_seconds,
+            .until = end.time,
             .error = error_of(simulation),
             .notes = notes_of_rounding(simulation)};
 }

@@ -2,9 +2,11 @@
 
 #include "core/duration.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 #include "io/carried_json.hpp"
 #include "io/commit.hpp"
+#include "io/json_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,6 +65,7 @@ void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool ti
     const RunResult& result = summary.result;
     json["dt"] = shortest(summary.run.precision, result.dt);
     json["steps"] = result.steps;
+    if (summary.until) json["until"] = *summary.until;
     json["time"] = result.time;
     json["particles"] = result.particles;
     json["evaluations"] = result.evaluations;
@@ -106,14 +109,14 @@ std::string summary_json(const RunSummary& summary) {
                                 {"parameters", parameters_json(summary.run)}};
     add_carried(json, summary.run);
     add_result(json, summary, true);
-    return json.dump(2) + "\n";
+    return json_text(json);
 }
 
 std::string summary_text(const RunSummary& summary) {
     const RunDescription& run = summary.run;
     const RunResult& result = summary.result;
     const std::string dt = number_text(shortest(run.precision, result.dt));
-    std::string text = fmt::format("{} with {}, {}, dt {}\n", run.model, run.method, id(run.precision), dt);
+    std::string text = fmt::format("{} with {}, {}, dt {}\n", shown(run.model), run.method, id(run.precision), dt);
     const auto line = [&text](std::string_view what, const std::string& value) {
         text += fmt::format("  {:<14}{}\n", what, value);
     };
@@ -160,13 +163,13 @@ std::string summary_json(const EnsembleSummary& summary) {
     json["notes"] = summary.notes;
     json["wall_seconds"] = summary.wall_seconds;
     json["runs"] = runs;
-    return json.dump(2) + "\n";
+    return json_text(json);
 }
 
 std::string summary_text(const EnsembleSummary& summary) {
     const RunDescription& first = summary.runs.front().summary.run;
-    std::string text =
-        fmt::format("{} runs of {} with {}, {}\n", summary.runs.size(), first.model, first.method, id(first.precision));
+    std::string text = fmt::format("{} runs of {} with {}, {}\n", summary.runs.size(), shown(first.model), first.method,
+                                   id(first.precision));
     const auto line = [&text](std::string_view what, const std::string& value) {
         text += fmt::format("  {:<14}{}\n", what, value);
     };

@@ -15,6 +15,7 @@ struct RunSummary {
     RunDescription run;
     RunResult result;  ///< energy_error over the written steps
     double wall_seconds = 0;
+    std::optional<double> until = {};     ///< end of the last step, where it is given (RunEnd)
     std::optional<double> error = {};     ///< of a position at the end, where an exact solution is known
     std::vector<std::string> notes = {};  ///< of rounding (sim/run/notes.hpp)
 };

@@ -4,6 +4,7 @@
 #include "core/shown.hpp"
 #include "io/carried_json.hpp"
 #include "io/commit.hpp"
+#include "io/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -191,7 +192,7 @@ std::string description_json(const RunDescription& run, const FileScene& scene, 
         json["box"] =
             is_cube ? Json{{"edge", box.x}, {"corner", corner}} : Json{{"sides", json_of(box)}, {"corner", corner}};
     }
-    return json.dump() + "\n";
+    return json_text(json, one_line);
 }
 
 Description parse_description(std::string_view text, Version version) {

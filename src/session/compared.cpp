@@ -1,5 +1,6 @@
 #include "session/compared.hpp"
 
+#include "core/clamped.hpp"
 #include "core/shape.hpp"
 #include "lab/study/distances.hpp"
 
@@ -35,8 +36,8 @@ std::optional<double> phase_error_of(const Field<double>& run, const State<doubl
 }  // namespace
 
 std::uint64_t step_at(double time, double dt) {
-    constexpr double most = 9007199254740992.0;  // steps that a double can count
-    return static_cast<std::uint64_t>(std::clamp(std::floor(time / dt + 1e-6), 0.0, most));
+    constexpr std::uint64_t most = 9007199254740992;  // steps that a double can count
+    return clamped_floor<std::uint64_t>(time / dt + 1e-6, 0, most);
 }
 
 RunMoment moment_of(const Simulation& run, Vec3 start) {

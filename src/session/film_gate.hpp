@@ -1,6 +1,8 @@
 // When a film of what is played has its next frame.
 #pragma once
 
+#include "core/clamped.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -23,9 +25,10 @@ public:
 
     /// The moment is left: at most so many steps of dt (> 0) may be played until another frame is due, at least 1.
     std::uint64_t steps_to_frame(double dt) {
-        frames_ = std::max(frames_, static_cast<std::uint64_t>(std::ceil((played_ + near * dt) / spacing_)));
-        const double steps = std::floor((static_cast<double>(frames_) * spacing_ - played_) / dt + (1 - near));
-        return static_cast<std::uint64_t>(std::clamp(steps, 1.0, 1e15));
+        const double frames = std::ceil((played_ + near * dt) / spacing_);
+        frames_ = std::max(frames_, clamped_floor<std::uint64_t>(frames, 1, most));
+        const double steps = (static_cast<double>(frames_) * spacing_ - played_) / dt + (1 - near);
+        return clamped_floor<std::uint64_t>(steps, 1, most);
     }
     /// So many steps were played. True if a frame of this moment is due.
     bool played(std::uint64_t steps, double dt) {
@@ -37,6 +40,7 @@ public:
 
 private:
     static constexpr double near = 1 - 1e-6;  ///< of a step, for rounding, as step_at() has it
+    static constexpr std::uint64_t most = 1'000'000'000'000'000;
 
     double spacing_;
     double played_ = 0;

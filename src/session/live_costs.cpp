@@ -1,6 +1,8 @@
 #include "session/live_costs.hpp"
 
+#include "core/helper_thread.hpp"
 #include "core/interruption.hpp"
+#include "core/problem_text.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -34,6 +36,7 @@ struct LiveCosts::Body {
     std::vector<RunDescription> runs;  ///< asked for; none: nothing is
     std::uint64_t asked = 0;           ///< grows with every question
     std::shared_ptr<const CostsView> answer;
+    std::shared_ptr<CostsView> without;  ///< the answer to the question if there is no memory for any, or no thread
     std::atomic<bool> given_up = false;  ///< what is under way is not wanted any more
     bool stopping = false;
     std::thread thread;
@@ -57,17 +60,39 @@ struct LiveCosts::Body {
             if (stopping) return;
             known = asked;
             given_up = false;
-            const std::vector<RunDescription> wanted = runs;
-            lock.unlock();
             try {
+                const std::vector<RunDescription> wanted = runs;
+                lock.unlock();
                 wanted.empty() ? scan.reset() : go_on(wanted);
             } catch (const Interrupted&) {  // something else is asked for
             } catch (const std::exception& problem) {
-                view.complete = true;
-                view.how = problem.what();
-                tell(true);
+                if (lock.owns_lock()) lock.unlock();
+                give_up(problem);
             }
         }
+    }
+
+    /// Tells why there is no more, with the points so far if there is memory for them. Throws nothing.
+    void give_up(const std::exception& problem) {
+        view.complete = true;
+        view.how = problem_text(problem);
+        try {
+            tell(true);
+        } catch (const std::exception&) {
+            {
+                const std::lock_guard lock(mutex);
+                answer_without(std::move(view.how));
+            }
+            ready();
+        }
+    }
+
+    /// The mutex is held.
+    void answer_without(std::string why) {
+        if (!without) return;
+        without->complete = true;
+        without->how = std::move(why);
+        answer = std::exchange(without, nullptr);
     }
 
     void go_on(const std::vector<RunDescription>& wanted) {
@@ -128,10 +153,15 @@ void LiveCosts::ask(std::vector<RunDescription> runs) {
         if (runs == body_->runs) return;
         const bool same = !body_->runs.empty() && !runs.empty() && same_scan(runs.front(), body_->runs.front());
         if (!same) body_->answer.reset();
+        body_->without = std::make_shared<CostsView>();
         body_->given_up = !same;
         body_->runs = std::move(runs);
         ++body_->asked;
-        if (!body_->thread.joinable()) body_->thread = std::thread([body = body_.get()] { body->loop(); });
+        const bool answered = body_->runs.empty() || has_thread(body_->thread, [body = body_.get()] { body->loop(); });
+        if (!answered) {
+            body_->answer_without(no_thread_text);
+            body_->runs.clear();  // the next question is another one
+        }
     }
     body_->changed.notify_one();
 }

@@ -1,6 +1,8 @@
 #include "session/live_errors.hpp"
 
+#include "core/helper_thread.hpp"
 #include "core/interruption.hpp"
+#include "core/problem_text.hpp"
 #include "lab/study/reference_motion.hpp"
 #include "session/session.hpp"
 
@@ -48,9 +50,7 @@ struct LiveErrors::Body {
     Clock::time_point shown{};   ///< when there were more samples to see
     std::thread thread;
 
-    explicit Body(std::function<void()> call) : ready(std::move(call)) {
-        thread = std::thread([this] { loop(); });
-    }
+    explicit Body(std::function<void()> call) : ready(std::move(call)) {}
 
     bool has_due_samples() const {
         return std::any_of(runs.begin(), runs.end(),
@@ -126,7 +126,7 @@ struct LiveErrors::Body {
         } catch (const std::exception& problem) {  // as a rule because there is no memory left
             const std::lock_guard lock(mutex);
             runs.clear();
-            return SessionErrors{.time = of.time, .runs = {}, .how = problem.what()};
+            return SessionErrors{.time = of.time, .runs = {}, .how = problem_text(problem)};
         }
     }
 
@@ -175,14 +175,18 @@ LiveErrors::~LiveErrors() {
         body_->stopping = true;
     }
     body_->asked.notify_one();
-    body_->thread.join();
+    if (body_->thread.joinable()) body_->thread.join();
 }
 
 void LiveErrors::ask(double time, std::vector<Shown> runs) {
     {
         const std::lock_guard lock(body_->mutex);
-        body_->question = {time, std::move(runs)};
         body_->unwanted = false;
+        if (has_thread(body_->thread, [body = body_.get()] { body->loop(); })) {
+            body_->question = {time, std::move(runs)};
+        } else {
+            body_->answer = SessionErrors{.time = time, .runs = {}, .how = no_thread_text};
+        }
     }
     body_->asked.notify_one();
 }

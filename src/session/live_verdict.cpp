@@ -1,5 +1,6 @@
 #include "session/live_verdict.hpp"
 
+#include "core/helper_thread.hpp"
 #include "core/interruption.hpp"
 #include "session/share.hpp"
 
@@ -25,6 +26,18 @@ constexpr double part_for_moments = 0.1;
 constexpr std::chrono::milliseconds between_answers{100};
 constexpr std::chrono::seconds longest_wait{2};
 
+constexpr const char* no_memory_text = "there is not enough memory to find the cause";
+
+/// What is known of a blow-up that cannot be studied.
+std::shared_ptr<const BlowUp> unexplained(const Divergence& divergence, const char* why) {
+    BlowUp known;
+    known.divergence = divergence;
+    known.step = divergence.step;
+    known.why = why;
+    known.complete = true;
+    return std::make_shared<const BlowUp>(std::move(known));
+}
+
 }  // namespace
 
 struct LiveVerdict::Body {
@@ -33,6 +46,7 @@ struct LiveVerdict::Body {
         std::vector<SegmentBegin> changes;
         Divergence divergence;
         std::vector<ReplayedRun::Moment> kept;
+        std::shared_ptr<const BlowUp> alone;  ///< what is known without a study, if there is no memory for more
     };
 
     std::function<void()> ready;
@@ -90,23 +104,28 @@ struct LiveVerdict::Body {
                 if (!lock.owns_lock()) lock.lock();
                 if (!moment && asked && asked->run == newest_run) moment = asked;
             } catch (const std::exception&) {  // as a rule there is no memory left
-                give_up_study(lock);
+                if (!lock.owns_lock()) lock.lock();
+                if (give_up_study()) {
+                    lock.unlock();
+                    ready();
+                }
             }
         }
     }
 
-    /// What is known of the blow-up is all there will be.
-    void give_up_study(std::unique_lock<std::mutex>& lock) {
+    /// What is known of the blow-up is all there will be. False if none is studied. The mutex is held.
+    bool give_up_study() noexcept {
         complete = true;
         study.reset();
-        if (!lock.owns_lock()) lock.lock();
-        if (!wanted || wanted != studied) return;
-        BlowUp known = blow_up ? *blow_up : BlowUp{};
-        known.divergence = wanted->divergence;
-        known.complete = true;
-        blow_up = std::make_shared<const BlowUp>(std::move(known));
-        lock.unlock();
-        ready();
+        if (!wanted || wanted != studied) return false;
+        try {
+            BlowUp known = blow_up ? *blow_up : *wanted->alone;
+            known.complete = true;
+            blow_up = std::make_shared<const BlowUp>(std::move(known));
+        } catch (const std::exception&) {
+            blow_up = wanted->alone;
+        }
+        return true;
     }
 
     void go_on(std::unique_lock<std::mutex>& lock, std::shared_ptr<const Why> why) {
@@ -141,8 +160,20 @@ struct LiveVerdict::Body {
         ready();
     }
 
-    void begin_thread() {
-        if (!thread.joinable()) thread = std::thread([this] { loop(); });
+    bool has_thread() {
+        return steplab::has_thread(thread, [this] { loop(); });
+    }
+
+    /// On the thread that asks, as there is none for it: a part of its time, too, is all that this takes.
+    void answer_here(std::unique_lock<std::mutex>& lock) {
+        if (!is_urgent() && !is_due()) return;
+        const auto asked = std::exchange(moment, nullptr);
+        try {
+            answer(lock, *asked);
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const std::exception&) {  // the limit at rest is shown
+        }
     }
 };
 
@@ -159,14 +190,13 @@ LiveVerdict::~LiveVerdict() {
 }
 
 void LiveVerdict::ask(Moment moment) {
-    {
-        const std::lock_guard lock(body_->mutex);
-        if (body_->newest_run != moment.run) body_->limit.reset();
-        body_->newest_run = moment.run;
-        body_->newest_step = {moment.segment, moment.step};
-        body_->moment = std::make_shared<const Moment>(std::move(moment));
-        body_->begin_thread();
-    }
+    std::unique_lock lock(body_->mutex);
+    if (body_->newest_run != moment.run) body_->limit.reset();
+    body_->newest_run = moment.run;
+    body_->newest_step = {moment.segment, moment.step};
+    body_->moment = std::make_shared<const Moment>(std::move(moment));
+    if (!body_->has_thread()) return body_->answer_here(lock);
+    lock.unlock();
     body_->changed.notify_one();
 }
 
@@ -183,11 +213,12 @@ void LiveVerdict::ask_why(const TimeLine& line, const Divergence& divergence) {
         if (now && now->divergence.step == divergence.step &&
             std::equal(changes.begin(), changes.end(), now->changes.begin(), now->changes.end()))
             return;
-        body_->wanted = std::make_shared<const Body::Why>(
-            Body::Why{{changes.begin(), changes.end()}, divergence, line.kept_moments()});
-        body_->blow_up.reset();
+        body_->wanted = std::make_shared<const Body::Why>(Body::Why{{changes.begin(), changes.end()},
+                                                                    divergence,
+                                                                    line.kept_moments(),
+                                                                    unexplained(divergence, no_memory_text)});
+        body_->blow_up = body_->has_thread() ? nullptr : unexplained(divergence, no_thread_text);
         body_->given_up = true;
-        body_->begin_thread();
     }
     body_->changed.notify_one();
 }

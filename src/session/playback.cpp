@@ -1,5 +1,6 @@
 #include "session/playback.hpp"
 
+#include "core/clamped.hpp"
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "io/indexed_text.hpp"
@@ -235,7 +236,7 @@ double Playback::spacing() const {
 template <class Reached>
 std::uint64_t Playback::last_frame(double part, const Reached& reached) {
     const double place = part * static_cast<double>(frames() - 1);
-    const std::uint64_t guess = place > 0 ? static_cast<std::uint64_t>(std::min(place, 9e15)) : 0;  // also for NaN
+    const auto guess = clamped_floor<std::uint64_t>(place, 0, 9'000'000'000'000'000);
     std::uint64_t first = 0, end = frames();
     for (std::uint64_t probe = std::min(guess, end - 1); first + 1 < end;) {
         const bool is_first_probe = probe == guess;

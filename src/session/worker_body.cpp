@@ -15,6 +15,8 @@ namespace {
 constexpr Pace::Duration slice{0.008};
 /// A view that was not taken is replaced by a newer one after this time.
 constexpr Pace::Duration stale{0.05};
+/// Where not even an error can be handled, the next attempt comes after this time.
+constexpr Pace::Duration without_memory{0.05};
 
 /// True if a step takes another time after it.
 bool changes_speed(const Event& event) {
@@ -32,30 +34,37 @@ void Worker::Body::loop() {
             const std::lock_guard lock(mutex);
             if (stopping) break;
         }
-        answer(true);
-        const bool begun = begin_next();
-        const bool happened = handle_events();
-        bool to_show = begin_part() || happened || begun;
-        to_show = answer_film() || to_show;
-        if (playback) {
-            play_frames(to_show);
-            continue;
-        }
-        if (film && film_plays && !doubtful) to_show = show_film() || to_show;
-        const std::uint64_t before = session->run().advanced().step;
-        const bool doubted = doubtful, behind = !doubted && session->is_behind();
-        if (behind) catch_up(slice);
-        const bool well = went_well([this] { doubtful ? step_to_check() : take_steps(); });
-        if (!well) give_up();
-        if (doubtful || doubt) tell_doubt();
-        if (doubtful) continue;
-        to_show = std::exchange(frame_came, false) || to_show;
-        to_show = to_show || doubted || !well;
-        const auto [step, evaluations, diverged] = session->run().advanced();
-        if (step != before) moved = Clock::now();
-        if (to_show || ((behind || step != before || diverged) && affordable())) publish(to_show, well);
+        if (went_well([this] { take_turn(); })) continue;
+        // outside of what is told by itself, as a rule because there is no memory for a word about it
+        went_well([this] { give_up(); });
+        hand_over(false);
+        std::unique_lock lock(mutex);
+        changed.wait_for(lock, without_memory, [this] { return stopping.load(); });
     }
     answer(false);  // the step under way may have been given up
+}
+
+/// What has come since, and some steps.
+void Worker::Body::take_turn() {
+    answer(true);
+    const bool begun = begin_next();
+    const bool happened = handle_events();
+    bool to_show = begin_part() || happened || begun;
+    to_show = answer_film() || to_show;
+    if (playback) return play_frames(to_show);
+    if (film && film_plays && !doubtful) to_show = show_film() || to_show;
+    const std::uint64_t before = session->run().advanced().step;
+    const bool doubted = doubtful, behind = !doubted && session->is_behind();
+    if (behind) catch_up(slice);
+    const bool well = went_well([this] { doubtful ? step_to_check() : take_steps(); });
+    if (!well) give_up();
+    if (doubtful || doubt) tell_doubt();
+    if (doubtful) return;
+    to_show = std::exchange(frame_came, false) || to_show;
+    to_show = to_show || doubted || !well;
+    const auto [step, evaluations, diverged] = session->run().advanced();
+    if (step != before) moved = Clock::now();
+    if (to_show || ((behind || step != before || diverged) && affordable())) publish(to_show, well);
 }
 
 /// Those who asked what happened.
@@ -66,11 +75,11 @@ void Worker::Body::answer(bool with_end) {
         waiting.swap(asked);
     }
     for (std::promise<Recording>& promise : waiting) {
-        if (session) {
+        try {
+            if (!session) throw UsageError("a trajectory is played back: nothing is recorded that could be saved");
             promise.set_value(session->recorded(with_end).value());
-        } else {
-            promise.set_exception(std::make_exception_ptr(
-                UsageError("a trajectory is played back: nothing is recorded that could be saved")));
+        } catch (const std::exception&) {
+            promise.set_exception(std::current_exception());
         }
     }
 }
@@ -216,6 +225,13 @@ void Worker::Body::publish(bool at_once, bool judged) {
     if (!seen) give_up();
     if (judged && seen) judge();
     if (doubtful) return;
+    hand_over(seen);
+    published = Clock::now();
+    views.took(begin, published);
+}
+
+/// The view of now, or in an older one that there is none.
+void Worker::Body::hand_over(bool seen) {
     void (*call)() = nullptr;
     {
         const std::lock_guard lock(mutex);
@@ -228,8 +244,6 @@ void Worker::Body::publish(bool at_once, bool judged) {
         frames_ready = gate && !gate_asked ? gate->frames() : 0;
         call = wake;
     }
-    published = Clock::now();
-    views.took(begin, published);
     if (call) call();
 }
 
@@ -253,7 +267,7 @@ void Worker::Body::give_up() {
 
 /// In an older view: what went wrong since.
 void Worker::Body::tell_in(SessionView& older) const {
-    older.leading.error = error;
+    older.leading.error = copy_or_short(error.c_str());
     older.leading.failures = failures;
     older.leading.playing = session && session->playing();
     older.leading.ensemble = {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/problem_text.hpp"
 #include "session/film_gate.hpp"
 #include "session/live_costs.hpp"
 #include "session/live_errors.hpp"
@@ -107,7 +108,7 @@ struct Worker::Body {
             work();
             return true;
         } catch (const std::exception& problem) {
-            error = problem.what();
+            error = problem_text(problem);
             ++failures;
             return false;
         }
@@ -120,6 +121,7 @@ struct Worker::Body {
     void begin_in_place(const Beginning& beginning);
     bool begin_next();
     void loop();
+    void take_turn();
     void wait_for_work();
     bool handle_events();
     void handle(const Event& event);
@@ -160,6 +162,7 @@ struct Worker::Body {
     bool affordable() const;
     void see();
     void publish(bool at_once, bool judged);
+    void hand_over(bool seen);
     void give_up();
     void tell_in(SessionView& older) const;
 };

@@ -1,5 +1,6 @@
 // What a worker plays like a film: the events of a recording, at their steps.
 
+#include "core/clamped.hpp"
 #include "core/error.hpp"
 #include "session/worker_body.hpp"
 
@@ -77,8 +78,7 @@ bool Worker::Body::show_film() {
     film->approach(0);  // back, where it lies behind
     if (!film->is_due()) return false;
     if (!std::exchange(film_arrived, true) && !hastens()) {
-        const auto pause = std::min(Pace::Duration(film->pause()), longest_pause);
-        film_due = std::max(film_due, now + std::chrono::duration_cast<Clock::duration>(pause));
+        film_due = std::max(film_due, now + clamped_seconds(film->pause(), longest_pause.count()));
         if (now < film_due) return false;
     }
     film_arrived = false;

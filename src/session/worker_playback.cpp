@@ -1,3 +1,4 @@
+#include "core/clamped.hpp"
 #include "session/worker_body.hpp"
 
 #include <algorithm>
@@ -67,8 +68,7 @@ Worker::Body::Clock::time_point Worker::Body::next_frame_due() const {
     const Rate rate = playback->rate();
     if (rate.as_fast_as_possible) return soonest;
     const double wait = std::abs(playback->next_elapsed() - frames_since.elapsed) / rate.seconds_per_second;
-    const Pace::Duration bounded(std::clamp(wait, 0.0, 3600.0));
-    return std::max(soonest, frames_since.now + std::chrono::duration_cast<Clock::duration>(bounded));
+    return std::max(soonest, frames_since.now + clamped_seconds(wait, 3600));
 }
 
 void Worker::Body::wait_for_frame(std::unique_lock<std::mutex>& lock) {

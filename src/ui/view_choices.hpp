@@ -22,9 +22,10 @@ struct PanelSizes {
 
 /// What a picture or a film from the window shows.
 struct PictureChoice {
-    bool scene_alone = false;   ///< else the whole window
-    bool caption = false;       ///< below it: scene, method, dt and time of every run
-    std::string film = ".mp4";  ///< ending of the files of films
+    bool scene_alone = false;       ///< else the whole window
+    bool caption = false;           ///< below it: scene, method, dt and time of every run
+    std::string film = ".mp4";      ///< ending of the files of films
+    std::string caption_text = {};  ///< of this window alone; empty: that of the runs
     friend bool operator==(const PictureChoice&, const PictureChoice&) = default;
 };
 inline constexpr std::array<std::string_view, 4> film_endings = {".mp4", ".webm", ".gif", ".png"};

@@ -25,6 +25,14 @@ struct CommandLine {
     }
 };
 
+/// "energy-error,displacement".
+std::string plot_words(const PlotsState& plots) {
+    std::string words;
+    for (const PlotChoice& plot : plots.shown)
+        words.append(words.empty() ? "" : ",").append(plot_word(info_of(plot.kind)));
+    return words;
+}
+
 void add_moment(CommandLine& line, const Context& context) {
     if (!command_repeats_run(context)) return;
     const std::uint64_t step = context.view.frame.step;
@@ -66,6 +74,15 @@ void add_picture(CommandLine& line, const Context& context) {
         line.add("--particle", std::to_string(tracked->particle));
 }
 
+/// What stands below the scene, and below saved pictures.
+void add_content(CommandLine& line, const Context& context) {
+    const std::string plots = plot_words(context.state.plots), usual = plot_words(PlotsState{});
+    line.add_unless(plots.empty() || plots == usual, "--plots", plots);
+    const PictureChoice& picture = context.state.picture;
+    if (picture.caption)
+        line.add("--caption", picture.caption_text.empty() ? "auto" : shell_word(picture.caption_text));
+}
+
 void add_speed(CommandLine& line, const Rate& rate) {
     if (rate == Rate{}) return;
     line.add("--speed", rate.as_fast_as_possible ? "unlimited" : number_text(rate.seconds_per_second));
@@ -103,6 +120,7 @@ std::string window_command(const Context& context) {
                      (playback ? "--trajectory " + shell_word(playback->file) : command_line(context.description()))};
     add_moment(line, context);
     add_picture(line, context);
+    add_content(line, context);
     add_speed(line, context.state.wanted.rate());
     add_ensemble(line, context.state.wanted.ensemble(), context.description());
     add_runs(line, context);

@@ -155,6 +155,21 @@ TEST_P(Interrupted, run_keeps_whole_lines_beside_the_file) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 2);
 }
 
+TEST_P(Interrupted, run_keeps_its_lines_whatever_signals_follow) {
+    const std::string file = folder_.file("a.csv");
+    for (const int second : {SIGINT, SIGTERM, SIGHUP}) {
+        RunningProgram run(with(endless_run, {"--out", file, "--series", "/dev/stdout"}));
+        for (std::size_t read = 0; read < 1000000;) read += run.read_some().size();
+        for (const int signal : {GetParam(), second, second}) run.send(signal);
+        const Outcome outcome = run.wait();
+        EXPECT_EQ(outcome.signal, 0);
+        EXPECT_THAT(outcome.code, testing::AnyOf(128 + GetParam(), 128 + second));  // they may come at once
+        EXPECT_FALSE(std::filesystem::exists(file));
+        EXPECT_GT(table(text_of(file + ".partial")).rows.size(), 10000u);
+        EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1) << "no hidden file";
+    }
+}
+
 TEST_P(Interrupted, run_without_files_just_ends) {
     const Outcome outcome = interrupt_after_some_rows("/dev/null");
     EXPECT_EQ(outcome.code, 128 + GetParam());

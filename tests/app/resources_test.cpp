@@ -1,6 +1,8 @@
 #include "app/orderly_end.hpp"
 #include "app/tables.hpp"
 #include "io/files.hpp"
+#include "session/session.hpp"
+#include "session/session_file.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -8,6 +10,10 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
 
 // What the system does not grant: threads, memory, a folder for temporary files.
 
@@ -23,6 +29,15 @@ std::ptrdiff_t files_in(const TemporaryFolder& folder) {
 std::ptrdiff_t hidden_files_in(const TemporaryFolder& folder) {
     return std::count_if(std::filesystem::directory_iterator(folder.path()), {},
                          [](const auto& entry) { return entry.path().filename().string().starts_with('.'); });
+}
+
+std::string recorded_steps() {
+    Session session(describe("chain", "verlet"));
+    session.record();
+    session.advance(20);
+    session.handle(event::Do{Pull{3, {2.5, 0.25, 0}}});
+    session.advance(20);
+    return session_text(*session.recorded());
 }
 
 std::string hash_of(const Outcome& outcome) {
@@ -69,6 +84,9 @@ TEST(MemoryLimits, end_every_command_orderly) {
     const std::string rows = folder.file("a.csv"), trajectory = folder.file("a.trajectory");
     const std::string file = folder.file("whole.trajectory");
     ASSERT_EQ(run_program({"run", "--model", "mesh", "--set", "dim=60", "--out", file}).code, 0);
+    const std::string crystal = folder.file("crystal.trajectory"), session = folder.file("a.session");
+    ASSERT_EQ(run_program({"run", "--model", "crystal", "--steps", "2", "--dt", "0.01", "--out", crystal}).code, 0);
+    put_text(session, recorded_steps());
     const unsigned long least = least_megabytes();
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"run", "--model", "mesh", "--set", "dim=100", "--steps", "2", "--out", rows},
@@ -77,11 +95,17 @@ TEST(MemoryLimits, end_every_command_orderly) {
           {"run", "--model", "chain", "--method", "gauss-16", "--steps", "2", "--series", rows},
           {"limits", "--model", "chain", "--method", "verlet"},
           {"convert", file, "--out", rows},
+          {"export", "--model", "mesh", "--set", "dim=60", "--to", "scene", "--out", rows},
+          {"compare", "--model", "oscillator", "--run", "dt=0.1", "--run", "dt=0.2", "--steps", "5", "--out", rows},
+          {"advise", "--model", "oscillator", "--method", "rk4", "--until", "1", "--error", "1e-2"},
+          {"observe", crystal, "--rdf", "--out", rows},
+          {"replay", session},
           {"list"}}) {
         int done = 0;
         for (unsigned long megabytes = least; megabytes < least + 200; megabytes += megabytes < least + 20 ? 1 : 9) {
             for (const std::string& left : {rows, trajectory}) std::filesystem::remove(left);
-            const Outcome outcome = run_program(words, {.most_memory = megabytes << 20});
+            Outcome outcome = run_program(words, {.most_memory = megabytes << 20});
+            outcome.err = std::regex_replace(outcome.err, std::regex("run [01]: .*\n"), "");  // what is compared
             expect_orderly_end(outcome, words[0] + " at " + std::to_string(megabytes) + " MB");
             EXPECT_EQ(hidden_files_in(folder), 0) << words[0];
             done += outcome.code == 0 ? 1 : 0;
@@ -92,10 +116,15 @@ TEST(MemoryLimits, end_every_command_orderly) {
 
 TEST(TemporaryFiles, are_not_needed_by_a_report) {
     const TemporaryFolder folder;
-    const Outcome outcome = run_program(
-        {"report", "--quick", "--model", "oscillator", "--time", "3", "--method", "rk4", "--out", folder.file("out")},
-        {.environment = {"TMPDIR=/no/such/folder"}});
+    const Outcome outcome =
+        run_program({"report", "--quick", "--model", "oscillator", "--time", "3", "--method", "rk4", "--out", "out"},
+                    {.folder = folder.path(), .environment = {"TMPDIR=/no/such/folder"}});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(files_in(folder), 1);
+    std::set<std::string> written;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.file("out")))
+        written.insert(entry.path().filename().string());
+    EXPECT_EQ(written, (std::set<std::string>{"report.html", "speed_error.csv"})) << "nothing hidden is left";
 }
 
 }  // namespace

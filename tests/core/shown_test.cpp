@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <memory>
 #include <random>
 #include <string>
 
@@ -54,6 +56,26 @@ TEST(Shown, lets_no_control_character_through_whatever_the_bytes) {
 }
 
 TEST(SafeMessage, keeps_lines) { EXPECT_EQ(safe_message("a\n\tb\x1b"), "a\n\tb\\x1b"); }
+
+/// What write_safely() makes of texts.
+std::string written_safely(std::initializer_list<std::string_view> texts) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+    write_safely(file.get(), texts);
+    std::string text(static_cast<std::size_t>(std::ftell(file.get())), '\0');
+    std::rewind(file.get());
+    EXPECT_EQ(std::fread(text.data(), 1, text.size(), file.get()), text.size());
+    return text;
+}
+
+TEST(WriteSafely, writes_what_safe_message_makes_of_all_texts) {
+    EXPECT_EQ(written_safely({"steplab", ": ", "a\x1b\n", "\xc3\xa4"}), "steplab: a\\x1b\n\xc3\xa4");
+    std::mt19937 random(1);
+    for (const std::size_t length : {0, 1, 1000, 4095, 4096, 4097, 20000}) {
+        std::string text(length, '\0');
+        for (char& c : text) c = static_cast<char>(random());
+        EXPECT_EQ(written_safely({text, "\n", text}), safe_message(text) + "\n" + safe_message(text)) << length;
+    }
+}
 
 }  // namespace
 }  // namespace steplab

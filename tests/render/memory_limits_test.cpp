@@ -27,5 +27,25 @@ TEST(MemoryLimits, end_pictures_orderly) {
     }
 }
 
+TEST(MemoryLimits, end_films_orderly) {
+    const TemporaryFolder folder;
+    const std::string film = folder.file("a.gif");
+    int drawn = 0;
+    for (unsigned long megabytes = least_megabytes(); megabytes < 1100; megabytes += 60) {
+        std::filesystem::remove(film);
+        Outcome outcome = run_program(
+            {"record", "--model", "chain", "--size", "320x240", "--steps", "2", "--fps", "10", "--out", film},
+            {.most_memory = megabytes << 20});
+        // ffmpeg has no more memory than the program that starts it
+        if (outcome.err.find("ffmpeg") != std::string::npos) outcome.err = "steplab record: ffmpeg failed\n";
+        expect_orderly_end(outcome, "a film at " + std::to_string(megabytes) + " MB");
+        EXPECT_EQ(std::filesystem::exists(film), outcome.code == 0);
+        drawn += outcome.code == 0 ? 1 : 0;
+    }
+    EXPECT_GT(drawn, 0);
+    std::filesystem::remove(film);
+    EXPECT_TRUE(folder.empty());
+}
+
 }  // namespace
 }  // namespace steplab

@@ -16,7 +16,7 @@ using test::Image;
 using Paint = std::function<void(ImDrawList&)>;
 
 const PictureSize size{200, 100};
-constexpr ImU32 red = IM_COL32(255, 0, 0, 255), half_blue = IM_COL32(0, 0, 255, 128);
+constexpr ImU32 opaque_red = IM_COL32(255, 0, 0, 255), half_blue = IM_COL32(0, 0, 255, 128);
 
 int pixels_of(const std::vector<PictureArea>& areas) {
     return std::accumulate(areas.begin(), areas.end(), 0,
@@ -91,7 +91,7 @@ Paint panel(const std::string& text, float left = 10, ImU32 ink = IM_COL32_WHITE
 TEST_F(PanelDrawing, changes_leave_the_picture_as_if_it_were_drawn_from_scratch) {
     const Paint nothing = [](ImDrawList&) {};
     expect_same_as_from_scratch({panel("step 1"), panel("step 2"), panel("step 2"), panel("step 100"),
-                                 panel("step 100", 11), panel("step 100", 11, red), nothing, panel("step 1")});
+                                 panel("step 100", 11), panel("step 100", 11, opaque_red), nothing, panel("step 1")});
 }
 
 TEST_F(PanelDrawing, order_and_clipping_count) {
@@ -99,7 +99,7 @@ TEST_F(PanelDrawing, order_and_clipping_count) {
         return [=](ImDrawList& list) {
             list.PushClipRect({0, 0}, {clip, 100});
             for (const bool is_red : {red_first, !red_first})
-                list.AddRectFilled({20, 20}, {80, 60}, is_red ? red : half_blue);
+                list.AddRectFilled({20, 20}, {80, 60}, is_red ? opaque_red : half_blue);
             list.PopClipRect();
         };
     };

@@ -1,8 +1,10 @@
+#include "app/folder_watch.hpp"
 #include "app/program.hpp"
 #include "io/files.hpp"
 
 #include <gmock/gmock.h>
 
+#include <csignal>
 #include <filesystem>
 
 namespace steplab {
@@ -22,6 +24,7 @@ protected:
     std::string bytes(const std::string& name) const { return text_of(folder_.file(name)); }
     bool nothing_written() const { return folder_.empty(); }
     std::string file(const std::string& name) const { return folder_.file(name); }
+    std::string folder_path() const { return folder_.path(); }
 
 private:
     TemporaryFolder folder_;
@@ -119,6 +122,19 @@ TEST_F(Snapshot, another_moment_view_or_colouring_gives_another_picture) {
         ASSERT_EQ(snapshot(other).code, 0) << other[0];
         EXPECT_NE(bytes("a.png"), bytes("b.png")) << other[0];
     }
+}
+
+// The hidden file is there before the picture is computed and drawn; of this size that takes some seconds.
+TEST_F(Snapshot, interrupted_while_it_draws_leaves_the_old_picture) {
+    put_text(file("a.png"), "old");
+    const FolderWatch hidden_file(folder_path(), IN_CREATE);
+    RunningProgram program({"snapshot", "--model", "mesh", "--size", "8192x8192", "--out", "a.png"},
+                           {.folder = folder_path()});
+    hidden_file.wait_for_a_file();
+    program.send(SIGINT);
+    EXPECT_EQ(program.wait().code, 128 + SIGINT);
+    EXPECT_EQ(bytes("a.png"), "old");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_path()), {}), 1);
 }
 
 TEST_F(Snapshot, shows_an_ensemble_as_dots) {

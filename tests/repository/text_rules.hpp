@@ -23,6 +23,10 @@ std::vector<std::string> wrong_run_bits(const std::vector<TextFile>& files);
 /// view has the answers.
 std::vector<std::string> scenes_made_by_the_interface(const std::vector<TextFile>& files);
 
+/// Lines of the programs that write to standard output or error past src/app/cli/standard_streams.cpp, which lets no
+/// control character through.
+std::vector<std::string> writing_past_the_streams(const std::vector<TextFile>& files);
+
 /// Tabs, blanks at a line's end and missing line ends, against .editorconfig.
 std::vector<std::string> untidy_lines(const std::vector<TextFile>& files);
 

@@ -56,6 +56,17 @@ TEST(Text, scenes_of_the_interface_are_found) {
     EXPECT_THAT(scenes_made_by_the_interface({{"src/sim/run/a.cpp", lines}}), IsEmpty());
 }
 
+TEST(Text, programs_write_through_the_streams) { EXPECT_THAT(writing_past_the_streams(repository()), IsEmpty()); }
+
+TEST(Text, writing_past_the_streams_is_found) {
+    const std::string lines =
+        "fmt::print(stderr, \"{}\", name);\nstd::fputs(name, stdout);\nstd::cerr << name;\nfmt::print(\"{}\", name);\n"
+        "isatty(STDERR_FILENO);\nprint(name);\n";
+    EXPECT_THAT(writing_past_the_streams({{"src/app/commands/a.cpp", lines}, {"src/app/cli/progress.cpp", lines}}),
+                SizeIs(4));
+    EXPECT_THAT(writing_past_the_streams({{"tests/app/a.cpp", lines}}), IsEmpty());
+}
+
 TEST(Text, lines_are_tidy) { EXPECT_THAT(untidy_lines(repository()), IsEmpty()); }
 
 TEST(Text, untidy_lines_are_found) {

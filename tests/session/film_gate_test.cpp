@@ -2,10 +2,12 @@
 #include "session/film_gate.hpp"
 
 #include "session/compared.hpp"
+#include "support/extreme_doubles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace steplab {
@@ -70,6 +72,23 @@ TEST(FilmGate, goes_on_with_another_dt) {
     gate.played(2, 0.25);
     EXPECT_EQ(gate.steps_to_frame(0.125), 4u);
     EXPECT_TRUE(gate.played(4, 0.125));
+}
+
+TEST(FilmGate, has_whole_numbers_for_every_spacing_and_dt) {
+    for (const auto& [a, b] : extreme_pairs(2000)) {
+        const double spacing = std::abs(a), dt = std::abs(b);
+        if (!(spacing > 0) || !(dt > 0)) continue;
+        FilmGate gate(spacing);
+        for (int i = 0; i < 3; ++i) {
+            gate.go_on();
+            const std::uint64_t steps = gate.steps_to_frame(dt), frames = gate.frames();
+            EXPECT_GE(steps, 1u) << spacing << ' ' << dt;
+            EXPECT_LE(steps, 1'000'000'000'000'000u) << spacing << ' ' << dt;
+            gate.played(steps, dt);
+            EXPECT_GE(gate.frames(), frames);
+            EXPECT_LE(gate.frames(), 1'000'000'000'000'010u) << spacing << ' ' << dt;
+        }
+    }
 }
 
 }  // namespace

@@ -1,6 +1,11 @@
 #include "session/pace.hpp"
 
+#include "support/extreme_doubles.hpp"
+
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
 
 namespace steplab {
 namespace {
@@ -62,6 +67,28 @@ TEST(Pace, measures_steps_and_evaluations) {
     Pace forgetful = measured();
     forgetful.forget_speed();
     EXPECT_EQ(forgetful.steps_per_second(), 0);
+}
+
+TEST(Pace, has_whole_steps_and_times_for_every_speed_and_dt) {
+    for (const auto& [a, b] : extreme_pairs(2000)) {
+        if (!(a > 0) || !std::isfinite(b)) continue;
+        const Rate rate{false, a};
+        Pace pace = measured();
+        Pace::Time now = start;
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_LE(pace.steps_due(now, rate, b, slice), 1'000'000'000'000'000u) << a << ' ' << b;
+            EXPECT_LE(pace.next_due(now, rate, b), now + std::chrono::hours(60'000)) << a << ' ' << b;
+            pace.took(1, 1, b, now, now, rate);
+            now += milliseconds(10);
+        }
+    }
+}
+
+TEST(Pace, a_step_of_days_is_followed_by_a_pause_and_no_rush) {
+    Pace pace = measured();
+    pace.took(1, 4, 1e300, at(0), at(0), real_time);
+    EXPECT_GT(pace.next_due(at(10), real_time, 1e300), at(10) + std::chrono::hours(24));
+    EXPECT_EQ(pace.steps_due(at(10), real_time, 0.1, slice), 0u);
 }
 
 }  // namespace

@@ -11,11 +11,14 @@ namespace {
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 // operator new can reach nothing but such variables.
 std::atomic<std::size_t> largest = no_limit, asked = 0;
+std::atomic<bool> one_thread_alone = false;
+thread_local bool is_that_thread = false;
 
 void* allocated(std::size_t bytes, std::size_t alignment) {
     ++asked;
     const std::size_t whole = (std::max<std::size_t>(1, bytes) + alignment - 1) / alignment * alignment;
-    void* const memory = bytes > largest ? nullptr : std::aligned_alloc(alignment, whole);
+    const bool refused = bytes > largest || (one_thread_alone && !is_that_thread);
+    void* const memory = refused ? nullptr : std::aligned_alloc(alignment, whole);
     if (!memory) throw std::bad_alloc();
     return memory;
 }
@@ -43,5 +46,14 @@ std::size_t allocations() { return asked; }
 
 NoLargerThan::NoLargerThan(std::size_t bytes) { largest = bytes; }
 NoLargerThan::~NoLargerThan() { largest = no_limit; }
+
+NoMemoryElsewhere::NoMemoryElsewhere() {
+    is_that_thread = true;
+    one_thread_alone = true;
+}
+NoMemoryElsewhere::~NoMemoryElsewhere() {
+    one_thread_alone = false;
+    is_that_thread = false;
+}
 
 }  // namespace steplab::test

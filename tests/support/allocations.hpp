@@ -15,4 +15,12 @@ struct NoLargerThan {
     NoLargerThan& operator=(const NoLargerThan&) = delete;
 };
 
+/// As long as it lives, there is memory for this thread alone.
+struct NoMemoryElsewhere {
+    NoMemoryElsewhere();
+    ~NoMemoryElsewhere();
+    NoMemoryElsewhere(const NoMemoryElsewhere&) = delete;
+    NoMemoryElsewhere& operator=(const NoMemoryElsewhere&) = delete;
+};
+
 }  // namespace steplab::test

@@ -101,6 +101,19 @@ pictures_show_what_is_chosen() {
     close_window
 }
 
+opens_with_plots_and_a_caption() {
+    start_display 1280x800
+    open_window --model chain --plots phase-portrait,energies --caption 'how it began'
+    [[ -n ${place[phase portrait.save]:-} && -n ${place[energies.save]:-} && -z ${place[displacement.save]:-} ]] ||
+        fail "other plots are shown: ${!place[*]}"
+    xdotool key Right; expect 'step 1' 'pictured 1'
+    xdotool key ctrl+p; expect 'saved steplab-chain-1.png'
+    [[ $(size_of "$folder/steplab-chain-1.png") == 1280x838 ]] || fail "its size is $(size_of "$folder/steplab-chain-1.png")"
+    choose menu 'copy command'
+    expect "copied steplab view .* --plots phase-portrait,energies --caption 'how it began' --config none"
+    close_window
+}
+
 films_are_recorded() {
     local frames i
     start_display 1280x800

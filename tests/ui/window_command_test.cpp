@@ -44,6 +44,19 @@ TEST(window_command, names_all_that_was_chosen) {
                                 " --spread k=0.999:1.001 --size 1000x900 --config none");
 }
 
+TEST(window_command, names_what_stands_below_the_scene_and_below_pictures) {
+    Desk desk(describe("chain"), {1280, 800, 1});
+    ViewChoices choices;
+    choices.plots = {{PlotKind::phase}, {PlotKind::error, plot::Scale::logarithmic}};
+    choices.picture.caption = true;
+    desk.interface.use(choices, choices);
+    desk.frame();
+    EXPECT_THAT(copied(desk), HasSubstr(" --plots phase-portrait,position-error --caption auto "));
+    choices.picture.caption_text = "how it began";
+    desk.interface.use(choices, choices);
+    EXPECT_THAT(copied(desk), HasSubstr(" --caption 'how it began' "));
+}
+
 // On a display of twice the scale, half the scale is not the usual one.
 TEST(window_command, names_a_scale_that_was_chosen) {
     Desk desk(describe("chain"), {1280, 800, 2});

@@ -1,5 +1,6 @@
 #include "app/cli/command_line.hpp"
 
+#include "app/cli/standard_streams.hpp"
 #include "app/cli/text_table.hpp"
 #include "core/entry.hpp"
 #include "core/error.hpp"
@@ -12,17 +13,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <csignal>
-#include <cstdio>
 #include <exception>
-#include <fcntl.h>
 #include <filesystem>
-#include <initializer_list>
 #include <malloc.h>
 #include <new>
 #include <stdexcept>
 #include <system_error>
-#include <unistd.h>
 
 namespace steplab {
 
@@ -89,9 +85,9 @@ std::string help_text(const std::string& what) {
     return fmt::format("{}", fmt::join(wrapped_lines(what, page_width - help_column), "\n"));
 }
 
-/// One line on standard error; lost if that is closed. Needs no memory, of which there may be none.
+/// A line on standard error, which needs no memory.
 int failed(const std::string& program, ExitCode code, const char* message, const char* reason = "") {
-    std::fprintf(stderr, "%s: %s%s\n", program.c_str(), message, reason);
+    print_aside({program, ": ", message, reason, "\n"});
     return static_cast<int>(code);
 }
 
@@ -170,21 +166,11 @@ std::optional<std::string> parse(CLI::App& app, std::vector<std::string> argumen
     return std::nullopt;
 }
 
-void print(std::string_view text) {
-    OutputFile out("-");
-    out.write(text);
-    out.commit();
-}
-
-void print_note(std::string_view command, std::string_view note) {
-    fmt::print(stderr, "steplab {}: note: {}\n", command, note);
-}
-
 int guarded(const std::string& program, const std::function<int()>& body) {
     try {
         return body();
     } catch (const Error& error) {
-        return failed(program, error.code(), safe_message(error.what()).c_str());
+        return failed(program, error.code(), error.what());
     } catch (const ReaderGone&) {
         return static_cast<int>(ExitCode::done);
     } catch (const Interrupted& interrupted) {
@@ -194,12 +180,11 @@ int guarded(const std::string& program, const std::function<int()>& body) {
     } catch (const std::length_error&) {
         return failed(program, ExitCode::usage, "not enough memory: more than any array can hold");
     } catch (const std::filesystem::filesystem_error& error) {
-        return failed(program, ExitCode::file, safe_message(error.what()).c_str());
+        return failed(program, ExitCode::file, error.what());
     } catch (const std::system_error& error) {
-        return failed(program, ExitCode::usage,
-                      "the system grants no more threads or memory: ", safe_message(error.what()).c_str());
+        return failed(program, ExitCode::usage, "the system grants no more threads or memory: ", error.what());
     } catch (const std::exception& error) {
-        return failed(program, ExitCode::usage, safe_message(error.what()).c_str());
+        return failed(program, ExitCode::usage, error.what());
     }
 }
 
@@ -208,15 +193,6 @@ void keep_no_freed_memory() {
     mallopt(M_MMAP_THRESHOLD, 1 << 20);  // glibc's own grows to 32 MiB, and memory freed below it leaves holes
     mallopt(M_TRIM_THRESHOLD, 2 << 20);
 #endif
-}
-
-void prepare_standard_streams() {
-    // A closed stream is opened for reading only, so that writing to it is an error; open() returns the lowest number.
-    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        if (fcntl(descriptor, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != descriptor) return;
-    }
-    std::signal(SIGPIPE, SIG_IGN);
-    std::signal(SIGXFSZ, SIG_IGN);  // exceeding a limit on file sizes then is a write error
 }
 
 }  // namespace steplab

@@ -44,18 +44,9 @@ void footer(CLI::App& app, std::function<std::string()> text);
 ///     if (const auto text = parse(app, arguments)) return print(*text);
 std::optional<std::string> parse(CLI::App& app, std::vector<std::string> arguments);
 
-/// Writes text to standard output. Throws FileError or ReaderGone unless all of it is written.
-void print(std::string_view text);
-
-/// Writes what would be missed in the results on standard error: "steplab COMMAND: note: ...".
-void print_note(std::string_view command, std::string_view note);
-
 /// Runs the body of a main. Any exception becomes one line on standard error, "program: message", and its exit code.
 int guarded(const std::string& program, const std::function<int()>& body);
 
-/// Opens standard input, output and error where they are closed, so that no file gets their numbers, and turns a write
-/// to a closed pipe into an error instead of a signal. To be called first in a main.
-void prepare_standard_streams();
 /// Returns the memory of large arrays to the system when they are freed.
 void keep_no_freed_memory();
 

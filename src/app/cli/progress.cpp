@@ -1,5 +1,6 @@
 #include "app/cli/progress.hpp"
 
+#include "core/clamped.hpp"
 #include "core/duration.hpp"
 
 #include <fmt/format.h>
@@ -13,9 +14,6 @@ namespace steplab {
 
 namespace {
 
-/// Of progress that is written as lines.
-constexpr std::chrono::seconds between_lines(5);
-
 /// "12 s left" after this text; empty while the time is not known.
 std::string time_left(const char* before, double fraction, double elapsed_seconds) {
     if (!(fraction > 0)) return {};
@@ -26,7 +24,7 @@ std::string time_left(const char* before, double fraction, double elapsed_second
 
 std::string progress_text(double fraction, double elapsed_seconds) {
     constexpr int width = 30;
-    const int filled = std::clamp(static_cast<int>(fraction * width), 0, width);
+    const int filled = clamped_floor(fraction * width, 0, width);
     return fmt::format("[{}{}] {:3.0f} %{}", std::string(static_cast<std::size_t>(filled), '#'),
                        std::string(static_cast<std::size_t>(width - filled), '-'), std::floor(fraction * 100),
                        time_left("  ", fraction, elapsed_seconds));
@@ -37,9 +35,12 @@ std::string progress_line(const std::string& program, double fraction, double el
                        time_left(", ", fraction, elapsed_seconds));
 }
 
-Progress::Progress(std::uint64_t total, bool visible, std::string program)
-    : total_(total), visible_(visible), program_(visible ? std::string() : std::move(program)) {
-    if (!program_.empty()) next_ = begin_ + between_lines;
+Progress::Progress(std::uint64_t total, bool visible, std::string program, std::chrono::milliseconds between_lines)
+    : total_(total),
+      visible_(visible),
+      program_(visible ? std::string() : std::move(program)),
+      between_lines_(between_lines) {
+    if (!program_.empty()) next_ = begin_ + between_lines_;
 }
 
 Progress::~Progress() { clear(); }
@@ -54,13 +55,17 @@ void Progress::draw(const std::string& line) {
 }
 
 void Progress::print_line(const std::string& line) {
-    next_ = Clock::now() + between_lines;
+    next_ = Clock::now() + between_lines_;
     std::fputs(line.c_str(), stderr);
 }
 
 void Progress::at(std::uint64_t done) {
+    at_part(total_ > 0 ? static_cast<double>(done) / static_cast<double>(total_) : 1);
+}
+
+void Progress::at_part(double part) {
     if (!is_due()) return;
-    const double fraction = static_cast<double>(done) / static_cast<double>(total_);
+    const double fraction = part > 0 ? std::min(part, 1.0) : 0;
     const double elapsed = std::chrono::duration<double>(Clock::now() - begin_).count();
     visible_ ? draw(progress_text(fraction, elapsed)) : print_line(progress_line(program_, fraction, elapsed));
 }

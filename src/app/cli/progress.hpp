@@ -18,13 +18,16 @@ class Progress {
 public:
     /// `visible`: standard error is a terminal that nothing else writes to. If false, nothing is shown; but if it is no
     /// terminal and a program is named, a line every few seconds.
-    Progress(std::uint64_t total, bool visible, std::string program = {});
+    Progress(std::uint64_t total, bool visible, std::string program = {},
+             std::chrono::milliseconds between_lines = std::chrono::seconds(5));
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
     /// `done` of `total` is done. Costs almost nothing between two redraws.
     void at(std::uint64_t done);
+    /// The same by the part that is done, 0 to 1.
+    void at_part(double part);
     /// Shows a text instead, where the total is not known.
     void stage(const std::string& text);
     void clear();
@@ -38,6 +41,7 @@ private:
     std::uint64_t total_;
     bool visible_;
     std::string program_;  ///< of lines; empty: none
+    std::chrono::milliseconds between_lines_;
     bool drawn_ = false;
     Clock::time_point begin_ = Clock::now();
     Clock::time_point next_ = begin_ + std::chrono::seconds(1);

@@ -3,6 +3,8 @@
 #include "app/cli/parameters_json.hpp"
 #include "app/cli/text_table.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
+#include "io/json_text.hpp"
 #include "models/scene/scene_particles.hpp"
 #include "models/scene/spring_list.hpp"
 #include "sim/catalogue.hpp"
@@ -121,7 +123,7 @@ std::string scene_text(const SceneListing& scene) {
         rows.push_back({"box", fmt::format("{} x {} x {} m (0: not periodic)", exact_text(scene.box.x),
                                            exact_text(scene.box.y), exact_text(scene.box.z))});
     rows.push_back({"parameters", parameter_text(scene)});
-    const std::string title = info.name.empty() ? run.model : std::string(info.name);
+    const std::string title = info.name.empty() ? shown(run.model) : std::string(info.name);
     return title + "\n" + (info.what.empty() ? "" : wrapped(info.what, 0) + "\n") + aligned(rows, 2);
 }
 
@@ -154,7 +156,7 @@ std::string scene_json(const SceneListing& scene) {
                     {"drag", scene.drag},
                     {"box", {scene.box.x, scene.box.y, scene.box.z}},
                     {"parameters", parameters_json(run.scene.infos())}};
-    return json.dump(2) + "\n";
+    return json_text(json);
 }
 
 }  // namespace steplab

@@ -60,6 +60,9 @@ void ViewOptions::declare(CLI::App& app) {
                               .particle = "Select this particle",
                               .panel = "Show the panel and the plots (default: where the window has room)",
                               .scale = "Scale of the interface, 0.5 to 8 (default: that of the display)"});
+    content_.declare(app, {.group = group,
+                           .plots = "Plots below the scene",
+                           .caption = "Saved pictures and films have a text below them"});
     text_option(app, "--speed", speed_, "X|unlimited", "Simulated seconds per second of real time (default 1)", group);
     flag_option(app, "--play", playing_, "Start playing at once, after --steps or --until", group);
     flag_option(app, "--full-screen", full_screen_, "Open in full screen", group);
@@ -106,6 +109,14 @@ void ViewOptions::put_remembered(const ui::ViewChoices& choices, const RunDescri
     appearance_.put_remembered(choices, description, request.style);
     if (request.panel) request.choices.panel = request.panel;
     request.panel = request.choices.panel;
+    if (const auto plots = content_.plots()) {
+        request.choices.plots.clear();
+        for (const ui::PlotKind kind : *plots) request.choices.plots.push_back(ui::default_choice(kind));
+    }
+    if (const auto caption = content_.caption()) {
+        request.choices.picture.caption = true;
+        request.choices.picture.caption_text = caption->text;
+    }
     if (request.scale) request.choices.scale = 1;  // the scale that is given is that of the interface
     if (is_given(*app_, "--size")) return;
     request.width = choices.width;

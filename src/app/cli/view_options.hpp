@@ -2,6 +2,7 @@
 
 #include "app/cli/appearance_options.hpp"
 #include "app/cli/ensemble_options.hpp"
+#include "app/cli/picture_content_options.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/session_option.hpp"
 #include "app/cli/shown_runs_options.hpp"
@@ -64,6 +65,7 @@ public:
 private:
     TimeOptions time_{0};
     AppearanceOptions appearance_;
+    PictureContentOptions content_;
     EnsembleOptions ensemble_;
     ShownRunsOptions runs_;
     SessionOption session_;

@@ -3,11 +3,13 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/cli/text_table.hpp"
 #include "core/duration.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
 #include "core/text.hpp"
 #include "lab/study/advice.hpp"
 #include "lab/study/answers.hpp"
@@ -54,7 +56,7 @@ std::string others_table(const Advice& advice) {
 
 std::string advice_text(const StudyPlan& plan, double error, const Reference& reference, const Advice& advice) {
     const Measurement& best = advice.best;
-    std::string text = fmt::format("{} to t = {} with an error of at most {}: {}, {}, {}\n\n", plan.scene.model,
+    std::string text = fmt::format("{} to t = {} with an error of at most {}: {}, {}, {}\n\n", shown(plan.scene.model),
                                    short_number(plan.time), typed(error), best.run.method, step_text(best.run),
                                    id(best.run.precision));
     text += fmt::format("  steplab run {} --steps {}\n\n", command_line(best.run), best.steps);
@@ -82,13 +84,13 @@ public:
         const double error = parse_value(error_info, error_);
         const StudyPlan plan = plan_of(scene_.description());
         catch_interruptions();
-        Progress bar(1000, isatty(STDERR_FILENO) != 0, "steplab advise");
+        Progress bar(1, isatty(STDERR_FILENO) != 0, "steplab advise");
         const Reference reference = reference_for(plan, error / finer_reference, [&](int run, double part) {
             bar.stage(fmt::format("computing the reference solution: run {}, {:.0f} %", run, std::floor(part * 100)));
         });
         const Advice advice = advise(plan, error, reference, [&](double part) {
             check_interruption();
-            bar.at(static_cast<std::uint64_t>(part * 1000));
+            bar.at_part(part);
         });
         bar.clear();
         print(advice_text(plan, error, reference, advice));

@@ -2,11 +2,11 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/bench_text.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 
-#include <cstdint>
 #include <string>
 #include <unistd.h>
 
@@ -33,14 +33,13 @@ public:
 
     int run() override {
         catch_interruptions();
-        constexpr std::uint64_t whole = 1000;
-        Progress progress(whole, isatty(STDERR_FILENO) != 0);
+        Progress progress(1, isatty(STDERR_FILENO) != 0);
         const MachineSpeed speed = measure_machine(method_.empty() ? "velocity-verlet" : method_, [&](double part) {
             check_interruption();
-            progress.at(static_cast<std::uint64_t>(part * whole));
+            progress.at_part(part);
         });
         progress.clear();
-        print(json_ ? bench_json(speed) : bench_text(speed));
+        json_ ? print_data(bench_json(speed)) : print(bench_text(speed));
         return static_cast<int>(ExitCode::done);
     }
 

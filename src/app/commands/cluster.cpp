@@ -5,6 +5,7 @@
 #include "app/cli/lammps_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/cluster_results.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
@@ -97,7 +98,7 @@ private:
             throw;
         } catch (...) {
             if (temporary) temporary->keep();
-            fmt::print(stderr, "steplab cluster: the files of LAMMPS are kept in '{}'\n", shown(folder));
+            print_aside(fmt::format("steplab cluster: the files of LAMMPS are kept in '{}'\n", shown(folder)));
             throw;
         }
         return static_cast<int>(ExitCode::done);
@@ -124,10 +125,7 @@ private:
         for (const std::string& file : {out_, summary_, files_}) {
             if (!file.empty() && file != "-") text += fmt::format("  {:<14}{}\n", "written", shown(file));
         }
-        if (out_ == "-" || summary_ == "-")
-            std::fputs(text.c_str(), stderr);
-        else
-            print(text);
+        print_beside(text, out_ == "-" || summary_ == "-");
     }
 
     SceneOptions scene_;

@@ -2,6 +2,7 @@
 
 #include "app/cli/catalogue_text.hpp"
 #include "app/cli/command_line.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/advise.hpp"
 #include "app/commands/bench.hpp"
 #include "app/commands/cluster.hpp"

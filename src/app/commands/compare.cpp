@@ -4,6 +4,7 @@
 #include "app/cli/compared_runs.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/cli/text_table.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
@@ -81,13 +82,13 @@ public:
         OutputFile file(out_, compression_of(out_));
         RunComparison comparison(runs, duration, samples);
         for (std::size_t i = 0; i < runs.size(); ++i)
-            fmt::print(stderr, "run {}: {}\n", i, variant_text(runs[i], base));
+            print_aside(fmt::format("run {}: {}\n", i, variant_text(runs[i], base)));
         const std::vector<Worst> worst = write(comparison, samples, file);
         file.commit();
         print_summary(comparison, worst);
         for (std::size_t i = 0; i < runs.size(); ++i) {
             for (const std::string& note : notes_of_rounding(comparison.run(i)))
-                print_note(name(), fmt::format("run {}: {}", i, note));
+                print_note("steplab compare", fmt::format("run {}: {}", i, note));
         }
         return check_ends(comparison);
     }
@@ -126,12 +127,7 @@ private:
                             last && last->energy_error ? typed(worst[i].energy_error, 3) : "",
                             last ? std::to_string(last->evaluations) : "", comparison.reference(i)});
         }
-        const std::string text = aligned(rows, 2);
-        if (out_ == "-") {
-            fmt::print(stderr, "{}", text);
-        } else {
-            print(text);
-        }
+        print_beside(aligned(rows, 2), out_ == "-");
     }
 
     static int check_ends(const RunComparison& comparison) {

@@ -2,6 +2,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/shown.hpp"
@@ -16,7 +17,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <unistd.h>
@@ -180,9 +180,7 @@ private:
             rows(file);
         } catch (const Interrupted&) {
             if (const auto kept = file.keep_partial())
-                std::fputs(
-                    fmt::format("steplab convert: interrupted; output so far is kept in '{}'\n", shown(*kept)).c_str(),
-                    stderr);
+                print_aside(fmt::format("steplab convert: interrupted; output so far is kept in '{}'\n", shown(*kept)));
             throw;
         }
         file.commit();

@@ -5,10 +5,12 @@
 #include "app/cli/lammps_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/cli/text_table.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
 #include "io/temporary_folder.hpp"
 #include "lab/crosscheck/crosscheck.hpp"
 
@@ -24,8 +26,6 @@ constexpr const char* crosscheck_examples =
     "Examples:\n"
     "  steplab crosscheck --model mesh --steps 500\n"
     "  steplab crosscheck --scene fcc-crystal --until 1 --ranks 2\n\n";
-
-constexpr std::uint64_t thousandths = 1000;
 
 std::string table(const Crosscheck& check) {
     std::vector<Row> rows;
@@ -61,12 +61,13 @@ public:
         catch_interruptions();
         const TemporaryFolder temporary;
         if (out_.empty()) options.folder = temporary.path();
-        Progress progress(thousandths, isatty(STDERR_FILENO) != 0, "steplab crosscheck");
-        options.progress = [&](double part) { progress.at(static_cast<std::uint64_t>(part * thousandths)); };
+        Progress progress(1, isatty(STDERR_FILENO) != 0, "steplab crosscheck");
+        options.progress = [&](double part) { progress.at_part(part); };
         const Crosscheck check = crosscheck(run, options);
         progress.clear();
-        print(fmt::format("{}, {} steps of dt {}, velocity Verlet here and in {}\n\n{}\n{}\n", run.model, options.steps,
-                          exact_text(run.dt), check.lammps, table(check), wrapped(check.verdict_text() + ".", 0)));
+        print(fmt::format("{}, {} steps of dt {}, velocity Verlet here and in {}\n\n{}\n{}\n", shown(run.model),
+                          options.steps, exact_text(run.dt), check.lammps, table(check),
+                          wrapped(check.verdict_text() + ".", 0)));
         return static_cast<int>(check.agrees() ? ExitCode::done : ExitCode::replay);
     }
 

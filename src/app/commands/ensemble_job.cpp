@@ -35,7 +35,8 @@ std::vector<RunSummary> computed(const EnsembleJob& job) {
     });
     std::vector<RunSummary> summaries;
     for (std::size_t i = 0; i < results.size(); ++i)
-        summaries.push_back({.run = job.runs[i].description, .result = results[i].result});
+        summaries.push_back(
+            {.run = job.runs[i].description, .result = results[i].result, .until = job.runs[i].end.time});
     return summaries;
 }
 
@@ -94,7 +95,7 @@ void EnsembleJob::run() const {
         rows.commit();
         if (summary_file) summary_file->write(summary_json(summary)), summary_file->commit();
         output.print_summary(summary_text(summary));
-        for (const std::string& note : summary.notes) print_note("run", note);
+        for (const std::string& note : summary.notes) print_note("steplab run", note);
         if (summary.diverged() > 0) throw Error(ExitCode::diverged, divergence_message(summary));
     } catch (const Interrupted&) {
         print_interruption("interrupted", rows.keep_partial());

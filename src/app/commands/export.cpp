@@ -3,6 +3,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/lammps_options.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/text.hpp"

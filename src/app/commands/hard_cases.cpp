@@ -1,6 +1,7 @@
 #include "app/commands/hard_cases.hpp"
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/hard_cases_text.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
@@ -30,7 +31,8 @@ public:
     }
 
     int run() override {
-        print(name_.empty() ? list() : table_of(hard_case(name_)));
+        const std::string text = name_.empty() ? list() : table_of(hard_case(name_));
+        json_ ? print_data(text) : print(text);
         return static_cast<int>(ExitCode::done);
     }
 

@@ -4,9 +4,11 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/limits_text.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/shown.hpp"
 #include "core/watching.hpp"
 #include "lab/limits/all_limits.hpp"
 
@@ -45,9 +47,9 @@ public:
         const std::vector<Limit> limits = limits_of(lab, runs, progress);
         progress.clear();
         if (json_) {
-            print(limits_json(limits));
+            print_data(limits_json(limits));
         } else {
-            print(fmt::format("{} in {}: largest ω at the start {:.6g} 1/s\n\n{}{}", runs.front().model,
+            print(fmt::format("{} in {}: largest ω at the start {:.6g} 1/s\n\n{}{}", shown(runs.front().model),
                               id(runs.front().precision), lab.omega_max(), limits_table(limits, runs.front().dt),
                               explained));
         }

@@ -4,6 +4,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/scene_listing.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/cli/text_table.hpp"
 #include "core/error.hpp"
 #include "core/terms.hpp"
@@ -49,7 +50,7 @@ public:
             throw UsageError(unknown_word("list", kind_, kinds));
         if (kind_ == kinds[3]) {
             const SceneListing scene = scene_listing(scene_.description());
-            print(json_ ? scene_json(scene) : scene_text(scene));
+            json_ ? print_data(scene_json(scene)) : print(scene_text(scene));
             return static_cast<int>(ExitCode::done);
         }
         if (scene_.any_given()) throw UsageError("the options of a scene belong to `steplab list scene`");
@@ -57,12 +58,12 @@ public:
             const std::vector<Titled> all = kind_ == kinds[2]   ? scenes()
                                             : kind_ == kinds[4] ? lessons()
                                                                 : explained_terms();
-            print(json_ ? json(all) : table(all));
+            json_ ? print_data(json(all)) : print(table(all));
             return static_cast<int>(ExitCode::done);
         }
         const bool with_models = kind_ != kinds[1];
         const bool with_methods = kind_ != kinds[0];
-        print(json_ ? catalogue_json(with_models, with_methods) : tables(with_models, with_methods));
+        json_ ? print_data(catalogue_json(with_models, with_methods)) : print(tables(with_models, with_methods));
         return static_cast<int>(ExitCode::done);
     }
 

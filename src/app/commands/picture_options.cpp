@@ -3,21 +3,18 @@
 #include "app/cli/command_line.hpp"
 #include "core/error.hpp"
 #include "core/shown.hpp"
-#include "core/text.hpp"
-#include "ui/plot/choice.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace steplab {
 namespace {
 
 constexpr int longest_side = 8192;
-constexpr const char* automatic_caption = "auto";
 constexpr render::PictureSize least_with_panel{400, 300};
 
 /// An integer number of pixels; 0 if `text` is none.
@@ -52,31 +49,6 @@ void check_room_for_panel(render::PictureSize size, double scale) {
     throw UsageError(fmt::format("--ui on needs a picture of at least {}x{} pixels", width, height));
 }
 
-/// "energy-error,phase-portrait": kinds by their names in the window, with hyphens in place of blanks.
-std::vector<ui::PlotKind> parse_plots(std::string_view text) {
-    std::array<std::string, ui::plot_kinds.size()> words;
-    std::array<std::string_view, ui::plot_kinds.size()> known;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        words[i] = ui::plot_kinds[i].id;
-        std::replace(words[i].begin(), words[i].end(), ' ', '-');
-        known[i] = words[i];
-    }
-    std::vector<ui::PlotKind> kinds;
-    for (std::size_t from = 0, end = 0; end < text.size(); from = end + 1) {
-        end = std::min(text.find(',', from), text.size());
-        const std::string_view word = text.substr(from, end - from);
-        const auto found = std::find(known.begin(), known.end(), word);
-        if (found == known.end()) throw UsageError(unknown_word("plot (--plots)", word, known));
-        const ui::PlotKind kind = ui::plot_kinds[static_cast<std::size_t>(found - known.begin())].kind;
-        if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end())
-            throw UsageError(fmt::format("--plots: {} is named twice", word));
-        kinds.push_back(kind);
-    }
-    if (kinds.size() > ui::PlotsState::most)
-        throw UsageError(fmt::format("--plots: at most {} plots are shown", ui::PlotsState::most));
-    return kinds;
-}
-
 }  // namespace
 
 void PictureOptions::declare(CLI::App& app) {
@@ -88,13 +60,9 @@ void PictureOptions::declare(CLI::App& app) {
               .particle = "Mark this particle",
               .panel = "Draw the window's panels too (default off)",
               .scale = "Scale of text, lines and panels, 0.5 to 8 (default: 1, more in pictures beyond 1280x720)"});
-    text_option(app, "--plots", plots_, "KIND,...",
-                "Plots below the scene with --ui on, one to four: energy-error, phase-portrait ... (default "
-                "energy-error,displacement)",
-                group);
-    optional_text_option(app, "--caption", caption_, "[TEXT]", automatic_caption,
-                         "Write a text below the picture (default auto: scene, method, dt and time of each run)",
-                         group);
+    shown_.declare(
+        app,
+        {.group = group, .plots = "Plots below the scene with --ui on", .caption = "Write a text below the picture"});
     text_option(app, "--gl", gl_, "auto|osmesa|egl",
                 fmt::format("OpenGL context (default {}: the first that works)", gl_), group);
 }
@@ -107,9 +75,9 @@ PictureRequest PictureOptions::request(const RunDescription& description) const 
     request.panel = appearance_.panel().value_or(false);
     request.style = appearance_.style(description);
     request.style.pixel_scale = appearance_.scale().value_or(usual_scale(request.size));
-    if (!plots_.empty()) request.plots = parse_plots(plots_);
-    if (!plots_.empty() && !request.panel) throw UsageError("--plots is for pictures with --ui on");
-    if (!caption_.empty()) request.caption = ui::Caption{caption_ == automatic_caption ? "" : caption_};
+    if (auto plots = shown_.plots()) request.plots = std::move(*plots);
+    if (shown_.plots() && !request.panel) throw UsageError("--plots is for pictures with --ui on");
+    request.caption = shown_.caption();
     if (request.panel) check_room_for_panel(request.size, request.style.pixel_scale);
     return request;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/appearance_options.hpp"
+#include "app/cli/picture_content_options.hpp"
 #include "app/offscreen/modules.hpp"
 
 #include <string>
@@ -29,8 +30,7 @@ private:
     std::string size_ = "1280x720";
     std::string gl_ = "auto";
     AppearanceOptions appearance_;
-    std::string caption_;
-    std::string plots_;
+    PictureContentOptions shown_;
 };
 
 }  // namespace steplab

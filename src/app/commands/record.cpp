@@ -6,6 +6,7 @@
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/shown_runs_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/film_options.hpp"
 #include "app/commands/film_times.hpp"
 #include "app/commands/pictured_ensemble.hpp"
@@ -15,6 +16,7 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
+#include "core/shown.hpp"
 
 #include <fmt/format.h>
 
@@ -64,8 +66,8 @@ public:
         const std::unique_ptr<Film> film = make_film(format);
         PicturedRuns pictured(runs, times.end(), std::move(request), std::move(ensemble), "steplab record");
         const std::uint64_t frames = write(pictured, times, offscreen, *film);
-        for (const std::string& note : pictured.notes()) print_note(name(), note);
-        if (const auto note = times.note()) print_note(name(), *note);
+        for (const std::string& note : pictured.notes()) print_note("steplab record", note);
+        if (const auto note = times.note()) print_note("steplab record", *note);
         print_result(frames, format.fps, offscreen.kind());
         pictured.check_ends();
         return static_cast<int>(ExitCode::done);
@@ -87,7 +89,7 @@ private:
             film.finish();
         } catch (const Interrupted&) {
             pictured.end_progress();
-            fmt::print(stderr, "steplab record: interrupted; {}\n", film.keep());
+            print_aside(fmt::format("steplab record: interrupted; {}\n", film.keep()));
             throw;
         } catch (const FileError& error) {
             pictured.end_progress();
@@ -98,7 +100,7 @@ private:
     }
 
     void print_result(std::uint64_t frames, double fps, const std::string& gl) const {
-        print(fmt::format("{}: {} frame{}, {} s, {} pixels, drawn with {}\n", film_.out(), frames,
+        print(fmt::format("{}: {} frame{}, {} s, {} pixels, drawn with {}\n", shown(film_.out()), frames,
                           frames == 1 ? "" : "s", short_number(static_cast<double>(frames) / fps), film_.size_text(),
                           gl));
     }

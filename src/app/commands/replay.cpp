@@ -2,11 +2,13 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/commit.hpp"
+#include "io/json_text.hpp"
 #include "io/output_file.hpp"
 #include "session/lesson_check.hpp"
 #include "session/replay.hpp"
@@ -112,14 +114,9 @@ private:
     }
 
     void print_result(const Replay& replay) const {
-        const std::string text =
-            fmt::format("{}, {}: {}\n", counted(replay.handled(), "event"), counted(replay.steps(), "step"),
-                        replay.compared() ? "the same hashes" : "the file has no hash to compare with");
-        if (summary_ == "-") {
-            fmt::print(stderr, "{}", text);
-        } else {
-            print(text);
-        }
+        print_beside(fmt::format("{}, {}: {}\n", counted(replay.handled(), "event"), counted(replay.steps(), "step"),
+                                 replay.compared() ? "the same hashes" : "the file has no hash to compare with"),
+                     summary_ == "-");
     }
 
     void write_summary(const Replay& replay, const Session& session,
@@ -135,7 +132,7 @@ private:
                                     {"version", STEPLAB_VERSION}};
         if (difference) json["reason"] = *difference;
         OutputFile file(summary_);
-        file.write(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+        file.write(json_text(json));
         file.commit();
     }
 

@@ -4,10 +4,12 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
+#include "core/watching.hpp"
 #include "io/scene_file.hpp"
 #include "lab/report/report.hpp"
 #include "sim/catalogue.hpp"
@@ -15,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <unistd.h>
 #include <utility>
@@ -69,23 +70,22 @@ public:
         ReportRequest request{.folder = out_, .plans = plans()};
         if (!errors_.empty()) request.errors = errors();
         catch_interruptions();
-        Progress bar(1000, isatty(STDERR_FILENO) != 0, "steplab report");
+        Progress bar(1, isatty(STDERR_FILENO) != 0, "steplab report");
         try {
             write_report(request, [&](double part, const std::string&) {
                 check_interruption();
-                bar.at(static_cast<std::uint64_t>(part * 1000));
+                bar.at_part(part);
             });
         } catch (const Interrupted&) {
             bar.clear();
-            fmt::print(stderr,
-                       "steplab report: interrupted; run the same command again to resume (from {}/.measured)\n",
-                       shown(out_));
+            print_aside(
+                fmt::format("steplab report: interrupted; run the same command again to resume (from {}/.measured)\n",
+                            shown(out_)));
             throw;
         }
         bar.clear();
         print(fmt::format("wrote {}/speed_error.csv and {}/report.html\n", shown(out_), shown(out_)));
-        if (models_.empty() && scenes_.empty())
-            fmt::print(stderr, "steplab report: note: not in it: {}\n", left_out_text());
+        if (models_.empty() && scenes_.empty()) print_note("steplab report", "not in it: " + left_out_text());
         return static_cast<int>(ExitCode::done);
     }
 
@@ -111,7 +111,12 @@ private:
     }
 
     int write_thesis() const {
-        write_thesis_page(out_);
+        Progress bar(1, isatty(STDERR_FILENO) != 0, "steplab report");
+        {
+            const Watching watching([&] { bar.stage("computing the tables and charts of the thesis"); });
+            write_thesis_page(out_);
+        }
+        bar.clear();
         print(fmt::format("wrote {}/thesis.html\n", shown(out_)));
         return static_cast<int>(ExitCode::done);
     }

@@ -5,6 +5,7 @@
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/ensemble_job.hpp"
 #include "app/commands/run_outputs.hpp"
 #include "core/error.hpp"
@@ -26,6 +27,8 @@ constexpr const char* run_examples =
     "  steplab run --model chain --set n=20 --until 100 --every 10 --out chain.csv\n"
     "  steplab run --model rope --method rk4 --dt 0.02 --series energy.csv --summary -\n"
     "  steplab run --model chain --ensemble 100 --spread k=1:2 --until 50 --summary -\n\n";
+
+constexpr const char* program = "steplab run";
 
 class RunCommand final : public Command {
 public:
@@ -61,9 +64,9 @@ public:
                 [&outputs](const Simulation& now) { outputs.record(now); });
             outputs.commit(summary);
             output_.print_summary(summary_text(summary));
-            for (const std::string& note : summary.notes) print_note(name(), note);
+            for (const std::string& note : summary.notes) print_note(program, note);
             const auto note = time_.note(description, end);
-            if (note && !summary.result.divergence) print_note(name(), *note);
+            if (note && !summary.result.divergence) print_note(program, *note);
         } catch (const Interrupted&) {
             print_interruption(fmt::format("interrupted after step {}", simulation.step()), outputs.keep_partial());
             throw;
@@ -84,7 +87,7 @@ private:
         const auto longest = std::max_element(job.runs.begin(), job.runs.end(), fewer_steps);
         job.every = every(longest->end.step);
         if (const auto note = time_.note(longest->description, longest->end))
-            print_note(name(), "the longest run: " + *note);
+            print_note(program, "the longest run: " + *note);
         catch_interruptions();
         job.run();
         return static_cast<int>(ExitCode::done);

@@ -2,6 +2,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/particle_list.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "sim/catalogue.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdio>
 #include <utility>
 
 namespace steplab {
@@ -70,17 +70,12 @@ std::string OutputOptions::files() const {
 
 void OutputOptions::print_summary(std::string text) const {
     if (const std::string names = files(); !names.empty()) text += fmt::format("  {:<14}{}\n", "written", names);
-    if (standard_output_taken()) {
-        std::fputs(text.c_str(), stderr);
-    } else {
-        print(text);
-    }
+    print_beside(text, standard_output_taken());
 }
 
 void print_interruption(std::string text, const std::vector<std::string>& kept) {
     if (!kept.empty()) text += fmt::format("; output so far is kept in '{}'", fmt::join(kept, "' and '"));
-    text = safe_message(text);
-    std::fputs(fmt::format("steplab run: {}\n", text).c_str(), stderr);
+    print_aside(fmt::format("steplab run: {}\n", text));
 }
 
 RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& description) {

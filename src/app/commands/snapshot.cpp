@@ -5,6 +5,7 @@
 #include "app/cli/ensemble_options.hpp"
 #include "app/cli/scene_options.hpp"
 #include "app/cli/shown_runs_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/commands/pictured_ensemble.hpp"
 #include "app/commands/pictured_runs.hpp"
 #include "app/commands/snapshot_options.hpp"
@@ -62,8 +63,8 @@ public:
         pictured.end_progress();
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
-        for (const std::string& note : pictured.notes()) print_note(name(), note);
-        if (const auto note = time_.note(description, end)) print_note(name(), *note);
+        for (const std::string& note : pictured.notes()) print_note("steplab snapshot", note);
+        if (const auto note = time_.note(description, end)) print_note("steplab snapshot", *note);
         if (!written_directly(picture_.out())) print_result(pictured.request().view, offscreen.kind());
         pictured.check_ends();
         return static_cast<int>(ExitCode::done);
@@ -106,7 +107,7 @@ private:
     }
 
     void print_result(const RunView& view, const std::string& gl) const {
-        print(fmt::format("{}: step {}, time {} s, {} pixels, drawn with {}\n", picture_.out(), view.frame.step,
+        print(fmt::format("{}: step {}, time {} s, {} pixels, drawn with {}\n", shown(picture_.out()), view.frame.step,
                           short_number(view.frame.time), picture_.size_text(), gl));
     }
 

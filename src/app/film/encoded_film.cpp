@@ -84,7 +84,7 @@ void EncodedFilm::fail() {
     check_interruption();  // whoever ends this program may have ended that one too
     if (ffmpeg_->end() == ChildProgram::End::missing)
         throw FileError("cannot run ffmpeg, which writes films: install the package ffmpeg");
-    throw FileError(fmt::format("ffmpeg, which writes films, failed: {}", ffmpeg_->messages()));
+    throw FileError(fmt::format("ffmpeg, which writes films, failed: {}", safe_message(ffmpeg_->messages())));
 }
 
 }  // namespace steplab

@@ -1,5 +1,9 @@
 #include "app/film/film_recorder.hpp"
 
+#include "core/error.hpp"
+#include "core/helper_thread.hpp"
+#include "core/problem_text.hpp"
+
 #include <fmt/format.h>
 
 #include <exception>
@@ -8,7 +12,10 @@
 namespace steplab {
 
 FilmRecorder::FilmRecorder(const FilmFormat& format, void (*wake)())
-    : format_(format), wake_(wake), film_(make_film(format)), thread_([this] { work(); }) {}
+    : format_(format), wake_(wake), film_(make_film(format)) {
+    if (!has_thread(thread_, [this] { work(); }))
+        throw UsageError("a film needs a thread of its own: the system grants no further one");
+}
 
 FilmRecorder::~FilmRecorder() { finish(); }
 
@@ -54,7 +61,7 @@ void FilmRecorder::work() {
     try {
         write();
     } catch (const std::exception& error) {
-        failure = fmt::format("the film ended: {}; {}", error.what(), kept());
+        failure = failure_text(error);
     }
     {
         const std::lock_guard lock(mutex_);
@@ -69,7 +76,16 @@ std::string FilmRecorder::kept() {
     try {
         return film_->keep();
     } catch (const std::exception& error) {
-        return error.what();
+        return problem_text(error);
+    }
+}
+
+/// Needs no memory if there is none: an exception would end the program.
+std::string FilmRecorder::failure_text(const std::exception& error) noexcept {
+    try {
+        return fmt::format("the film ended: {}; {}", error.what(), kept());
+    } catch (const std::exception& another) {
+        return problem_text(another);
     }
 }
 

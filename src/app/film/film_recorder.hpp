@@ -50,6 +50,7 @@ private:
     void work();
     void write();
     std::string kept();
+    std::string failure_text(const std::exception& error) noexcept;
     std::optional<Frame> next();
 
     FilmFormat format_;

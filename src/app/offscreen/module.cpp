@@ -2,6 +2,7 @@
 
 #include "app/offscreen/context.hpp"
 #include "app/offscreen/painter.hpp"
+#include "core/problem_text.hpp"
 #include "render/gl.hpp"
 
 #include <exception>
@@ -19,11 +20,11 @@ ModuleAnswer answered(const std::function<void()>& action) noexcept {
         action();
         return {};
     } catch (const Error& error) {
-        return {error.code(), error.what()};
+        return {error.code(), problem_text(error)};
     } catch (const std::bad_alloc&) {
-        return {ExitCode::usage, "not enough memory for the picture: choose a smaller --size"};
+        return {ExitCode::usage, copy_or_short("not enough memory for the picture: choose a smaller --size")};
     } catch (const std::exception& error) {
-        return {ExitCode::no_opengl, error.what()};
+        return {ExitCode::no_opengl, problem_text(error)};
     }
 }
 

@@ -12,7 +12,7 @@ namespace steplab {
 class CaptionStrip {
 public:
     /// Lays the caption out, for a picture of this size that stands above it. Its height in pixels.
-    int lay_out(const SessionView& view, render::Style style, const ui::Display& above);
+    int lay_out(const SessionView& view, render::Style style, const ui::Display& above, const ui::Caption& caption);
     /// Draws it into the bound framebuffer, of which it is the foot.
     void draw() const;
 

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "io/shared_files.hpp"
 
+#include <system_error>
 #include <utility>
 
 namespace steplab {
@@ -21,15 +22,22 @@ ReadPicture picture_of(const ui::Exhibit& exhibit) {
 
 void GalleryLoader::begin(void (*wake)()) {
     if (std::exchange(begun_, true)) return;
-    reading_ = std::async(std::launch::async, [this, wake] {
-        lower_priority();
+    const auto work = [this, wake] {
         Read result = read();
         {
             const std::lock_guard lock(mutex_);
             ready_ = std::move(result);
         }
         wake();
-    });
+    };
+    try {
+        reading_ = std::async(std::launch::async, [work] {
+            lower_priority();
+            work();
+        });
+    } catch (const std::system_error&) {
+        work();  // there is no thread for it: the window waits
+    }
 }
 
 GalleryLoader::Read GalleryLoader::read() {

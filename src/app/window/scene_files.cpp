@@ -26,6 +26,8 @@ namespace {
 // How often a file is looked at: one system call each time.
 constexpr std::chrono::milliseconds between_looks{500};
 
+constexpr const char* no_memory = "there is not enough memory for this scene";
+
 std::string in_own_folder(const std::string& path) {
     const char* const home = std::getenv("HOME");
     return home && path.starts_with("~/") ? home + path.substr(1) : path;
@@ -98,36 +100,30 @@ SceneFiles::~SceneFiles() {
 }
 
 void SceneFiles::open(const std::string& name) {
-    post([this, name = in_own_folder(name)] { attempt([&] { report(opened(name)); }); });
+    post([this, name = in_own_folder(name)] { report(opened(name)); });
 }
 
 void SceneFiles::open_lesson(const std::string& name) {
-    post([this, name] { attempt([&] { report({.kind = News::Kind::lesson, .lesson = find_lesson(name)}); }); });
+    post([this, name] { report({.kind = News::Kind::lesson, .lesson = find_lesson(name)}); });
 }
 
 void SceneFiles::save(const RunDescription& run, const SceneView& view) {
     post([this, run, view] {
-        attempt([&] {
-            const std::string name = ui::free_name({}, run.model, "toml");
-            write_scene(name, run, view);
-            report({.kind = News::Kind::saved, .text = name});
-        });
+        const std::string name = ui::free_name({}, run.model, "toml");
+        write_scene(name, run, view);
+        report({.kind = News::Kind::saved, .text = name});
     });
 }
 
 void SceneFiles::save_session(std::shared_future<Recording> recording) {
-    post([this, recording = std::move(recording)] {
-        attempt([&] { write_new("session", "session", session_text(recording.get())); });
-    });
+    post([this, recording = std::move(recording)] { write_new("session", "session", session_text(recording.get())); });
 }
 
 void SceneFiles::finish_session(std::shared_ptr<OutputFile> file, std::shared_future<Recording> recording) {
     post([this, file = std::move(file), recording = std::move(recording)] {
-        attempt([&] {
-            file->write(session_text(recording.get()));
-            file->commit();
-            report({.kind = News::Kind::saved, .text = file->name()});
-        });
+        file->write(session_text(recording.get()));
+        file->commit();
+        report({.kind = News::Kind::saved, .text = file->name()});
     });
 }
 
@@ -152,6 +148,7 @@ void SceneFiles::watch(const RunDescription& shown) {
 
 std::optional<SceneFiles::News> SceneFiles::take() {
     const std::lock_guard lock(mutex_);
+    if (std::exchange(without_memory_, false)) return News{.text = std::string(no_memory)};
     if (news_.empty()) return std::nullopt;
     News next = std::move(news_.front());
     news_.pop_front();
@@ -173,13 +170,15 @@ void SceneFiles::work() {
             const Job job = std::move(jobs_.front());
             jobs_.pop_front();
             lock.unlock();
-            job();
+            attempt(job);
             lock.lock();
         } else if (!watching_) {
             changed_.wait(lock);
         } else if (changed_.wait_for(lock, between_looks) == std::cv_status::timeout) {
             lock.unlock();
-            if (files_.changed()) read_again();
+            attempt([this] {
+                if (files_.changed()) read_again();
+            });
             lock.lock();
         }
     }
@@ -218,9 +217,22 @@ void SceneFiles::attempt(const Work& work) {
     try {
         work();
     } catch (const std::bad_alloc&) {
-        report({.kind = News::Kind::failed, .text = "there is not enough memory for this scene"});
+        fail(no_memory);
     } catch (const std::exception& error) {
-        report({.kind = News::Kind::failed, .text = error.what()});
+        fail(error.what());
+    }
+}
+
+/// On the thread, where an exception would end the program: without memory for the news, take() makes them.
+void SceneFiles::fail(const char* message) noexcept {
+    try {
+        report({.kind = News::Kind::failed, .text = message});
+    } catch (const std::exception&) {
+        {
+            const std::lock_guard lock(mutex_);
+            without_memory_ = true;
+        }
+        wake_();
     }
 }
 

@@ -69,12 +69,14 @@ private:
     void report(News news);
     template <class Work>
     void attempt(const Work& work);
+    void fail(const char* message) noexcept;
 
     void (*wake_)();
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> jobs_;
     std::deque<News> news_;
+    bool without_memory_ = false;  ///< for one of them
     bool stopping_ = false;
     // of the thread
     FileWatch files_;

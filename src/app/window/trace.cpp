@@ -34,7 +34,7 @@ void Trace::report(std::string_view name, const std::string& value) {
     const auto last = reported_.find(name);
     if (last != reported_.end() && last->second == value) return;
     reported_.insert_or_assign(std::string(name), value);
-    const std::string line = fmt::format("{} {}\n", name, value);
+    const std::string line = fmt::format("{} {}\n", name, shown(value, value.size()));
     if (std::fputs(line.c_str(), out_.get()) < 0 || std::fflush(out_.get()) != 0) fail();
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/scene_options.hpp"
+#include "app/cli/standard_streams.hpp"
 #include "app/cli/view_choices_file.hpp"
 #include "app/cli/view_options.hpp"
 #include "app/window/viewer.hpp"
@@ -12,7 +13,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -38,7 +38,7 @@ int open_window(const RunDescription& description, const WindowRequest& request)
     try {
         viewer->run(watch);
     } catch (const FileError& error) {
-        fmt::print(stderr, "steplab-view: {}\n", error.what());
+        print_aside(fmt::format("steplab-view: {}\n", error.what()));
         end_program_soon(static_cast<int>(error.code()));
         return static_cast<int>(error.code());
     }
@@ -67,11 +67,11 @@ int run(const std::vector<std::string>& arguments) {
         const RunDescription& description = runs.front();
         WindowRequest request = options.request(runs, std::move(session));
         const ReadViewChoices remembered = read_view_choices(view_choices_path(request.config));
-        if (remembered.problem) fmt::print(stderr, "steplab-view: note: {}\n", *remembered.problem);
+        if (remembered.problem) print_note("steplab-view", *remembered.problem);
         request.note = remembered.problem.value_or("");
         options.put_remembered(remembered.choices, description, request);
         request.scenes = !start && !scene.any_given();
-        if (const auto note = options.note(description)) fmt::print(stderr, "steplab-view: note: {}\n", *note);
+        if (const auto note = options.note(description)) print_note("steplab-view", *note);
         return open_window(description, request);
     }
     return static_cast<int>(ExitCode::done);

@@ -1,4 +1,5 @@
 // How a window opens, and what it remembers of how a person left it.
+#include "app/cli/standard_streams.hpp"
 #include "app/cli/view_choices_file.hpp"
 #include "app/window/viewer.hpp"
 #include "core/error.hpp"
@@ -7,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <tuple>
 #include <utility>
 
@@ -71,7 +71,7 @@ void Viewer::remember_choices() const {
     try {
         remember_view_choices(choices_file_, *opened_choices_, choices());
     } catch (const Error& error) {
-        fmt::print(stderr, "steplab-view: note: what was chosen is not remembered: {}\n", error.what());
+        print_note("steplab-view", fmt::format("what was chosen is not remembered: {}", error.what()));
     }
 }
 

@@ -1,13 +1,13 @@
 // Pictures and films that a window takes of what it shows.
+#include "app/cli/standard_streams.hpp"
 #include "app/png.hpp"
 #include "app/window/viewer.hpp"
-#include "core/error.hpp"
+#include "core/problem_text.hpp"
 #include "io/output_file.hpp"
 #include "ui/plot/plot_files.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -43,7 +43,7 @@ WindowPicture::Shot Viewer::shot(const ui::PixelRect& plot, bool even) {
     if (choice.scene_alone) shot.panels = nullptr;
     if (choice.caption) {
         const ui::Display above{shot.part.width, shot.part.height, display.scale};
-        shot.caption_height = caption_.lay_out(*view_, style_, above);
+        shot.caption_height = caption_.lay_out(*view_, style_, above, {choice.caption_text});
         shot.caption = &caption_;
     }
     if (!even) return shot;
@@ -68,8 +68,8 @@ void Viewer::save_snapshot(const ui::Request& request) {
         out.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         out.commit();
         interface_.notify_saved(name);
-    } catch (const Error& error) {
-        interface_.report_error(error.what());
+    } catch (const std::exception& error) {  // also where there is no memory for it
+        interface_.report_error(problem_text(error));
     }
     frames_wanted_ = std::max(frames_wanted_, 1);
     trace_.report("saved", name);
@@ -83,8 +83,8 @@ void Viewer::begin_film() {
         const render::PictureSize size{first.part.width, first.part.height + first.caption_height};
         const std::string name = film_name(view_->leading.description.model, interface_.picture_choice().film);
         film_ = std::make_unique<FilmRecorder>(FilmFormat{name, size, film_fps}, &Window::wake);
-    } catch (const Error& error) {
-        return interface_.report_error(error.what());
+    } catch (const std::exception& error) {
+        return interface_.report_error(problem_text(error));
     }
     worker_->film(view_->leading.rate.seconds_per_second / film_fps);
     interface_.show_film(ui::FilmStatus{});
@@ -144,7 +144,7 @@ void Viewer::take_film_news() {
 std::string Viewer::finish_film(EndWatch& watch) {
     if (!film_) return {};
     watch.wait_longer();
-    if (watch.signal()) fmt::print(stderr, "steplab-view: completing the film; a second signal ends it at once\n");
+    if (watch.signal()) print_aside("steplab-view: completing the film; a second signal ends it at once\n");
     worker_->film(std::nullopt);
     film_->finish();
     std::string failure = film_->failure();

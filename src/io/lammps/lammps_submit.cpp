@@ -15,7 +15,7 @@ std::string write_slurm_file(const std::string& folder, std::string_view title, 
     std::string name = (std::filesystem::path(folder) / "job.slurm").string();
     OutputFile file(name);
     file.write(
-        fmt::format("#!/bin/sh\n# {}\n#SBATCH --job-name=steplab\n#SBATCH --ntasks={}\n"
+        fmt::format("#!/bin/bash\n# {}\n#SBATCH --job-name=steplab\n#SBATCH --ntasks={}\n"
                     "# Add what your cluster asks for: --time, --partition, module load lammps.\n\n"
                     "cd {} || exit 1\nexport OMP_NUM_THREADS=1\n"
                     "exec srun \"${{LAMMPS:-lmp}}\" -in {} -log {}\n",

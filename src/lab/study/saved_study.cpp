@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
+#include "io/json_text.hpp"
 #include "io/output_file.hpp"
 #include "io/trajectory_layout.hpp"
 #include "lab/study/speed_error_csv.hpp"
@@ -147,7 +148,7 @@ void SavedStudies::save(const StudyPlan& plan, const StudyState& state) const {
               {"timed", state.series.timed}};
     if (state.limits) json["limits"] = json_of(*state.limits);
     OutputFile file(file_of(plan));
-    file.write(json.dump());
+    file.write(json_text(json, one_line));
     file.commit();
 }
 

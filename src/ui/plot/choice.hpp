@@ -3,8 +3,10 @@
 #include "plot/plot.hpp"
 #include "ui/plot/scene_laws.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -56,12 +58,15 @@ inline constexpr std::array plot_kinds{
                  "all methods on this scene: what error a number of force evaluations buys"},
 };
 
+/// Its id as a word of a command line: "energy-error".
+inline std::string plot_word(const PlotKindInfo& info) {
+    std::string word(info.id);
+    std::replace(word.begin(), word.end(), ' ', '-');
+    return word;
+}
+
 /// The name of a kind.
 const PlotKindInfo& info_of(PlotKind kind);
-
-struct PlotChoice;
-/// A plot of that kind as it is shown first: errors of methods differ by powers of ten.
-PlotChoice default_choice(PlotKind kind);
 
 /// A plot that is shown.
 struct PlotChoice {
@@ -74,8 +79,11 @@ struct PlotChoice {
     friend bool operator==(const PlotChoice& a, const PlotChoice& b) { return a.kind == b.kind && a.scale == b.scale; }
 };
 
-/// A plot of this kind with the scale that suits it.
-PlotChoice default_choice(PlotKind kind);
+/// A plot of this kind with the scale that suits it: errors of methods differ by powers of ten.
+inline PlotChoice default_choice(PlotKind kind) {
+    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error || kind == PlotKind::spectrum;
+    return {kind, logarithmic ? plot::Scale::logarithmic : plot::Scale::linear};
+}
 
 /// The plots below the scene.
 struct PlotsState {

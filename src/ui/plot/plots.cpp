@@ -203,11 +203,6 @@ const PlotKindInfo& info_of(PlotKind kind) {
 }
 
 /// Errors of methods differ by powers of ten.
-PlotChoice default_choice(PlotKind kind) {
-    const bool logarithmic = kind == PlotKind::costs || kind == PlotKind::error || kind == PlotKind::spectrum;
-    return {kind, logarithmic ? plot::Scale::logarithmic : plot::Scale::linear};
-}
-
 Plot plot_of(const Context& context, const PlotChoice& choice) {
     Plot plot{.name = std::string(info_of(choice.kind).id),
               .caption = fmt::format("{}, {}", context.view.description.model,

@@ -111,7 +111,7 @@ TEST(Cluster, writes_a_batch_file) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("sbatch job/job.slurm"));
     const std::string batch = text_of(folder.file("job/job.slurm"));
-    EXPECT_THAT(batch, StartsWith("#!/bin/sh\n"));
+    EXPECT_THAT(batch, StartsWith("#!/bin/bash\n"));
     EXPECT_THAT(batch, HasSubstr("#SBATCH --ntasks=256\n"));
     EXPECT_THAT(batch, HasSubstr("srun"));
     EXPECT_FALSE(std::filesystem::exists(folder.file("job/log.lammps"))) << "nothing is computed";

@@ -135,6 +135,20 @@ TEST_F(ColumnsOfFiles, are_compressed_by_the_ending_and_read_again) {
     }
 }
 
+TEST_F(ColumnsOfFiles, dumps_are_compressed_by_the_ending_and_read_again) {
+    run_to("a.trajectory", {"--model", "rope", "--steps", "40", "--every", "4"});
+    const std::string dump = convert("a.trajectory", {"--format", "dump"});
+    EXPECT_THAT(dump, testing::StartsWith("ITEM: TIME\n0\nITEM: TIMESTEP\n0\n"));
+    for (const std::string name : {"b.dump.gz", "b.dump.zst", "b.lammpstrj.gz", "b.lammpstrj.zst"}) {
+        convert("a.trajectory", {"--out", folder_.file(name)});
+        const std::string small = text_of(folder_.file(name));
+        EXPECT_LT(small.size(), dump.size() / 2) << name;
+        EXPECT_EQ(convert(name, {"--format", "dump"}), dump) << name;
+        put_text(folder_.file("cut.dump.gz"), small.substr(0, small.size() / 2));
+        EXPECT_EQ(run_program({"convert", folder_.file("cut.dump.gz"), "--out", folder_.file("d.csv")}).code, 3);
+    }
+}
+
 TEST_F(ColumnsOfFiles, series_and_summary_are_compressed_by_the_ending_too) {
     const std::string series = folder_.file("s.csv"), summary = folder_.file("j.json");
     for (const std::string ending : {"", ".gz"})

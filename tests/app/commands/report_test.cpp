@@ -49,6 +49,18 @@ TEST(Report, writes_a_table_and_a_page_and_no_messages) {
     for (const auto& row : runs.rows) EXPECT_EQ(row[9] == "diverged", row[6].empty());  // failed runs have no time
 }
 
+TEST(Report, of_all_models_says_what_it_leaves_out) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> all{"report", "--quick", "--method", "euler", "--precision",
+                                       "double", "--time",  "0.05",     "--out", folder.file("all")};
+    const Outcome whole = run_program(all);
+    EXPECT_EQ(whole.code, 0);
+    EXPECT_EQ(without_progress(whole.err), "steplab report: note: not in it: " + left_out_text() + "\n");
+    EXPECT_THAT(text_of(folder.file("all/report.html")), HasSubstr("Not in this report: crystal ("));
+    EXPECT_EQ(run_program(report(folder.file("one"))).code, 0);
+    EXPECT_THAT(text_of(folder.file("one/report.html")), testing::Not(HasSubstr("Not in this report")));
+}
+
 /// A report of which some is measured, and the rest still to be done.
 class BegunReport {
 public:

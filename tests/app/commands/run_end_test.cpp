@@ -4,6 +4,7 @@
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <string>
@@ -49,6 +50,34 @@ TEST(Run, energy_errors_of_scenes_with_drag_hold_its_work) {
     // of 45 J that drag takes: an error of fourth order, and of the hundredth step
     EXPECT_LT(std::abs(number(cells("rk4")[5])), 1e-3);
     EXPECT_EQ(cells("taylor")[5], "");  // how it integrates drag is not known
+}
+
+// A potential far narrower than the distance between two numbers near the place where the bullet meets it.
+TEST(Run, a_run_whose_method_meets_no_tolerance_says_where_and_of_what) {
+    const Outcome outcome =
+        run_program({"run", "--model", "morse", "--set", "edge=1", "--set", "k=1e20", "--set", "cutoff=2", "--method",
+                     "dopri5", "--dt", "20", "--steps", "1", "--summary", "-"});
+    EXPECT_EQ(outcome.code, 4);
+    const auto summary = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(summary.at("status"), "stopped");
+    EXPECT_EQ(summary.at("steps"), 0);
+    EXPECT_EQ(summary.at("stopped_step"), 1);
+    EXPECT_FALSE(summary.contains("diverged_step"));
+    const std::string reason = summary.at("reason");
+    for (const char* word : {"meets its tolerance", "t = ", "step of ", "particles 0 and 1"})
+        EXPECT_THAT(reason, HasSubstr(word));
+    EXPECT_THAT(reason, testing::Not(HasSubstr("dt")));
+    EXPECT_THAT(outcome.err, HasSubstr("steplab run: " + reason + "\n"));
+}
+
+TEST(Run, a_run_that_diverged_has_not_stopped) {
+    const Outcome outcome =
+        run_program({"run", "--model", "chain", "--method", "rk4", "--dt", "2", "--steps", "1000", "--summary", "-"});
+    EXPECT_EQ(outcome.code, 4);
+    const auto summary = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(summary.at("status"), "diverged");
+    EXPECT_TRUE(summary.contains("diverged_step"));
+    EXPECT_FALSE(summary.contains("stopped_step"));
 }
 
 }  // namespace
