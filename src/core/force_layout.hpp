@@ -2,7 +2,6 @@
 
 #include "core/coupling.hpp"
 #include "core/field.hpp"
-#include "core/pair_approach.hpp"
 #include "core/pair_range.hpp"
 #include "core/vector.hpp"
 
@@ -14,6 +13,8 @@
 #include <vector>
 
 namespace steplab {
+
+struct Approaches;  // core/pair_approach.hpp
 
 /// What a formula may ask of two particles: their masses in the unit of mass, and their charges.
 template <class N>

@@ -17,7 +17,8 @@ struct Interval {
     double low = 0, high = 0;
 
     Interval() = default;
-    explicit Interval(double number) : low(number), high(number) {}
+    template <class Number>
+    explicit Interval(Number number) : low(static_cast<double>(number)), high(low) {}
     Interval(double from, double to) : low(std::min(from, to)), high(std::max(from, to)) {}
 
     static Interval unbounded() {

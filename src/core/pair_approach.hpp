@@ -18,7 +18,7 @@ class ApproachTable {
 public:
     /// F: a function of r, divided by the unit of mass. `cutoff`: beyond it there is no force; 0: none.
     template <class Force>
-    ApproachTable(Force force, double cutoff) : cutoff_(cutoff), weight_(nodes), pull_(nodes) {
+    ApproachTable(Force force, double cutoff) : cutoff_(cutoff), weight_(nodes), pull_(nodes), next_(nodes) {
         std::vector<double> forces(nodes);
         for (std::size_t k = 0; k < nodes; ++k) forces[k] = force(distance(k));
         for (std::size_t k = 0; k + 1 < nodes; ++k) {
@@ -27,9 +27,16 @@ public:
             pull_[k] = number(std::abs(forces[k]) * r);
             weight_[k] = std::max(pull_[k], number(std::abs(slope) * r * r));
         }
+        find_next();
     }
 
+    /// From one step to the next, what a force does may grow by this factor.
+    static constexpr double growth = 4;
+
     double cutoff() const { return cutoff_; }
+    /// Of the distance, which two particles have to come nearer at least before the force matters `growth` times as
+    /// much.
+    double least_way() const { return least_way_; }
 
     /// Two particles that approach.
     struct Pair {
@@ -39,15 +46,16 @@ public:
         double negligible = 0;            ///< a squared speed: what a force that does less can be overlooked
     };
 
-    /// After which time the force matters `growth` times as much as now, if all its work goes into their approach; not
+    /// After which time the force matters so many times as much as now, if all its work goes into their approach; not
     /// within `longest`: infinity. What matters is |F| r or |F'| r^2, whichever is more.
-    double time_to_growth(const Pair& pair, double growth, double longest) const {
+    double time_to_growth(const Pair& pair, double longest) const {
         const std::size_t now = place(pair.distance);
         const double limit = growth * std::max(pair.strength * weight_[now], pair.negligible);
         // with the work of forces that do not matter yet they are hardly faster
         const double farthest = pair.distance - 2 * longest * std::sqrt(pair.speed2);
         const std::size_t last = farthest > 0 ? place(farthest) : 0;
-        for (std::size_t k = now; k-- > last;) {
+        const bool matters = pair.strength * weight_[now] >= pair.negligible;
+        for (std::size_t k = matters ? next_[now] + std::size_t{1} : now; k-- > last;) {
             if (pair.strength * weight_[k] >= limit) return meets(pair, k, limit) ? time_to(pair, k) : never;
         }
         return never;
@@ -87,6 +95,20 @@ private:
     }
     static double number(double value) { return value < never ? value : std::numeric_limits<double>::max(); }
 
+    /// Of each node the next one inwards at which the force matters `growth` times as much, looked for as far as to a
+    /// quarter of the distance; else what is left to be looked through.
+    void find_next() {
+        constexpr std::size_t far = 64;
+        for (std::size_t k = 0; k < nodes; ++k) {
+            const std::size_t end = k > far ? k - far : 0;
+            std::size_t m = k;
+            while (m > end && !(weight_[m - 1] > 0 && weight_[m - 1] >= growth * weight_[k])) --m;
+            next_[k] = static_cast<std::uint16_t>(m > 0 ? m - 1 : 0);
+            if (m > end && k + 1 < nodes)
+                least_way_ = std::min(least_way_, (distance(k) - distance(m - 1)) / distance(k + 1));
+        }
+    }
+
     /// Whether they come as near as node k, if the force that is below `limit` until there draws them together.
     bool meets(const Pair& pair, std::size_t k, double limit) const {
         const double r = distance(k), steps = static_cast<double>(place(pair.distance) - k + 1);
@@ -105,8 +127,9 @@ private:
         return time;
     }
 
-    double cutoff_;
+    double cutoff_, least_way_ = 0.75;
     std::vector<double> weight_, pull_;
+    std::vector<std::uint16_t> next_;
 };
 
 /// How the pairs of a scene act on each other at all distances.
@@ -121,6 +144,7 @@ struct Approaches {
     };
     std::vector<Term> terms;
     std::vector<Pair> pairs;   ///< of scenes of at most Coupling::most_held particles; else empty
+    double least_way = 0.75;   ///< the least of all terms
     double shortest_side = 0;  ///< of space that repeats itself; 0: it does not
 };
 

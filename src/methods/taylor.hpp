@@ -94,7 +94,9 @@ public:
         x_[0] = state.displacement;
         v_ = state.velocity;
         // passes through each other cost ten times the tolerance
-        log_tolerance_ = logarithm(tolerance_in(system, tolerance_) / (has_encounters(system) ? 8 : 1));
+        const double tolerance = tolerance_in(system, tolerance_);
+        const bool short_ranged = system.range() || tolerance < tolerance_;
+        log_tolerance_ = logarithm(tolerance / (short_ranged ? 8 : 1));
         forces_ = series_forces(system.force(), state, last_ - 1);
         progress_ = {};
         progress_.unit = power_of_two_below(system.dt());

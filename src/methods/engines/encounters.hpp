@@ -2,6 +2,8 @@
 
 #include "core/coupling.hpp"
 #include "core/field.hpp"
+#include "core/field_lanes.hpp"
+#include "core/lanes.hpp"
 #include "core/number.hpp"
 #include "core/own_stop.hpp"
 #include "core/pair_approach.hpp"
@@ -57,13 +59,13 @@ Vector<T> difference_of(const Field<T>& field, std::size_t i, std::size_t j) {
 /// force changes. Not below what the precision holds.
 template <class System, class Number>
 Number tolerance_in(const System& system, Number tolerance) {
-    double length = std::numeric_limits<double>::infinity();
-    if (const auto range = system.range()) length = static_cast<double>(range->length);
+    double share = 1;
+    if (const auto range = system.range()) share = static_cast<double>(range->length) / 8;
     const double negligible = negligible_share * static_cast<double>(tolerance);
     for (const auto& [table, strongest] : system.approaches().terms)
-        length = std::min(length, table.length(strongest, negligible));
+        share = std::min(share, table.length(strongest, negligible));
     const Number least = static_cast<Number>(2 * std::numeric_limits<decltype(system.dt())>::epsilon());
-    return std::max(std::min(tolerance, least), tolerance * static_cast<Number>(std::min(1.0, length / 8)));
+    return std::max(std::min(tolerance, least), tolerance * static_cast<Number>(std::min(1.0, share)));
 }
 
 /// How long a step of two particles may be at a distance: to where they begin to act on each other as they approach,
@@ -103,13 +105,11 @@ T longest_within(const System& system, const PairRange<T>& range, const Field<T>
     return range.period > T(0) ? std::min(h, (range.period / T(2) - range.cutoff) / fastest) : h;
 }
 
-/// In a step, what a pair force does may grow by this factor, from afar and from a thousandth of the tolerance on.
-inline constexpr double growth_per_step = 4;
-
 /// How long a step of many particles may be, by the fastest of them: as long as two of them take, from where a force is
 /// no longer negligible, until it has grown; and no farther than the images stay those that were nearest.
 template <class T>
 double longest_of_many(const Approaches& approaches, const Field<T>& v, double h, double negligible) {
+    if (!approaches.pairs.empty() && approaches.shortest_side == 0) return h;
     T fastest2 = T(0);
     for (std::size_t i = 0; i < v.count(); ++i) {
         const Vector<T> own{v.x()[i], v.y()[i], v.z()[i]};
@@ -123,41 +123,72 @@ double longest_of_many(const Approaches& approaches, const Field<T>& v, double h
         }
         if (!approaches.pairs.empty()) continue;
         const double distance = table.outermost(strongest, negligible * speed2);
-        h = std::min(h,
-                     table.time_to_growth({distance, speed2, 0, strongest, negligible * speed2}, growth_per_step, h));
+        h = std::min(h, table.time_to_growth({distance, speed2, 0, strongest, negligible * speed2}, h));
     }
     return h;
+}
+
+/// Whether a step of length h moves a pair of an open space by this share of its distance, or half of it: of others
+/// nothing need be asked. Pairs in rows, a register at a time.
+template <class T>
+bool moves_pairs(const Field<T>& x, const Field<T>& v, T h, T share) {
+    using N = Lanes<T>;
+    const FieldLanes<const T> places(x), velocities(v);
+    const N moved(T(4) * h * h), near(share * share);
+    const auto square = [](const Vector<N>& d) { return d.x * d.x + d.y * d.y + d.z * d.z; };
+    N most(T(0));
+    for (std::size_t i = 0; i + 1 < x.count(); ++i) {
+        const Vector<N> at{N(x.x()[i]), N(x.y()[i]), N(x.z()[i])}, with{N(v.x()[i]), N(v.y()[i]), N(v.z()[i])};
+        for (std::size_t r = (i + 1) / N::count; r * N::count < x.count(); ++r) {
+            const N way2 = square(velocities.get(r) - with), distance2 = square(places.get(r) - at);
+            const N beyond = where(N::first(x.count() - r * N::count), moved * way2 - near * distance2, N(T(0)));
+            most = where(most < beyond, beyond, most);
+        }
+    }
+    bool found = false;
+    for (std::size_t lane = 0; lane < N::count; ++lane) found = found || most[lane] > T(0);
+    return found;
 }
 
 /// longest_step() by Approaches.
 template <class System, class T>
 T longest_approach(const System& system, const Approaches& approaches, const Field<T>& x, const Field<T>& v, T h,
                    T tolerance) {
-    double longest = static_cast<double>(h);
+    auto longest = static_cast<double>(h);
     const double negligible = negligible_share * static_cast<double>(tolerance);
+    if (approaches.shortest_side == 0 && !moves_pairs(x, v, h, static_cast<T>(approaches.least_way))) return h;
     for (const Approaches::Pair& pair : approaches.pairs) {
         const Vector<T> d = system.separation(x, pair.first, pair.second),
                         w = difference_of(v, pair.first, pair.second);
         const auto distance2 = static_cast<double>(dot(d, d)), speed2 = static_cast<double>(dot(w, w)),
                    inwards = static_cast<double>(-dot(d, w));
-        if (!(inwards >= 0)) continue;
+        const double share = approaches.terms[pair.term].table.least_way();
+        if (!(inwards >= 0) || 4 * longest * longest * speed2 < share * share * distance2) continue;
         const ApproachTable::Pair now{.distance = std::sqrt(distance2),
                                       .speed2 = speed2,
                                       .momentum2 = std::max(distance2 * speed2 - inwards * inwards, 0.0),
                                       .strength = pair.strength,
                                       .negligible = negligible * speed2};
-        longest = std::min(longest, approaches.terms[pair.term].table.time_to_growth(now, growth_per_step, longest));
+        longest = std::min(longest, approaches.terms[pair.term].table.time_to_growth(now, longest));
     }
     return static_cast<T>(std::min(longest, longest_of_many(approaches, v, longest, negligible)));
 }
 
-/// The end of the first of 64 parts of the time from `from` to `to` in which a bound is not kept; infinity: it is kept.
+/// How long from now a bound is kept that holds for pieces of time; at least until `end`: infinity.
 template <class Bound>
-double first_beyond(Bound bound, double limit, double from, double to, int halvings = 6) {
-    if (bound(from, to) <= limit) return std::numeric_limits<double>::infinity();
-    if (halvings == 0) return to;
-    const double middle = from + (to - from) / 2, first = first_beyond(bound, limit, from, middle, halvings - 1);
-    return std::isfinite(first) ? first : first_beyond(bound, limit, middle, to, halvings - 1);
+double kept_until(Bound bound, double limit, double end) {
+    constexpr int most_pieces = 60;
+    double safe = 0, piece = end;
+    for (int i = 0; i < most_pieces && safe < end; ++i) {
+        if (bound(safe, std::min(safe + piece, end)) <= limit) {
+            safe += piece;
+            piece *= 2;
+        } else {
+            piece /= 2;
+            if (piece < safe / 8) break;
+        }
+    }
+    return safe < end ? std::max(safe, piece) : std::numeric_limits<double>::infinity();
 }
 
 /// longest_step() where fields act that may be felt at some places alone: no farther than to where one does more than
@@ -168,11 +199,11 @@ T longest_to_fields(const System& system, const Field<T>& x, const Field<T>& v, 
     for (std::size_t i = 0; i < x.count(); ++i) {
         const auto bound = [&](double from, double to) { return system.field_bound(x, v, i, from, to); };
         const Vector<T> own{v.x()[i], v.y()[i], v.z()[i]};
-        const double soon = longest / 32, now = bound(0, 0), slope = (bound(soon, soon) - now) / soon,
+        const double soon = longest * 0x1p-20, now = bound(0, 0), slope = (bound(soon, soon) - now) / soon,
                      negligible = negligible_share * static_cast<double>(tolerance) *
                                   std::sqrt(static_cast<double>(dot(own, own))) / longest,
-                     limit = growth_per_step * std::max(now + std::abs(slope) * longest, negligible);
-        longest = std::min(longest, first_beyond(bound, limit, 0, longest));
+                     limit = ApproachTable::growth * std::max(now + std::abs(slope) * longest, negligible);
+        longest = std::min(longest, kept_until(bound, limit, longest));
     }
     return static_cast<T>(longest);
 }

@@ -5,6 +5,7 @@
 #include "core/field.hpp"
 #include "core/force_layout.hpp"
 #include "core/lanes.hpp"
+#include "core/pair_approach.hpp"
 #include "core/polymorphic.hpp"
 #include "core/stages.hpp"
 #include "core/vector.hpp"

@@ -2,6 +2,7 @@
 
 #include "core/field.hpp"
 #include "core/force_layout.hpp"
+#include "core/pair_approach.hpp"
 #include "core/pair_range.hpp"
 #include "core/stages.hpp"
 #include "methods/engines/sweeps.hpp"

@@ -115,6 +115,7 @@ Approaches approaches_of(const std::shared_ptr<const Composition>& of) {
     for (std::uint32_t t = 0; t < of->pairs.size(); ++t) {
         const ApproachTerm term(of->pairs[t], *of);
         all.terms.push_back({term.table(), term.strongest()});
+        all.least_way = std::min(all.least_way, all.terms.back().table.least_way());
         if (of->count > Coupling::most_held) continue;
         for (std::uint32_t i = 0; i < of->count; ++i) {
             for (std::uint32_t j = i + 1; j < of->count; ++j) {
