@@ -4,7 +4,6 @@
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "core/interruption.hpp"
-#include "core/power.hpp"
 #include "methods/engines/accelerate.hpp"
 #include "methods/engines/adaptive.hpp"
 #include "methods/engines/collisions.hpp"
@@ -93,10 +92,7 @@ public:
         a_ = end_ = Field<T>(state.displacement.count());
         x_[0] = state.displacement;
         v_ = state.velocity;
-        // passes through each other cost ten times the tolerance
-        const double tolerance = tolerance_in(system, tolerance_);
-        const bool short_ranged = system.range() || tolerance < tolerance_;
-        log_tolerance_ = logarithm(tolerance / (short_ranged ? 8 : 1));
+        log_tolerance_ = logarithm(series_tolerance_in(system, tolerance_));
         forces_ = series_forces(system.force(), state, last_ - 1);
         progress_ = {};
         progress_.unit = power_of_two_below(system.dt());
@@ -238,7 +234,7 @@ private:
             const bool fits = share > T(1) / T(64) && share < T(64) && !ends;
             progress_.length = progress_.unit * (std::isfinite(share) ? share : T(1) / T(4096));
             if (fits || forces_->singular()) break;
-            (share < T(1) ? too_large : too_small) = progress_.unit;
+            (share >= T(1) && std::isfinite(share) ? too_small : too_large) = progress_.unit;
             progress_.unit = unit_between(too_small, progress_.length, too_large);
         }
         progress_.length = longest_step(system, x_[0], v_, progress_.length, static_cast<T>(tolerance_));
@@ -248,14 +244,6 @@ private:
                     series_motion(std::span<const Field<T>>(x_), v_, progress_.unit, t, forces_->axes(), then);
                 });
         if (!forces_->singular()) end_at_collision(system);
-    }
-
-    /// A power of two near `wanted`; halfway between the units that were tried where it is beyond them, as far from the
-    /// right unit coefficients are noise and the reach that is read from them means little.
-    static T unit_between(T too_small, T wanted, T too_large) {
-        const T unit = power_of_two_below(wanted);
-        if (unit > too_small && unit < too_large) return unit;
-        return power_of_two_below(square_root(too_small) * square_root(too_large));
     }
 
     /// When a collision approaches, the series ends before it; close to the collision it ends as far behind it. A

@@ -1,5 +1,6 @@
 // Encounters of particles in scenes that people write: methods that choose their own steps jump over none.
 
+#include "core/error.hpp"
 #include "io/scene_file.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/runs.hpp"
@@ -205,6 +206,23 @@ TEST_P(SceneEncounters, a_field_on_the_way_is_not_jumped_over) {
                         << "height " << height << ", width " << width << ", tolerance " << tolerance << ", dt " << dt;
                 }
         }
+}
+
+// A series ends where a pair crosses a cut-off; springs have none, however many there are.
+TEST(SceneSeries, are_refused_for_cutoffs_of_many_particles_alone) {
+    const auto refusal = [](const std::string& forces) {
+        try {
+            check(with_method(describe(read_scene(row_between_walls(60) + forces)), "taylor"));
+            return std::string("runs");
+        } catch (const UsageError& error) {
+            return std::string(error.what());
+        }
+    };
+    const std::string pairs = "[[pairs]]\npotential = \"lennard-jones\"\nepsilon = 1e-3\nsigma = 0.1\n";
+    EXPECT_EQ(refusal(""), "runs");
+    EXPECT_EQ(refusal(pairs), "runs");
+    EXPECT_NE(refusal(pairs + "cutoff = 1\n").find("for up to 50 particles, not for 62"), std::string::npos);
+    EXPECT_NE(refusal(pairs + pairs + "cutoff = 1\n").find("for up to 50 particles, not for 62"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, SceneEncounters,

@@ -25,6 +25,17 @@ T power_of_two_below(T x) {
     return std::ldexp(T(1), exponent - 1);
 }
 
+/// A unit near `wanted`; halfway between those that were tried where it is beyond them: as far from the right unit
+/// coefficients are noise, and the reach that is read from them means little. `too_small` is 0 and `too_large` infinity
+/// where none was.
+template <class T>
+T unit_between(T too_small, T wanted, T too_large) {
+    const T unit = power_of_two_below(wanted);
+    const bool both = too_small > T(0) && std::isfinite(too_large);
+    if (!both || (unit > too_small && unit < too_large)) return unit;
+    return power_of_two_below(square_root(too_small) * square_root(too_large));
+}
+
 /// Calls f(p, change of x, change of v) for the places p of the first `axes` axes, a register at a time: the sums of
 /// the series at time t after their beginning, from the highest order down.
 template <class T, class F>

@@ -3,19 +3,19 @@
 #include "core/field.hpp"
 #include "core/field_lanes.hpp"
 #include "core/force_layout.hpp"
-#include "core/interval.hpp"
 #include "core/sum.hpp"
 #include "core/team.hpp"
 #include "core/vector.hpp"
 #include "models/forces/composed_approaches.hpp"
 #include "models/forces/composed_damping.hpp"
+#include "models/forces/composed_fields.hpp"
 #include "models/forces/composed_formula.hpp"
+#include "models/forces/composed_held.hpp"
 #include "models/forces/composed_pairs.hpp"
 #include "models/forces/composed_particles.hpp"
 #include "models/forces/composed_rows.hpp"
 #include "models/forces/composed_springs.hpp"
 #include "models/forces/forces.hpp"
-#include "models/forces/held_pairs.hpp"
 #include "models/forces/interactions.hpp"
 #include "models/forces/particle_registers.hpp"
 #include "models/forces/spring.hpp"
@@ -110,43 +110,20 @@ public:
         if (!approaches_) approaches_ = std::make_shared<const Approaches>(approaches_of(forces_.terms));
         return *approaches_;
     }
-    bool has_local_fields() const { return std::any_of(terms().fields.begin(), terms().fields.end(), is_local); }
+    bool has_local_fields() const { return fields_.has_local(); }
     double field_bound(const Field<T>& u, const Field<T>& v, std::size_t i, double from, double to) const {
-        const Vec start = place(u, i), speed = at(v, i);
-        const auto along = [=](T x, T w) {
-            return Interval(static_cast<double>(x) + from * static_cast<double>(w),
-                            static_cast<double>(x) + to * static_cast<double>(w));
-        };
-        const Vector<Interval> way{along(start.x, speed.x), along(start.y, speed.y), along(start.z, speed.z)};
-        const auto number = [](T value) { return Interval(static_cast<double>(value)); };
-        double sum = 0;
-        for (std::size_t f = 0; f < fields_->size(); ++f) {
-            const ComposedField& field = terms().fields[f];
-            if (!is_local(field) || !std::binary_search(field.particles.begin(), field.particles.end(), i)) continue;
-            const Vector<Interval> force =
-                (*fields_)[f].force(way, number(particles_.mass(i)), number(particles_.charge(i)));
-            sum += force.x.largest() + force.y.largest() + force.z.largest();
-        }
-        return sum * static_cast<double>(moves(i) ? inverse_mass(i) : T(0));
+        return moves(i) ? fields_.bound(particles_, u, v, i, from, to) : 0;
     }
     /// From now on exactly those pairs with a cut-off act on each other that are within it at these positions, those at
     /// it if they approach. In between the force is smooth. True if they are others than before.
     bool hold(const Field<T>& u, const Field<T>& v) {
-        ActingPairs acting;
-        each_cut([&](const Approaches::Pair& pair, double cutoff) {
-            const Vec w = at(v, pair.second) - at(v, pair.first);
-            acting.push_back(is_within(separation(u, pair.first, pair.second), w, static_cast<T>(cutoff)));
-        });
-        return hold(std::move(acting));
+        return hold(held_.acting(approaches(), v, [&](auto i, auto j) { return separation(u, i, j); }));
     }
-    bool hold(ActingPairs acting);
-    const ActingPairs& held() const { return held_; }
+    bool hold(ActingPairs acting) { return held_.hold(approaches(), std::move(acting), pairs_); }
+    const ActingPairs& held() const { return held_.pairs(); }
     template <class F>
     void each_held(F f) const {
-        std::size_t pair = 0;
-        each_cut([&](const Approaches::Pair& of, double cutoff) {
-            f(std::size_t{of.first}, std::size_t{of.second}, static_cast<T>(cutoff), bool(held_[pair++]));
-        });
+        held_.each(approaches(), f);
     }
 
     Coupling coupling() const { return steplab::coupling(forces_); }
@@ -196,15 +173,6 @@ private:
     template <class N>
     friend class Composed;
 
-    /// Calls f(pair, cutoff) for every pair of a term with a cut-off.
-    template <class F>
-    void each_cut(F f) const {
-        for (const Approaches::Pair& pair : approaches().pairs) {
-            const double cutoff = approaches().terms[pair.term].table.cutoff();
-            if (cutoff > 0) f(pair, cutoff);
-        }
-    }
-
     /// Of number types that are not summed in registers.
     struct None {
         explicit None(const ComposedParticles<T>&) {}
@@ -221,7 +189,6 @@ private:
     };
 
     const Composition& terms() const { return particles_.terms(); }
-    static bool is_local(const ComposedField& field) { return !field.expression->force.is_polynomial(); }
 
     /// Clusters of all terms are made at the same positions.
     bool clusters_hold_at(const Field<T>& u) {
@@ -242,15 +209,13 @@ private:
     }
     void add_outside_and_springs(const Field<T>& u, Field<T>& a);
     void add_pairs(PairForce<T>& force, const Field<T>& u, Field<T>& a);
-    void add_fields(const Field<T>& u, Field<T>& a) const;
     double gravity_energy(std::size_t i, const Field<T>& u) const;
-    double spring_energy_of(std::size_t s, const Field<T>& u) const;
 
     ComposedForces forces_;
     ComposedParticles<T> particles_;
     ComposedDamping<T> damping_;
     std::vector<PairForce<T>> pairs_;
-    std::shared_ptr<const std::vector<FieldPotential<T>>> fields_;
+    ComposedFields<T> fields_;
     std::vector<ComposedFormula<T>> formulas_;
     std::vector<Vec> external_;
     std::shared_ptr<Team> team_;  ///< shared with copies, which are never used at the same time
@@ -259,7 +224,7 @@ private:
     std::optional<ComposedSprings<T>> springs_;             ///< where there are no rows
     Field<T> no_history_, sums_;                            ///< sums_: scratch of each_acceleration()
     mutable std::shared_ptr<const Approaches> approaches_;  ///< once asked for
-    ActingPairs held_;
+    HeldTerms<T> held_;
 };
 
 template <class T>
@@ -267,6 +232,7 @@ Composed<T>::Composed(const ComposedForces& forces)
     : forces_(forces),
       particles_(forces.terms),
       damping_(terms(), particles_),
+      fields_(terms()),
       team_(in_registers ? std::make_shared<Team>(forces.threads) : nullptr),
       registers_(particles_) {
     if constexpr (in_registers) rows_ = SpringRows<T>::of(terms());
@@ -276,29 +242,11 @@ Composed<T>::Composed(const ComposedForces& forces)
         formulas_.push_back({from(spring.rest), SpringLaw<T>::of(spring, terms().mass)});
     for (const ComposedPairs& pairs : terms().pairs) pairs_.emplace_back(pairs, terms(), team_);
     for (const PairForce<T>& force : pairs_) formulas_.push_back({from({}), &force.potential()});
-    auto fields = std::make_shared<std::vector<FieldPotential<T>>>();
-    for (const ComposedField& field : terms().fields) fields->emplace_back(field.expression);
-    fields_ = std::move(fields);
-    for (std::size_t f = 0; f < fields_->size(); ++f) {
+    for (std::size_t f = 0; f < terms().fields.size(); ++f) {
         const ComposedField& field = terms().fields[f];
-        formulas_.push_back({from({0, field.along_y ? 1.0 : 0.0, field.along_z ? 1.0 : 0.0}), &(*fields_)[f]});
+        formulas_.push_back({from({0, field.along_y ? 1.0 : 0.0, field.along_z ? 1.0 : 0.0}), &fields_[f]});
     }
     for (const Vec3 acceleration : terms().accelerations) external_.push_back(from(acceleration));
-}
-
-template <class T>
-bool Composed<T>::hold(ActingPairs acting) {
-    if (acting == held_) return false;
-    held_ = std::move(acting);
-    std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> of_terms(pairs_.size());
-    std::size_t pair = 0;
-    each_cut([&](const Approaches::Pair& of, double) {
-        if (held_[pair++]) of_terms[of.term].emplace_back(of.first, of.second);
-    });
-    for (std::size_t t = 0; t < pairs_.size(); ++t) {
-        if (pairs_[t].potential().cut()) pairs_[t].hold(std::move(of_terms[t]));
-    }
-    return true;
 }
 
 template <class T>
@@ -306,7 +254,7 @@ void Composed<T>::accelerations(const Field<T>& u, Field<T>& a) {
     add_outside_and_springs(u, a);
     if constexpr (in_registers) follow(u);
     for (PairForce<T>& force : pairs_) add_pairs(force, u, a);
-    add_fields(u, a);
+    fields_.add(particles_, u, a);
     for (std::size_t i = 0; i < terms().fixed.size(); ++i) {
         if (!moves(i)) set(a, i, {T(0), T(0), T(0)});
     }
@@ -319,9 +267,9 @@ void Composed<T>::each_acceleration(const Field<T>& u, Sink sink) requires(in_re
     const auto emit = [&](std::size_t r, const Vector<N>& a) __attribute__((always_inline)) {
         sink(r, registers_.held(r, a));
     };
-    const bool springs_alone = rows_ && pairs_.empty() && fields_->empty();
+    const bool springs_alone = rows_ && pairs_.empty() && fields_.empty();
     if (springs_alone) return rows_->each(u, registers_, *team_, emit);
-    if (pairs_.size() == 1 && pairs_[0].clusters() && terms().springs.empty() && fields_->empty()) {
+    if (pairs_.size() == 1 && pairs_[0].clusters() && terms().springs.empty() && fields_.empty()) {
         follow(u);
         return pairs_[0].clusters()->accelerations(u, [&](std::size_t r, const Vector<N>& pulls) {
             emit(r, registers_.outside(r) + registers_.of_forces(r, pulls));
@@ -362,33 +310,21 @@ void Composed<T>::add_pairs(PairForce<T>& force, const Field<T>& u, Field<T>& a)
 }
 
 template <class T>
-void Composed<T>::add_fields(const Field<T>& u, Field<T>& a) const {
-    for (std::size_t f = 0; f < fields_->size(); ++f) {
-        for (const std::uint32_t i : terms().fields[f].particles) {
-            const Vec force = (*fields_)[f].force(place(u, i), particles_.mass(i), particles_.charge(i));
-            set(a, i, at(a, i) + inverse_mass(i) * force);
-        }
-    }
-}
-
-template <class T>
 PotentialEnergy Composed<T>::potential(const Field<T>& u) {
     CompensatedSum value, magnitude, external_value;
     const auto count = [&](double energy) { value.add(energy), magnitude.add(std::abs(energy)); };
     const auto count_external = [&](double energy) { count(energy), external_value.add(energy); };
     for (std::size_t s = 0; s < terms().springs.size(); ++s) {
         const ComposedSpring& spring = terms().springs[s];
-        if (moves(spring.first) || moves(spring.second)) count(spring_energy_of(s, u));
+        if (moves(spring.first) || moves(spring.second))
+            count(spring_energy(spring, formulas_[s], difference(u, spring.first, spring.second)));
     }
     for (PairForce<T>& force : pairs_) {
         force.each_energy(particles_, u, [&](const T& energy) { count(static_cast<double>(energy) * terms().mass); });
     }
-    for (std::size_t f = 0; f < fields_->size(); ++f) {
-        for (const std::uint32_t i : terms().fields[f].particles) {
-            const T energy = (*fields_)[f].energy(place(u, i), particles_.mass(i), particles_.charge(i));
-            if (moves(i)) count_external(static_cast<double>(energy) * terms().mass);
-        }
-    }
+    fields_.each_energy(particles_, u, [&](std::size_t i, const T& energy) {
+        if (moves(i)) count_external(static_cast<double>(energy) * terms().mass);
+    });
     for (std::size_t i = 0; i < particles_.count() && !external_.empty(); ++i) {
         if (moves(i)) count_external(gravity_energy(i, u));
     }
@@ -405,17 +341,6 @@ double Composed<T>::gravity_energy(std::size_t i, const Field<T>& u) const {
     };
     const double mass = terms().mass * (terms().masses.empty() ? 1 : terms().masses[i]);
     return -mass * (product(a.x, from.x, u.x()[i]) + product(a.y, from.y, u.y()[i]) + product(a.z, from.z, u.z()[i]));
-}
-
-template <class T>
-double Composed<T>::spring_energy_of(std::size_t s, const Field<T>& u) const {
-    const ComposedSpring& spring = terms().springs[s];
-    const SpringLaw<T>& law = *std::get_if<SpringLaw<T>>(&formulas_[s].law);
-    const SpringGeometry<T> geometry(formulas_[s].rest, difference(u, spring.first, spring.second));
-    const T denominator = geometry.distance + law.length;
-    const T extension = (geometry.stretch + law.stretch) / where(denominator > T(0), denominator, T(1));
-    const auto e = static_cast<double>(extension);
-    return e * e * (spring.k / 2 + e * (spring.quadratic / 3 + e * spring.cubic / 4));
 }
 
 }  // namespace steplab

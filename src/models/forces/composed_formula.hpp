@@ -60,4 +60,15 @@ struct ComposedFormula {
     }
 };
 
+/// The energy of a spring whose ends are displaced by `difference` relative to each other.
+template <class T>
+double spring_energy(const ComposedSpring& spring, const ComposedFormula<T>& formula, const Vector<T>& difference) {
+    const SpringLaw<T>& law = *std::get_if<SpringLaw<T>>(&formula.law);
+    const SpringGeometry<T> geometry(formula.rest, difference);
+    const T denominator = geometry.distance + law.length;
+    const T extension = (geometry.stretch + law.stretch) / where(denominator > T(0), denominator, T(1));
+    const auto e = static_cast<double>(extension);
+    return e * e * (spring.k / 2 + e * (spring.quadratic / 3 + e * spring.cubic / 4));
+}
+
 }  // namespace steplab

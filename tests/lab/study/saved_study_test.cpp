@@ -78,7 +78,7 @@ TEST(SavedStudy, truncated_at_any_byte_is_ignored) {
     const StudyPlan plan = small_plan({"euler", "rk4"});
     saved.save(plan, state());
     const std::string file = folder.file(".measured/chain.json"), whole = text_of(file);
-    for (std::size_t bytes = 0; bytes < whole.size(); ++bytes) {
+    for (std::size_t bytes = 0; bytes + 1 < whole.size(); ++bytes) {  // its line end says nothing
         put_text(file, std::string_view(whole).substr(0, bytes));
         EXPECT_FALSE(saved.find(plan)) << bytes << " of " << whole.size();
     }
