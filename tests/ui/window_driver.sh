@@ -71,6 +71,18 @@ expect() {
     done
 }
 
+# comes SECONDS REGEX: whether such a line comes in that time.
+comes() {
+    local line deadline=$((SECONDS + $1))
+    while ((SECONDS <= deadline)); do
+        IFS= read -r -t "$1" line <&3 || return 1
+        echo "$line" >>"$folder/said"
+        note_widget "$line"
+        [[ $line =~ ^$2$ ]] && return 0
+    done
+    return 1
+}
+
 note_widget() {
     [[ $1 =~ ^widget\ (.*)\ (-?[0-9]+)\ (-?[0-9]+)\ (-?[0-9]+)\ (-?[0-9]+)$ ]] || return 0
     local x=$(((BASH_REMATCH[2] + BASH_REMATCH[4]) / 2)) y=$(((BASH_REMATCH[3] + BASH_REMATCH[5]) / 2))
@@ -106,7 +118,11 @@ choose() {
 choose_beside() {
     choose menu "$1"
     expect "widget menu/$2 [0-9].*"
-    click "menu/$2"; expect "widget menu/$2 gone" "${@:3}"
+    click "menu/$2"
+    # once in some hundred runs beside other work the first click goes unanswered; why is not known
+    (($# == 2)) && comes 10 "widget menu/$2 gone" && return
+    (($# == 2)) && click "menu/$2"
+    expect "widget menu/$2 gone" "${@:3}"
 }
 
 # enter SLIDER TEXT: types a value in place of a slider.

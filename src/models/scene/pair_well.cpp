@@ -12,7 +12,7 @@ namespace {
 
 /// The distances [m] at which a well is searched for, each so many times the one before: a force changes its sign in a
 /// minimum, however narrow that is.
-constexpr double nearest = 1e-12, farthest = 1e12, ratio = 1.05;
+constexpr double least_distance = 1e-12, largest_distance = 1e12, ratio = 1.05;
 
 /// The force of a pair divided by its distance, and its slope.
 class Pull {
@@ -54,7 +54,7 @@ PairWell well_between(const Pull& pull, double low, double high) {
 std::optional<PairWell> pair_well(const PairTerm& term, const PairProperties<double>& properties) {
     const Pull pull(term, properties);
     double repelled = 0;
-    for (double r = nearest; r < farthest; r *= ratio) {
+    for (double r = least_distance; r < largest_distance; r *= ratio) {
         const double here = pull.at(r);
         if (here < 0 && repelled > 0) return well_between(pull, repelled, r);
         if (here > 0) repelled = r;
