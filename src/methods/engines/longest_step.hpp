@@ -149,7 +149,8 @@ T longest_approach(const System& system, const Approaches& approaches, const Fie
                    T tolerance) {
     auto longest = static_cast<double>(h);
     const double negligible = negligible_share * static_cast<double>(tolerance);
-    if (approaches.shortest_side == 0 && !moves_pairs(x, v, h, static_cast<T>(approaches.least_way))) return h;
+    const bool few = !approaches.pairs.empty(), open = approaches.shortest_side == 0;
+    if (few && open && !moves_pairs(x, v, h, static_cast<T>(approaches.least_way))) return h;
     for (const Approaches::Pair& pair : approaches.pairs) {
         const Vector<T> d = system.separation(x, pair.first, pair.second),
                         w = difference_of(v, pair.first, pair.second);
