@@ -25,18 +25,28 @@ PixelPoint cross_centre(PictureSize size, double pixel_scale) {
     return {56 * pixel_scale, size.height - 52 * pixel_scale};
 }
 
-double step_of(const ColourScale& scale) { return nice_step(scale.minimum, scale.maximum, 4); }
-
-/// Numbers of the scale: its ends, centre and, for strain, the quarters; of a column ticks as of axes.
-std::vector<double> legend_values(const ColourScale& scale) {
-    if (scale.column) return linear_ticks(scale.minimum, scale.maximum, step_of(scale));
-    if (scale.minimum < 0) return {scale.minimum, scale.minimum / 2, 0, scale.maximum / 2, scale.maximum};
-    return {0, scale.maximum / 2, scale.maximum};
+/// Its ends, centre and, for strain, the quarters.
+std::vector<LegendMark> marks_of_quantity(const ColourScale& scale) {
+    std::vector<LegendMark> marks;
+    for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const bool quarter = part == 0.25 || part == 0.75;
+        if (quarter && !(scale.minimum < 0)) continue;
+        marks.push_back({part, typed(std::lerp(scale.minimum, scale.maximum, part), 3)});
+    }
+    return marks;
 }
 
-std::string legend_text(const ColourScale& scale, double number) {
-    if (!scale.column) return typed(number, 3);
-    return tick_text(number, step_of(scale), std::max(std::abs(scale.minimum), std::abs(scale.maximum)));
+/// Ticks as of axes; the ends of a range that is too small for some.
+std::vector<LegendMark> marks_of_column(const ColourScale& scale) {
+    const double step = nice_step(scale.minimum, scale.maximum, 4);
+    const double largest = std::max(std::abs(scale.minimum), std::abs(scale.maximum));
+    std::vector<LegendMark> marks;
+    for (const double tick : linear_ticks(scale.minimum, scale.maximum, step)) {
+        const double part = std::clamp(part_between(scale.minimum, scale.maximum, tick), 0.0, 1.0);
+        marks.push_back({part, tick_text(tick, step, largest)});
+    }
+    if (marks.empty()) return {{0, typed(scale.minimum, 17)}, {1, typed(scale.maximum, 17)}};
+    return marks;
 }
 
 }  // namespace
@@ -93,6 +103,10 @@ void sketch_share(Sketch& sketch, std::size_t one_of, PictureSize size, const Pa
     sketch.text_over(place, text, palette.text, backdrop_at(palette, 1 - place.y / size.height));
 }
 
+std::vector<LegendMark> legend_marks(const ColourScale& scale) {
+    return scale.column ? marks_of_column(scale) : marks_of_quantity(scale);
+}
+
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,
                    double pixel_scale, double lower) {
     const double width = 11 * pixel_scale;
@@ -112,11 +126,10 @@ void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, c
         sketch.shaded_box({right - width, top + height * from}, {right, top + height * to},
                           scale.colour(value(from), palette), scale.colour(value(to), palette));
     }
-    for (const double number : legend_values(scale)) {
-        const double y = top + height * (1 - part_between(scale.minimum, scale.maximum, number));
-        const std::string text = legend_text(scale, number);
-        const PixelPoint extent = sketch.text_size(text);
-        write({right - width - 8 * pixel_scale - extent.x, y - extent.y / 2}, text);
+    for (const LegendMark& mark : legend_marks(scale)) {
+        const double y = top + height * (1 - mark.part);
+        const PixelPoint extent = sketch.text_size(mark.text);
+        write({right - width - 8 * pixel_scale - extent.x, y - extent.y / 2}, mark.text);
     }
 }
 

@@ -6,6 +6,9 @@
 #include "render/sketch.hpp"
 #include "render/split.hpp"
 
+#include <string>
+#include <vector>
+
 namespace steplab::render {
 
 /// Texts and symbols over a picture of a scene. Each function adds to the sketch.
@@ -18,6 +21,12 @@ void mark_cross(Occupancy& taken, PictureSize size, double pixel_scale);
 /// The part of the picture in which the cross is.
 PictureArea cross_area(PictureSize size, double pixel_scale);
 void sketch_cross(Sketch& sketch, const Projection& projection, const Palette& palette, double pixel_scale);
+/// A number beside the colour scale.
+struct LegendMark {
+    double part = 0;  ///< of the scale's height at which it stands, from its foot
+    std::string text;
+};
+std::vector<LegendMark> legend_marks(const ColourScale& scale);
 /// The colour scale with title and numbers at the upper right, `lower` by some pixels where texts are above it.
 void sketch_legend(Sketch& sketch, const ColourScale& scale, PictureSize size, const Palette& palette,
                    double pixel_scale, double lower = 0);

@@ -21,9 +21,10 @@ void Wanted::follow(const RunView& view, bool is_new, bool played_back) {
 }
 
 void Wanted::ask(const RunDescription& asked, EventSink& events) {
-    const RunDescription description = without_missing_alterations(asked);
-    if (!played_back_ && description == this->description()) return;
+    RunDescription description;
     try {
+        description = without_missing_alterations(asked);
+        if (!played_back_ && description == this->description()) return;
         check_values(description);
     } catch (const UsageError& error) {
         message_ = error.what();

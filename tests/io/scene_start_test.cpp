@@ -81,6 +81,9 @@ TEST(SceneStart, that_is_wrong_is_refused_with_its_place) {
         {"form = 1", "unknown key 'form' of [start] (did you mean 'from'?)"}};
     for (const auto& [block, message] : cases)
         EXPECT_THAT(refusal_of_scene(between_walls + "[start]\n" + block + "\n"), HasSubstr(message)) << block;
+    EXPECT_THAT(refusal_of_scene("steplab = 1\n[[particles]]\nfixed = true\n[start]\nmode = 1\namplitude = 1\n"),
+                HasSubstr("there is no normal mode 1: the scene has 0 of a frequency > 0"))
+        << "nothing moves";
     std::string large = between_walls;
     large.replace(large.find("count = 8"), 9, "count = 301");
     EXPECT_THAT(refusal_of_scene(large + "[start]\nmode = 1\namplitude = 1\n"),

@@ -1,5 +1,6 @@
 #include "render/colouring.hpp"
 
+#include "render/overlay.hpp"
 #include "render/scenes.hpp"
 #include "support/extreme_doubles.hpp"
 
@@ -87,12 +88,27 @@ TEST(ColourScale, of_a_column_that_a_frame_lacks_is_that_of_the_quantity) {
     EXPECT_EQ(colour_word(frame, coloured_by_column("")), "speed");
 }
 
+/// Few marks along the scale, from its foot to its top, with different numbers that fit beside it.
+void expect_a_legend(const ColourScale& scale) {
+    const auto marks = legend_marks(scale);
+    ASSERT_TRUE(!marks.empty() && marks.size() <= 6) << scale.minimum << " .. " << scale.maximum;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        ASSERT_TRUE(marks[i].part >= 0 && marks[i].part <= 1)
+            << scale.minimum << " .. " << scale.maximum << ": " << marks[i].part << ", " << marks[i].text;
+        ASSERT_LE(marks[i].text.size(), 24u) << marks[i].text;  // 17 digits, point, signs and exponent
+        if (i == 0) continue;
+        ASSERT_GT(marks[i].part, marks[i - 1].part) << scale.minimum << " .. " << scale.maximum;
+        ASSERT_NE(marks[i].text, marks[i - 1].text) << scale.minimum << " .. " << scale.maximum;
+    }
+}
+
 TEST(ColourScale, of_a_column_has_a_range_for_any_values) {
     for (const auto& [a, b] : extreme_pairs(2000)) {
         const Frame frame = with_column({a, b});
         const Style style = coloured_by_column("c_pe");
         const auto scale = colour_scale(frame, style);
         ASSERT_TRUE(scale->minimum < scale->maximum) << a << " " << b;
+        expect_a_legend(*scale);
         particle_colour(frame, style, scale, 0);
         particle_colour(frame, style, scale, 1);
     }
@@ -108,6 +124,7 @@ TEST(ColourScale, has_an_end_and_a_colour_for_any_values) {
             const Style style = coloured_by(colouring);
             const auto scale = colour_scale(frame, style);
             ASSERT_TRUE(std::isfinite(scale->maximum) && scale->maximum > 0) << a << " " << b;
+            expect_a_legend(*scale);
             particle_colour(frame, style, scale, 1);
             spring_colour(frame, style, scale, 0);
             for (const double value : special_doubles()) scale->colour(value, palette(style.background));

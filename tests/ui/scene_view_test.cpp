@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 // What a scene's file says of its view, in the window.
 
@@ -99,6 +101,42 @@ TEST(scene_view, a_file_that_is_right_again_ends_the_message) {
     desk.interface.reload(scene(""), desk.recorder);
     desk.frame();
     EXPECT_FALSE(desk.has("refusal"));
+}
+
+/// Of as many particles as a parameter says, of a mass that another leaves.
+RunDescription hungry_scene(const std::string& mass) {
+    return describe(scene_from({{.name = "",
+                                 .content = "steplab = 1\n[parameters]\nn = 5\nk = { value = 1, range = [0, 20] }\n"
+                                            "[[particles]]\nline = { count = \"n\", step = [1, 0, 0] }\nmass = \"" +
+                                            mass + "\"\n"}},
+                               "a.toml"));
+}
+
+// With an altered particle, of which is asked whether the scene still has it, and without.
+TEST(scene_view, values_that_make_no_scene_are_refused_where_they_are_set) {
+    for (const bool altered : {false, true}) {
+        for (const auto& [row, value] : {std::pair{"n", "2.5"}, {"n", "-3"}, {"k", "7"}}) {
+            RunDescription run = hungry_scene("6 - k");
+            if (altered) run = with_alterations(run, std::vector<Alteration>{{0, std::nullopt, 2.0}});
+            Desk desk(run);
+            desk.click("scene." + std::string(row) + ".value");
+            desk.type(value);
+            desk.key(Key::enter);
+            desk.frame();
+            EXPECT_TRUE(desk.has("refusal")) << row;
+            EXPECT_TRUE(desk.recorder.changes.empty()) << row;
+        }
+    }
+}
+
+TEST(scene_view, a_file_read_again_that_makes_no_scene_with_the_values_set_is_refused) {
+    RunDescription run = hungry_scene("20 - k");
+    run.scene.set("k", 15);
+    Desk desk(run);
+    desk.interface.reload(hungry_scene("8 - k"), desk.recorder);
+    desk.frame();
+    EXPECT_TRUE(desk.has("refusal"));
+    EXPECT_TRUE(desk.recorder.changes.empty());
 }
 
 }  // namespace

@@ -214,6 +214,7 @@ Eigenpairs modes(const LinearisedScene& scene) {
 }
 
 Eigenpairs all_modes(const LinearisedScene& scene) {
+    if (scene.size() == 0) return {{}, {}, true};  // nothing moves
     Eigen::MatrixXd matrix(scene.size(), scene.size());
     for (Eigen::Index k = 0; k < scene.size(); ++k)
         matrix.col(k) = scene.stiffness(Eigen::VectorXd::Unit(scene.size(), k));

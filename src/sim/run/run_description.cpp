@@ -171,6 +171,7 @@ RunDescription with_alterations(RunDescription description, std::span<const Alte
 }
 
 RunDescription without_missing_alterations(RunDescription description) {
+    if (description.alterations.empty()) return description;
     const Model& base = unaltered_model(description);
     const double particles = base.particles(description.scene);
     const auto all = description.alterations.all();

@@ -43,7 +43,7 @@ public:
         : radius_(context.theme.scale() * 6.3f), slider_(slider), end_(end) {}
 
     float x(double time) const {
-        const double part = end_ > 0 ? std::clamp(time / end_, 0.0, 1.0) : 0;
+        const double part = !(end_ > 0 && time > 0) ? 0 : time < end_ ? time / end_ : 1;  // both may be infinite
         return slider_.left + radius_ + static_cast<float>(part) * (slider_.right - slider_.left - 2 * radius_);
     }
     float y() const { return 0.5f * (slider_.top + slider_.bottom); }
