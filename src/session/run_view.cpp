@@ -29,7 +29,10 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     view.facts = facts_of(view.description);
     view.conservation = simulation.conservation();
     view.notes.clear();
-    if (!view.divergence) view.notes = notes_of_rounding(view.description, view.diagnostics.farthest);
+    if (!view.divergence) {
+        view.notes =
+            notes_of_rounding(view.description, view.diagnostics.farthest, [&] { return simulation.rate_of_motion(); });
+    }
     view.has_exact = simulation.has_exact();
     view.why_not_exact = simulation.why_not_exact();
     view.segment_start = simulation.segment_start();

@@ -1,7 +1,9 @@
 // What a scene file knows of itself: the same as the model that it was written from.
 
+#include "io/scene_file.hpp"
 #include "io/scene_writer.hpp"
 #include "sim/run/notes.hpp"
+#include "sim/run/opening.hpp"
 #include "support/runs.hpp"
 #include "support/scene_texts.hpp"
 
@@ -106,6 +108,38 @@ TEST(SceneFacts, resolve_no_bonds_far_from_the_origin_in_float) {
     EXPECT_THAT(notes("[3e5, 0, 0]", Precision::float_), testing::ElementsAre(HasSubstr("too little for bonds of")));
     EXPECT_THAT(notes("[3e5, 0, 0]", Precision::double_), IsEmpty());
     EXPECT_THAT(notes("[30, 0, 0]", Precision::float_), IsEmpty());
+}
+
+// No frequency of gravity is known in advance: that of the motion itself is taken, also where a particle turns round.
+TEST(SceneFacts, of_scenes_without_a_frequency_name_steps_too_short_for_the_precision) {
+    for (const char* name : {"kepler-ellipse", "outer-solar-system", "double-well"}) {
+        for (const double factor : {1.0, 1e-6}) {
+            RunDescription run = with_method(describe(find_scene(name)), "velocity-verlet");
+            run.precision = Precision::float_;
+            run.dt = factor * opening_dt(run);
+            Simulation simulation(run);
+            simulation.advance(20);
+            const auto notes = notes_of_rounding(simulation);
+            if (factor == 1) {
+                EXPECT_THAT(notes, IsEmpty()) << name;
+            } else {
+                EXPECT_THAT(notes, testing::ElementsAre(HasSubstr("rounds most of it away"))) << name;
+            }
+        }
+    }
+}
+
+TEST(SceneFacts, of_a_particle_that_turns_round_give_no_note) {
+    RunDescription run =
+        describe(read_scene("steplab = 1\n[[particles]]\nposition = [1, 0, 0]\n[[fields]]\npotential = \"x^4 / 4\"\n"));
+    run = with_method(run, "velocity-verlet");
+    run.precision = Precision::float_;
+    run.dt = 0.01;
+    Simulation simulation(run);
+    for (int step = 0; step < 800; ++step) {  // a period is 7.4 s
+        simulation.advance(1);
+        ASSERT_THAT(notes_of_rounding(simulation), IsEmpty()) << step;
+    }
 }
 
 // Altered particles are those of a composed scene, whatever the model was.

@@ -20,16 +20,23 @@ double rounding_unit(Precision precision) {
 /// keeps fewer than 7 binary digits, and what is lost has a sign of its own.
 constexpr double units_of_an_increment = 128;
 
+using Rate = std::function<double()>;
+
 /// The largest frequency, which may take long to find, is asked for only where that of a pair alone, which is lower,
 /// does not answer.
-std::optional<std::string> note_of_increments(const RunDescription& run) {
+double rate_of(const RunDescription& run, const Rate& rate) {
+    const double omega = fastest_frequency(run);
+    return omega > 0 || !rate ? omega : rate();
+}
+
+std::optional<std::string> note_of_increments(const RunDescription& run, const Rate& rate) {
     const bool compensated = run.method_parameters.contains("compensated") && run.method_parameters["compensated"] > 0;
     if (compensated || chooses_its_steps(run)) return std::nullopt;
     const auto is_kept = [&](double omega) {
         return std::abs(run.dt) * omega >= units_of_an_increment * rounding_unit(run.precision);
     };
     if (is_kept(facts_of(run).pair_frequency)) return std::nullopt;
-    const double omega = fastest_frequency(run);
+    const double omega = rate_of(run, rate);
     if (!(omega > 0) || is_kept(omega)) return std::nullopt;
     const std::string remedy = run.method_parameters.contains("compensated") ? ", compensated=1 keeps it" : "";
     return fmt::format(
@@ -49,15 +56,15 @@ std::optional<std::string> note_of_distance(const RunDescription& run, double fa
 }
 
 /// By kind.
-std::array<std::optional<std::string>, 2> notes_by_kind(const RunDescription& run, double farthest) {
-    return {note_of_increments(run), note_of_distance(run, farthest)};
+std::array<std::optional<std::string>, 2> notes_by_kind(const RunDescription& run, double farthest, const Rate& rate) {
+    return {note_of_increments(run, rate), note_of_distance(run, farthest)};
 }
 
 }  // namespace
 
-std::vector<std::string> notes_of_rounding(const RunDescription& run, double farthest) {
+std::vector<std::string> notes_of_rounding(const RunDescription& run, double farthest, const Rate& rate) {
     std::vector<std::string> notes;
-    for (auto& note : notes_by_kind(run, farthest)) {
+    for (auto& note : notes_by_kind(run, farthest, rate)) {
         if (note) notes.push_back(std::move(*note));
     }
     return notes;
@@ -65,11 +72,12 @@ std::vector<std::string> notes_of_rounding(const RunDescription& run, double far
 
 std::vector<std::string> notes_of_rounding(const Simulation& simulation) {
     if (simulation.divergence()) return {};
-    return notes_of_rounding(simulation.description(), simulation.farthest());
+    return notes_of_rounding(simulation.description(), simulation.farthest(),
+                             [&] { return simulation.rate_of_motion(); });
 }
 
 void NotesOfRuns::add(const RunDescription& run, double farthest) {
-    const auto notes = notes_by_kind(run, farthest);
+    const auto notes = notes_by_kind(run, farthest, nullptr);
     for (std::size_t i = 0; i < kinds_.size(); ++i) {
         if (!notes[i]) continue;
         if (kinds_[i].runs++ == 0) kinds_[i] = {1, runs_, *notes[i]};

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace steplab {
@@ -137,6 +138,21 @@ std::string Simulation::hash() const {
 double Simulation::farthest() const {
     Body& body = settled();
     return farthest_of([&](const PortionSink& sink) { body.emit(sink); });
+}
+
+double Simulation::rate_of_motion() const {
+    std::vector<Vec3> force;
+    forces(force);
+    const State<double>& now = state();
+    const Plan& scene = body_->segment.scene;
+    double farthest = 0, fastest = 0, steepest = 0;
+    for (std::size_t i = 0; i < force.size(); ++i) {
+        const double mass = scene.mass * (scene.masses.empty() ? 1 : scene.masses[i]);
+        farthest = std::max(farthest, length(now.displacement.at(i)));
+        fastest = std::max(fastest, length(now.velocity.at(i)));
+        steepest = std::max(steepest, length(force[i]) / mass);
+    }
+    return farthest > 0 ? std::max(fastest / farthest, std::sqrt(steepest / farthest)) : 0;
 }
 
 const State<double>& Simulation::state() const { return settled().state(); }
