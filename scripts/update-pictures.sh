@@ -28,6 +28,11 @@ trap clean_up EXIT
 window_picture() {
     xdotool key ctrl+p
     expect 'saved .*'
+    window_saved "$1"
+}
+
+# window_saved NAME: the picture that the window has saved, and its end
+window_saved() {
     mv "$folder"/*.png "$images/$1.png"
     close_window
     rm "$folder/trace"
@@ -52,6 +57,8 @@ picture diverged --model mesh --set dim=13 --method verlet --dt 0.74 --steps 100
 picture runs-ghosts --model rope --dt 0.005 --until 3.5 --run method=rk4 --run method=euler-forward --size 800x500
 picture runs-split --model morse --dt 0.02 --until 12 --run method=rk4 --run method=verlet --run method=euler --run method=dopri5 \
     --layout split --ui on --size 1280x800
+picture verdict --model rope --method velocity-verlet --dt 0.05 --steps 40 --ui on --size 1280x800 --background light \
+    --colour strain
 picture panel-tabs --model chain --until 20 --run method=rk4 --run method=euler --ui on --size 640x480 --scale 1
 
 say "docs/images/comet.gif: four methods on an ellipse"
@@ -75,6 +82,13 @@ expect 'step 1[0-9][0-9]'; click play; expect 'playing false'
 choose 'plot 2' 'speed against error'; expect 'costs complete'
 xdotool mousemove 640 200; sleep 1
 window_picture speed-against-error
+say "docs/images/plot.png: a plot as the window saves it"
+open_window --model chain --run method=velocity-verlet,dt=0.2 --run method=rk4,dt=0.2 --run method=euler-forward,dt=0.002 \
+    --speed 4 --play
+expect 'step 1[0-9][0-9]'; click play; expect 'playing false'
+click 'energy error.save'; expect 'widget energy error.png [0-9].*'; click 'energy error.png'
+expect 'saved .*'
+window_saved plot
 say "docs/images/playback.png: a trajectory that is played"
 "$root/build/release/bin/steplab" run --model mesh --set dim=20 --set v0=9 --dt 0.05 --steps 400 --every 2 \
     --out "$folder/mesh.trajectory" >/dev/null

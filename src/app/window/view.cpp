@@ -81,5 +81,6 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
     prepare_standard_streams();
+    keep_no_freed_memory();
     return guarded("steplab-view", [&] { return run({argv + (argc > 0 ? 1 : 0), argv + argc}); });
 }
