@@ -5,6 +5,7 @@
 #include "lab/limits/mode_run.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/linear_limit.hpp"
+#include "sim/run/particle_forces.hpp"
 #include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
@@ -64,7 +65,7 @@ bool agree(double theory, double measured) {
 std::string percent(double ratio) { return fmt::format("{:+.2g} %", 100 * (ratio - 1)); }
 
 /// Why the two differ, as far as the run shows.
-std::string disagreement(const ModeRun& run, Precision precision, double theory, double measured) {
+std::string disagreement(const ModeRun& run, const RunDescription& held, double theory, double measured) {
     if (const double nonlinear = run.nonlinearity(); nonlinear > 0.01) {
         return fmt::format(
             "the force is not smooth at the initial positions (it deviates from its linearisation by {:.2g} %): linear "
@@ -74,7 +75,9 @@ std::string disagreement(const ModeRun& run, Precision precision, double theory,
     const std::string far = theory > 0 && measured > 0 && std::isfinite(measured) && std::isfinite(theory)
                                 ? percent(measured / theory) + " from theory"
                                 : "not the limit of theory";
-    if (precision == Precision::float_) return far + ": rounding in float is not small compared with the vibration";
+    if (held.precision == Precision::float_)
+        return far + ": rounding in float is not small compared with the vibration";
+    if (facts_of(held).damping) return far + ", which takes each vibration as if damping did not mix them";
     return far + ": the steps of the method are not those of its linear theory";
 }
 
@@ -87,6 +90,7 @@ std::optional<double> Limit::ratio() const {
 
 StabilityLab::StabilityLab(const RunDescription& description)
     : scene_(balanced(plan_of(as_held(description)))),
+      facts_(facts_of(description)),
       spacing_(model_of(description).shape(as_held(description).scene).spacing),
       linearised_(scene_, model_of(description).shape(as_held(description).scene)),
       modes_(modes(linearised_)) {}
@@ -103,9 +107,27 @@ std::vector<StabilityLab::Oscillation> StabilityLab::oscillations() const {
         const Eigen::Index mode = samples == 1 ? count - 1 : sample * (count - 1) / (samples - 1);
         const double omega2 = modes_.values[mode];
         if (omega2 < -zero) continue;  // unstable equilibrium: departs with any method
-        all.push_back({omega2 < zero ? 0 : std::sqrt(omega2), mode, infinity});
+        all.push_back({omega2 < zero ? 0 : std::sqrt(omega2), damping_of(mode), mode, infinity});
     }
     return all;
+}
+
+/// That of the vibration alone: right where damping is spread over the scene as springs and masses are.
+double StabilityLab::damping_of(Eigen::Index mode) const {
+    if (!facts_.damping) return scene_.drag;
+    State<double> moving{Field<double>(scene_.reference.count), linearised_.displacements(modes_.vectors.col(mode))};
+    State<double> still{moving.displacement, Field<double>(scene_.reference.count)};
+    ParticleForces forces(scene_);
+    std::vector<Vec3> with, without;
+    forces.at(moving, with);
+    forces.at(still, without);
+    double power = 0, squares = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        const Vec3 v = moving.velocity.at(i);
+        power += dot(v, without[i] - with[i]);
+        squares += scene_.mass * (scene_.masses.empty() ? 1 : scene_.masses[i]) * dot(v, v);
+    }
+    return squares > 0 ? power / squares : 0;
 }
 
 /// The oscillation that grows at the smallest dt. Without drag it is the fastest one.
@@ -113,9 +135,9 @@ StabilityLab::Oscillation StabilityLab::first_to_grow(const Method& method, cons
     const std::vector<Oscillation> all = oscillations();
     Oscillation first{};
     for (auto other = all.rbegin(); other != all.rend(); ++other) {
-        const double limit = linear_limit(method, parameters, other->omega, scene_.drag);
-        if (other == all.rbegin() || limit < first.limit) first = {other->omega, other->mode, limit};
-        if (scene_.drag == 0) break;
+        const double limit = linear_limit(method, parameters, other->omega, other->gamma);
+        if (other == all.rbegin() || limit < first.limit) first = {other->omega, other->gamma, other->mode, limit};
+        if (facts_.drag == 0) break;
     }
     return first;
 }
@@ -130,7 +152,7 @@ Limit StabilityLab::limit(const RunDescription& description) const {
     Limit limit{.description = held, .omega_max = omega_max(), .theory = infinity, .measured = infinity, .note = {}};
     if (method.info.adaptive) {
         limit.note = "adaptive: chooses its own steps";
-    } else if (omega_max() == 0 && scene_.drag == 0) {
+    } else if (omega_max() == 0 && facts_.drag == 0) {
         limit.note = "nothing oscillates";
     } else {
         find(limit, method);
@@ -157,7 +179,7 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
     const double size = (held.precision == Precision::float_ ? 1e-3 : 1e-6) * spacing_;
     const ModeRun run(method, held.method_parameters, held.precision, scene_,
                       linearised_.displacements(modes_.vectors.col(first.mode)), first.omega, size, departure());
-    const Above above = just_above(method, held.method_parameters, first.omega, scene_.drag, first.limit);
+    const Above above = just_above(method, held.method_parameters, first.omega, first.gamma, first.limit);
     const std::uint64_t steps =
         steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count);
     limit.measured =
@@ -166,8 +188,7 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
                        .time_scale = run.time_scale(),
                        .steps = steps,
                        .steps_beyond = scene_.reference.count > many_particles ? steps_of_many : steps_of_few});
-    if (!agree(first.limit, *limit.measured))
-        limit.note = disagreement(run, held.precision, first.limit, *limit.measured);
+    if (!agree(first.limit, *limit.measured)) limit.note = disagreement(run, held, first.limit, *limit.measured);
 }
 
 }  // namespace steplab

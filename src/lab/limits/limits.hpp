@@ -39,16 +39,19 @@ private:
     /// A frequency of the scene, its mode, and the limit of a method for it.
     struct Oscillation {
         double omega = 0;
+        double gamma = 0;  ///< rate at which it is damped
         Eigen::Index mode = 0;
         double limit = infinity;
     };
     std::vector<Oscillation> oscillations() const;
+    double damping_of(Eigen::Index mode) const;
     Oscillation first_to_grow(const Method& method, const ParameterValues& parameters) const;
     /// The rate of the fastest non-oscillating departure from the initial positions.
     double departure() const;
     void find(Limit& limit, const Method& method) const;
 
     Plan scene_;  ///< balanced
+    SceneFacts facts_;
     double spacing_;
     LinearisedScene linearised_;
     Eigenpairs modes_;

@@ -20,10 +20,21 @@ public:
     template <class N>
     N factor(const PairDistance<N>& at) const {
         const N softened2 = at.squared + N(softening2_);
-        return N(strength_) / (softened2 * square_root(softened2));
+        if constexpr (is_series<N>) {
+            return N(strength_) / (softened2 * square_root(softened2));  // each product of series costs much
+        } else {
+            // the third power of a distance in metres is soon more than float holds
+            const N inverse = N(1) / square_root(softened2);
+            return ((N(strength_) * inverse) * inverse) * inverse;
+        }
     }
 
 private:
+    template <class N>
+    static constexpr bool is_series = requires(const N& number) {
+        number.coefficient();
+    };
+
     T strength_, softening2_;
 };
 

@@ -149,6 +149,34 @@ Composition composed(const Scene& scene, const SceneParticles& particles) {
     return composition;
 }
 
+namespace {
+
+/// A bound of the rates at which dashpots alone damp: of two particles c (1/m1 + 1/m2), within a long chain 4 c / m.
+/// With the matrix of the forces in dashpots that their own motions make (Gershgorin), whose diagonal is that of two
+/// particles, and in which two dashpots c and c' on one particle of mass m have at most sqrt(c c') / m in common.
+double dashpot_rate(const Scene& scene, const SceneParticles& particles) {
+    std::vector<double> roots(particles.count());  // sum of sqrt(c) over a particle's dashpots, divided by its mass
+    const auto each = [&](auto f) {
+        for (const SpringTerm& term : scene.springs) {
+            if (term.damping.value == 0) continue;
+            const double root = std::sqrt(term.damping.value);
+            each_spring(particles, term, [&](const ScenePair& pair) { f(root, pair.first, pair.second); });
+        }
+    };
+    each([&](double root, std::size_t first, std::size_t second) {
+        for (const std::size_t i : {first, second}) {
+            if (!particles[i].fixed) roots[i] += root / particles[i].mass;
+        }
+    });
+    double largest = 0;
+    each([&](double root, std::size_t first, std::size_t second) {
+        largest = std::max(largest, root * (roots[first] + roots[second]));
+    });
+    return largest;
+}
+
+}  // namespace
+
 SceneDamping damping_of(const Scene& scene, const SceneParticles& particles) {
     SceneDamping damping;
     std::vector<double> rates(particles.count());
@@ -164,14 +192,9 @@ SceneDamping damping_of(const Scene& scene, const SceneParticles& particles) {
         equal = equal && rates[i] == first;
         damping.largest = std::max(damping.largest, rates[i]);
     }
-    for (const SpringTerm& term : scene.springs) {
-        if (term.damping.value == 0) continue;
-        equal = false;
-        each_spring(particles, term, [&](const ScenePair& pair) {
-            for (const std::size_t i : {pair.first, pair.second})
-                damping.largest = std::max(damping.largest, term.damping.value / particles[i].mass);
-        });
-    }
+    const double of_dashpots = dashpot_rate(scene, particles);
+    damping.largest += of_dashpots;
+    equal = equal && of_dashpots == 0;
     if (equal) {
         damping.drag = std::max(first, 0.0);
     } else {

@@ -18,7 +18,7 @@ ComposedPairs pair_force_of(const PairTerm& term, double unit);
 struct SceneDamping {
     double drag = 0;            ///< rate gamma = c / m, where it is the same for all particles and nothing else damps
     std::vector<double> rates;  ///< else that of each particle
-    double largest = 0;         ///< of any particle, dashpots included
+    double largest = 0;         ///< a bound of the rates at which motions are damped, dashpots included
 
     /// Dashpots, or drag that differs between particles.
     bool is_of_each() const { return !rates.empty(); }

@@ -39,6 +39,30 @@ double floor_of(const ComposedForces& forces) {
     return floor;
 }
 
+bool has_expressions(const Forces& forces) {
+    const auto* const composed = std::get_if<ComposedForces>(&forces);
+    if (!composed) return false;
+    const Composition& terms = *composed->terms;
+    return !terms.fields.empty() || std::any_of(terms.pairs.begin(), terms.pairs.end(), [](const auto& pairs) {
+        return built_in_potential(pairs.potential) == nullptr;
+    });
+}
+
+/// Displacements of the particles from their reference positions when all are `factor` times as far from the origin as
+/// they start, and `shift` times their largest distance from it beyond.
+Field<double> elsewhere(const Plan& scene, double factor, double shift) {
+    const std::size_t count = scene.reference.count;
+    double farthest = 0;
+    const auto each = [&](auto f) {
+        scene.reference.each(0, count, [&](std::size_t i, Vec3 at) { f(i, at, at + scene.start[i].displacement); });
+    };
+    each([&](std::size_t, Vec3, Vec3 position) { farthest = std::max(farthest, length(position)); });
+    const double way = shift * (farthest > 0 ? farthest : 1);
+    Field<double> moved(count);
+    each([&](std::size_t i, Vec3 at, Vec3 position) { moved.set(i, factor * position + Vec3{way, way, way} - at); });
+    return moved;
+}
+
 /// Half the mass times the sum of the squared accelerations.
 double outer_power_of(const ConstantForces& forces) {
     const double n = static_cast<double>(forces.count);
@@ -94,7 +118,20 @@ EnergyMeter::EnergyMeter(const Plan& scene, Instructions instructions)
       count_(scene.reference.count),
       unit_(shared(forces_)),
       pieces_(pieces_of(scene)),
-      sums_(pieces_.count()) {}
+      sums_(pieces_.count()) {
+    if (has_expressions(forces_)) floor_ += floor_of_expressions(scene);
+}
+
+/// A typed potential may be 0 where the particles start, and says nothing of a size: what it is elsewhere does.
+double EnergyMeter::floor_of_expressions(const Plan& scene) const {
+    double floor = 0;
+    for (const double part : {0.25, -0.25}) {
+        const double there =
+            energy_sums_->potential(forces_, elsewhere(scene, 1 + part, part), count_, count_).magnitude;
+        if (std::isfinite(there)) floor = std::max(floor, there);
+    }
+    return floor;
+}
 
 Energy EnergyMeter::energy(std::size_t parts, const Emit& emit, const PieceSink& also) {
     if (unit_ == 0 && whole_.count() != count_) whole_ = Field<double>(count_);

@@ -35,8 +35,9 @@ public:
     /// The same of parts that may be emitted in parallel. Each piece is passed on to `also`, unless that is empty.
     Energy energy(std::size_t parts, const Emit& emit, const PieceSink& also);
     std::size_t pieces() const { return sums_.size(); }
-    /// An energy no run of this scene may be judged by the changes of: rounding, the depth of potential wells, and what
-    /// outer forces give within one step from rest, in which positions of some methods do not follow yet.
+    /// An energy no run of this scene may be judged by the changes of: rounding, the depth of potential wells, typed
+    /// potentials around where the particles start, and what outer forces give within one step from rest, in which
+    /// positions of some methods do not follow yet.
     double floor(double dt) const;
 
 private:
@@ -45,6 +46,7 @@ private:
         PotentialEnergy potential;
     };
 
+    double floor_of_expressions(const Plan& scene) const;
     /// The squares of the velocities times the masses.
     double weighted(const Piece& piece) const;
     Sums sums_of(const Piece& piece);

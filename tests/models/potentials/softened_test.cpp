@@ -1,0 +1,42 @@
+#include "models/potentials/softened.hpp"
+
+#include "core/dual.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace steplab::test {
+namespace {
+
+// Distances in metres of planets and of atoms: their third powers leave the range of float, forces do not. Four
+// operations of half an ulp each.
+template <class T>
+void expect_factors(double strength, double r) {
+    const SoftenedInverse<T> potential(strength, 0);
+    const double right = strength / (r * r * r);
+    if (!(right > 1e2 * static_cast<double>(std::numeric_limits<T>::min()) && right < 1e36)) return;
+    const T squared = static_cast<T>(r) * static_cast<T>(r);
+    const T factor = potential.factor(PairDistance<T>{squared});
+    EXPECT_NEAR(static_cast<double>(factor) / right, 1, 4 * std::numeric_limits<T>::epsilon()) << strength << ", " << r;
+    const Dual<T> slope = potential.factor(PairDistance<Dual<T>>{{squared, T(1)}});
+    EXPECT_EQ(slope.value, factor);
+    EXPECT_NEAR(static_cast<double>(slope.derivative) * r * r / right, -1.5, 20 * std::numeric_limits<T>::epsilon())
+        << strength << ", " << r;
+}
+
+TEST(SoftenedInverse, is_right_over_the_range_of_distances_that_float_can_square) {
+    int tried = 0;
+    for (double r = 1e-15; r < 1e18; r *= 10) {
+        for (double strength = 1e-20; strength < 1e37; strength *= 1e3) {
+            expect_factors<float>(strength, 1.37 * r);
+            expect_factors<double>(strength, 1.37 * r);
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, 500);
+}
+
+}  // namespace
+}  // namespace steplab::test
