@@ -103,12 +103,20 @@ private:
         return step(Made::add, {values[a], values[b]});
     }
 
-    /// x^n by repeated multiplication, x^(n + 1/2) with a root, of negative exponents of the inverse.
+    /// x^n by repeated multiplication, with roots x^(n + 1/2) and x^(n + 1/4), which powers of a distance are of its
+    /// square; of negative exponents of the inverse.
     Value lowered_power(const Node& node, Value base, Value exponent) {
         constexpr double most = 1024;
-        const double p = graph_.is_number(node.arguments[1]) ? graph_.nodes_[node.arguments[1]].value : 0.25;
-        if (!is_whole(2 * p) || std::abs(p) > most) return step(Made::power, {base, exponent});
+        const bool known = graph_.is_number(node.arguments[1]);
+        const double p = known ? graph_.nodes_[node.arguments[1]].value : 0;
+        if (!known || !is_whole(4 * p) || std::abs(p) > most) return step(Made::power, {base, exponent});
         if (is_whole(p)) return whole_power(p < 0 ? inverse(base) : base, static_cast<unsigned>(std::abs(p)));
+        if (!is_whole(2 * p)) return root_power(step(Made::sqrt, {base}), 2 * p);
+        return root_power(base, p);
+    }
+
+    /// x^(n + 1/2).
+    Value root_power(Value base, double p) {
         const Value root = step(Made::sqrt, {base});
         if (p < 0) return whole_power(inverse(root), static_cast<unsigned>(-2 * p));
         if (p == 0.5) return root;

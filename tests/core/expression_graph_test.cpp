@@ -48,6 +48,7 @@ const std::array texts{"x + 2*y - 3",
                        "x*y/(x + y)",
                        "-x^2",
                        "x^3 - x^-2 + x^0.5 + x^1.5 - x^-1.5 + x^0.3 + x^y",
+                       "x^0.25 + x^1.75 - x^-0.75 + (x*y)^-2.25",
                        "(x^2)^0.5 + (x^0.5)^2 + (x^3)^2 + (x*y)^3",
                        "exp(-x/y) + log(x + y) + sqrt(x*y)",
                        "sin(x)*cos(y) + tan(x/3) - tanh(x - y)",
@@ -115,6 +116,19 @@ TEST(ExpressionGraph, even_powers_of_a_root_need_no_root) {
         for (const Place result : {value, graph.derivative(value, 0)}) {
             for (const auto& step : graph.program(std::array{result}, 1).steps)
                 EXPECT_NE(step.operation, ExpressionProgram::Operation::sqrt) << text;
+        }
+    }
+}
+
+// A power in general takes some forty times as long.
+TEST(ExpressionGraph, half_powers_of_a_root_are_made_of_roots) {
+    for (const char* text : {"sqrt(r)", "r^1.5", "r^-2.5", "1/sqrt(r) - r^0.5", "r^7.5"}) {
+        ExpressionGraph graph;
+        const Place r = graph.square_root(graph.variable(0));
+        const Place value = graph.add(Expression(text), std::array{r});
+        for (const Place result : {value, graph.derivative(value, 0)}) {
+            for (const auto& step : graph.program(std::array{result}, 1).steps)
+                EXPECT_NE(step.operation, ExpressionProgram::Operation::power) << text;
         }
     }
 }
