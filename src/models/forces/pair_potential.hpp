@@ -35,23 +35,29 @@ public:
     template <class N>
     N factor(const N& distance2, const PairProperties<N>& pair) const {
         const PairDistance<N> at{distance2};
-        const N uncut = potential_.factor(at);
-        return weighted(cut_ ? uncut - N(force_there_) * at.inverse() : uncut, pair);
+        if constexpr (weight == Weight::none) {
+            const N uncut = potential_.factor(at);
+            return N(scale_) * (cut_ ? uncut - N(force_there_) * at.inverse() : uncut);
+        } else {
+            const N strength = weight_of(pair);
+            const N uncut = potential_.factor(at, strength);
+            return cut_ ? uncut - strength * N(force_there_) * at.inverse() : uncut;
+        }
     }
     template <class N>
     N energy(const N& distance2, const PairProperties<N>& pair) const {
         const PairDistance<N> at{distance2};
         const N uncut = potential_.energy(at);
-        if (!cut_) return weighted(uncut, pair);
-        return weighted(uncut - N(energy_there_) + (at.length() - N(cutoff_)) * N(force_there_), pair);
+        if (!cut_) return weight_of(pair) * uncut;
+        return weight_of(pair) * (uncut - N(energy_there_) + (at.length() - N(cutoff_)) * N(force_there_));
     }
 
 private:
     template <class N>
-    N weighted(const N& value, const PairProperties<N>& pair) const {
-        if constexpr (weight == Weight::masses) return N(scale_) * pair.first_mass * pair.second_mass * value;
-        if constexpr (weight == Weight::charges) return N(scale_) * pair.first_charge * pair.second_charge * value;
-        return N(scale_) * value;
+    N weight_of(const PairProperties<N>& pair) const {
+        if constexpr (weight == Weight::masses) return N(scale_) * pair.first_mass * pair.second_mass;
+        if constexpr (weight == Weight::charges) return N(scale_) * pair.first_charge * pair.second_charge;
+        return N(scale_);
     }
 
     Potential potential_;

@@ -12,6 +12,7 @@ namespace steplab {
 /// made of that type,
 ///   energy(at)   V(r)
 ///   factor(at)   -V'(r) / r: the force on a particle is this times its distance vector from the other
+/// and, if it has a weight, factor(at, weight): the same times that.
 struct PotentialInfo {
     struct Parameter {
         std::string_view name;

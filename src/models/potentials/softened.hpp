@@ -19,13 +19,19 @@ public:
     }
     template <class N>
     N factor(const PairDistance<N>& at) const {
+        return factor(at, N(T(1)));
+    }
+    /// Times the product of masses or charges, with which the third power of the distance is outweighed.
+    template <class N>
+    N factor(const PairDistance<N>& at, const N& weight) const {
+        const N strength = N(strength_) * weight;
         const N softened2 = at.squared + N(softening2_);
         if constexpr (is_series<N>) {
-            return N(strength_) / (softened2 * square_root(softened2));  // each product of series costs much
+            return strength / (softened2 * square_root(softened2));  // each product of series costs much
         } else {
             // the third power of a distance in metres is soon more than float holds
-            const N inverse = N(1) / square_root(softened2);
-            return ((N(strength_) * inverse) * inverse) * inverse;
+            const N inverse = N(T(1)) / square_root(softened2);
+            return ((strength * inverse) * inverse) * inverse;
         }
     }
 
