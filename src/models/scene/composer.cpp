@@ -167,6 +167,7 @@ SceneDamping damping_of(const Scene& scene, const SceneParticles& particles) {
     for (const SpringTerm& term : scene.springs) {
         if (term.damping.value == 0) continue;
         equal = false;
+        damping.dashpots = true;
         each_spring(particles, term, [&](const ScenePair& pair) {
             for (const std::size_t i : {pair.first, pair.second})
                 damping.largest = std::max(damping.largest, term.damping.value / particles[i].mass);
