@@ -66,15 +66,14 @@ private:
 ///                                                                                   error relative to the tolerance
 ///     void finish(System&, T h, Moment& next)                                       fills next.a
 ///     void between(Uncounted&, const Moment& from, const Moment& next, T h, T part, State<T>& out)   at from + part h
-///     double work(System&, const Moment& from, const Moment& next, T h, T part, const CountedDrag&)   the work of drag
-///     up
-///                                                                                   to from + part h; optional
+///     double work(Uncounted&, const Moment& from, const Moment& next, T h, T part, const CountedDrag&)
+///         the work of drag up to from + part h; of rules that have a type CanCountDrag
 ///     void forget()                                                                 scratch is no longer of the last
 ///     step
 template <class T, class Rule>
 class AdaptiveSteps {
 public:
-    static constexpr bool counts_drag = requires { typename Rule::CountsDrag; };
+    static constexpr bool counts_drag = requires { typename Rule::CanCountDrag; };
     static constexpr IntegratorCapabilities capabilities{
         .progress = true, .stops = true, .collisions = true, .drag_work = counts_drag};
 

@@ -63,18 +63,22 @@ private:
     CompensatedSum sum_;
 };
 
-/// What integrators inherit that count drag in steps that end where frames are.
-class CountsDragAtFrames {
+/// What integrators inherit that count drag, up to the beginning of their last step; and those whose steps end where
+/// frames are, up to there.
+class CountsDrag {
 public:
     CountedDrag& counted_drag() { return drag_; }
     const CountedDrag& counted_drag() const { return drag_; }
+
+protected:
+    CountedDrag drag_;
+};
+class CountsDragAtFrames : public CountsDrag {
+public:
     template <class System>
     double drag_work(const System&) const {
         return drag_.sum().value();
     }
-
-protected:
-    CountedDrag drag_;
 };
 
 /// Of velocities v(s) with a constant slope, a motion's, from the time `begin` to `end` after it.

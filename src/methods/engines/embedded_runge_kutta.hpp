@@ -91,7 +91,7 @@ public:
         }
         return to_double(h) * sum;
     }
-    using CountsDrag = void;
+    using CanCountDrag = void;
 
     /// What the slopes are multiplied with at y0 + part h.
     static std::array<T, Table::table.all> dense_weights(T part) {

@@ -30,7 +30,7 @@ namespace steplab {
 /// particles together so give omega, and the error of order 16 is kept by keeping z at a size that goes with the 16th
 /// root of the tolerance. Collisions are detected and crossed (collisions.hpp); steps of dt go through them blindly.
 template <class T>
-class Gauss {
+class Gauss : public CountsDrag {
 public:
     static constexpr IntegratorCapabilities capabilities{
         .progress = true, .stops = true, .collisions = true, .drag_work = true};
@@ -74,8 +74,6 @@ public:
         out = {seen.x, seen.v};
     }
 
-    CountedDrag& counted_drag() { return drag_; }
-    const CountedDrag& counted_drag() const { return drag_; }
     template <class System>
     double drag_work(const System& system) const {
         if (tolerance_ == T(0)) return drag_.sum().value();
@@ -326,7 +324,6 @@ private:
     CollisionGuard<T> guard_;
     Progress progress_;
     GaussStages<T> stages_;
-    CountedDrag drag_;  ///< in own steps up to the beginning of the last one
 };
 
 }  // namespace steplab
