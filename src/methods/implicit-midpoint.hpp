@@ -38,9 +38,9 @@ struct ImplicitMidpoint {
     };
 
     template <class T>
-    class Integrator : public Synchronised<T> {
+    class Integrator : public Synchronised<T>, public CountsDragAtFrames {
     public:
-        static constexpr IntegratorCapabilities capabilities{.emits = true};
+        static constexpr IntegratorCapabilities capabilities{.emits = true, .drag_work = true};
 
         explicit Integrator(const ParameterValues& values) : Synchronised<T>(values) {}
 
@@ -64,6 +64,10 @@ struct ImplicitMidpoint {
             if (!stage_.solve(system, x_, v_, h / T(2), w_)) return false;
             T *const x = x_.flat().data(), *const v = v_.flat().data();
             const T* const w = w_.flat().data();
+            if (drag_.on()) {
+                const auto middle = [v, w](std::size_t k) { return to_double(v[k]) + to_double(w[k]); };
+                drag_.add(to_double(h) * drag_.power_of(v_, middle));
+            }
             if (lost_.kept()) {
                 T *const lost_x = lost_.x.flat().data(), *const lost_v = lost_.v.flat().data();
                 elementwise(x_.flat().size(), [=](std::size_t k) {

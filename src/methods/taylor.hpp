@@ -71,18 +71,19 @@ struct Taylor {
 /// Coefficient k of a displacement is stored as x_k unit^k, where unit is a power of two near the step size: exact, and
 /// safe from overflow and underflow.
 template <class T>
-class Taylor::Integrator {
+class Taylor::Integrator : public CountsDrag {
     /// Times have at least double precision.
     using Time = std::conditional_t<std::is_same_v<T, float>, double, T>;
 
 public:
-    static constexpr IntegratorCapabilities capabilities{.progress = true, .stops = true, .collisions = true};
+    static constexpr IntegratorCapabilities capabilities{
+        .progress = true, .stops = true, .collisions = true, .drag_work = true};
 
     explicit Integrator(const ParameterValues& values)
         : tolerance_(std::clamp(values[tolerance_parameter.name],
                                 2 * static_cast<double>(std::numeric_limits<T>::epsilon()), 0.1)),
           log_tolerance_(logarithm(tolerance_)),
-          last_(highest_order(log_tolerance_)),
+          last_(best_order(log_tolerance_)),
           guard_(static_cast<T>(values[tolerance_parameter.name])) {}
 
     template <class System>
@@ -106,6 +107,7 @@ public:
         const Time target = frame_time(system);
         while (target - progress_.begin - progress_.begin_lost > static_cast<Time>(progress_.length)) {
             check_interruption();
+            if (drag_.on()) drag_.add(work_in_series(system, progress_.length));
             advance(system);
             expand(system);
             // below this time nothing moves by more than rounding
@@ -117,8 +119,11 @@ public:
 
     template <class System>
     void synchronised(const System& system, State<T>& out) const {
-        const T since = static_cast<T>(frame_time(system) - progress_.begin - progress_.begin_lost);
-        if (progress_.across > T(0) && since > progress_.across) return behind_collision(system, since, out);
+        const T since = since_begin(system);
+        if (progress_.across > T(0) && since > progress_.across) {
+            Field<T> a(v_.count());
+            return within_crossing(now(a), behind_collision(system), progress_.across, since, out);
+        }
         out.displacement = x_[0];
         out.velocity = v_;
         T *const x = out.displacement.flat().data(), *const v = out.velocity.flat().data();
@@ -126,6 +131,11 @@ public:
             (N::load(x + p) + change_of_x).store(x + p);
             (N::load(v + p) + change_of_v).store(v + p);
         });
+    }
+
+    template <class System>
+    double drag_work(const System& system) const {
+        return drag_.sum().value() + work_in_series(system, since_begin(system));
     }
 
     template <class Self, class F>
@@ -159,14 +169,6 @@ public:
 private:
     using N = Lanes<T>;
 
-    /// -ln(tolerance) / 2 + 1 is best where the cost of a step grows with the square of the order (Jorba, Zou,
-    /// proposition 3.1). Here most of it grows linearly with the order up to about 25: the best orders, as measured,
-    /// are higher and nearly the same for all tolerances.
-    static std::size_t highest_order(double log_tolerance) {
-        return static_cast<std::size_t>(std::ceil(14 - log_tolerance / 4));
-    }
-    static constexpr double order_per_digit = 0.6;
-
     /// A series may end at once or not exist, but not one after the other.
     bool is_stuck(Time target) {
         const T least = static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon()));
@@ -186,6 +188,10 @@ private:
         if (!(progress_.length > least)) set_length(least);
     }
 
+    template <class System>
+    T since_begin(const System& system) const {
+        return static_cast<T>(frame_time(system) - progress_.begin - progress_.begin_lost);
+    }
     template <class System>
     Time frame_time(const System& system) const {
         return static_cast<Time>(progress_.frames) * static_cast<Time>(system.dt());
@@ -218,8 +224,6 @@ private:
     void each_change(T t, F f) const {
         each_series_sum(std::span<const Field<T>>(x_), progress_.unit, t, forces_->axes(), f);
     }
-
-    static T number(std::size_t k) { return static_cast<T>(static_cast<int>(k)); }
 
     /// The series of the motion from x_[0] and v_, in a unit of time that suits its duration.
     template <class System>
@@ -254,25 +258,20 @@ private:
         T length = guard_.before(system, begin, progress_.length, static_cast<double>(progress_.begin));
         if (!guard_.approaching()) {
             T ahead = foresight * progress_.length;
-            foresee(begin, ahead);
+            foresee(begin, ahead, end_);
             if (any_pass(system, x_[0], end_) && guard_.passes(system, begin, end_, ahead))
                 length = std::min(length, ahead);
         }
         set_length(length);
         while (guard_.approaching()) {
             if (guard_.at_hand()) return reach_across();
-            displacements_at(progress_.length, end_);
+            series_displacements(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_->axes(),
+                                 end_);
             if (!guard_.passes(system, begin, end_, length)) return;
             set_length(length);
         }
     }
     static constexpr T foresight = T(4);
-
-    void foresee(const MotionOf<T>& begin, T ahead) {
-        const T *const x = begin.x.flat().data(), *const v = begin.v.flat().data(), *const a = begin.a.flat().data();
-        T* const then = end_.flat().data();
-        elementwise(end_.flat().size(), [=](std::size_t k) { then[k] = x[k] + ahead * (v[k] + ahead / T(2) * a[k]); });
-    }
 
     void set_length(T length) {
         progress_.length = length;
@@ -284,12 +283,6 @@ private:
         progress_.across = guard_.time();
     }
 
-    void displacements_at(T t, Field<T>& then) const {
-        then = x_[0];
-        T* const x = then.flat().data();
-        each_change(t, [=](std::size_t p, N change, N) { (N::load(x + p) + change).store(x + p); });
-    }
-
     /// The motion at the beginning of the series; its accelerations, drag included, are written to `a`.
     MotionOf<T> now(Field<T>& a) const {
         const T of_x = T(2) / (progress_.unit * progress_.unit);
@@ -299,15 +292,26 @@ private:
         return {x_[0], v_, a};
     }
 
+    /// As long behind the collision as the beginning of the series is before it.
     template <class System>
-    void behind_collision(const System& system, T since, State<T>& out) const {
+    Motion<T> behind_collision(const System& system) const {
         Field<T> a(v_.count());
         Motion<T> behind(v_.count());
         system.hold(x_[0], v_);
         Uncounted<System> uncounted(system);
-        const MotionOf<T> before = now(a);
-        go_across(uncounted, before, progress_.across, behind);
-        within_crossing(before, behind, progress_.across, since, out);
+        go_across(uncounted, now(a), progress_.across, behind);
+        return behind;
+    }
+
+    /// The work of drag so long since the beginning of the series.
+    template <class System>
+    double work_in_series(const System& system, T since) const {
+        const bool behind = progress_.across > T(0) && since > progress_.across;
+        const std::span<const Field<T>> series(x_);
+        const double work = series_work(drag_, series, progress_.unit, behind ? progress_.across : since);
+        if (!behind) return work;
+        const double across = to_double(progress_.across);
+        return work + work_at_even_slope(drag_, behind_collision(system), -across, to_double(since) - 2 * across);
     }
 
     T reach() const {
@@ -324,12 +328,7 @@ private:
         elementwise(v_.flat().size(), [=, unit = progress_.unit](std::size_t p) { first[p] = unit * velocity[p]; });
         for (std::size_t k = 0; k + 2 <= last_; ++k) {
             forces_->accelerations(x_[k], k, a_);
-            const T scale = T(1) / number((k + 1) * (k + 2));
-            const T of_a = progress_.unit * progress_.unit, of_v = system.drag() * progress_.unit * number(k + 1);
-            const T *const a = a_.flat().data(), *const v = x_[k + 1].flat().data();
-            T* const next = x_[k + 2].flat().data();
-            elementwise(a_.flat().size() / 3 * forces_->axes(),
-                        [=](std::size_t p) { next[p] = (of_a * a[p] - of_v * v[p]) * scale; });
+            next_order(a_, k, progress_.unit, system.drag(), forces_->axes(), x_);
         }
         system.count_evaluations(last_ - 1);
     }

@@ -42,9 +42,9 @@ struct TrBdf2 {
     };
 
     template <class T>
-    class Integrator : public Synchronised<T> {
+    class Integrator : public Synchronised<T>, public CountsDragAtFrames {
     public:
-        static constexpr IntegratorCapabilities capabilities{.emits = true};
+        static constexpr IntegratorCapabilities capabilities{.emits = true, .drag_work = true};
 
         explicit Integrator(const ParameterValues& values) : Synchronised<T>(values) {}
 
@@ -82,6 +82,7 @@ struct TrBdf2 {
             if (!stage_.solve(system, from_x_, from_v_, tau, first_)) return false;
             begin_second_stage(h, tau);
             if (!stage_.solve(system, from_x_, from_v_, tau, second_)) return false;
+            if (drag_.on()) count_drag(h, tau);
             finish(h, tau);
             return true;
         }
@@ -105,6 +106,17 @@ struct TrBdf2 {
                 from_x[k] = x[k] + weight * (v[k] + (from_v[k] + first[k]));
                 from_v[k] = v[k] + (weight * slope[k] + of_first * first[k]);
             });
+        }
+
+        /// By the weights of the derivatives.
+        void count_drag(T h, T tau) {
+            const auto number = [](const Field<T>& field, std::size_t k) { return to_double(field.flat()[k]); };
+            const auto first_v = [&](std::size_t k) {
+                return number(v_, k) + to_double(tau) * number(slope_, k) + number(first_, k);
+            };
+            const auto last_v = [&](std::size_t k) { return number(from_v_, k) + number(second_, k); };
+            const double earlier = drag_.power(v_) + drag_.power_of(v_, first_v), last = drag_.power_of(v_, last_v);
+            drag_.add(to_double(h) * (before * earlier + diagonal * last));
         }
 
         void finish(T h, T tau) {

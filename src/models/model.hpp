@@ -37,9 +37,10 @@ public:
 
 /// What is known of a scene without making it.
 struct SceneFacts {
-    double mass = 1;            ///< of each particle; 0: they differ
-    double drag = 0;            ///< rate gamma = c / m of the drag -c v; else a bound of all rates of damping
-    bool damping = false;       ///< dashpots, or drag that differs between particles
+    double mass = 1;       ///< of each particle; 0: they differ
+    double drag = 0;       ///< rate gamma = c / m of the drag -c v; else a bound of all rates of damping
+    bool damping = false;  ///< dashpots, or drag that differs between particles
+    bool dashpots = false;
     double bond = 0;            ///< distance of bound neighbours that positions have to resolve; 0: nothing is bound
     double pair_frequency = 0;  ///< angular, of the bound pair that swings fastest alone; 0: none is known
     bool lists_pairs = false;   ///< pairs near each other are kept in lists

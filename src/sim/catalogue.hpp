@@ -22,6 +22,7 @@ struct Method {
     /// The same for the runs of an ensemble in SIMD lanes; null for methods that have none.
     std::array<MakeEnsembleStepper, 3> ensemble_makers;
     StepParts parts;
+    bool counts_drag = false;  ///< its steppers can count the work of drag
 
     std::unique_ptr<Stepper> make(const StepperSetup& setup) const {
         return makers[static_cast<std::size_t>(setup.instructions)](setup);

@@ -66,12 +66,16 @@ private:
 ///                                                                                   error relative to the tolerance
 ///     void finish(System&, T h, Moment& next)                                       fills next.a
 ///     void between(Uncounted&, const Moment& from, const Moment& next, T h, T part, State<T>& out)   at from + part h
+///     double work(Uncounted&, const Moment& from, const Moment& next, T h, T part, const CountedDrag&)
+///         the work of drag up to from + part h; of rules that have a type CanCountDrag
 ///     void forget()                                                                 scratch is no longer of the last
 ///     step
 template <class T, class Rule>
 class AdaptiveSteps {
 public:
-    static constexpr IntegratorCapabilities capabilities{.progress = true, .stops = true, .collisions = true};
+    static constexpr bool counts_drag = requires { typename Rule::CanCountDrag; };
+    static constexpr IntegratorCapabilities capabilities{
+        .progress = true, .stops = true, .collisions = true, .drag_work = counts_drag};
 
     explicit AdaptiveSteps(const ParameterValues& values)
         : tolerance_(std::max(static_cast<T>(values[tolerance_parameter.name]),
@@ -115,10 +119,17 @@ public:
         while (progress_.time - target + progress_.lost < 0) inner_step(system, target);
     }
 
+    CountedDrag& counted_drag() requires counts_drag { return drag_; }
+    const CountedDrag& counted_drag() const requires counts_drag { return drag_; }
+    template <class System>
+    double drag_work(const System& system) const requires counts_drag {
+        return drag_.sum().value() + work_in_last_step(system, before_end(frame_time(system)));
+    }
+
     /// At a time in the last step.
     template <class System>
     void state_at(const System& system, Time time, State<T>& out) const {
-        const T before_end = static_cast<T>(progress_.time - time + progress_.lost);
+        const T before_end = this->before_end(time);
         if (!(before_end > T(0))) {
             out.displacement = next_.x;
             out.velocity = next_.v;
@@ -174,10 +185,29 @@ private:
         return static_cast<Time>(progress_.frames) * static_cast<Time>(system.dt());
     }
 
+    /// How long before the end of the last step.
+    T before_end(Time time) const { return static_cast<T>(progress_.time - time + progress_.lost); }
+
+    /// The work of drag from its beginning on.
+    template <class System>
+    double work_in_last_step(const System& system, T before_end) const {
+        if (!(progress_.length > T(0))) return 0;  // none was taken
+        const T part = before_end > T(0) ? (progress_.length - before_end) / progress_.length : T(1);
+        if (progress_.across > T(0))
+            return work_in_crossing(drag_, from_, next_, to_double(progress_.across),
+                                    to_double(progress_.length) * to_double(part));
+        system.hold(from_.x, from_.v);
+        Uncounted<System> uncounted(system);
+        return rule_.work(uncounted, from_, next_, progress_.length, part, drag_);
+    }
+
     /// One step of the method from next_, which becomes from_.
     template <class System>
     void inner_step(System& system, Time target) {
         check_interruption();
+        if constexpr (counts_drag) {
+            if (drag_.on()) drag_.add(work_in_last_step(system, T(0)));
+        }
         std::swap(from_, next_);
         system.hold(from_.x, from_.v);
         if (progress_.crossed) accelerate(system, from_.x, from_.v, from_.a);
@@ -303,6 +333,7 @@ private:
     mutable Rule rule_{0};   ///< scratch
     Moment<T> from_, next_;  ///< the ends of the last step
     Progress progress_;
+    CountedDrag drag_;  ///< up to the beginning of the last step
 };
 
 }  // namespace steplab

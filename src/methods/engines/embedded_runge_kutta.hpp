@@ -69,20 +69,29 @@ public:
 
     void forget() { known_ = Known::nothing; }
 
-    /// The state at from + part h by dense output. Stages that are no longer there, or needed for it alone, are
-    /// computed.
+    /// The state at from + part h by dense output.
     template <class System>
     void between(System& system, const Moment<T>& from, const Moment<T>& next, T h, T part, State<T>& out) {
-        if (known_ == Known::nothing) {
-            Moment<T> again(from.x.count());
-            stages_of_step(system, from, h, again);
-        }
-        if (known_ != Known::all) further_stages(system, from, h, next);
-        known_ = Known::all;
+        know(Known::all, system, from, next, h);
         const Row weights = dense_weights(part);
         interpolate(from.x, slopes_of_x<all>(from, next), weights, h, out.displacement);
         interpolate(from.v, slopes_of_v<all>(from, next), weights, h, out.velocity);
     }
+
+    /// The work of drag up to there, by the same weights; of a whole step they are those of its end.
+    template <class System>
+    double work(System& system, const Moment<T>& from, const Moment<T>& next, T h, T part, const CountedDrag& drag) {
+        know(part < T(1) ? Known::all : Known::step, system, from, next, h);
+        const Row weights = dense_weights(part);
+        double sum = 0;
+        for (std::size_t j = 0; j < all; ++j) {
+            if (weights[j] == T(0)) continue;
+            const Field<T>& v = j == 0 ? from.v : j == last ? next.v : stage_v_[j];
+            sum += to_double(weights[j]) * drag.power(v);
+        }
+        return to_double(h) * sum;
+    }
+    using CanCountDrag = void;
 
     /// What the slopes are multiplied with at y0 + part h.
     static std::array<T, Table::table.all> dense_weights(T part) {
@@ -128,6 +137,22 @@ private:
         [&]<std::size_t... I>(std::index_sequence<I...>) { (stage<I + 1>(system, from, h, next), ...); }
         (std::make_index_sequence<last - 1>{});
         end(from, h, next);
+    }
+
+    /// Which stages of the last step are in memory.
+    enum class Known { nothing, step, all };
+
+    /// Those that are no longer there, or needed between the ends alone, are computed.
+    template <class System>
+    void know(Known wanted, System& system, const Moment<T>& from, const Moment<T>& next, T h) {
+        if (known_ == Known::nothing) {
+            Moment<T> again(from.x.count());
+            stages_of_step(system, from, h, again);
+            known_ = Known::step;
+        }
+        if (wanted == Known::step || known_ == Known::all) return;
+        further_stages(system, from, h, next);
+        known_ = Known::all;
     }
 
     template <class System>
@@ -208,9 +233,6 @@ private:
         for (std::size_t j = 0; j < M; ++j) result[j] = (j == 0 ? first : j == last ? end : stage[j]).flat().data();
         return result;
     }
-
-    /// Which stages of the last step are in memory.
-    enum class Known { nothing, step, all };
 
     Field<T> x_;  ///< of a stage
     Field<T> squares_;

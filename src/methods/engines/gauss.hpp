@@ -30,9 +30,10 @@ namespace steplab {
 /// particles together so give omega, and the error of order 16 is kept by keeping z at a size that goes with the 16th
 /// root of the tolerance. Collisions are detected and crossed (collisions.hpp); steps of dt go through them blindly.
 template <class T>
-class Gauss {
+class Gauss : public CountsDrag {
 public:
-    static constexpr IntegratorCapabilities capabilities{.progress = true, .stops = true, .collisions = true};
+    static constexpr IntegratorCapabilities capabilities{
+        .progress = true, .stops = true, .collisions = true, .drag_work = true};
 
     explicit Gauss(const ParameterValues& values)
         : tolerance_(values["tolerance"] > 0 ? kept_tolerance(static_cast<T>(values["tolerance"])) : T(0)),
@@ -69,15 +70,14 @@ public:
         const T ahead = static_cast<T>(progress_.time.ahead());
         if (ahead > T(0) && progress_.across > T(0)) return synchronised_at_collision(system, ahead, out);
         TwoPartState<T> seen = ahead > T(0) ? begin_ : end_;
-        if (ahead > T(0)) {
-            System copy = system;
-            if (tolerance_ > T(0)) copy.hold(begin_.x, begin_.v);
-            GaussStages<T> inside = stages(seen.x.count());
-            const T h = progress_.last - ahead;
-            inside.solve(copy, seen, h, {known_, T(0), h / progress_.last});
-            inside.advance(seen, seen);
-        }
+        if (ahead > T(0)) solved_inside(system, progress_.last - ahead).advance(seen, seen);
         out = {seen.x, seen.v};
+    }
+
+    template <class System>
+    double drag_work(const System& system) const {
+        if (tolerance_ == T(0)) return drag_.sum().value();
+        return drag_.sum().value() + work_in_own_step(system, static_cast<T>(progress_.time.ahead()));
     }
 
     const CollisionRecord& collisions() const { return guard_.record(); }
@@ -150,8 +150,9 @@ private:
     template <class System>
     bool take(System& system, T h) {
         if (!stages_.solve(system, end_, h, {known_, T(1), h / progress_.last})) return false;
-        stages_.advance(end_, end_);
         accept(h);
+        if (drag_.on()) drag_.add(gauss_work(drag_, stages_.matrices(), end_, known_, h));
+        stages_.advance(end_, end_);
         return true;
     }
 
@@ -160,10 +161,41 @@ private:
         progress_.last = h;
     }
 
+    /// A step of length h from begin_, to within the last own step.
+    template <class System>
+    GaussStages<T> solved_inside(const System& system, T h) const {
+        System copy = system;
+        if (tolerance_ > T(0)) copy.hold(begin_.x, begin_.v);
+        GaussStages<T> inside = stages(begin_.x.count());
+        inside.solve(copy, begin_, h, {known_, T(0), h / progress_.last});
+        return inside;
+    }
+
+    /// The work of drag in the last own step up to a time before its end.
+    template <class System>
+    double work_in_own_step(const System& system, T ahead) const {
+        if (!(now(system) > 0)) return 0;  // none was taken
+        if (progress_.across > T(0)) {
+            const T since = T(2) * progress_.across - std::max(ahead, T(0));
+            return at_collision(system, [&](const MotionOf<T>& before, const MotionOf<T>& after) {
+                return work_in_crossing(drag_, before, after, to_double(progress_.across), to_double(since));
+            });
+        }
+        if (!(ahead > T(0)))
+            return gauss_work(drag_, GaussMatrices(static_cast<long double>(system.drag() * progress_.last)), begin_,
+                              known_, progress_.last);
+        const T h = progress_.last - ahead;
+        const GaussStages<T> inside = solved_inside(system, h);
+        Field<T> forces = GaussStages<T>::room_for_known(begin_.x);
+        inside.keep(forces);
+        return gauss_work(drag_, inside.matrices(), begin_, forces, h);
+    }
+
     /// From end_, which becomes begin_.
     template <class System>
     void own_step(System& system) {
         check_interruption();
+        if (drag_.on()) drag_.add(work_in_own_step(system, T(0)));
         std::swap(begin_, end_);
         system.hold(begin_.x, begin_.v);
         progress_.next = longest_step(system, begin_.x, begin_.v, progress_.next, tolerance_);
@@ -229,13 +261,20 @@ private:
 
     template <class System>
     void synchronised_at_collision(const System& system, T ahead, State<T>& out) const {
+        at_collision(system, [&](const MotionOf<T>& before, const MotionOf<T>& after) {
+            within_crossing(before, after, progress_.across, T(2) * progress_.across - ahead, out);
+        });
+    }
+
+    /// Calls f with both ends of the step across a collision.
+    template <class System, class F>
+    auto at_collision(const System& system, F f) const {
         system.hold(begin_.x, begin_.v);
         Uncounted<System> uncounted(system);
         Field<T> a(end_.x.count()), end_a(end_.x.count());
         accelerate(uncounted, begin_.x, begin_.v, a);
         accelerate(uncounted, end_.x, end_.v, end_a);
-        within_crossing(MotionOf<T>{begin_.x, begin_.v, a}, MotionOf<T>{end_.x, end_.v, end_a}, progress_.across,
-                        T(2) * progress_.across - ahead, out);
+        return f(MotionOf<T>{begin_.x, begin_.v, a}, MotionOf<T>{end_.x, end_.v, end_a});
     }
 
     template <class System>

@@ -27,9 +27,10 @@ namespace steplab {
 /// coefficients of all accelerations together, covers a phase omega h that goes with the 15th root of the tolerance, so
 /// that errors are in proportion to it.
 template <class T, class Control = RadauControl>
-class GaussRadau {
+class GaussRadau : public CountsDrag {
 public:
-    static constexpr IntegratorCapabilities capabilities{.progress = true, .stops = true, .collisions = true};
+    static constexpr IntegratorCapabilities capabilities{
+        .progress = true, .stops = true, .collisions = true, .drag_work = true};
 
     explicit GaussRadau(const ParameterValues& values)
         : tolerance_(kept_tolerance(static_cast<T>(values[tolerance_parameter.name]))), guard_(tolerance_) {}
@@ -44,7 +45,6 @@ public:
         aim_ = std::min(T(Control::longest), T(Control::reach) * root(tolerance_in(system, tolerance_), 15));
         system.hold(end_.x, end_.v);
         system.accelerations(end_.x, a_);
-        progress_ = {};
         progress_ = {};
         progress_.last = progress_.next = aim_ * time_scale(system, end_.x, end_.v, a_);
         guard_.state({});
@@ -64,15 +64,16 @@ public:
         if (!(ahead > T(0))) {
             out = {end_.x, end_.v};
         } else if (across > T(0)) {
-            within_crossing(MotionOf<T>{begin_.x, begin_.v, begin_a_}, MotionOf<T>{end_.x, end_.v, a_}, across,
-                            T(2) * across - ahead, out);
+            within_crossing(before(), now(), across, T(2) * across - ahead, out);
         } else {
-            System copy = system;
-            copy.hold(begin_.x, begin_.v);
-            GaussRadau inside = *this;
-            inside.shorten_last_step(copy, progress_.last - ahead);
+            const GaussRadau inside = within_last_step(system, progress_.last - ahead);
             out = {inside.end_.x, inside.end_.v};
         }
+    }
+
+    template <class System>
+    double drag_work(const System& system) const {
+        return drag_.sum().value() + work_in_own_step(system, static_cast<T>(progress_.time.ahead()));
     }
 
     const CollisionRecord& collisions() const { return guard_.record(); }
@@ -113,10 +114,22 @@ private:
         return std::max(std::numeric_limits<T>::epsilon() / T(2), tolerance_ * T(Control::iteration_share));
     }
 
+    /// The work of drag in the last own step up to a time before its end.
+    template <class System>
+    double work_in_own_step(const System& system, T ahead) const {
+        if (!(progress_.time.since_start(system.dt()) > 0)) return 0;  // none was taken
+        const T across = progress_.across, length = across > T(0) ? T(2) * across : progress_.last;
+        const T since = ahead > T(0) ? length - ahead : length;
+        if (across > T(0)) return work_in_crossing(drag_, before(), now(), to_double(across), to_double(since));
+        if (!(ahead > T(0))) return radau_work(drag_, begin_.v, begin_a_, b_, since);
+        return radau_work(drag_, begin_.v, begin_a_, within_last_step(system, since).trial_, since);
+    }
+
     template <class System>
     void own_step(System& system) {
         constexpr T any = std::numeric_limits<T>::max();
         check_interruption();
+        if (drag_.on()) drag_.add(work_in_own_step(system, T(0)));
         system.hold(end_.x, end_.v);
         if (progress_.crossed) accelerate(system, end_.x, end_.v, a_);
         progress_.next = longest_step(system, end_.x, end_.v, progress_.next, tolerance_);
@@ -172,6 +185,8 @@ private:
     }
 
     MotionOf<T> now() const { return {end_.x, end_.v, a_}; }
+    /// Where the last own step began.
+    MotionOf<T> before() const { return {begin_.x, begin_.v, begin_a_}; }
 
     template <class System>
     void cross_collision(System& system) {
@@ -202,20 +217,23 @@ private:
         progress_.time.inner_step(h);
     }
 
+    /// After a shorter step from the beginning of the last one.
+    template <class System>
+    GaussRadau within_last_step(const System& system, T h) const {
+        System copy = system;
+        copy.hold(begin_.x, begin_.v);
+        GaussRadau inside = *this;
+        inside.shorten_last_step(copy, h);
+        return inside;
+    }
+
     /// The last own step taken again with the length h; its polynomial is the first guess.
     template <class System>
     void shorten_last_step(System& system, T h) {
         end_ = begin_;
         a_ = begin_a_;
-        const T ratio = h / progress_.last;
-        T power = T(1);
-        for (std::size_t j = 0; j < terms; ++j) {
-            power *= ratio;
-            T* const b = trial_[j].flat().data();
-            const T* const last = b_[j].flat().data();
-            elementwise(a_.flat().size(), [=](std::size_t k) { b[k] = power * last[k]; });
-        }
-        newton_form();
+        shorten_radau(b_, h / progress_.last, trial_);
+        newton_form(trial_, g_);
         converge(system, h);
         move_radau(end_, a_, trial_, h, T(1));
     }
@@ -223,29 +241,8 @@ private:
     /// First guess of b: the last step's polynomial carried on (eq. 13), without the correction by what the last guess
     /// was off (eq. 14, 15): where steps follow the motion it cost up to a fifth more evaluations.
     void expect(T ratio) {
-        T power = T(1);
-        for (std::size_t j = 0; j < terms; ++j) {
-            power *= ratio;
-            T* const b = trial_[j].flat().data();
-            elementwise(a_.flat().size(), [=, last = Radau::numbers(b_)](std::size_t k) {
-                T sum = T(0);
-                for (std::size_t i = j; i < terms; ++i) sum += static_cast<T>(Radau::shift[j][i]) * last[i][k];
-                b[k] = power * sum;
-            });
-        }
-        newton_form();
-    }
-
-    /// g from b: b_j = sum over k of from_newton[k][j] g_k, solved from the last.
-    void newton_form() {
-        for (std::size_t j = terms; j-- > 0;) {
-            const T* const b = trial_[j].flat().data();
-            elementwise(a_.flat().size(), [=, g = Radau::numbers(g_)](std::size_t k) {
-                T rest = b[k];
-                for (std::size_t i = j + 1; i < terms; ++i) rest -= static_cast<T>(Radau::from_newton[i][j]) * g[i][k];
-                g[j][k] = rest;
-            });
-        }
+        carry_on_radau(b_, ratio, trial_);
+        newton_form(trial_, g_);
     }
 
     /// Passes over the nodes until the last two coefficients do not change (one alone does not now and then by chance);

@@ -2,8 +2,10 @@
 
 #include "core/field.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/counted_drag.hpp"
 #include "methods/engines/gauss_weights.hpp"
 
+#include <array>
 #include <cstddef>
 #include <limits>
 
@@ -81,6 +83,8 @@ public:
         return iterations_ <= most_iterations;
     }
 
+    /// The matrices of the last solve.
+    const GaussMatrices& matrices() const { return matrices_; }
     /// Evaluations of all stages that the last solve took.
     std::size_t iterations() const { return iterations_; }
 
@@ -213,5 +217,33 @@ private:
     T first_ = T(1), ratio_ = T(1);
     StageColumns<T> guess_{};  ///< from known forces to h^-2 (X - x0)
 };
+
+/// The work of drag in a step of length h from `begin`, forces at whose stages are known (GaussStages::keep()).
+template <class T>
+double gauss_work(const CountedDrag& drag, const GaussMatrices& matrices, const TwoPartState<T>& begin,
+                  const Field<T>& known, T h) {
+    std::array<double, stage_count> weights, start_speed;
+    std::array<std::array<double, stage_count>, stage_count> stage_speed;
+    for (std::size_t i = 0; i < stage_count; ++i) {
+        weights[i] = static_cast<double>(gauss_table.b[i]);
+        start_speed[i] = static_cast<double>(matrices.start_speed[i]);
+        for (std::size_t j = 0; j < stage_count; ++j)
+            stage_speed[j][i] = to_double(h) * static_cast<double>(matrices.stage_speed[j][i]);
+    }
+    double sum = 0;
+    drag.each_place(begin.v, [&](std::size_t k, double c) {
+        const double v = to_double(begin.v.flat()[k]) + to_double(begin.lost.v.flat()[k]);
+        std::array<double, stage_count> speed;
+        for (std::size_t i = 0; i < stage_count; ++i) speed[i] = start_speed[i] * v;
+        for (std::size_t j = 0; j < stage_count; ++j) {
+            const double f = to_double(known.flat()[stage_count * k + j]);
+            for (std::size_t i = 0; i < stage_count; ++i) speed[i] += stage_speed[j][i] * f;
+        }
+        double squares = 0;
+        for (std::size_t i = 0; i < stage_count; ++i) squares += weights[i] * speed[i] * speed[i];
+        sum += c * squares;
+    });
+    return to_double(h) * sum;
+}
 
 }  // namespace steplab

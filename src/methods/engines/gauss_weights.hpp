@@ -28,26 +28,30 @@ N product(const std::array<N, stage_count>& columns, const Numbers& numbers) {
 
 /// The Gauss method for x'' = f(x) - gamma x', with the velocities of the stages eliminated. With kappa = gamma h and
 /// M = (1 + kappa A)^-1 the stages and the end of a step of length h are
-///     X  = x0 + h A M 1 v0 + h^2 A M A f,
+///     X  = x0 + h A M 1 v0 + h^2 A M A f,   V = M 1 v0 + h M A f,
 ///     x1 = x0 + h b M 1 v0 + h^2 b M A f,   v1 = v0 - kappa b M 1 v0 + h b M f.
 struct GaussMatrices {
     using Row = GaussTable::Row;
     using Matrix = std::array<Row, stage_count>;
 
     long double kappa;
-    Row reach{};          ///< A M 1
-    Matrix stage{};       ///< columns of A M A
-    Row velocity{};       ///< b M
-    Row position{};       ///< b M A
-    long double far = 0;  ///< b M 1
+    Row reach{};           ///< A M 1
+    Matrix stage{};        ///< columns of A M A
+    Row velocity{};        ///< b M
+    Row position{};        ///< b M A
+    long double far = 0;   ///< b M 1
+    Row start_speed{};     ///< M 1
+    Matrix stage_speed{};  ///< columns of M A
 
     explicit constexpr GaussMatrices(long double damping) : kappa(damping) {
         const auto [ma, m1] = solved(damping);
         far = dot(gauss_table.b, m1);
+        start_speed = m1;
         for (std::size_t j = 0; j < stage_count; ++j) {
             reach[j] = dot(gauss_table.a[j], m1);
             const Row column = column_of(ma, j);
             for (std::size_t i = 0; i < stage_count; ++i) stage[j][i] = dot(gauss_table.a[i], column);
+            stage_speed[j] = column;
             position[j] = dot(gauss_table.b, column);
             velocity[j] = gauss_table.b[j] - kappa * position[j];
         }

@@ -6,6 +6,7 @@
 #include "core/lanes.hpp"
 #include "core/own_stop.hpp"
 #include "core/vector.hpp"
+#include "methods/engines/counted_drag.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -34,6 +35,7 @@ struct IntegratorCapabilities {
     bool progress = false;    ///< Progress, progress(), progress(p): plain data of the internal state that is no field
     bool stops = false;       ///< stopped(): it says where no step of its own does; a number of its state is none then
     bool collisions = false;  ///< collisions(): it finds collisions where a force jumps (collisions.hpp)
+    bool drag_work = false;   ///< counted_drag(), drag_work(system): the work of drag, counted beside the steps
 };
 
 namespace detail {
@@ -73,6 +75,13 @@ concept HasCollisions = requires(const I& integrator) {
     { integrator.collisions() } -> std::convertible_to<CollisionRecord>;
 };
 
+template <class I, class System>
+concept HasDragWork = requires(I& integrator, const I& same, const System& system) {
+    { integrator.counted_drag() } -> std::same_as<CountedDrag&>;
+    { same.counted_drag() } -> std::same_as<const CountedDrag&>;
+    { same.drag_work(system) } -> std::same_as<double>;
+};
+
 struct AnyPart {
     template <class T>
     void operator()(const Field<T>&) const {}
@@ -100,6 +109,6 @@ concept IntegratorOf = std::constructible_from<I, const ParameterValues&> &&
 } && I::capabilities.advances == detail::HasAdvance<I, System>&& I::capabilities.emits ==
     detail::HasEmit<I, System>&& I::capabilities.reach == detail::HasReach<I>&& I::capabilities.progress ==
     detail::HasProgress<I>&& I::capabilities.stops == detail::HasStops<I>&& I::capabilities.collisions ==
-    detail::HasCollisions<I>;
+    detail::HasCollisions<I>&& I::capabilities.drag_work == detail::HasDragWork<I, System>;
 
 }  // namespace steplab

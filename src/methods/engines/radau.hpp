@@ -3,7 +3,9 @@
 #include "core/elementwise.hpp"
 #include "core/field.hpp"
 #include "methods/engines/compensated.hpp"
+#include "methods/engines/counted_drag.hpp"
 #include "methods/engines/gauss_stages.hpp"
+#include "methods/engines/gauss_table.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +25,18 @@ struct Radau {
         0.056262560536922146465652191032311L, 0.18024069173689236498757994280918L, 0.35262471711316963737390777017124L,
         0.54715362633055538300144855765235L,  0.73421017721541053152321060830661L, 0.88532094683909576809035976293249L,
         0.97752061356128750189117450042915L};
+
+    /// Of the rule on [0, 1], of the node 0 and of those after it: (1 - x) / (8 P_7(x))^2 halved, x the node on [-1, 1]
+    /// (Abramowitz, Stegun 25.4.31).
+    static constexpr long double first_weight = 1.0L / 64;
+    static constexpr auto weights = [] {
+        std::array<long double, terms> w{};
+        for (std::size_t n = 0; n < terms; ++n) {
+            const long double x = 2 * nodes[n] - 1, p = detail::legendre_polynomials(x)[terms];
+            w[n] = (1 - x) / (128 * p * p);
+        }
+        return w;
+    }();
 
     /// from_newton[k][j]: what g_k adds to b_j.
     static constexpr auto from_newton = [] {
@@ -85,6 +99,62 @@ struct RadauSum {
         return sum + weights[0] * a[k];
     }
 };
+
+/// g from b: b_j = sum over k of from_newton[k][j] g_k, solved from the last.
+template <class T>
+void newton_form(const std::array<Field<T>, Radau::terms>& b, std::array<Field<T>, Radau::terms>& g) {
+    for (std::size_t j = Radau::terms; j-- > 0;) {
+        const T* const from = b[j].flat().data();
+        elementwise(b[j].flat().size(), [=, to = Radau::numbers(g)](std::size_t k) {
+            T rest = from[k];
+            for (std::size_t i = j + 1; i < Radau::terms; ++i)
+                rest -= static_cast<T>(Radau::from_newton[i][j]) * to[i][k];
+            to[j][k] = rest;
+        });
+    }
+}
+
+/// b of a step `ratio` times as long, from those of the one before if its polynomial goes on (eq. 13).
+template <class T>
+void carry_on_radau(const std::array<Field<T>, Radau::terms>& before, T ratio,
+                    std::array<Field<T>, Radau::terms>& next) {
+    T power = T(1);
+    for (std::size_t j = 0; j < Radau::terms; ++j) {
+        power *= ratio;
+        T* const b = next[j].flat().data();
+        elementwise(next[j].flat().size(), [=, last = Radau::numbers(before)](std::size_t k) {
+            T sum = T(0);
+            for (std::size_t i = j; i < Radau::terms; ++i) sum += static_cast<T>(Radau::shift[j][i]) * last[i][k];
+            b[k] = power * sum;
+        });
+    }
+}
+
+/// The same of a step from the same beginning.
+template <class T>
+void shorten_radau(const std::array<Field<T>, Radau::terms>& whole, T ratio, std::array<Field<T>, Radau::terms>& part) {
+    T power = T(1);
+    for (std::size_t j = 0; j < Radau::terms; ++j) {
+        power *= ratio;
+        T* const b = part[j].flat().data();
+        const T* const last = whole[j].flat().data();
+        elementwise(part[j].flat().size(), [=](std::size_t k) { b[k] = power * last[k]; });
+    }
+}
+
+/// The work of drag in a step of length h from velocities v and accelerations a: by the rule of the nodes.
+template <class T>
+double radau_work(const CountedDrag& drag, const Field<T>& v, const Field<T>& a,
+                  const std::array<Field<T>, Radau::terms>& b, T h) {
+    double sum = static_cast<double>(Radau::first_weight) * drag.power(v);
+    for (std::size_t n = 0; n < Radau::terms; ++n) {
+        const RadauSum<T> change{RadauWeights<T>(static_cast<T>(Radau::nodes[n])).velocity, a.flat().data(),
+                                 Radau::numbers(b)};
+        const auto there = [&](std::size_t k) { return to_double(v.flat()[k]) + to_double(h) * to_double(change(k)); };
+        sum += static_cast<double>(Radau::weights[n]) * drag.power_of(v, there);
+    }
+    return to_double(h) * sum;
+}
 
 /// A state on to s of a step of length h.
 template <class T>

@@ -1,16 +1,19 @@
 #pragma once
 
+#include "core/elementwise.hpp"
 #include "core/entry.hpp"
 #include "core/field.hpp"
 #include "core/lanes.hpp"
 #include "core/power.hpp"
 #include "core/root.hpp"
+#include "methods/engines/counted_drag.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace steplab {
 
@@ -73,6 +76,65 @@ void series_motion(std::span<const Field<T>> x, const Field<T>& v, T unit, T t, 
             sum = sum * time + N(static_cast<T>(static_cast<int>(k * (k - 1)))) * N::load(x[k].flat().data() + p);
         (rate * sum).store(then.a.flat().data() + p);
     }
+}
+
+/// The last order of a series. -ln(tolerance) / 2 + 1 is best where the cost of a step grows with the square of the
+/// order (Jorba, Zou, proposition 3.1). Here most of it grows linearly with the order up to about 25: the best orders,
+/// as measured, are higher and nearly the same for all tolerances.
+inline std::size_t best_order(double log_tolerance) {
+    return static_cast<std::size_t>(std::ceil(14 - log_tolerance / 4));
+}
+
+/// Coefficient k + 2 from that of the accelerations without drag: (k + 1) (k + 2) x_(k+2) = a_k - gamma (k + 1)
+/// x_(k+1).
+template <class T>
+void next_order(const Field<T>& acceleration, std::size_t order, T unit, T drag, std::size_t axes,
+                std::vector<Field<T>>& x) {
+    const auto number = [](std::size_t k) { return static_cast<T>(static_cast<int>(k)); };
+    const T scale = T(1) / number((order + 1) * (order + 2));
+    const T of_a = unit * unit, of_v = drag * unit * number(order + 1);
+    const T *const a = acceleration.flat().data(), *const v = x[order + 1].flat().data();
+    T* const next = x[order + 2].flat().data();
+    elementwise(acceleration.flat().size() / 3 * axes,
+                [=](std::size_t p) { next[p] = (of_a * a[p] - of_v * v[p]) * scale; });
+}
+
+/// Displacements at time t of the series.
+template <class T>
+void series_displacements(std::span<const Field<T>> x, T unit, T t, std::size_t axes, Field<T>& then) {
+    using N = Lanes<T>;
+    then = x[0];
+    each_series_sum(x, unit, t, axes, [to = then.flat().data()](std::size_t p, N change, N) {
+        (N::load(to + p) + change).store(to + p);
+    });
+}
+
+/// The work of drag in the time t from the beginning of the series: of the products of its terms.
+template <class T>
+double series_work(const CountedDrag& drag, std::span<const Field<T>> x, T unit, T t) {
+    const double time = to_double(t) / to_double(unit);
+    std::vector<double> rates(x.size() - 1);
+    double sum = 0;
+    drag.each_place(x[0], [&](std::size_t p, double c) {
+        double power = 1;  // v = sum of rates in this unit
+        for (std::size_t k = 0; k < rates.size(); ++k, power *= time)
+            rates[k] = static_cast<double>(k + 1) * power * to_double(x[k + 1].flat()[p]);
+        double squares = 0;
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+            for (std::size_t j = 0; j < rates.size(); ++j)
+                squares += rates[i] * rates[j] / static_cast<double>(i + j + 1);
+        }
+        sum += c * squares;
+    });
+    return to_double(t) / (to_double(unit) * to_double(unit)) * sum;
+}
+
+/// Where a motion is after a time, by its velocity and acceleration alone.
+template <class T, class Motion>
+void foresee(const Motion& begin, T ahead, Field<T>& then) {
+    const T *const x = begin.x.flat().data(), *const v = begin.v.flat().data(), *const a = begin.a.flat().data();
+    T* const to = then.flat().data();
+    elementwise(then.flat().size(), [=](std::size_t k) { to[k] = x[k] + ahead * (v[k] + ahead / T(2) * a[k]); });
 }
 
 /// The largest component along the first `axes` axes, not a number if one is none.

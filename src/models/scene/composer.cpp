@@ -192,9 +192,10 @@ SceneDamping damping_of(const Scene& scene, const SceneParticles& particles) {
         equal = equal && rates[i] == first;
         damping.largest = std::max(damping.largest, rates[i]);
     }
-    const double of_dashpots = dashpot_rate(scene, particles);
-    damping.largest += of_dashpots;
-    equal = equal && of_dashpots == 0;
+    damping.dashpots = std::any_of(scene.springs.begin(), scene.springs.end(),
+                                   [](const SpringTerm& term) { return term.damping.value != 0; });
+    equal = equal && !damping.dashpots;
+    damping.largest += dashpot_rate(scene, particles);
     if (equal) {
         damping.drag = std::max(first, 0.0);
     } else {

@@ -19,6 +19,7 @@ struct SceneDamping {
     double drag = 0;            ///< rate gamma = c / m, where it is the same for all particles and nothing else damps
     std::vector<double> rates;  ///< else that of each particle
     double largest = 0;         ///< a bound of the rates at which motions are damped, dashpots included
+    bool dashpots = false;
 
     /// Dashpots, or drag that differs between particles.
     bool is_of_each() const { return !rates.empty(); }

@@ -102,6 +102,7 @@ SceneFacts facts_of(const Scene& scene) {
     return {.mass = common_mass(particles).value_or(0),
             .drag = damping.largest,
             .damping = damping.is_of_each(),
+            .dashpots = damping.dashpots,
             .bond = bonds.shortest(),
             .pair_frequency = bonds.frequency(),
             .lists_pairs = std::any_of(scene.pairs.begin(), scene.pairs.end(),

@@ -2,8 +2,12 @@
 
 #include "core/number.hpp"
 #include "core/phi.hpp"
+#include "models/forces/layouts.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <memory>
+#include <variant>
 
 namespace steplab {
 
@@ -30,28 +34,36 @@ double integral_of_gain_squared(double z) {
     return series(z, [](int k) { return (std::ldexp(4, k) - 2) / factorial(k + 3); });
 }
 
-double sum_of_squares(const Field<double>& field) {
-    double sum = 0;
-    for (const double number : field.flat()) sum += number * number;
-    return sum;
-}
-
 void add(Field<double>& sum, double factor, const Field<double>& term) {
     for (std::size_t k = 0; k < sum.flat().size(); ++k) sum.flat()[k] += factor * term.flat()[k];
 }
 
 }  // namespace
 
+std::vector<double> drag_coefficients(const Plan& scene) {
+    const auto* const composed = std::get_if<ComposedForces>(&scene.forces);
+    std::vector<double> coefficients(scene.reference.count, scene.mass * scene.drag);
+    for (std::size_t i = 0; i < coefficients.size(); ++i) {
+        if (composed && !composed->terms->drag.empty())
+            coefficients[i] = scene.mass * (scene.drag + composed->terms->drag[i]);
+        if (!scene.masses.empty()) coefficients[i] *= scene.masses[i];
+    }
+    return coefficients;
+}
+
 DragWork::DragWork(const Plan& scene, const StepParts& parts, double dt)
-    : mass_(scene.mass),
+    : coefficients_(drag_coefficients(scene)),
       drag_(scene.drag),
       parts_(parts),
       dt_(dt),
-      forces_(scene.forces),
-      reference_(scene.reference.count),
-      positions_(scene.reference.count),
       slopes_(scene.reference.count) {
-    scene.reference.each(0, scene.reference.count, [this](std::size_t i, Vec3 at) { reference_.set(i, at); });
+    std::visit(
+        [&](const auto& layout) {
+            using Force = decltype(engine<double>(layout));
+            const auto force = std::make_shared<Force>(engine<double>(layout));
+            force_ = [force](const Field<double>& x, Field<double>& a) { force->accelerations(x, a); };
+        },
+        scene.forces);
 }
 
 double DragWork::of_step(const State<double>& state) {
@@ -65,38 +77,43 @@ double DragWork::of_step(const State<double>& state) {
         if (part.kick != 0) integral += kick(static_cast<double>(part.kick) * dt_);
         drift(static_cast<double>(part.drift) * dt_);
     }
-    return mass_ * drag_ * integral;
+    return integral;
 }
 
 void DragWork::accelerate() {
-    positions_ = reference_;
-    add(positions_, 1, at_.displacement);
-    forces_.accelerations(positions_, slopes_);
+    force_(at_.displacement, slopes_);
     add(slopes_, -drag_, at_.velocity);
 }
 
-/// Returns the integral of v^2 over the kick.
+/// Summed over all particles, times c.
+double DragWork::product(const Field<double>& p, const Field<double>& q) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < coefficients_.size(); ++i)
+        sum += coefficients_[i] * (p.x()[i] * q.x()[i] + p.y()[i] * q.y()[i] + p.z()[i] * q.z()[i]);
+    return sum;
+}
+
+/// Returns the integral of c v^2 over the kick.
 double DragWork::kick(double time) {
     accelerate();
     const double z = drag_ * time, gain = parts_.explicit_drag ? time : time * phi_1(-z);
     // drag as at the beginning acts on the mean of both velocities
     const double of_slope = time * time * (parts_.explicit_drag ? 0.5 : 2 * integral_of_gain(z));
     const double of_slope_squared = parts_.explicit_drag ? 0 : time * time * time * integral_of_gain_squared(z);
-    double product = 0;
-    for (std::size_t k = 0; k < slopes_.flat().size(); ++k) product += at_.velocity.flat()[k] * slopes_.flat()[k];
+    const Field<double>& v = at_.velocity;
     const double integral =
-        time * sum_of_squares(at_.velocity) + of_slope * product + of_slope_squared * sum_of_squares(slopes_);
+        time * product(v, v) + of_slope * product(v, slopes_) + of_slope_squared * product(slopes_, slopes_);
     add(at_.velocity, gain, slopes_);
     return integral;
 }
 
 void DragWork::drift(double time) { add(at_.displacement, time, at_.velocity); }
 
-/// Returns the integral of v^2 over the step by the weights of the stages.
+/// Returns the integral of c v^2 over the step by the weights of the stages.
 double DragWork::stages() {
     double integral = 0;
     for (const RungeKuttaStage<double>& stage : parts_.stages) {
-        integral += dt_ * stage.weight * sum_of_squares(at_.velocity);
+        integral += dt_ * stage.weight * product(at_.velocity, at_.velocity);
         if (stage.ahead == 0) continue;
         accelerate();
         const Field<double> velocity = at_.velocity;

@@ -254,8 +254,15 @@ int order_of(const RunDescription& description) {
     return order_of(method(description.method).info, facts_of(description));
 }
 
+bool keeps_drag_work(const RunDescription& description) {
+    const SceneFacts facts = facts_of(description);
+    const Method& how = method(description.method);
+    if (!facts.damping) return how.counts_drag || how.parts.known();
+    return !facts.dashpots && how.counts_drag && how.info.order_with_damping > 0;
+}
+
 bool integrates_drag_work(const RunDescription& description) {
-    return has_drag(description) && !facts_of(description).damping && method(description.method).parts.known();
+    return has_drag(description) && keeps_drag_work(description);
 }
 
 bool chooses_its_steps(const RunDescription& description) {

@@ -107,8 +107,11 @@ bool has_drag(const RunDescription& description);
 int order_of(const MethodInfo& method, const SceneFacts& scene);
 int order_of(const RunDescription& description);
 
-/// True if it has drag and the method's steps are of parts whose work of drag is known (drag_work.hpp).
+/// True if it has drag, without dashpots, and its work is known: the method counts it beside its steps, or, where drag
+/// is the same for all particles, its steps are of parts that are known (drag_work.hpp).
 bool integrates_drag_work(const RunDescription& description);
+/// The same of a run that counts it already, and goes on where there may be no drag for the time being.
+bool keeps_drag_work(const RunDescription& description);
 
 /// True if the method chooses its own steps within dt by its tolerance; false if every step is dt.
 bool chooses_its_steps(const RunDescription& description);

@@ -63,10 +63,7 @@ CollisionRecord Simulation::collisions() const { return settled().segment.steppe
 void Simulation::end_at(const RunEnd& end) { body_->end = end.time ? std::optional(end) : std::nullopt; }
 
 bool Simulation::count_drag_work() { return settled().count_drag_work(); }
-std::optional<double> Simulation::drag_work() const {
-    const Body& body = settled();
-    return body.drag_work ? std::optional(body.drag_work->value()) : std::nullopt;
-}
+std::optional<double> Simulation::drag_work() const { return settled().drag_taken(); }
 
 void Simulation::advance(std::uint64_t steps) { body_->advance(steps); }
 void Simulation::conclude() { body_->conclude(); }

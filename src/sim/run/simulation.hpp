@@ -56,8 +56,8 @@ public:
 
     /// Before the first step: where the last step ends before dt (run_end()). The run may go no further.
     void end_at(const RunEnd& end);
-    /// Counts the work of drag from here on, which energy errors then contain, at the cost of another evaluation of
-    /// forces for each of the method's. False unless integrates_drag_work().
+    /// Counts the work of drag from here on, which energy errors then contain; methods of kicks, and those of stages
+    /// that each start from one slope, then evaluate the forces twice. False unless integrates_drag_work().
     bool count_drag_work();
     /// In J since the baseline; none if it is not counted.
     std::optional<double> drag_work() const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace steplab {
 
@@ -75,7 +76,7 @@ void Simulation::Body::keep() {
 }
 
 void Simulation::Body::take(std::uint64_t steps) {
-    if (drag_work) return take_counting(steps);
+    if (drag) return take_counting(steps);
     segment.stepper->advance(steps);
     step += steps;
     moved();
@@ -91,17 +92,26 @@ void Simulation::Body::take_counting(std::uint64_t steps) {
     }
 }
 
+/// What drag has taken since the baseline.
+std::optional<double> Simulation::Body::drag_taken() {
+    if (!drag_work) return std::nullopt;
+    const FlushSubnormals flush;
+    if (!counted) counted = segment.stepper->drag_work();
+    return drag_work->value() + *counted;
+}
+
 bool Simulation::Body::count_drag_work() {
     if (!integrates_drag_work(segment.held)) return false;
     drag_work.emplace();
-    kept_drag_work = drag_work;
     segment_begun();
+    // a method may stand within a step of its own
+    if (drag_taken()) drag_work->add(-*counted);
+    kept_drag_work = drag_work;
     return true;
 }
 
 void Simulation::Body::segment_begun() {
-    const StepParts& parts = method(segment.held.method).parts;
-    if (!parts.known()) drag_work.reset();
+    if (drag_work && !keeps_drag_work(segment.held)) drag_work.reset();
     segment_drag_work = drag_work;
     prepare_drag();
 }
@@ -109,7 +119,11 @@ void Simulation::Body::segment_begun() {
 /// For the segment's method and dt.
 void Simulation::Body::prepare_drag() {
     drag.reset();
-    if (drag_work) drag.emplace(segment.scene, method(segment.held.method).parts, segment.held.dt);
+    counted.reset();
+    const Method& how = method(segment.held.method);
+    segment.stepper->count_drag_work(drag_work && how.counts_drag ? drag_coefficients(segment.scene)
+                                                                  : std::vector<double>());
+    if (drag_work && !how.counts_drag) drag.emplace(segment.scene, how.parts, segment.held.dt);
 }
 
 void Simulation::Body::advance(std::uint64_t steps) {
@@ -169,6 +183,7 @@ void Simulation::Body::go_back_to_kept() {
         segment.restart();
         step = segment_step;
         drag_work = segment_drag_work;
+        prepare_drag();
         moved();
         take(kept_step - segment_step);
     }
@@ -196,6 +211,7 @@ void Simulation::Body::go_on(const RunDescription& description, const GoingOn& h
 }
 
 void Simulation::Body::leave_segment() {
+    if (drag_taken()) drag_work->add(*counted);
     evaluations_before += segment.stepper->evaluations();
     segment_time = time_at(step);
     segment_step = step;

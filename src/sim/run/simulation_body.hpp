@@ -29,7 +29,8 @@ struct Course {
     std::uint64_t baseline_step = 0;
     /// What the motion is to be: null once the scene was changed under way.
     std::shared_ptr<const MotionFromStart> motion;
-    /// What drag has taken since the baseline; none if it is not counted.
+    /// What drag has taken since the baseline, in this segment only as far as the stepper does not count it; none if it
+    /// is not counted.
     std::optional<CompensatedSum> drag_work;
     std::optional<CompensatedSum> segment_drag_work;  // where the segment began
     bool shortened = false;                           // its one step ends at the time asked for, before dt
@@ -54,8 +55,8 @@ struct Simulation::Body : Course {
     std::uint64_t kept_step = 0;
     std::optional<CompensatedSum> kept_drag_work;  // there
     std::optional<Divergence> divergence;
-    std::optional<RunEnd> end;  // of a run whose last step ends before dt
-    std::optional<DragWork> drag;
+    std::optional<RunEnd> end;     // of a run whose last step ends before dt
+    std::optional<DragWork> drag;  // where the stepper does not count it
 
     Body(const RunDescription& description, const Execution& execution);
 
@@ -75,7 +76,8 @@ struct Simulation::Body : Course {
 
     bool energy_is_good();
     /// E - E0, the work of drag added where it is counted.
-    double energy_error() { return energy().total() - baseline.total() + (drag_work ? drag_work->value() : 0); }
+    double energy_error() { return energy().total() - baseline.total() + drag_taken().value_or(0); }
+    std::optional<double> drag_taken();
     bool is_good() { return segment.stepper->finite() && energy_is_good(); }
 
     void keep();
@@ -87,7 +89,10 @@ struct Simulation::Body : Course {
         return ahead ? end->step - 1 - step : std::numeric_limits<std::uint64_t>::max();
     }
     void shorten_last_step();
-    void moved() { state_known = energy_known = settled = false; }
+    void moved() {
+        state_known = energy_known = settled = false;
+        counted.reset();
+    }
 
     void advance(std::uint64_t steps);
     void settle();
@@ -115,6 +120,7 @@ private:
     Energy measured;
     bool state_known = false, energy_known = false;  // of the present step
     bool settled = false;                            // its numbers are finite
+    std::optional<double> counted;                   // by the stepper
 };
 
 }  // namespace steplab

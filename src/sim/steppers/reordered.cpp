@@ -132,6 +132,11 @@ public:
         if (stop) stop->first = order_[stop->first], stop->second = order_[stop->second];
         return stop;
     }
+    void count_drag_work(std::vector<double> coefficients) override {
+        reorder(coefficients, order_);
+        stepper_->count_drag_work(std::move(coefficients));
+    }
+    double drag_work() const override { return stepper_->drag_work(); }
     void save(std::any& to) const override { stepper_->save(to); }
     void restore(const std::any& saved) override { stepper_->restore(saved); }
     std::size_t bytes() const override { return stepper_->bytes(); }

@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace steplab {
 
@@ -49,6 +50,11 @@ public:
     virtual CollisionRecord collisions() const { return {}; }
     /// Where no step of the method met its tolerance. A number of its state is none then.
     virtual std::optional<OwnStop> stopped() const { return std::nullopt; }
+    /// From here on the work of drag is counted beside the steps, no bit of which depends on it: of methods that can
+    /// (Method::counts_drag). `coefficients`: c of each particle in their order [kg/s]; empty: no longer counted.
+    virtual void count_drag_work(std::vector<double> coefficients) { static_cast<void>(coefficients); }
+    /// Up to the present frame [J]: part of the internal state. It begins with 0 where the stepper was made.
+    virtual double drag_work() const { return 0; }
     /// The internal state, to come back to; the memory of what `to` held before is used again.
     virtual void save(std::any& to) const = 0;
     virtual void restore(const std::any& saved) = 0;

@@ -95,6 +95,19 @@ public:
         }
     }
 
+    void count_drag_work(std::vector<double> coefficients) override {
+        if constexpr (Integrator::capabilities.drag_work)
+            integrator_.counted_drag() = CountedDrag(std::move(coefficients));
+    }
+
+    double drag_work() const override {
+        if constexpr (Integrator::capabilities.drag_work) {
+            return integrator_.counted_drag().on() ? integrator_.drag_work(system_) : 0;
+        } else {
+            return 0;
+        }
+    }
+
     void save(std::any& to) const override {
         if (!std::any_cast<Saved>(&to)) to = Saved{};
         Saved& saved = *std::any_cast<Saved>(&to);
@@ -105,6 +118,7 @@ public:
         });
         saved.progress = progress();
         if constexpr (Force::capabilities.history) saved.history = system_.force().history();
+        if constexpr (Integrator::capabilities.drag_work) saved.drag = integrator_.counted_drag().sum();
         saved.axes = system_.axes();
         saved.evaluations = system_.evaluations();
     }
@@ -115,6 +129,7 @@ public:
         Integrator::each_part(integrator_, [&](Field<T>& mine) { mine = *part++; });
         if constexpr (Integrator::capabilities.progress) integrator_.progress(saved.progress);
         if constexpr (Force::capabilities.history) system_.force().history(saved.history);
+        if constexpr (Integrator::capabilities.drag_work) integrator_.counted_drag().sum(saved.drag);
         system_.axes(saved.axes);
         system_.evaluations(saved.evaluations);
     }
@@ -186,7 +201,8 @@ private:
     struct Saved {
         std::vector<Field<T>> parts;
         ProgressOf<Integrator> progress{};
-        Field<T> history;  ///< of the force, if it has one
+        Field<T> history;     ///< of the force, if it has one
+        CompensatedSum drag;  ///< its work as far as it is a sum
         std::size_t axes = 3;
         std::uint64_t evaluations = 0;
     };

@@ -21,9 +21,9 @@ void expect_factors(double strength, double r) {
     const T factor = potential.factor(PairDistance<T>{squared});
     EXPECT_NEAR(static_cast<double>(factor) / right, 1, 4 * std::numeric_limits<T>::epsilon()) << strength << ", " << r;
     const T tiny = static_cast<T>(1e-15);
-    EXPECT_NEAR(static_cast<double>(SoftenedInverse<T>(strength * 1e-15, 0).factor(PairDistance<T>{squared}, 1 / tiny)) /
-                    right,
-                1, 8 * std::numeric_limits<T>::epsilon())
+    EXPECT_NEAR(
+        static_cast<double>(SoftenedInverse<T>(strength * 1e-15, 0).factor(PairDistance<T>{squared}, 1 / tiny)) / right,
+        1, 8 * std::numeric_limits<T>::epsilon())
         << "the weight comes before the powers of the distance";
     if (r * r * r > 1e36) return;  // the slope of 1 / r by r^2 is 1 / r^3
     const Dual<T> slope = potential.factor(PairDistance<Dual<T>>{{squared, T(1)}});
