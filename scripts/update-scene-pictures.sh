@@ -36,7 +36,7 @@ moment() {
         fcc-crystal) echo --until 4 --view 30,24,15,3.1,3.1,3.1 ;;
         galaxies) echo --until 9 --view 10,50,14,0,0,0.9 ;;
         newtons-cradle) echo --until 0.15 --view -20,8,3,0.3,0.4,0 ;;
-        outer-solar-system) echo --until 20000 --view 20,50,95,0,-8,-3 ;;
+        outer-solar-system) echo --until 55 --view 20,50,95,0,-8,-3 ;;
         pendulum) echo --until 0.3 --view -14,8,3,0,-0.5,0 ;;
         spring-network) echo --until 0.4 --view 30,20,4.5,0,0,0 ;;
         *) echo --until "$(awk '$1 == "until" { print $3 / 6 }' "$root/assets/scenes/$1.toml")" ;;

@@ -195,7 +195,7 @@ SceneDamping damping_of(const Scene& scene, const SceneParticles& particles) {
     damping.dashpots = std::any_of(scene.springs.begin(), scene.springs.end(),
                                    [](const SpringTerm& term) { return term.damping.value != 0; });
     equal = equal && !damping.dashpots;
-    damping.largest += dashpot_rate(scene, particles);
+    if (damping.dashpots) damping.largest += dashpot_rate(scene, particles);
     if (equal) {
         damping.drag = std::max(first, 0.0);
     } else {
