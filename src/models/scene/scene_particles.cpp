@@ -88,12 +88,17 @@ std::size_t counted(long number, std::size_t count, std::string_view what) {
 
 void apply(const Fix& fix, SceneParticle& particle) {
     if (fix.fixed) particle.fixed = *fix.fixed;
-    if (particle.fixed && particle.role == Role::moving) particle.role = Role::fixed;
     if (fix.velocity) particle.velocity = fix.velocity->value();
     if (fix.displacement) particle.displacement = fix.displacement->value();
     if (fix.mass) particle.mass = fix.mass->value;
     if (fix.charge) particle.charge = fix.charge->value;
     if (fix.role) particle.role = *fix.role;
+}
+
+/// Fixed particles and no others have the role of one.
+Role role_of(const SceneParticle& particle) {
+    if (particle.fixed) return Role::fixed;
+    return particle.role == Role::fixed ? Role::moving : particle.role;
 }
 
 /// What a file says of a particle beside its place.
@@ -150,6 +155,7 @@ SceneParticle SceneParticles::operator[](std::size_t i) const {
         for (const Fix* fix : std::prev(behind)->second) apply(*fix, particle);
     }
     if (particle.fixed) particle.velocity = {};
+    particle.role = role_of(particle);
     return particle;
 }
 
@@ -161,7 +167,7 @@ SceneParticle SceneParticles::of_block(const Block& block, std::size_t index) co
                            .mass = of.mass.value,
                            .charge = of.charge.value,
                            .fixed = of.fixed,
-                           .role = of.fixed && of.role == Role::moving ? Role::fixed : of.role};
+                           .role = of.role};
     if (const auto* list = std::get_if<ListedParticles>(&of.arrangement)) apply(*list, index, particle);
     if (const auto* vector = std::get_if<WrittenVector>(&of.displacement)) particle.displacement = vector->value();
     if (const auto* random = std::get_if<RandomDisplacement>(&of.displacement))

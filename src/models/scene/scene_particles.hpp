@@ -19,7 +19,8 @@ struct IndexRange {
     bool operator==(const IndexRange&) const = default;
 };
 
-/// A particle of a scene with all that its block and the fixes say. It starts at position + displacement.
+/// A particle of a scene with all that its block and the fixes say. It starts at position + displacement. Its role is
+/// Role::fixed if and only if it is fixed.
 struct SceneParticle {
     Vec3 position, displacement, velocity;
     double mass = 1, charge = 0;
