@@ -68,19 +68,10 @@ void add_box(const Scene& scene, Shape& shape) {
     shape.expected = {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
 }
 
-/// Kept only where moving particles differ.
+/// Kept only where they differ.
 void add_masses(const SceneParticles& particles, Shape& shape) {
-    std::vector<double> masses(particles.count());
-    std::optional<double> of_moving;
-    bool differ = false;
-    for (std::size_t i = 0; i < masses.size(); ++i) {
-        const SceneParticle particle = particles[i];
-        masses[i] = particle.mass;
-        if (particle.fixed) continue;
-        differ = differ || (of_moving && *of_moving != particle.mass);
-        of_moving = particle.mass;
-    }
-    if (differ) shape.masses = std::move(masses);
+    if (common_mass(particles)) return;
+    for (std::size_t i = 0; i < particles.count(); ++i) shape.masses.push_back(particles[i].mass);
 }
 
 /// Blocks of one group, or of none, are of one kind.
