@@ -23,7 +23,12 @@ public:
             if (!is_open_) line.fail(fmt::format("a frame has more rows than the {} of the first one", rows_));
             ++frame_.rows;
         } else {
+            if (frame_.rows > 0 && row.is_out_of_order(last_, first_))
+                line.fail(
+                    fmt::format("particle {} stands behind particle {}: the rows of a step must be in ascending order",
+                                row.particle, last_.particle));
             if (is_open_) found.push_back(frame_until(line.begin));
+            first_ = row.particle;
             frame_ = {.begin = line.begin, .line = line.number, .moment = row.moment, .rows = 1};
             is_open_ = true;
         }
@@ -77,8 +82,9 @@ private:
     Columns columns_;
     FoundFrame frame_;  ///< that is looked at; no rows: none
     bool is_open_ = false;
-    std::uint64_t rows_ = 0;  ///< of the first frame; 0: not known
-    CsvBegin last_;           ///< of the line before
+    std::uint64_t rows_ = 0;   ///< of the first frame; 0: not known
+    CsvBegin last_;            ///< of the line before
+    std::uint64_t first_ = 0;  ///< particle of the frame
     std::string moment_text_;
     std::uint64_t end_ = 0;  ///< of that line
 };

@@ -16,8 +16,14 @@ struct CsvBegin {
     std::uint64_t particle = 0;
 
     /// True if it is a row of the frame of the line before.
-    bool follows(const CsvBegin& before) const {
-        return moment.step == before.moment.step && moment.time == before.moment.time && particle > before.particle;
+    bool follows(const CsvBegin& before) const { return is_of_moment(before) && particle > before.particle; }
+    /// True if it is one of that frame, which began with the particle `first`, in the wrong place; where its particles
+    /// begin again, it is a row of another one.
+    bool is_out_of_order(const CsvBegin& before, std::uint64_t first) const {
+        return is_of_moment(before) && particle <= before.particle && particle != first;
+    }
+    bool is_of_moment(const CsvBegin& before) const {
+        return moment.step == before.moment.step && moment.time == before.moment.time;
     }
 };
 

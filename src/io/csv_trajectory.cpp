@@ -44,6 +44,10 @@ private:
             before = begin_;
             take_line();
         } while (has_line_ && begin_.follows(before));
+        if (has_line_ && begin_.is_out_of_order(before, frame.particles.front()))
+            input_.fail(
+                fmt::format("particle {} stands behind particle {}: the rows of a step must be in ascending order",
+                            begin_.particle, before.particle));
         return true;
     }
 

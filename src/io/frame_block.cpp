@@ -44,6 +44,7 @@ void FrameBlock::append(const Frame& frame, const FrameParts& wanted, const Part
             particles.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
         }
         if (!frame.shape->roles.empty()) copy(frame.shape->roles, roles);
+        if (!frame.shape->masses.empty()) copy(frame.shape->masses, masses);
     }
     moments.push_back({frame.step, frame.time});
     if (wanted.positions) copy(frame.positions, positions);

@@ -19,7 +19,7 @@ using ParticleChoice = std::shared_ptr<const std::vector<std::size_t>>;
 struct FileScene {
     Precision precision = Precision::double_;
     std::optional<Lattice> reference = {};  ///< position = reference + displacement; none: not known
-    double mass = 0;                        ///< of each particle; 0: not known
+    double mass = 0;                        ///< of each particle; 0: they differ, or are not known
     Vec3 box = {};                          ///< sides of the periodic box; 0: none along this axis
     Vec3 corner = {};                       ///< of the box, where its coordinates are smallest
     std::optional<Cell> cell = {};          ///< in place of the box: one whose edges lean
@@ -45,7 +45,7 @@ struct FrameBlock {
     std::size_t rows = 0;                     ///< of each frame in this block
     std::vector<std::size_t> particles = {};  ///< the number in its scene for each of these rows; empty: as the row
     std::vector<Role> roles = {};             ///< of these rows; empty: not known
-    std::vector<double> masses = {};          ///< of the rows of a file of any program; empty: not known
+    std::vector<double> masses = {};          ///< of these rows; empty: all that of the scene, or not known
     std::vector<std::uint64_t> types = {};    ///< of the atoms of a dump; empty: not known
     std::vector<ParticleValues> values = {};  ///< further columns of numbers of a file of any program
     std::vector<Moment> moments = {};

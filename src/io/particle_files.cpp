@@ -30,16 +30,6 @@ InputFile file_inside(const fs::path& folder, const std::string& name) {
     return InputFile(file.string());
 }
 
-/// What of a file a run carries: its text; of a trajectory, or where a step is named, that moment as CSV.
-std::string carried_text(const fs::path& folder, const std::string& name, ParticleFiles::Use use) {
-    const FileAtStep at = use == ParticleFiles::Use::start ? file_at_step(name) : FileAtStep{name};
-    InputFile file = file_inside(folder, at.file);
-    const bool moment = at.step || (use == ParticleFiles::Use::start && TrajectoryReader::reads(file));
-    if (moment) return csv_text(starting_values(std::move(file), at.step));
-    const double most = available_memory() / 4;
-    return TextInput(std::move(file)).rest(static_cast<std::size_t>(most));
-}
-
 /// A text that is not copied.
 TextInput input_of(const std::string& name, const std::string& text) {
     return {name, std::shared_ptr<const std::string>(std::shared_ptr<const std::string>(), &text)};
@@ -83,8 +73,17 @@ ListedParticles listed(const std::string& name, const std::string& text) {
 
 }  // namespace
 
+std::string ParticleFiles::text_in(const fs::path& folder, const std::string& name, Use use) {
+    const FileAtStep at = use == Use::start ? file_at_step(name) : FileAtStep{name};
+    InputFile file = file_inside(folder, at.file);
+    const bool moment = at.step || (use == Use::start && TrajectoryReader::reads(file));
+    if (moment) return csv_text(starting_values(std::move(file), at.step));
+    const double most = available_memory() / 4;
+    return TextInput(std::move(file)).rest(static_cast<std::size_t>(most));
+}
+
 ParticleFiles ParticleFiles::in_folder(const fs::path& folder) {
-    return ParticleFiles([folder](const std::string& name, Use use) { return carried_text(folder, name, use); });
+    return ParticleFiles([folder](const std::string& name, Use use) { return text_in(folder, name, use); });
 }
 
 ParticleFiles ParticleFiles::carried(std::vector<SceneFile::Part> parts) {

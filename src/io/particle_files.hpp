@@ -23,6 +23,9 @@ public:
     explicit ParticleFiles(Source source) : source_(std::move(source)) {}
     /// Files that lie, links followed, in this folder or below it; others are refused.
     static ParticleFiles in_folder(const std::filesystem::path& folder);
+    /// What a run carries of such a file: its text, uncompressed; as a start, of a trajectory or of a named step the
+    /// values of that moment. Throws FileError.
+    static std::string text_in(const std::filesystem::path& folder, const std::string& name, Use use);
     /// Files that a run carries with it.
     static ParticleFiles carried(std::vector<SceneFile::Part> parts);
 

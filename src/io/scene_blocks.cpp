@@ -37,6 +37,14 @@ Role role_of(const toml::node& node) {
                               : Role::moving;
 }
 
+/// Who has the role of a fixed particle is one.
+bool fixed_by_role(const toml::table& table) {
+    const toml::node* const fixed = table.get("fixed");
+    if (fixed && !flag_of(*fixed))
+        fail_at(*table.get("role"), "a particle of the role \"fixed\" is fixed: leave the role out, or fixed = false");
+    return true;
+}
+
 LineArrangement line(const toml::node& node, SceneNumbers& numbers) {
     LineArrangement line{.count = 0, .step = {}};
     read_keys(table_of(node, "line"), "line",
@@ -235,6 +243,7 @@ ParticleBlock particle_block(const toml::table& table, SceneNumbers& numbers, Pa
                {"file", arrangement},
                {"displacement", [&](const toml::node& node) { read_displacement(block, node, numbers); }},
                {"temperature", [&](const toml::node& node) { block.temperature = temperature_of(node, numbers); }}});
+    if (block.role == Role::fixed) block.fixed = fixed_by_role(table);
     settle_listed(table, block);
     return block;
 }
@@ -250,6 +259,7 @@ Fix fix_of(const toml::table& table, SceneNumbers& numbers) {
                {"charge", [&](const toml::node& node) { fix.charge = numbers.quantity(node, Use::force); }},
                {"role", [&](const toml::node& node) { fix.role = role_of(node); }}});
     if (fix.particles.empty()) fail_at(table, "[[fix]] needs particles");
+    if (fix.role == Role::fixed) fix.fixed = fixed_by_role(table);
     return fix;
 }
 

@@ -73,6 +73,7 @@ private:
         for (const auto& [name, use] : numbers.used()) {
             if (use == SceneNumbers::Use::start) parameters_.on_change(name, OnChange::restarts);
         }
+        for (const auto& [name, least] : numbers.counting()) parameters_.counts(name, least);
         const SceneParameters::Entry* unused = nullptr;
         std::string_view unused_name;
         for (const auto& [name, entry] : parameters_.entries()) {

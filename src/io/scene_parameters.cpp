@@ -68,7 +68,8 @@ void SceneParameters::read(const std::string& name, const toml::node& node) {
         if (entry.info.slider_logarithmic && !(entry.info.slider_low > 0))
             fail_at(node, fmt::format("a logarithmic range of '{}' must begin above 0", name));
     }
-    if (!table || !table->contains("range")) {
+    entry.ranged = table && table->contains("range");
+    if (!entry.ranged) {
         entry.info.slider_low = std::min(0.0, 2 * entry.number);
         entry.info.slider_high = entry.number == 0 ? 1 : std::max(0.0, 2 * entry.number);
     }
@@ -92,6 +93,17 @@ std::string_view SceneParameters::kept(std::string text) { return texts_.emplace
 void SceneParameters::on_change(std::string_view name, OnChange change) {
     for (ParameterInfo& info : infos_) {
         if (info.name == name) info.on_change = change;
+    }
+}
+
+void SceneParameters::counts(std::string_view name, std::size_t least) {
+    const auto entry = entries_.find(name);
+    for (ParameterInfo& info : infos_) {
+        if (info.name != name || entry == entries_.end()) continue;
+        info.kind = ParameterInfo::Kind::integer;
+        info.minimum = static_cast<double>(least);
+        info.maximum = SceneNumbers::largest_count;
+        if (!entry->second.ranged) info.slider_low = info.minimum;
     }
 }
 
@@ -180,12 +192,33 @@ WrittenVector SceneNumbers::vector(const toml::node& node, Use use) {
     return {quantity(*elements[0], use), quantity(*elements[1], use), quantity(*elements[2], use)};
 }
 
+/// True if the text is the name of a parameter, which then is the count.
+bool SceneNumbers::is_count_alone(const toml::node& node, std::size_t least) {
+    const toml::node* place = &node;
+    while (place && place->is_string()) {
+        const Expression expression = expression_of(*place);
+        if (expression.nodes().back().operation != Expression::Operation::name) return false;
+        const auto entry = parameters_.entries().find(expression.names().front());
+        if (entry == parameters_.entries().end()) return false;
+        place = entry->second.place;
+        if (entry->second.expression) continue;
+        std::size_t& known = counting_[entry->first];
+        known = std::max(known, least);
+        return true;
+    }
+    return false;
+}
+
+/// Rounding, of float too, makes no other number of particles of what is a whole one in decimals.
 std::size_t SceneNumbers::count(const toml::node& node, std::size_t least) {
-    constexpr double most = 4294967295.0;
-    const double value = quantity(node, Use::start).value;
-    if (value == std::floor(value) && value >= static_cast<double>(least) && value <= most)
-        return static_cast<std::size_t>(value);
-    fail_at(node, fmt::format("must be an integer from {} to {} (is {})", least, exact_text(most), exact_text(value)));
+    const double value = quantity(node, Use::start).value, whole = std::nearbyint(value);
+    const bool exact = !node.is_string() || is_count_alone(node, least);
+    // a dozen roundings of float at most, and never half of a particle
+    const double rounding = exact ? 0 : std::min(1e-6 * whole, 0.1);
+    if (std::abs(value - whole) <= rounding && whole >= static_cast<double>(least) && whole <= largest_count)
+        return static_cast<std::size_t>(whole);
+    fail_at(node, fmt::format("must be an integer from {} to {} (is {})", least, exact_text(largest_count),
+                              exact_text(value)));
 }
 
 std::uint64_t SceneNumbers::seed(const toml::node& node) {

@@ -23,6 +23,7 @@ public:
         double number = 0;
         std::optional<Expression> expression = {};
         ParameterInfo info = {};
+        bool ranged = false;  ///< the file gives its range
     };
 
     SceneParameters() = default;
@@ -34,6 +35,8 @@ public:
     const std::vector<ParameterInfo>& infos() const { return infos_; }
     /// Whether changes of a parameter make the scene start again.
     void on_change(std::string_view name, OnChange change);
+    /// One that is a count by itself takes whole numbers from `least` on.
+    void counts(std::string_view name, std::size_t least);
 
 private:
     void read(const std::string& name, const toml::node& node);
@@ -71,9 +74,14 @@ public:
     std::map<std::string, std::string> followers() const;
 
     const std::map<std::string, Use, std::less<>>& used() const { return used_; }
+    /// Parameters that are counts by themselves, `count = "n"`, and the least one.
+    const std::map<std::string, std::size_t, std::less<>>& counting() const { return counting_; }
+
+    static constexpr double largest_count = 4294967295.0;
 
 private:
     void uses(std::string_view parameter, Use use);
+    bool is_count_alone(const toml::node& node, std::size_t least);
     double value_of(const std::string& name, const toml::node& place);
     double evaluated(const Expression& expression, const toml::node& place);
 
@@ -82,6 +90,7 @@ private:
     std::map<std::string, double, std::less<>> known_;
     std::set<std::string, std::less<>> under_way_;
     std::map<std::string, Use, std::less<>> used_;
+    std::map<std::string, std::size_t, std::less<>> counting_;
 };
 
 }  // namespace steplab

@@ -161,7 +161,7 @@ void Writer::operator()(const FieldTerm& field) {
 void Writer::operator()(const SceneStart& start) {
     if (start == SceneStart()) return;
     begin("[start]");
-    if (!start.file.empty()) line("from", toml_string(file_at_step(start.file).file));
+    if (!start.file.empty()) line("from", toml_string(start.file));
     if (start.mode > 0) line("mode", fmt::format("{}", start.mode));
     if (start.mode > 0) line("amplitude", start.amplitude);
     if (start.change.reverse) flag("reverse", true);
@@ -216,6 +216,7 @@ void write_view(Writer& writer, const SceneView& view) {
 /// The start of the scene as the run changes it: values of a file take the place of all before.
 SceneStart start_of(const RunDescription& run, SceneStart start, const std::string& file) {
     if (run.start.from) start = {.file = file};
+    if (!start.file.empty() && !file.empty()) start.file = file;
     start.change.reverse = start.change.reverse != run.start.reverse;
     return start;
 }

@@ -17,8 +17,8 @@ SceneView view_of(const RunDescription& run);
 /// A scene file of the scene of a run, whose parameters have their values there: running it gives the same hash. What
 /// the run's own scene file says of its length, its view and its topic is kept.
 std::string scene_file_text(const RunDescription& run);
-/// The same with another view, and with the start of the run: `start_file` is the name of the file of its values
-/// (--from).
+/// The same with another view, and with the start of the run: `start_file` is the name of the file of its values,
+/// those of --from or of the scene's own [start]; without it, that of the scene.
 std::string scene_file_text(const RunDescription& run, const SceneView& view, const std::string& start_file = {});
 
 }  // namespace steplab

@@ -75,6 +75,13 @@ Json json_of(const Runs<std::uint64_t>& particles) {
     return json;
 }
 
+/// [[2.5, 1], [1, 9]]
+Json json_of(const Runs<double>& masses) {
+    Json json = Json::array();
+    for (const auto& run : masses.runs()) json.push_back({run.value, run.count});
+    return json;
+}
+
 /// [["fixed", 1], ["moving", 9]]
 Json json_of(const Runs<Role>& roles) {
     Json json = Json::array();
@@ -163,6 +170,8 @@ void RowList::name(FrameBlock& block) const {
     particles.each(block.first_row, block.rows,
                    [&](std::uint64_t first, std::uint64_t offset) { block.particles.push_back(first + offset); });
     roles.each(block.first_row, block.rows, [&](Role role, std::uint64_t) { block.roles.push_back(role); });
+    if (masses.size() == 0) return;
+    masses.each(block.first_row, block.rows, [&](double mass, std::uint64_t) { block.masses.push_back(mass); });
 }
 
 RowList row_list(const Frame& frame, const ParticleChoice& chosen) {
@@ -178,12 +187,19 @@ RowList row_list(const Frame& frame, const ParticleChoice& chosen) {
         while (end < rows && role(end) == role(begin)) ++end;
         list.roles.add(role(begin), end - begin);
     }
+    if (frame.shape->masses.empty()) return list;
+    const auto mass = [&](std::size_t row) { return frame.shape->masses[particle(row)]; };
+    for (std::size_t begin = 0, end = 0; begin < rows; begin = end) {
+        while (end < rows && mass(end) == mass(begin)) ++end;
+        list.masses.add(mass(begin), end - begin);
+    }
     return list;
 }
 
 std::string description_json(const RunDescription& run, const FileScene& scene, const RowList& rows) {
     Json json{{"program", "steplab " STEPLAB_VERSION}, {"run", json_of(run)},          {"rows", rows.particles.size()},
               {"particles", json_of(rows.particles)},  {"roles", json_of(rows.roles)}, {"mass", scene.mass}};
+    if (rows.masses.size() > 0) json["masses"] = json_of(rows.masses);
     if (scene.reference) json["reference"] = json_of(*scene.reference);
     const Vec3& box = scene.box;
     if (box != Vec3{}) {
@@ -214,7 +230,13 @@ Description parse_description(std::string_view text, Version version) {
         if (count == 0 || count > description.rows - list.roles.size()) throw std::runtime_error("no roles");
         list.roles.add(role_of(run.at(0).get<std::string>()), count);
     }
-    if (list.particles.size() != description.rows || list.roles.size() != description.rows)
+    for (const Json& run : json.value("masses", Json::array())) {
+        const std::uint64_t count = count_of(run.at(1));
+        if (count == 0 || count > description.rows - list.masses.size()) throw std::runtime_error("no masses");
+        list.masses.add(run.at(0).get<double>(), count);
+    }
+    const bool masses = list.masses.size() == 0 || list.masses.size() == description.rows;
+    if (!masses || list.particles.size() != description.rows || list.roles.size() != description.rows)
         throw std::runtime_error("too few particles");
     const auto& reference = description.scene.reference;
     for (const auto& run : list.particles.runs()) {

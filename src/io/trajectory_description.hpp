@@ -15,8 +15,9 @@ namespace steplab::trajectory {
 struct RowList {
     Runs<std::uint64_t> particles;  ///< their numbers in the scene, ascending by one within a run
     Runs<Role> roles;
+    Runs<double> masses;  ///< none: all that of the scene
 
-    /// Fills in the particles and roles of the rows of a block.
+    /// Fills in the particles, roles and masses of the rows of a block.
     void name(FrameBlock& block) const;
 };
 

@@ -135,6 +135,7 @@ void TrajectoryReader::frame(std::uint64_t number, Frame& out) {
         const FrameBlock& block = chunk(static_cast<std::size_t>(entry - index_.begin()), number);
         append_rows(block, number, out);
         shape.roles.insert(shape.roles.end(), block.roles.begin(), block.roles.end());
+        shape.masses.insert(shape.masses.end(), block.masses.begin(), block.masses.end());
     }
     out.precision = scene().precision;
     out.reference = scene().reference.value_or(Lattice());

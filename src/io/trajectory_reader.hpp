@@ -57,8 +57,9 @@ public:
 
     /// Step and time of the frame with this number. Throws FileError if it is damaged.
     FrameBlock::Moment moment(std::uint64_t number);
-    /// The frame with this number, counted from 0, of the rows of the file alone: its shape has only their roles and
-    /// the box. Displacements are empty in files of the first version. Throws FileError if it is damaged.
+    /// The frame with this number, counted from 0, of the rows of the file alone: its shape has only their
+    /// roles, masses and the box. Displacements are empty in files of the first version. Throws FileError if it is
+    /// damaged.
     void frame(std::uint64_t number, Frame& out);
 
 private:

@@ -98,13 +98,13 @@ bool any_of(const std::array<Column, 3>& vector, const Columns& columns) {
 /// The columns of a frame in the order in which XYZ has them.
 struct XyzColumns {
     Columns numbers;  ///< behind the species
-    bool momenta, masses, roles;
+    bool masses, momenta, roles;
     std::vector<const ParticleValues*> values = {};  ///< at the end of a line
 
     XyzColumns(const FrameBlock& block, const Columns& wanted)
         : numbers(position.begin(), position.end()),
-          momenta(block.scene.mass > 0 && any_of(velocity, wanted)),
-          masses(block.scene.mass > 0),
+          masses(block.scene.mass > 0 || !block.masses.empty()),
+          momenta(masses && any_of(velocity, wanted)),
           roles(!block.roles.empty()) {
         const auto can_be_named = [](const ParticleValues& column) {
             return column.name.find_first_of(":=\"") == std::string::npos;
@@ -179,7 +179,7 @@ void check_xyz_columns(const Columns& columns) {
 
 void append_xyz(std::string& text, const FrameBlock& block, const Columns& columns) {
     const XyzColumns kept(block, columns);
-    const double mass = block.scene.mass;
+    const auto mass = [&](std::size_t row) { return block.masses.empty() ? block.scene.mass : block.masses[row]; };
     for (std::size_t i = 0; i < block.moments.size(); ++i) {
         if (block.first_row == 0) {
             text += fmt::format("{}\n{} Properties={} Time={} Step={} Precision={}\n", block.frame_rows,
@@ -187,8 +187,8 @@ void append_xyz(std::string& text, const FrameBlock& block, const Columns& colum
                                 block.moments[i].step, id(block.scene.precision));
         }
         const auto end_line = [&](Line& line, std::size_t row) {
-            if (kept.momenta) line.add_vector(' ', mass * block.velocities[i * block.rows + row]);
-            if (kept.masses) line.add(' '), line.add_number(mass);
+            if (kept.momenta) line.add_vector(' ', mass(row) * block.velocities[i * block.rows + row]);
+            if (kept.masses) line.add(' '), line.add_number(mass(row));
             if (kept.roles) line.add(' '), line.add(id(block.roles[row]));
             if (kept.values.empty()) return;
             line.append_to(text);

@@ -70,6 +70,7 @@ private:
         if (foreign_ && frame.masses.size() == frame.rows) take_momenta(frame);
         if (frame.roles.size() != frame.rows) frame.roles.clear();
         if (!same_mass_) frame.scene.mass = 0;
+        if (same_mass_ && !foreign_) frame.masses.clear();  // of a scene, they are kept where they differ
         return true;
     }
 
@@ -88,11 +89,11 @@ private:
         }
     }
 
-    /// All particles have one mass, or it is not known.
+    /// All particles have one mass, or each its own.
     void set_mass(FrameBlock& frame, double mass) {
         if (frame.rows == 1) frame.scene.mass = mass, same_mass_ = true;
         same_mass_ = same_mass_ && frame.scene.mass == mass;
-        if (foreign_) frame.masses.push_back(mass);
+        frame.masses.push_back(mass);
     }
 
     /// As velocities, where the file has no others.

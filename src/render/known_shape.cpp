@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace steplab::render {
@@ -10,11 +11,15 @@ namespace {
 // Radii in those of a scene of equal masses.
 constexpr double heaviest = 1.6, lightest = 0.7;
 
+/// None where all that move have one mass.
 std::vector<float> parts_by_mass(const Shape& shape) {
-    double largest = 0;
+    double largest = 0, least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < shape.masses.size(); ++i) {
-        if (shape.roles[i] != Role::fixed) largest = std::max(largest, shape.masses[i]);
+        if (shape.roles[i] == Role::fixed) continue;
+        largest = std::max(largest, shape.masses[i]);
+        least = std::min(least, shape.masses[i]);
     }
+    if (least >= largest) return {};
     std::vector<float> parts(shape.masses.size(), 1);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (shape.roles[i] == Role::fixed) continue;

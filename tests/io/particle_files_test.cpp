@@ -137,5 +137,28 @@ TEST_F(ParticleFile, of_a_written_scene_lies_beside_it) {
     EXPECT_EQ(model_of(again).scene(again.scene).particles, model_of(run).scene(run.scene).particles);
 }
 
+// In another order a frame would end at each row that does not ascend, and the last one be all there is.
+TEST(ParticleFiles, refuse_rows_of_a_step_in_another_order) {
+    const std::string head = "step,time,particle,x,y,z\n";
+    const auto rows = [](const std::vector<int>& particles) {
+        std::string text;
+        for (const int particle : particles) text += "3,0.5," + std::to_string(particle) + ",1,2,3\n";
+        return text;
+    };
+    const auto answer = [&](const std::string& text) {
+        try {
+            scene_from({{"", "steplab = 1\n[[particles]]\nfile = \"a.csv\"\n"}, {"a.csv", head + text}}, "a.toml");
+            return std::string("read");
+        } catch (const FileError& error) {
+            return std::string(error.what());
+        }
+    };
+    for (const std::vector<int>& wrong : {std::vector<int>{1, 0}, {0, 2, 1}, {2, 1, 0}, {0, 1, 1}, {4, 5, 3, 6}})
+        EXPECT_THAT(answer(rows(wrong)), HasSubstr("the rows of a step must be in ascending order")) << wrong.front();
+    EXPECT_EQ(answer(rows({0, 1, 2})), "read");
+    EXPECT_EQ(answer(rows({0, 1, 0, 1})), "read") << "the same step once more";
+    EXPECT_EQ(answer("1,0,0,1,2,3\n1,0,1,1,2,3\n" + rows({0, 1})), "read") << "another step";
+}
+
 }  // namespace
 }  // namespace steplab

@@ -131,7 +131,13 @@ TEST(SceneStart, from_a_trajectory_continues_its_run) {
             EXPECT_EQ(second.state().velocity.at(i), whole.state().velocity.at(i)) << from;
         }
         EXPECT_EQ(origin_of(json_of(*origin)), origin);
-        EXPECT_THAT(scene_file_text(rest), HasSubstr("[start]\nfrom = \"run.trajectory\""));
+        EXPECT_THAT(scene_file_text(rest), HasSubstr("[start]\nfrom = \"" + std::string(from) + "\""));
+        const std::vector<SceneFile::Part>& parts = rest.origin->parts;
+        std::vector<SceneFile::Part> carried{{.name = "", .content = scene_file_text(rest)}};
+        carried.insert(carried.end(), parts.begin() + 1, parts.end());
+        const SceneOrigin again = scene_from(carried, "b.toml");
+        EXPECT_EQ(again->model->plan(rest.scene).start[3].displacement,
+                  origin->model->plan(rest.scene).start[3].displacement);
     }
     put_text(folder.file("a.toml"), between_walls + "[start]\nfrom = \"run.trajectory:3\"\n");
     try {

@@ -89,16 +89,18 @@ TEST(TextTrajectory, of_csv_has_no_roles_and_masses_for_xyz) {
               "1\npbc=\"F F F\" Properties=species:S:1:pos:R:3 Time=0 Step=0 Precision=double\nX 1 2 3\n");
 }
 
-// One mass is known for a whole file, or none.
-TEST(TextTrajectory, of_particles_that_differ_in_mass_has_none) {
+TEST(TextTrajectory, of_particles_that_differ_in_mass_keeps_the_mass_of_each) {
     const auto text = [](const char* second) {
         return std::string(
                    "2\npbc=\"F F F\" Properties=species:S:1:pos:R:3:masses:R:1 Time=0 Step=0\nX 1 2 3 1.5\n"
                    "X 1 2 4 ") +
                second + "\n";
     };
-    EXPECT_THAT(converted(text("1.5"), TrajectoryFormat::xyz), HasSubstr("masses"));
-    EXPECT_THAT(converted(text("2.5"), TrajectoryFormat::xyz), testing::Not(HasSubstr("masses")));
+    for (const char* second : {"1.5", "2.5"}) {
+        const std::string xyz = converted(text(second), TrajectoryFormat::xyz);
+        EXPECT_THAT(xyz, HasSubstr("X 1 2 3 1.5\n")) << second;
+        EXPECT_THAT(xyz, HasSubstr(std::string("X 1 2 4 ") + second + "\n")) << second;
+    }
 }
 
 TEST(TextTrajectory, of_xyz_as_steplab_wrote_it_before_is_read) {

@@ -94,7 +94,7 @@ void add_pairs(const PairTerm& term, const SceneParticles& particles, Bonds& bon
 }  // namespace
 
 SceneFacts facts_of(const Scene& scene) {
-    const SceneParticles particles(scene);
+    const SceneParticles particles(scene, SceneParticles::Ask::places);
     const SceneDamping damping = damping_of(scene, particles);
     Bonds bonds;
     add_springs(scene, particles, bonds);

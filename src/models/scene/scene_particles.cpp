@@ -86,14 +86,10 @@ std::size_t counted(long number, std::size_t count, std::string_view what) {
     throw UsageError(fmt::format("{} has no particle {}: they count from 0 to {}", what, number, all - 1));
 }
 
-void apply(const Fix& fix, SceneParticle& particle) {
-    if (fix.fixed) particle.fixed = *fix.fixed;
-    if (particle.fixed && particle.role == Role::moving) particle.role = Role::fixed;
-    if (fix.velocity) particle.velocity = fix.velocity->value();
-    if (fix.displacement) particle.displacement = fix.displacement->value();
-    if (fix.mass) particle.mass = fix.mass->value;
-    if (fix.charge) particle.charge = fix.charge->value;
-    if (fix.role) particle.role = *fix.role;
+/// Fixed particles and no others have the role of one.
+Role role_of(const SceneParticle& particle) {
+    if (particle.fixed) return Role::fixed;
+    return particle.role == Role::fixed ? Role::moving : particle.role;
 }
 
 /// What a file says of a particle beside its place.
@@ -119,26 +115,37 @@ std::size_t Scene::count() const {
     return sum;
 }
 
-SceneParticles::SceneParticles(const Scene& scene) : scene_(scene), count_(scene.count()) {
+SceneParticles::SceneParticles(const Scene& scene, Ask ask) : count_(scene.count()) {
     std::size_t first = 0;
     for (const ParticleBlock& block : scene.particles) {
+        if (!block.group.empty()) groups_.try_emplace(block.group, blocks_.size());
         Block& added = blocks_.emplace_back(Block{&block, first, block.count(), {}});
-        if (block.temperature) added.thermal.emplace(*block.temperature, block.mass.value, added.count);
+        if (block.temperature && ask == Ask::all)
+            added.thermal.emplace(*block.temperature, block.mass.value, added.count);
         first += added.count;
     }
+    if (ask == Ask::names) return;
     for (const Fix& fix : scene.fixes) {
         for (const std::string& text : fix.particles) add(fix, named(text));
     }
 }
 
 void SceneParticles::add(const Fix& fix, IndexRange range) {
-    if (range.count == 0) return;
-    const auto split = [this](std::size_t at) {
-        const auto after = fixes_.upper_bound(at);
-        return fixes_.try_emplace(at, after == fixes_.begin() ? Fixes() : std::prev(after)->second).first;
-    };
-    const auto end = split(range.first + range.count);
-    for (auto part = split(range.first); part != end; ++part) part->second.push_back(&fix);
+    if (fix.fixed) fixed_.give(range, *fix.fixed);
+    if (fix.velocity) velocities_.give(range, *fix.velocity);
+    if (fix.displacement) displacements_.give(range, *fix.displacement);
+    if (fix.mass) masses_.give(range, *fix.mass);
+    if (fix.charge) charges_.give(range, *fix.charge);
+    if (fix.role) roles_.give(range, *fix.role);
+}
+
+void SceneParticles::apply_fixes(std::size_t i, SceneParticle& particle) const {
+    if (const bool* const fixed = fixed_.at(i)) particle.fixed = *fixed;
+    if (const WrittenVector* const velocity = velocities_.at(i)) particle.velocity = velocity->value();
+    if (const WrittenVector* const displacement = displacements_.at(i)) particle.displacement = displacement->value();
+    if (const WrittenNumber* const mass = masses_.at(i)) particle.mass = mass->value;
+    if (const WrittenNumber* const charge = charges_.at(i)) particle.charge = charge->value;
+    if (const Role* const role = roles_.at(i)) particle.role = *role;
 }
 
 SceneParticle SceneParticles::operator[](std::size_t i) const {
@@ -146,10 +153,9 @@ SceneParticle SceneParticles::operator[](std::size_t i) const {
         std::upper_bound(blocks_.begin(), blocks_.end(), i, [](std::size_t n, const Block& b) { return n < b.first; });
     const Block& block = *std::prev(after);
     SceneParticle particle = of_block(block, i - block.first);
-    if (const auto behind = fixes_.upper_bound(i); behind != fixes_.begin()) {
-        for (const Fix* fix : std::prev(behind)->second) apply(*fix, particle);
-    }
+    apply_fixes(i, particle);
     if (particle.fixed) particle.velocity = {};
+    particle.role = role_of(particle);
     return particle;
 }
 
@@ -161,7 +167,7 @@ SceneParticle SceneParticles::of_block(const Block& block, std::size_t index) co
                            .mass = of.mass.value,
                            .charge = of.charge.value,
                            .fixed = of.fixed,
-                           .role = of.fixed && of.role == Role::moving ? Role::fixed : of.role};
+                           .role = of.role};
     if (const auto* list = std::get_if<ListedParticles>(&of.arrangement)) apply(*list, index, particle);
     if (const auto* vector = std::get_if<WrittenVector>(&of.displacement)) particle.displacement = vector->value();
     if (const auto* random = std::get_if<RandomDisplacement>(&of.displacement))
@@ -171,10 +177,12 @@ SceneParticle SceneParticles::of_block(const Block& block, std::size_t index) co
 }
 
 SceneParticles::Group SceneParticles::group(std::string_view name) const {
+    if (const auto known = groups_.find(name); known != groups_.end()) {
+        const Block& block = blocks_[known->second];
+        return {*block.block, {block.first, block.count}};
+    }
     std::vector<std::string_view> known;
     for (const Block& block : blocks_) {
-        if (!block.block->group.empty() && block.block->group == name)
-            return {*block.block, {block.first, block.count}};
         if (!block.block->group.empty()) known.push_back(block.block->group);
     }
     throw UsageError(unknown_word("group", name, known));

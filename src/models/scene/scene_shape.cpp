@@ -7,8 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -68,29 +69,19 @@ void add_box(const Scene& scene, Shape& shape) {
     shape.expected = {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
 }
 
-/// Kept only where moving particles differ.
+/// Kept only where they differ.
 void add_masses(const SceneParticles& particles, Shape& shape) {
-    std::vector<double> masses(particles.count());
-    std::optional<double> of_moving;
-    bool differ = false;
-    for (std::size_t i = 0; i < masses.size(); ++i) {
-        const SceneParticle particle = particles[i];
-        masses[i] = particle.mass;
-        if (particle.fixed) continue;
-        differ = differ || (of_moving && *of_moving != particle.mass);
-        of_moving = particle.mass;
-    }
-    if (differ) shape.masses = std::move(masses);
+    if (common_mass(particles)) return;
+    for (std::size_t i = 0; i < particles.count(); ++i) shape.masses.push_back(particles[i].mass);
 }
 
 /// Blocks of one group, or of none, are of one kind.
 void add_groups(const Scene& scene, Shape& shape) {
-    std::vector<std::string> names;
+    std::map<std::string_view, std::size_t> names;
     std::vector<std::uint16_t> groups;
     for (const ParticleBlock& block : scene.particles) {
-        auto place = std::find(names.begin(), names.end(), block.group);
-        if (place == names.end()) place = names.insert(names.end(), block.group);
-        groups.insert(groups.end(), block.count(), static_cast<std::uint16_t>(place - names.begin()));
+        const std::size_t number = names.try_emplace(block.group, names.size()).first->second;
+        groups.insert(groups.end(), block.count(), static_cast<std::uint16_t>(number));
     }
     if (names.size() > 1) shape.groups = std::move(groups);
 }
@@ -110,7 +101,7 @@ double mean_nearest(const std::vector<Vec3>& places) {
 }
 
 Shape shape_of(const Scene& scene) {
-    const SceneParticles particles(scene);
+    const SceneParticles particles(scene, SceneParticles::Ask::places);
     const bool roaming = scene.springs.empty() || !scene.pairs.empty();
     Shape shape;
     for (std::size_t i = 0; i < particles.count(); ++i) {

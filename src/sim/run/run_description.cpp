@@ -217,6 +217,7 @@ RunDescription as_held(RunDescription description) {
     check(description);
     description.dt = rounded_to(description.precision, description.dt);
     for (const auto& info : description.scene.infos()) {
+        if (info.kind == ParameterInfo::Kind::integer) continue;  // a count is held as it is
         description.scene.set(info.name, rounded_to(description.precision, description.scene[info.name]));
     }
     return description;

@@ -1,6 +1,6 @@
 """Reads the extended XYZ that steplab writes as others do: read_back.py STEPLAB
 
-Every model in both precisions, and scenes of one particle, through ASE: positions, velocities, momenta, masses, box and
+Every model in both precisions, scenes of one particle and of different masses, through ASE: positions, velocities, momenta, masses, box and
 kinetic energy are those of the run. Then by the rules of libAtoms and chemfiles, which are stricter.
 """
 import csv
@@ -45,7 +45,7 @@ def vectors(rows, *names):
     return [[float(row[name]) for name in names] for row in rows]
 
 
-def check(scene, ending, mass, period):
+def check(scene, ending, mass, period, kinetic=1e-13):
     frames, rows, series, text = written(scene, ending)
     assert len(frames) == len(series) == 3, len(frames)
     for atoms, line in zip(frames, series):
@@ -57,9 +57,9 @@ def check(scene, ending, mass, period):
         same("velo", atoms.arrays["velo"], vectors(own, "vx", "vy", "vz"))
         # ASE divides momenta by masses; in float the columns velo have 9 digits, momenta 17
         same("velocities", atoms.get_velocities(), atoms.arrays["velo"], 1e-7 if "float" in scene else 3e-16)
-        same("masses", atoms.get_masses(), [mass] * len(own))
+        same("masses", atoms.get_masses(), numpy.broadcast_to(mass, len(own)))
         # sums of the same squares in another order
-        same("kinetic", atoms.get_kinetic_energy(), float(line["kinetic"]), 1e-13)
+        same("kinetic", atoms.get_kinetic_energy(), float(line["kinetic"]), kinetic)
         assert list(atoms.pbc) == [period > 0] * 3
         same("cell", atoms.get_cell()[:], numpy.eye(3) * period)
     check_rules(text)
@@ -93,3 +93,33 @@ for scene in scenes:
         ending = "extxyz.gz" if precision == "float" else "xyz"
         check([*scene, "--precision", precision], ending, mass, period)
         print("ok", *scene, precision)
+
+MIXED = """steplab = 1
+[[particles]]
+group = "wall"
+fixed = {fixed}
+mass = 9
+[[particles]]
+group = "row"
+position = [1, 0, 0]
+line = {{ count = 3, step = [1, 0, 0] }}
+velocity = [0.1, 0.2, 0]
+mass = 0.3
+[[fix]]
+particles = "row[1]"
+mass = {middle}
+[[springs]]
+pairs = [["wall", "row[0]"]]
+k = 1
+[[springs]]
+between = "row"
+k = 2
+"""
+for fixed, middle in (("false", 2), ("true", 2), ("true", 0.3)):
+    scene = folder / "mixed.toml"
+    scene.write_text(MIXED.format(fixed=fixed, middle=middle))
+    for precision in ("float", "double"):
+        # in float the run's masses are rounded, those of the file are the scene's
+        kinetic = 1e-6 if precision == "float" else 1e-13
+        check(["--scene", str(scene), "--precision", precision], "xyz", [9, 0.3, middle, 0.3], 0, kinetic)
+        print("ok mixed masses", fixed, middle, precision)

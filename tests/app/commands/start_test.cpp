@@ -134,6 +134,38 @@ TEST_F(StartCommands, exports_a_scene_as_the_run_starts_it) {
     EXPECT_THAT(text_of(copy), testing::Not(HasSubstr("reverse"))) << "turned round twice";
 }
 
+// Whatever a scene reads, and wherever it is written: nothing that lies there is in the way of the same.
+TEST_F(StartCommands, exports_a_scene_that_starts_from_a_file_into_any_folder) {
+    for (const char* name : {"half.trajectory", "half.csv", "half.xyz", "half.csv.gz"})
+        summary({"run", "--scene", scene_, "--steps", "100", "--every", "50", "--out", folder_.file(name)});
+    for (const std::string from : {"half.trajectory", "half.trajectory:50", "half.csv", "half.csv:50", "half.xyz:0",
+                                   "half.csv.gz", "half.csv.gz:50"}) {
+        SCOPED_TRACE(from);
+        const std::string scene = folder_.file("started.toml");
+        put_text(scene, pair + "[start]\nfrom = \"" + from + "\"\n");
+        const TemporaryFolder empty;
+        for (const std::string& copy :
+             {folder_.file("copy.toml"), scene, empty.file("copy.toml"), empty.file("copy.toml")}) {
+            const json hash = summary({"run", "--scene", scene, "--steps", "9"})["hash"];
+            const Outcome outcome = run_program({"export", "--scene", scene, "--to", "scene", "--out", copy});
+            ASSERT_EQ(outcome.code, 0) << copy << outcome.err;
+            EXPECT_EQ(summary({"run", "--scene", copy, "--steps", "9"})["hash"], hash) << copy;
+            EXPECT_EQ(summary({"run", "--scene", scene, "--steps", "9"})["hash"], hash) << "the scene itself";
+        }
+    }
+    const Outcome text = run_program({"export", "--scene", folder_.file("started.toml"), "--to", "scene"});
+    EXPECT_THAT(text.out, HasSubstr("from = \"half.csv.gz:50\""));
+}
+
+TEST_F(StartCommands, exports_a_scene_of_a_compressed_file_into_its_own_folder) {
+    const std::string scene = folder_.file("listed.toml"), copy = folder_.file("copy.toml");
+    summary({"run", "--scene", scene_, "--steps", "10", "--out", folder_.file("rows.xyz.gz")});
+    put_text(scene, "steplab = 1\n[[particles]]\nfile = \"rows.xyz.gz\"\n[[fields]]\ngravity = [0, 1, 0]\n");
+    ASSERT_EQ(run_program({"export", "--scene", scene, "--to", "scene", "--out", copy}).code, 0);
+    EXPECT_EQ(summary({"run", "--scene", copy, "--steps", "9"})["hash"],
+              summary({"run", "--scene", scene, "--steps", "9"})["hash"]);
+}
+
 TEST_F(StartCommands, exports_a_model_with_values_of_a_file_beside_it) {
     const std::string file = folder_.file("rope.trajectory"), copy = folder_.file("copy.toml");
     const json half = summary({"run", "--model", "rope", "--steps", "50", "--out", file});

@@ -13,14 +13,14 @@ ParticleBlock line_of(std::size_t count, double step, const std::string& group =
     return {.group = group, .arrangement = LineArrangement{count, {step, 0, 0}}};
 }
 
-TEST(SceneShape, has_masses_where_moving_particles_differ) {
+TEST(SceneShape, has_masses_where_they_differ) {
     Scene scene;
     scene.particles = {line_of(2, 1, "a"), line_of(1, 1, "b")};
     EXPECT_TRUE(shape_of(scene).masses.empty());
     scene.particles[1].mass = 3;
     EXPECT_EQ(shape_of(scene).masses, (std::vector<double>{1, 1, 3}));
     scene.particles[1].fixed = true;
-    EXPECT_TRUE(shape_of(scene).masses.empty()) << "the mass of a fixed particle moves nothing";
+    EXPECT_EQ(shape_of(scene).masses, (std::vector<double>{1, 1, 3})) << "files hold that of a fixed particle too";
 }
 
 TEST(SceneShape, numbers_groups_as_they_first_appear) {
