@@ -44,7 +44,7 @@ void read_method_parameters(const toml::node& node, SceneDefaults& defaults) {
                                 defaults.method_parameters[std::string(name)] = text;
                             }});
     }
-    read_keys(table_of(node, "parameters"), fmt::format("the parameters of {}", info.id), handlers);
+    read_all_keys(table_of(node, "parameters"), fmt::format("the parameters of {}", info.id), handlers);
 }
 
 void read_view(const toml::node& node, SceneDefaults& defaults) {
@@ -55,10 +55,10 @@ void read_view(const toml::node& node, SceneDefaults& defaults) {
             kept = text;
         };
     };
-    read_keys(table_of(node, "[view]"), "[view]",
-              {{"camera", keep(defaults.camera, [](const std::string& text) { parse_view(text, "camera"); })},
-               {"colour", keep(defaults.colour, [](const std::string& text) { colouring_of(text); })},
-               {"background", keep(defaults.background, [](const std::string& text) { background_of(text); })}});
+    read_all_keys(table_of(node, "[view]"), "[view]",
+                  {{"camera", keep(defaults.camera, [](const std::string& text) { parse_view(text, "camera"); })},
+                   {"colour", keep(defaults.colour, [](const std::string& text) { colouring_of(text); })},
+                   {"background", keep(defaults.background, [](const std::string& text) { background_of(text); })}});
 }
 
 std::string read_topic(const toml::node& node) { return word_of(node, "topic", {topic_ids.begin(), topic_ids.end()}); }

@@ -18,6 +18,10 @@ SpringTerm spring_term(const toml::table& table, SceneNumbers& numbers);
 PairTerm pair_term(const toml::table& table, SceneNumbers& numbers);
 FieldTerm field_term(const toml::table& table, SceneNumbers& numbers);
 
+Role role_at(const toml::node& node);
+/// What the role of a fixed particle in a table means: it is fixed, unless the table says it is not.
+bool fixed_by_role(const toml::table& table);
+
 /// One text or a list of texts and whole numbers: names of particles.
 std::vector<std::string> texts_of(const toml::node& node);
 

@@ -28,6 +28,13 @@ std::vector<std::string_view> method_ids() {
     return ids;
 }
 
+/// A time step or an end time; negative: backward in time.
+double not_zero(const toml::node& node, SceneNumbers& numbers) {
+    const double value = numbers.quantity(node, Use::start).value;
+    if (value == 0) fail_at(node, "must not be 0");
+    return value;
+}
+
 /// The list, or one text, each with its place: runs to be compared with the first, of another method, dt, precision or
 /// parameters of the method.
 void check_compared(const toml::node& node, const std::string& first_method) {
@@ -47,21 +54,32 @@ void check_compared(const toml::node& node, const std::string& first_method) {
 }  // namespace
 
 void read_run(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defaults) {
-    const toml::node *compared = nullptr, *parameters = nullptr;  // of the method, which may be named after them
-    read_keys(table_of(node, "[run]"), "[run]",
-              {{"method", [&](const toml::node& given) { defaults.method = word_of(given, "method", method_ids()); }},
-               {"dt", [&](const toml::node& given) { defaults.dt = numbers.positive(given, Use::start).value; }},
-               {"precision",
-                [&](const toml::node& given) {
-                    defaults.precision = word_of(given, "precision", {"float", "double"});
-                }},
-               {"until", [&](const toml::node& given) { defaults.until = numbers.positive(given, Use::start).value; }},
-               {"compare",
-                [&](const toml::node& given) {
-                    defaults.compare = texts_of(given);
-                    compared = &given;
-                }},
-               {"parameters", [&](const toml::node& given) { parameters = &given; }}});
+    const toml::node *compared = nullptr, *until = nullptr;
+    const toml::node* parameters = nullptr;  // of the method, which may be named after them
+    read_all_keys(
+        table_of(node, "[run]"), "[run]",
+        {{"method", [&](const toml::node& given) { defaults.method = word_of(given, "method", method_ids()); }},
+         {"dt", [&](const toml::node& given) { defaults.dt = not_zero(given, numbers); }},
+         {"precision",
+          [&](const toml::node& given) {
+              defaults.precision = word_of(given, "precision", {"float", "double"});
+          }},
+         {"until",
+          [&](const toml::node& given) {
+              defaults.until = not_zero(given, numbers);
+              until = &given;
+          }},
+         {"compare",
+          [&](const toml::node& given) {
+              defaults.compare = texts_of(given);
+              compared = &given;
+          }},
+         {"parameters", [&](const toml::node& given) { parameters = &given; }}});
+    const double dt = defaults.dt.value_or(Opening{}.dt);
+    if (until && *defaults.until / dt < 0)
+        fail_at(*until,
+                fmt::format("until = {} and dt = {} differ in sign: a negative dt goes with a negative end time",
+                            exact_text(*defaults.until), exact_text(dt)));
     if (parameters) read_method_parameters(*parameters, defaults);
     if (compared) check_compared(*compared, defaults.method.empty() ? "rk4" : defaults.method);
 }
@@ -77,11 +95,12 @@ SceneStart scene_start(const toml::node& node, SceneNumbers& numbers, ParticleFi
             fail_at(given, error.what());
         }
     };
-    read_keys(table, "[start]",
-              {{"mode", [&](const toml::node& given) { start.mode = numbers.count(given, 1); }},
-               {"amplitude", [&](const toml::node& given) { start.amplitude = numbers.quantity(given, Use::start); }},
-               {"reverse", [&](const toml::node& given) { start.change.reverse = flag_of(given); }},
-               {"from", from}});
+    read_all_keys(
+        table, "[start]",
+        {{"mode", [&](const toml::node& given) { start.mode = numbers.count(given, 1); }},
+         {"amplitude", [&](const toml::node& given) { start.amplitude = numbers.quantity(given, Use::start); }},
+         {"reverse", [&](const toml::node& given) { start.change.reverse = flag_of(given); }},
+         {"from", from}});
     if (table.contains("mode") != table.contains("amplitude"))
         fail_at(node, "mode and amplitude belong together: the number of the mode and its largest displacement");
     return start;

@@ -4,12 +4,14 @@
 #include "core/known.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
+#include "io/scene_problems.hpp"
 #include "io/scene_reader.hpp"
 #include "io/shared_files.hpp"
 #include "models/scene/planner.hpp"
 #include "models/scene/scene_facts.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/known_motion.hpp"
+#include "sim/run/memory.hpp"
 #include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
@@ -28,25 +30,54 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
 
-/// A parsed file; the scene for given values of its parameters is read from it anew.
+/// What a run of a scene takes that is opened as its file says.
+double bytes_of_particle(const SceneDefaults& defaults) {
+    const Opening usual;
+    RunDescription run = with_method({}, defaults.method.empty() ? usual.method : std::string_view(defaults.method));
+    if (const auto precision = parse_precision(defaults.precision)) run.precision = *precision;
+    return bytes_per_particle(run);
+}
+
+/// A parsed file; the scene for given values of its parameters is read from it once more.
 class Document {
 public:
     Document(const std::string& text, const std::string& name, ParticleFiles files)
-        : root_(toml::parse(text, name)), files_(std::move(files)), parameters_(root_) {
+        : root_(toml::parse(text, name)), files_(std::move(files)), parameters_(root_, problems_) {
         const ParameterValues values(parameters_.infos());
         SceneNumbers numbers(parameters_, values);
-        texts_ = read_texts(root_, numbers);
-        const SceneStart start = read_scene(root_, numbers, files_).start;
+        texts_ = read_texts(root_, numbers, problems_);
+        bytes_per_particle_ = bytes_of_particle(texts_.defaults);
+        const SceneStart start =
+            read_scene(root_, numbers, files_, {.bytes_per_particle = bytes_per_particle_}, problems_).start;
+        problems_.report();
         note_uses(numbers);
         check_names();
-        if (start.mode > 0) plan(values);
+        opened_with_ = ParameterValues(parameters_.infos());
+        if (start.mode > 0) plan(opened_with_);
     }
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
     Scene scene(const ParameterValues& values) const {
-        SceneNumbers numbers(parameters_, values);
-        return read_scene(root_, numbers, files_);
+        return read(values, {.bytes_per_particle = bytes_per_particle_, .starts_are_known = values == opened_with_});
+    }
+    double particles(const ParameterValues& values) const {
+        return static_cast<double>(read(values, {.bytes_per_particle = bytes_per_particle_, .checks = false}).count());
+    }
+    /// Why a run in float would be one of other numbers.
+    std::optional<std::string> lost_in_float(const ParameterValues& values, const std::string& name) const {
+        return lost_in_float_.of(values, [&]() -> std::optional<std::string> {
+            SceneNumbers numbers(parameters_, values);
+            SceneProblems problems;
+            read_scene(root_, numbers, files_, {.bytes_per_particle = bytes_per_particle_, .checks = false}, problems);
+            try {
+                problems.report();
+                numbers.lost_in_float().report();
+            } catch (const SceneProblem& problem) {
+                return place_text(name, problem.place()) + problem.what();
+            }
+            return std::nullopt;
+        });
     }
     /// How it is stepped from the start that the file says. Modes take long to find: they are kept.
     Plan plan(const ParameterValues& values) const {
@@ -58,7 +89,8 @@ public:
             try {
                 return started(std::move(plan), shape_of(scene), start);
             } catch (const UsageError& error) {
-                fail_at(*root_.get("start"), error.what());
+                const toml::node* const mode = root_["start"]["mode"].node();
+                fail_at(mode ? *mode : *root_.get("start"), error.what());
             }
         };
         return start.mode > 0 ? plans_.of(values, find) : find();
@@ -69,6 +101,13 @@ public:
     std::span<const ParameterInfo> infos() const { return parameters_.infos(); }
 
 private:
+    Scene read(const ParameterValues& values, const SceneReading& how) const {
+        SceneNumbers numbers(parameters_, values);
+        SceneProblems problems;
+        Scene scene = read_scene(root_, numbers, files_, how, problems);
+        problems.report();
+        return scene;
+    }
     void note_uses(const SceneNumbers& numbers) {
         for (const auto& [name, use] : numbers.used()) {
             if (use == SceneNumbers::Use::start) parameters_.on_change(name, OnChange::restarts);
@@ -95,11 +134,15 @@ private:
         }
     }
 
+    SceneProblems problems_;
     toml::table root_;
     mutable ParticleFiles files_;  // all of them are read when the document is made
     mutable Known<Plan> plans_;
+    mutable KnownOfRuns<std::optional<std::string>> lost_in_float_;
     SceneParameters parameters_;
     SceneTexts texts_;
+    ParameterValues opened_with_;  ///< as the file has them
+    double bytes_per_particle_ = 0;
 };
 
 /// Problems that only some values of the parameters have are those of the command line or of a slider.
@@ -127,7 +170,12 @@ Model model_of(const std::shared_ptr<const Document>& document, const std::strin
     if (defaults.dt) model.opening.dt = *defaults.dt;
     if (!defaults.precision.empty()) model.opening.precision = *parse_precision(defaults.precision);
     model.opening.until = defaults.until;
-    model.particles = [scene](const ParameterValues& values) { return static_cast<double>(scene(values).count()); };
+    model.particles = [document, name](const ParameterValues& values) {
+        return with_place(name, [&] { return document->particles(values); });
+    };
+    model.lost_in_float = [document, name](const ParameterValues& values) {
+        return document->lost_in_float(values, name);
+    };
     model.facts = [scene, known = std::make_shared<KnownOfRuns<SceneFacts>>()](const ParameterValues& values) {
         return known->of(values, [&]() -> SceneFacts {
             try {

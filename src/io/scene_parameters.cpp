@@ -1,6 +1,7 @@
 #include "io/scene_parameters.hpp"
 
 #include "core/number_text.hpp"
+#include "core/precision.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace steplab {
 
@@ -37,46 +39,77 @@ Expression expression_of(const toml::node& node) {
     }
 }
 
-SceneParameters::SceneParameters(const toml::table& root) {
+SceneParameters::SceneParameters(const toml::table& root, SceneProblems& problems) {
     const toml::node* const all = root.get("parameters");
     if (!all) return;
-    read_keys(table_of(*all, "[parameters]"), "[parameters]", {},
-              [this](const std::string& name, const toml::node& node) { read(name, node); });
+    std::vector<std::string> names;
+    const auto parameter = [&](const std::string& name, const toml::node& node) {
+        Entry& entry = entries_[name];
+        try {
+            read(entry, name, node);
+        } catch (const SceneProblem& problem) {
+            entry.problem = problem;
+            throw;
+        }
+        names.push_back(name);
+        if (!entry.expression) infos_.push_back(entry.info);
+    };
+    problems.attempt([&] { read_all_keys(table_of(*all, "[parameters]"), "[parameters]", {}, parameter); });
+    for (const std::string& name : names) problems.attempt([&] { set_range(entries_.at(name)); });
 }
 
-void SceneParameters::read(const std::string& name, const toml::node& node) {
+void SceneParameters::read(Entry& entry, const std::string& name, const toml::node& node) {
+    entry.place = &node;
     if (!is_name(name) || name == "pi") fail_at(node, fmt::format("'{}' cannot be a name in expressions", shown(name)));
-    Entry entry;
     entry.info.name = kept(name);
-    const toml::table* const table = node.as_table();
-    if (!table) {
-        read_value(entry, node);
+    if (const toml::table* const table = node.as_table()) {
+        read_all_keys(*table, fmt::format("parameter '{}'", name),
+                      {{"value", [&](const toml::node& given) { read_value(entry, given); }},
+                       {"range",
+                        [&](const toml::node& given) {
+                            elements_of(given, "[lowest, highest]", 2, 2);
+                            entry.range = &given;
+                        }},
+                       {"unit", [&](const toml::node& given) { entry.info.unit = kept(text_of(given)); }},
+                       {"what", [&](const toml::node& given) { entry.info.what = kept(text_of(given)); }},
+                       {"logarithmic", [&](const toml::node& given) {
+                            entry.info.slider_logarithmic = flag_of(given);
+                            entry.logarithmic = &given;
+                        }}});
+        if (!table->contains("value")) fail_at(node, fmt::format("parameter '{}' needs a value", name));
     } else {
-        const auto range = [&](const toml::node& given) {
-            const auto ends = elements_of(given, "[lowest, highest]", 2, 2);
-            entry.info.slider_low = finite_number(*ends[0]);
-            entry.info.slider_high = finite_number(*ends[1]);
-            if (!(entry.info.slider_low < entry.info.slider_high)) fail_at(given, "the range must grow");
-        };
-        read_keys(*table, fmt::format("parameter '{}'", name),
-                  {{"value", [&](const toml::node& given) { read_value(entry, given); }},
-                   {"range", range},
-                   {"unit", [&](const toml::node& given) { entry.info.unit = kept(text_of(given)); }},
-                   {"what", [&](const toml::node& given) { entry.info.what = kept(text_of(given)); }},
-                   {"logarithmic", [&](const toml::node& given) { entry.info.slider_logarithmic = flag_of(given); }}});
-        if (!entry.place) fail_at(node, fmt::format("parameter '{}' needs a value", name));
-        if (entry.info.slider_logarithmic && !(entry.info.slider_low > 0))
-            fail_at(node, fmt::format("a logarithmic range of '{}' must begin above 0", name));
-    }
-    entry.ranged = table && table->contains("range");
-    if (!entry.ranged) {
-        entry.info.slider_low = std::min(0.0, 2 * entry.number);
-        entry.info.slider_high = entry.number == 0 ? 1 : std::max(0.0, 2 * entry.number);
+        read_value(entry, node);
     }
     entry.info.minimum = -infinity;
     entry.info.default_value = entry.number;
-    if (!entry.expression) infos_.push_back(entry.info);
-    entries_.emplace(name, std::move(entry));
+}
+
+/// Its ends may be expressions, in the values that the file gives.
+void SceneParameters::set_range(Entry& entry) {
+    double& low = entry.info.slider_low;
+    double& high = entry.info.slider_high;
+    const bool logarithmic = entry.info.slider_logarithmic && !entry.expression;
+    if (entry.range) {
+        const ParameterValues values(infos_);
+        SceneNumbers numbers(*this, values);
+        const auto ends = elements_of(*entry.range, "[lowest, highest]", 2, 2);
+        low = numbers.quantity(*ends[0], SceneNumbers::Use::force).value;
+        high = numbers.quantity(*ends[1], SceneNumbers::Use::force).value;
+        if (!(low < high)) fail_at(*entry.range, "the range must grow");
+        if (logarithmic && !(low > 0))
+            fail_at(*entry.range, fmt::format("a logarithmic range of '{}' must begin above 0", entry.info.name));
+    } else if (logarithmic) {
+        if (!(entry.number > 0))
+            fail_at(*entry.logarithmic, fmt::format("'{}' is not above 0: it needs a range that is", entry.info.name));
+        low = entry.number / 100;
+        high = entry.number * 100;
+    } else {
+        low = std::min(0.0, 2 * entry.number);
+        high = entry.number == 0 ? 1 : std::max(0.0, 2 * entry.number);
+    }
+    for (ParameterInfo& info : infos_) {
+        if (info.name == entry.info.name) info = entry.info;
+    }
 }
 
 void SceneParameters::read_value(Entry& entry, const toml::node& node) {
@@ -103,7 +136,7 @@ void SceneParameters::counts(std::string_view name, std::size_t least) {
         info.kind = ParameterInfo::Kind::integer;
         info.minimum = static_cast<double>(least);
         info.maximum = SceneNumbers::largest_count;
-        if (!entry->second.ranged) info.slider_low = info.minimum;
+        if (!entry->second.range) info.slider_low = std::max(info.slider_low, info.minimum);
     }
 }
 
@@ -127,7 +160,9 @@ std::map<std::string, std::string> SceneNumbers::followers() const {
 std::optional<double> SceneNumbers::parameter(const std::string& name, const toml::node& place, Use use) {
     if (!parameters_.entries().contains(name)) return std::nullopt;
     uses(name, use);
-    return value_of(name, place);
+    const double value = value_of(name, place);
+    note_float(place, value, use);
+    return value;
 }
 
 /// A change of what others follow is one of these.
@@ -146,14 +181,18 @@ double SceneNumbers::value_of(const std::string& name, const toml::node& place) 
     if (const auto known = known_.find(name); known != known_.end()) return known->second;
     const auto entry = parameters_.entries().find(name);
     if (entry == parameters_.entries().end()) fail_at(place, unknown_word("parameter", name, names()));
+    if (entry->second.problem) throw SceneProblem(*entry->second.problem);
     if (!entry->second.expression) return known_[name] = values_[name];
     if (!under_way_.insert(name).second) fail_at(*entry->second.place, fmt::format("'{}' depends on itself", name));
     constexpr std::size_t longest_chain = 200;  // of parameters that follow each other; it is as deep on the stack
     if (under_way_.size() > longest_chain)
         fail_at(*entry->second.place, fmt::format("'{}' follows a chain of more than {} others", name, longest_chain));
-    const double value = evaluated(*entry->second.expression, *entry->second.place);
-    under_way_.erase(name);
-    return known_[name] = value;
+    const struct Leaving {  // also by a problem: others are looked for
+        ~Leaving() { names.erase(name); }
+        std::set<std::string, std::less<>>& names;
+        const std::string& name;
+    } leaving{under_way_, name};
+    return known_[name] = evaluated(*entry->second.expression, *entry->second.place);
 }
 
 double SceneNumbers::evaluated(const Expression& expression, const toml::node& place) {
@@ -167,12 +206,26 @@ double SceneNumbers::evaluated(const Expression& expression, const toml::node& p
 WrittenNumber SceneNumbers::quantity(const toml::node& node, Use use) {
     if (!node.is_string()) {
         if (!number_of(node)) fail_at(node, "must be a number, or an expression in quotation marks");
-        return finite_number(node);
+        const double value = finite_number(node);
+        note_float(node, value, use);
+        return value;
     }
     const Expression expression = expression_of(node);
     const double value = evaluated(expression, node);
+    note_float(node, value, use);
     for (const std::string& name : expression.names()) uses(name, use);
     return {value, text_of(node)};
+}
+
+/// What a force has in float must not be 0 there, or it would not act; a place or a velocity may.
+void SceneNumbers::note_float(const toml::node& node, double value, Use use) {
+    const double held = std::abs(rounded_to(Precision::float_, value));
+    const bool vanishes = use == Use::force && value != 0 && held < std::numeric_limits<float>::min();
+    if (std::isfinite(held) && !vanishes) return;
+    lost_in_float_.attempt([&] {
+        fail_at(node, fmt::format("{} is lost in float, which holds 1e-37 to 3e38: choose another value or double",
+                                  exact_text(value)));
+    });
 }
 
 WrittenNumber SceneNumbers::positive(const toml::node& node, Use use) {

@@ -2,6 +2,7 @@
 
 #include "core/entry.hpp"
 #include "core/expression.hpp"
+#include "io/scene_problems.hpp"
 #include "io/scene_toml.hpp"
 #include "models/scene/written_number.hpp"
 
@@ -23,12 +24,14 @@ public:
         double number = 0;
         std::optional<Expression> expression = {};
         ParameterInfo info = {};
-        bool ranged = false;  ///< the file gives its range
+        const toml::node* range = nullptr;         ///< as the file gives it
+        const toml::node* logarithmic = nullptr;   ///< where the file says so
+        std::optional<SceneProblem> problem = {};  ///< with which it has no value
     };
 
     SceneParameters() = default;
-    /// Throws SceneProblem.
-    explicit SceneParameters(const toml::table& root);
+    /// What is wrong is added to the problems, and thrown where such a parameter is used.
+    SceneParameters(const toml::table& root, SceneProblems& problems);
 
     const std::map<std::string, Entry, std::less<>>& entries() const { return entries_; }
     /// What is known of each that is a number, in the order of the file; valid as long as this object.
@@ -39,7 +42,8 @@ public:
     void counts(std::string_view name, std::size_t least);
 
 private:
-    void read(const std::string& name, const toml::node& node);
+    void read(Entry& entry, const std::string& name, const toml::node& node);
+    void set_range(Entry& entry);
     void read_value(Entry& entry, const toml::node& node);
     std::string_view kept(std::string text);
 
@@ -77,10 +81,14 @@ public:
     /// Parameters that are counts by themselves, `count = "n"`, and the least one.
     const std::map<std::string, std::size_t, std::less<>>& counting() const { return counting_; }
 
+    /// Numbers that a run in float would not have.
+    const SceneProblems& lost_in_float() const { return lost_in_float_; }
+
     static constexpr double largest_count = 4294967295.0;
 
 private:
     void uses(std::string_view parameter, Use use);
+    void note_float(const toml::node& node, double value, Use use);
     bool is_count_alone(const toml::node& node, std::size_t least);
     double value_of(const std::string& name, const toml::node& place);
     double evaluated(const Expression& expression, const toml::node& place);
@@ -91,6 +99,7 @@ private:
     std::set<std::string, std::less<>> under_way_;
     std::map<std::string, Use, std::less<>> used_;
     std::map<std::string, std::size_t, std::less<>> counting_;
+    SceneProblems lost_in_float_;
 };
 
 }  // namespace steplab

@@ -1,18 +1,14 @@
 #include "io/scene_reader.hpp"
 
-#include "core/error.hpp"
-#include "core/number_text.hpp"
-#include "core/shown.hpp"
 #include "io/scene_appearance.hpp"
 #include "io/scene_blocks.hpp"
+#include "io/scene_checks.hpp"
 #include "io/scene_defaults.hpp"
-#include "models/scene/potential_expression.hpp"
+#include "models/scene/finite_start.hpp"
 #include "models/scene/scene_particles.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <optional>
+#include <string_view>
+#include <vector>
 
 namespace steplab {
 
@@ -20,217 +16,163 @@ namespace {
 
 using Use = SceneNumbers::Use;
 
-/// Of several problems, the one that comes first in the file.
-class Problems {
-public:
-    template <class Work>
-    void attempt(const Work& work) {
-        try {
-            work();
-        } catch (const SceneProblem& problem) {
-            if (!first_ || problem.place() < first_->place()) first_ = problem;
-        }
-    }
-    /// The same for what is wrong with the meaning of a block.
-    template <class Work>
-    void attempt_at(const toml::node& place, const Work& work) {
-        attempt([&] {
-            try {
-                work();
-            } catch (const UsageError& error) {
-                fail_at(place, error.what());
-            }
-        });
-    }
-    void report() const {
-        if (first_) throw *first_;
-    }
-
-private:
-    std::optional<SceneProblem> first_;
+/// The blocks of one kind, each with its place.
+template <class Block>
+struct Blocks {
+    std::vector<Block>& read;
+    std::vector<const toml::table*> tables = {};
+    bool complete = true;  ///< all of the file could be read
 };
 
 /// Reads the blocks of a file, each with its place.
 class Reader {
 public:
-    Reader(const toml::table& root, SceneNumbers& numbers, ParticleFiles& files)
-        : root_(root), numbers_(numbers), files_(files) {}
+    Reader(const toml::table& root, SceneNumbers& numbers, ParticleFiles& files, const SceneReading& how,
+           SceneProblems& problems)
+        : root_(root), numbers_(numbers), files_(files), how_(how), problems_(problems) {}
 
     Scene scene() {
         read_blocks();
-        problems_.report();
-        check_meaning();
-        problems_.report();
+        if (how_.checks) check_meaning();
         return std::move(scene_);
     }
 
 private:
     void read_blocks();
+    template <class Block, class Read>
+    void read(std::string_view name, Blocks<Block>& blocks, const Read& read);
+    void read_box();
     void check_meaning();
-    void check_springs(const SceneParticles& particles, const SpringTerm& term) const;
-    void check_pairs(const SceneParticles& particles, const PairTerm& term) const;
-    static void check_field(const SceneParticles& particles, const FieldTerm& term);
+    void check_starts();
 
     const toml::table& root_;
     SceneNumbers& numbers_;
     ParticleFiles& files_;
+    const SceneReading& how_;
+    SceneProblems& problems_;
     Scene scene_;
-    Problems problems_;
-    std::vector<const toml::table*> fixes_, springs_, pairs_, fields_, blocks_;
+    Blocks<ParticleBlock> blocks_{scene_.particles};
+    Blocks<Fix> fixes_{scene_.fixes};
+    Blocks<SpringTerm> springs_{scene_.springs};
+    Blocks<PairTerm> pairs_{scene_.pairs};
+    Blocks<FieldTerm> fields_{scene_.fields};
 };
 
-void Reader::read_blocks() {
-    const auto each = [this](std::string_view name, auto read, auto& blocks, auto& places) {
-        problems_.attempt([&] {
-            each_table(root_, name, [&](const toml::table& table) {
-                problems_.attempt([&] {
-                    blocks.push_back(read(table, numbers_));
-                    places.push_back(&table);
-                });
+template <class Block, class Read>
+void Reader::read(std::string_view name, Blocks<Block>& blocks, const Read& read) {
+    SceneProblems problems;
+    problems.attempt([&] {
+        each_table(root_, name, [&](const toml::table& table) {
+            problems.attempt([&] {
+                blocks.read.push_back(read(table));
+                blocks.tables.push_back(&table);
             });
         });
+    });
+    blocks.complete = !problems.any();
+    problems_.attempt([&] { problems.report(); });
+}
+
+void Reader::read_blocks() {
+    read("particles", blocks_, [this](const toml::table& table) { return particle_block(table, numbers_, files_); });
+    const auto of = [this](auto block) {
+        return [this, block](const toml::table& table) { return block(table, numbers_); };
     };
-    const auto particles = [this](const toml::table& table, SceneNumbers& numbers) {
-        return particle_block(table, numbers, files_);
-    };
-    each("particles", particles, scene_.particles, blocks_);
-    each("fix", fix_of, scene_.fixes, fixes_);
-    each("springs", spring_term, scene_.springs, springs_);
-    each("pairs", pair_term, scene_.pairs, pairs_);
-    each("fields", field_term, scene_.fields, fields_);
+    read("fix", fixes_, of(fix_of));
+    read("springs", springs_, of(spring_term));
+    read("pairs", pairs_, of(pair_term));
+    read("fields", fields_, of(field_term));
     problems_.attempt([&] {
         if (const toml::node* const start = root_.get("start")) scene_.start = scene_start(*start, numbers_, files_);
     });
-    problems_.attempt([&] {
-        const toml::node* const box = root_.get("box");
-        if (!box) return;
-        read_keys(table_of(*box, "[box]"), "[box]",
-                  {{"size",
-                    [&](const toml::node& node) {
-                        const auto sides = elements_of(node, "three lengths, [x, y, z]", 3, 3);
-                        scene_.box = {numbers_.not_negative(*sides[0], Use::start),
-                                      numbers_.not_negative(*sides[1], Use::start),
-                                      numbers_.not_negative(*sides[2], Use::start)};
-                    }},
-                   {"corner", [&](const toml::node& node) { scene_.corner = numbers_.vector(node, Use::start); }}});
-    });
+    problems_.attempt([&] { read_box(); });
+    if (scene_.particles.empty() && blocks_.complete)
+        problems_.attempt([&] { fail_at(root_, "a scene needs [[particles]]"); });
+    // before anything goes through particles
+    SceneProblems memory;
+    memory.attempt([&] { check_memory(blocks_.tables, scene_, how_.bytes_per_particle); });
+    blocks_.complete = blocks_.complete && !memory.any() && !scene_.particles.empty();
+    problems_.attempt([&] { memory.report(); });
+}
+
+void Reader::read_box() {
+    const toml::node* const box = root_.get("box");
+    if (!box) return;
+    const auto size = [&](const toml::node& node) {
+        const auto sides = elements_of(node, "three lengths, [x, y, z]", 3, 3);
+        scene_.box = {numbers_.not_negative(*sides[0], Use::start), numbers_.not_negative(*sides[1], Use::start),
+                      numbers_.not_negative(*sides[2], Use::start)};
+    };
+    const toml::table& table = table_of(*box, "[box]");
+    read_all_keys(table, "[box]", {{"size", size}, {"corner", [&](const toml::node& node) {
+                                                        scene_.corner = numbers_.vector(node, Use::start);
+                                                    }}});
+    if (!table.contains("size")) fail_at(table, "[box] needs a size, [x, y, z]; 0: no boundary along this axis");
 }
 
 void Reader::check_meaning() {
-    if (scene_.particles.empty()) fail_at(root_, "a scene needs [[particles]]");
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-        problems_.attempt([&] {
-            for (std::size_t j = 0; j < i; ++j) {
-                const std::string& name = scene_.particles[i].group;
-                if (!name.empty() && name == scene_.particles[j].group)
-                    fail_at(*blocks_[i]->get("group"), fmt::format("there is a group '{}' already", name));
-            }
-        });
-    }
-    problems_.report();
-    Scene without_fixes = scene_;
-    without_fixes.fixes.clear();
-    const SceneParticles particles(without_fixes);
-    for (std::size_t i = 0; i < fixes_.size(); ++i)
-        problems_.attempt_at(*fixes_[i], [&] {
-            for (const std::string& name : scene_.fixes[i].particles) particles.named(name);
-        });
+    check_groups(root_, problems_);
+    if (!blocks_.complete) return;  // how many particles there are is not known
+    const SceneParticles particles(scene_, SceneParticles::Ask::names);
+    for (const toml::table* const table : fixes_.tables) check_names(*table, particles, problems_);
     problems_.attempt([&] { check_start(root_, scene_.start, particles.count()); });
-    for (std::size_t i = 0; i < springs_.size(); ++i)
-        problems_.attempt_at(*springs_[i], [&] { check_springs(particles, scene_.springs[i]); });
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-        problems_.attempt_at(*pairs_[i], [&] { check_pairs(particles, scene_.pairs[i]); });
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-        problems_.attempt_at(*fields_[i], [&] {
-            for (const std::string& name : scene_.fields[i].particles) particles.named(name);
-        });
-    problems_.report();
-    const SceneParticles starting(scene_);
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-        problems_.attempt_at(*fields_[i], [&] { check_field(starting, scene_.fields[i]); });
+    for (std::size_t i = 0; i < springs_.tables.size(); ++i)
+        check_springs(*springs_.tables[i], scene_.springs[i], particles, problems_);
+    for (std::size_t i = 0; i < pairs_.tables.size(); ++i)
+        check_pairs(*pairs_.tables[i], scene_.pairs[i], scene_.box.value(), particles, problems_);
+    for (const toml::table* const table : fields_.tables) check_names(*table, particles, problems_);
+    if (!problems_.any() && !how_.starts_are_known) check_starts();
 }
 
-void Reader::check_springs(const SceneParticles& particles, const SpringTerm& term) const {
-    if (!term.between.empty() && particles.group(term.between).particles.count < 2)
-        throw UsageError(fmt::format("group '{}' has one particle, which has no neighbours", shown(term.between)));
-    for (const auto& [one, other] : term.pairs) {
-        const IndexRange first = particles.named(one), second = particles.named(other);
-        if (first.count != 1 || second.count != 1)
-            throw UsageError(
-                fmt::format("a spring joins single particles: '{}' and '{}' name more", shown(one), shown(other)));
-        if (first.first == second.first) throw UsageError(fmt::format("a spring from '{}' to itself", shown(one)));
-    }
-}
-
-void Reader::check_pairs(const SceneParticles& particles, const PairTerm& term) const {
-    std::vector<IndexRange> sets;
-    for (const std::string& name : term.between) sets.push_back(particles.named(name));
-    if (sets.empty()) sets.push_back({0, particles.count()});
-    const bool within = sets.size() == 1 || sets[0] == sets[1];
-    if (within && sets[0].count < 2) throw UsageError("a pair force within one particle acts on nothing");
-    const Vec3 box = scene_.box.value();
-    for (const double side : {box.x, box.y, box.z}) {
-        if (side == 0) continue;
-        if (!term.cutoff) throw UsageError("in a periodic box every pair force needs a cutoff");
-        if (side < 2.3 * term.cutoff->value)
-            throw UsageError(fmt::format("the box is {} long: 2.3 times the cutoff, {}, must fit into it",
-                                         exact_text(side), exact_text(2.3 * term.cutoff->value)));
-    }
-}
-
-void Reader::check_field(const SceneParticles& particles, const FieldTerm& term) {
-    if (term.potential.empty()) return;
-    std::vector<IndexRange> sets;
-    for (const std::string& name : term.particles) sets.push_back(particles.named(name));
-    if (sets.empty()) sets.push_back({0, particles.count()});
-    const FieldPotential<double> potential(expression_of(term, 1).expression);
-    for (const IndexRange set : sets) {
-        for (std::size_t i = set.first; i < set.first + set.count; ++i) {
-            const SceneParticle particle = particles[i];
-            const Vec3 start = particle.position + particle.displacement;
-            const Vector<double> at{start.x, start.y, start.z};
-            const Vector<double> force = potential.force(at, particle.mass, particle.charge);
-            const double energy = potential.energy(at, particle.mass, particle.charge);
-            if (!std::isfinite(energy + force.x + force.y + force.z))
-                throw UsageError(fmt::format("the potential is not finite where particle {} starts, at ({}, {}, {})", i,
-                                             exact_text(at.x), exact_text(at.y), exact_text(at.z)));
-        }
+void Reader::check_starts() {
+    const SceneParticles particles(scene_, SceneParticles::Ask::places);
+    for (std::size_t i = 0; i < pairs_.tables.size(); ++i)
+        problems_.attempt_at(*pairs_.tables[i]->get("potential"),
+                             [&] { check_finite(scene_.pairs[i], particles, scene_.box.value()); });
+    for (std::size_t i = 0; i < fields_.tables.size(); ++i) {
+        const toml::node* const potential = fields_.tables[i]->get("potential");
+        if (potential) problems_.attempt_at(*potential, [&] { check_finite(scene_.fields[i], particles); });
     }
 }
 
 }  // namespace
 
-Scene read_scene(const toml::table& root, SceneNumbers& numbers, ParticleFiles& files) {
-    Scene scene = Reader(root, numbers, files).scene();
+Scene read_scene(const toml::table& root, SceneNumbers& numbers, ParticleFiles& files, const SceneReading& how,
+                 SceneProblems& problems) {
+    Scene scene = Reader(root, numbers, files, how, problems).scene();
     scene.followers = numbers.followers();
     return scene;
 }
 
-SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers) {
+SceneTexts read_texts(const toml::table& root, SceneNumbers& numbers, SceneProblems& problems) {
     SceneTexts texts;
-    bool versioned = false;
     const auto ignore = [](const toml::node&) {};
     const auto version = [&](const toml::node& node) {
         const auto* const number = node.as_integer();
         if (!number || number->get() != 1) fail_at(node, "this program reads version 1: steplab = 1");
-        versioned = true;
     };
-    read_keys(root, "a scene file",
-              {{"steplab", version},
-               {"title", [&](const toml::node& node) { texts.title = text_of(node); }},
-               {"teaches", [&](const toml::node& node) { texts.teaches = text_of(node); }},
-               {"topic", [&](const toml::node& node) { texts.topic = read_topic(node); }},
-               {"parameters", ignore},
-               {"particles", ignore},
-               {"fix", ignore},
-               {"springs", ignore},
-               {"pairs", ignore},
-               {"fields", ignore},
-               {"box", ignore},
-               {"run", [&](const toml::node& node) { read_run(node, numbers, texts.defaults); }},
-               {"start", ignore},
-               {"view", [&](const toml::node& node) { read_view(node, texts.defaults); }}});
-    if (!versioned) throw SceneProblem({1, 1}, "a scene file begins with its version: steplab = 1");
+    if (const toml::node* const node = root.get("steplab"))
+        version(*node);
+    else
+        throw SceneProblem({1, 1}, "a scene file begins with its version: steplab = 1");
+    const auto read = [&] {
+        read_all_keys(root, "a scene file",
+                      {{"steplab", ignore},
+                       {"title", [&](const toml::node& node) { texts.title = text_of(node); }},
+                       {"teaches", [&](const toml::node& node) { texts.teaches = text_of(node); }},
+                       {"topic", [&](const toml::node& node) { texts.topic = read_topic(node); }},
+                       {"parameters", ignore},
+                       {"particles", ignore},
+                       {"fix", ignore},
+                       {"springs", ignore},
+                       {"pairs", ignore},
+                       {"fields", ignore},
+                       {"box", ignore},
+                       {"run", [&](const toml::node& node) { read_run(node, numbers, texts.defaults); }},
+                       {"start", ignore},
+                       {"view", [&](const toml::node& node) { read_view(node, texts.defaults); }}});
+    };
+    problems.attempt(read);
     return texts;
 }
 

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
+#include "io/scene_problems.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,27 @@ namespace steplab {
 
 namespace {
 
-bool before(toml::source_position a, toml::source_position b) { return a < b; }
+using Entry = std::pair<const toml::key*, const toml::node*>;
+
+std::vector<Entry> in_file_order(const toml::table& table) {
+    std::vector<Entry> entries;
+    for (const auto& [key, node] : table) entries.emplace_back(&key, &node);
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.first->source().begin < b.first->source().begin; });
+    return entries;
+}
+
+void read_key(const toml::key& key, const toml::node& node, std::string_view what,
+              const std::vector<KeyHandler>& handlers,
+              const std::function<void(const std::string&, const toml::node&)>& other) {
+    const auto handler = std::find_if(handlers.begin(), handlers.end(),
+                                      [name = key.str()](const KeyHandler& h) { return h.name == name; });
+    if (handler != handlers.end()) return handler->read(node);
+    if (other) return other(std::string(key.str()), node);
+    std::vector<std::string_view> known(handlers.size());
+    std::transform(handlers.begin(), handlers.end(), known.begin(), [](const auto& h) { return h.name; });
+    throw SceneProblem(key.source().begin, unknown_word("key", std::string(key.str()), known, std::string(what)));
+}
 
 }  // namespace
 
@@ -45,24 +66,15 @@ std::string toml_string(std::string_view text) {
 
 void read_keys(const toml::table& table, std::string_view what, const std::vector<KeyHandler>& handlers,
                const std::function<void(const std::string&, const toml::node&)>& other) {
-    std::vector<std::pair<const toml::key*, const toml::node*>> entries;
-    for (const auto& [key, node] : table) entries.emplace_back(&key, &node);
-    std::sort(entries.begin(), entries.end(),
-              [](const auto& a, const auto& b) { return before(a.first->source().begin, b.first->source().begin); });
-    for (const auto& [key, node] : entries) {
-        const auto handler = std::find_if(handlers.begin(), handlers.end(),
-                                          [name = key->str()](const KeyHandler& h) { return h.name == name; });
-        if (handler != handlers.end()) {
-            handler->read(*node);
-        } else if (other) {
-            other(std::string(key->str()), *node);
-        } else {
-            std::vector<std::string_view> known(handlers.size());
-            std::transform(handlers.begin(), handlers.end(), known.begin(), [](const auto& h) { return h.name; });
-            throw SceneProblem(key->source().begin,
-                               unknown_word("key", std::string(key->str()), known, std::string(what)));
-        }
-    }
+    for (const auto& [key, node] : in_file_order(table)) read_key(*key, *node, what, handlers, other);
+}
+
+void read_all_keys(const toml::table& table, std::string_view what, const std::vector<KeyHandler>& handlers,
+                   const std::function<void(const std::string&, const toml::node&)>& other) {
+    SceneProblems problems;
+    for (const auto& [key, node] : in_file_order(table))
+        problems.attempt([&, k = key, n = node] { read_key(*k, *n, what, handlers, other); });
+    problems.report();
 }
 
 void each_table(const toml::table& root, std::string_view name, const std::function<void(const toml::table&)>& visit) {

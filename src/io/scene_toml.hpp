@@ -58,6 +58,10 @@ struct KeyHandler {
 /// error that names the nearest one. Throws SceneProblem.
 void read_keys(const toml::table& table, std::string_view what, const std::vector<KeyHandler>& handlers,
                const std::function<void(const std::string&, const toml::node&)>& other = {});
+/// The same, but what is wrong is thrown when all keys have been read: the first of it in the file, although it may be
+/// within the value of a key that is read early, or noticed late.
+void read_all_keys(const toml::table& table, std::string_view what, const std::vector<KeyHandler>& handlers,
+                   const std::function<void(const std::string&, const toml::node&)>& other = {});
 
 /// The tables of an array of tables, [[name]]; one table counts as an array of one.
 void each_table(const toml::table& root, std::string_view name, const std::function<void(const toml::table&)>& visit);

@@ -201,7 +201,7 @@ void write_run(Writer& writer, const RunDescription& run, const SceneDefaults& d
     if (!parameters.empty()) writer.line("parameters", parameters);
     writer.line("dt", number_text(run.dt));
     writer.line("precision", toml_string(id(run.precision)));
-    if (defaults.until) writer.line("until", number_text(*defaults.until));
+    if (defaults.until && *defaults.until / run.dt > 0) writer.line("until", number_text(*defaults.until));
     if (!defaults.compare.empty()) writer.line("compare", list_of(defaults.compare));
 }
 

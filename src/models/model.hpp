@@ -79,6 +79,8 @@ struct Model {
     /// Why these values are not possible together although each of them is allowed; nullopt if they are. Empty: they
     /// always are.
     std::function<std::optional<std::string>(const Values&)> refusal = {};
+    /// Which of the numbers of its own are none in float; nullopt: all are. Empty: it has none.
+    std::function<std::optional<std::string>(const Values&)> lost_in_float = {};
 };
 
 }  // namespace steplab

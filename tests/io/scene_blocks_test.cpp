@@ -72,7 +72,7 @@ TEST(SceneBlocks, refuse_what_makes_no_forces) {
     const std::vector<std::pair<std::string, const char*>> cases{
         {"[[fix]]\nfixed = true", "[[fix]] needs particles"},
         {"[[fix]]\nparticles = []\nfixed = true", "must name at least one particle"},
-        {"[[fix]]\nparticles = \"pair[2]\"", "has no particle 2"},
+        {"[[fix]]\nparticles = \"pair[2]\"\nfixed = true", "a.toml:6:13: group 'pair' has no particle 2"},
         {"[[springs]]\nbetween = \"pair\"", "[[springs]] needs k"},
         {"[[springs]]\nbetween = \"pair\"\nk = 1\ndamping = -1", "must be >= 0"},
         {"[[springs]]\nbetween = \"pair\"\nk = 1\nlength = -1", "must be >= 0"},
@@ -106,11 +106,14 @@ TEST(SceneBlocks, refuse_what_is_no_parameter) {
     std::string chain = "p0 = 1\n";
     for (int i = 1; i <= 300; ++i) chain += "p" + std::to_string(i) + " = \"p" + std::to_string(i - 1) + "\"\n";
     const std::vector<std::pair<std::string, const char*>> cases{
-        {"pi = 3", "'pi' cannot be a name in expressions"},
-        {"\"a-b\" = 3", "cannot be a name in expressions"},
+        {"k = 1\npi = 3", "'pi' cannot be a name in expressions"},
+        {"k = 1\n\"a-b\" = 3", "cannot be a name in expressions"},
         {"k = { range = [1, 2] }", "parameter 'k' needs a value"},
         {"k = { value = 1, range = [2, 1] }", "the range must grow"},
         {"k = { value = 1, range = [1, 1] }", "the range must grow"},
+        {"k = { value = 1, range = [1, \"k\"] }", "a.toml:9:26: the range must grow"},
+        {"k = { value = 1, range = [0, 2], logarithmic = true }", "a logarithmic range of 'k' must begin above 0"},
+        {"k = { value = 0, logarithmic = true }", "a.toml:9:32: 'k' is not above 0: it needs a range that is"},
         {"k = inf", "must be a finite number"},
         {"k = \"1 / 0\"", "its value is not finite"},
         {"k = \"1 +\"", "\"1 +\", character 4"},
@@ -176,6 +179,9 @@ TEST(SceneBlocks, sliders_without_a_range_reach_from_0_to_twice_the_value) {
     EXPECT_EQ(slider("-3"), std::pair(-6.0, 0.0));
     EXPECT_EQ(slider("0"), std::pair(0.0, 1.0));
     EXPECT_EQ(slider("{ value = 3, range = [-1, 4] }"), std::pair(-1.0, 4.0));
+    EXPECT_EQ(slider("{ value = 3, range = [\"1\", \"2 * k + pi - pi\"] }"), std::pair(1.0, 6.0));
+    EXPECT_EQ(slider("{ value = 3, logarithmic = true }"), std::pair(0.03, 300.0));
+    EXPECT_EQ(slider("{ value = 3, range = [1, 9], logarithmic = true }"), std::pair(1.0, 9.0));
 }
 
 // A number that the start needs restarts the run, however many parameters lie between.

@@ -178,6 +178,30 @@ TEST(SceneRun, compares_only_runs_that_there_can_be) {
               "read");
 }
 
+TEST(SceneRun, goes_backward_by_a_negative_dt) {
+    const std::string run = row_between_walls(moving) + "[run]\n";
+    const std::vector<std::pair<std::string, const char*>> cases{
+        {"dt = -0.01", "read"},
+        {"dt = -0.01\nuntil = -2", "read"},
+        {"until = 2", "read"},
+        {"dt = 0", "a.toml:12:6: must not be 0"},
+        {"until = 0", "a.toml:12:9: must not be 0"},
+        {"dt = -0.01\nuntil = 2", "a.toml:13:9: until = 2 and dt = -0.01 differ in sign"},
+        {"until = -2", "a.toml:12:9: until = -2 and dt = 0.1 differ in sign"}};
+    for (const auto& [keys, message] : cases)
+        EXPECT_THAT(refusal_of_scene(run + keys + "\n"), HasSubstr(message)) << keys;
+    const RunDescription there = describe(read_scene(run + "dt = 0.01\n[start]\nmode = 2\namplitude = 0.1\n"));
+    RunDescription back = there;
+    back.dt = -0.01;
+    const RunDescription written = describe(read_scene(scene_file_text(back)));
+    EXPECT_EQ(written.dt, -0.01);
+    Simulation one(back), two(written);
+    one.advance(20);
+    two.advance(20);
+    EXPECT_LT(one.time(), 0);
+    EXPECT_EQ(one.state().displacement.at(3), two.state().displacement.at(3));
+}
+
 TEST(StartingValues, are_the_same_from_their_text) {
     StartingValues values{.given = "a", .positions = {{0.1, 1e-300, 3}}, .velocities = {{1.0 / 3, 0, -2}}};
     const auto again = [](const StartingValues& of) {

@@ -163,6 +163,13 @@ RunDescription SceneOptions::with_given_method(RunDescription scene) const {
     return description;
 }
 
+/// A scene file may say that it runs backward.
+void SceneOptions::check_direction(const RunDescription& description) const {
+    if (time_ == Time::forward && description.dt < 0)
+        throw UsageError(
+            fmt::format("the scene runs backward in time, dt = {}: give a --dt > 0 here", exact_text(description.dt)));
+}
+
 RunDescription SceneOptions::description() const {
     const std::vector<Setting> settings = parse_settings(settings_);
     RunDescription scene = chosen_scene();
@@ -172,6 +179,7 @@ RunDescription SceneOptions::description() const {
     RunDescription description = with_given_method(scene);
     for (const Setting& setting : settings) set_parameter(description, setting.name, setting.text);
     description.start = start();
+    check_direction(description);
     check(description);
     return description;
 }
@@ -190,6 +198,7 @@ std::vector<RunDescription> SceneOptions::descriptions() const {
             if (has_parameter(run, setting.name)) set_parameter(run, setting.name, setting.text);
         }
     }
+    check_direction(runs.front());
     check(runs.front());
     return runs;
 }

@@ -57,6 +57,7 @@ private:
     RunDescription chosen_scene() const;
     StartChange start() const;
     double given_dt() const;
+    void check_direction(const RunDescription& description) const;
     std::string default_text(std::string_view fixed) const;
     RunDescription with_given_method(RunDescription scene) const;
 

@@ -50,12 +50,13 @@ private:
     void write_lammps_files() const {
         if (out_ == "-") throw UsageError("--to lammps needs --out DIR, a folder for its files");
         const RunDescription run = lammps_method_checked(scene_);
+        if (run.dt < 0) throw UsageError("LAMMPS goes forward in time: dt must be > 0");
         const LammpsTime time = lammps_.time(time_.end(run).step);
         catch_interruptions();
         print(export_text(export_to_lammps(run, time, out_), out_));
     }
 
-    SceneOptions scene_;
+    SceneOptions scene_{SceneOptions::Time::both};
     TimeOptions time_{1000, TimeOptions::Default::scene};
     LammpsOptions lammps_;
     std::string to_;

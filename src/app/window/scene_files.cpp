@@ -1,6 +1,7 @@
 #include "app/window/scene_files.hpp"
 
 #include "core/error.hpp"
+#include "core/number_text.hpp"
 #include "io/output_file.hpp"
 #include "io/scene_export.hpp"
 #include "io/scene_file.hpp"
@@ -9,6 +10,8 @@
 #include "io/trajectory_reader.hpp"
 #include "session/session_file.hpp"
 #include "ui/plot/plot_files.hpp"
+
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -65,12 +68,20 @@ bool is_row_file(const std::string& name) {
     }
 }
 
+/// The window's time goes forward.
+RunDescription forward(RunDescription scene) {
+    if (scene.dt < 0)
+        throw UsageError(
+            fmt::format("the scene runs backward in time, dt = {}: the window takes a dt > 0", exact_text(scene.dt)));
+    return scene;
+}
+
 /// By what is in it, whatever it is called.
 SceneFiles::News opened(const std::string& name) {
     using Kind = SceneFiles::News::Kind;
     std::error_code none;
     if (!std::filesystem::is_regular_file(name, none))
-        return {.kind = Kind::opened, .scene = describe(find_scene(name))};
+        return {.kind = Kind::opened, .scene = forward(describe(find_scene(name)))};
     if (InputFile file(name); TrajectoryReader::reads(file)) {
         TrajectoryReader(std::move(file)).run();  // one that is damaged at its beginning is refused
         return {.kind = Kind::trajectory, .text = name};
@@ -81,7 +92,7 @@ SceneFiles::News opened(const std::string& name) {
     } else if (is_row_file(name)) {
         return {.kind = Kind::trajectory, .text = name};
     }
-    return {.kind = Kind::opened, .scene = describe(find_scene(name))};
+    return {.kind = Kind::opened, .scene = forward(describe(find_scene(name)))};
 }
 
 }  // namespace
@@ -196,10 +207,11 @@ void SceneFiles::read_again() {
     const bool failed = std::exchange(failed_, true);
     attempt([&] {
         const SceneOrigin fresh = find_scene(watched_->given);
+        const RunDescription scene = forward(describe(fresh));
         failed_ = false;
         if (!failed && fresh == watched_) return;
         watched_ = fresh;
-        report({.kind = News::Kind::read_again, .scene = describe(fresh)});
+        report({.kind = News::Kind::read_again, .scene = scene});
         if (files_of(*fresh) != watched_files_) watch_files();
     });
 }

@@ -202,10 +202,14 @@ void check_values(const RunDescription& description) {
         }
     }
     check_alterations(description);
-    if (const auto& refusal = model_of(description).refusal) {
+    const Model& model = model_of(description);
+    const auto ask = [&](const auto& refusal) {
+        if (!refusal) return;
         if (const auto refused = refusal(description.scene)) throw UsageError(*refused);
-    }
+    };
+    ask(model.refusal);
     check_memory(description, 0);
+    if (description.precision == Precision::float_) ask(model.lost_in_float);
 }
 
 void check(const RunDescription& description) {

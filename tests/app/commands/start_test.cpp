@@ -157,6 +157,19 @@ TEST_F(StartCommands, exports_a_scene_that_starts_from_a_file_into_any_folder) {
     EXPECT_THAT(text.out, HasSubstr("from = \"half.csv.gz:50\""));
 }
 
+TEST_F(StartCommands, exports_a_run_that_goes_backward) {
+    const std::string copy = folder_.file("back.toml");
+    const std::vector<std::string> run{"run", "--scene", scene_, "--dt", "-0.02", "--until", "-1"};
+    ASSERT_EQ(run_program({"export", "--scene", scene_, "--dt", "-0.02", "--to", "scene", "--out", copy}).code, 0);
+    EXPECT_EQ(summary({"run", "--scene", copy, "--until", "-1"})["hash"], summary(run)["hash"]);
+    EXPECT_THAT(text_of(copy), testing::Not(HasSubstr("until"))) << "it ends at 2, where such a run does not come";
+    for (const char* command : {"limits", "report", "ensemble", "compare"}) {
+        const Outcome forward = run_program({command, "--scene", copy});
+        EXPECT_EQ(forward.code, 2) << command;
+    }
+    EXPECT_THAT(run_program({"limits", "--scene", copy}).err, HasSubstr("the scene runs backward in time, dt = -0.02"));
+}
+
 TEST_F(StartCommands, exports_a_scene_of_a_compressed_file_into_its_own_folder) {
     const std::string scene = folder_.file("listed.toml"), copy = folder_.file("copy.toml");
     summary({"run", "--scene", scene_, "--steps", "10", "--out", folder_.file("rows.xyz.gz")});
