@@ -5,7 +5,6 @@
 #include "core/shown.hpp"
 #include "core/text.hpp"
 #include "models/scene/spring_list.hpp"
-#include "sim/run/memory.hpp"
 
 #include <fmt/format.h>
 
@@ -171,7 +170,7 @@ void check_pairs(const toml::table& table, const PairTerm& term, Vec3 box, const
     problems.attempt_at(place("cutoff"), [&] { check_box(term, box); });
 }
 
-void check_memory(const std::vector<const toml::table*>& blocks, const Scene& scene, double bytes_per_particle) {
+void check_memory(const std::vector<const toml::table*>& blocks, const Scene& scene, const SceneReading& how) {
     double particles = 0, most = 0;
     const toml::table* largest = nullptr;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -181,12 +180,10 @@ void check_memory(const std::vector<const toml::table*>& blocks, const Scene& sc
         most = count;
         largest = blocks[i];
     }
-    const double needed = particles * bytes_per_particle;
-    if (needed < 1e6) return;  // to ask the system takes longer than a short run
-    const double there = available_memory();
-    if (needed <= there && particles <= 4294967295.0) return;
+    const double needed = particles * how.bytes_per_particle;
+    if (needed <= how.memory && particles <= 4294967295.0) return;
     fail_at(count_in(*largest), fmt::format("{} particles need {} of memory, {} are available: choose fewer",
-                                            exact_text(particles), bytes_text(needed), bytes_text(there)));
+                                            exact_text(particles), bytes_text(needed), bytes_text(how.memory)));
 }
 
 }  // namespace steplab

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/scene_problems.hpp"
+#include "io/scene_reader.hpp"
 #include "models/scene/scene.hpp"
 #include "models/scene/scene_particles.hpp"
 
@@ -20,6 +21,6 @@ void check_pairs(const toml::table& table, const PairTerm& term, Vec3 box, const
                  SceneProblems& problems);
 
 /// Too many particles for this many bytes of memory of each.
-void check_memory(const std::vector<const toml::table*>& blocks, const Scene& scene, double bytes_per_particle);
+void check_memory(const std::vector<const toml::table*>& blocks, const Scene& scene, const SceneReading& how);
 
 }  // namespace steplab

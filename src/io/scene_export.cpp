@@ -50,7 +50,7 @@ void write_beside(const std::filesystem::path& folder, const std::string& name, 
 /// under its name; else, of a moment of a trajectory, one of its values.
 std::string start_file(const std::filesystem::path& folder, const RunDescription& run, const std::string& values) {
     if (run.start.from || !run.origin) return values;
-    const std::string own = model_of(run).scene(run.scene).start.file;
+    std::string own = model_of(run).scene(run.scene).start.file;
     for (const SceneFile::Part& part : run.origin->parts) {
         if (own.empty() || part.name != own) continue;
         const bool is_moment = file_at_step(own).step || own.ends_with(".trajectory");

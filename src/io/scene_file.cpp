@@ -30,12 +30,16 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
 
-/// What a run of a scene takes that is opened as its file says.
-double bytes_of_particle(const SceneDefaults& defaults) {
-    const Opening usual;
-    RunDescription run = with_method({}, defaults.method.empty() ? usual.method : std::string_view(defaults.method));
-    if (const auto precision = parse_precision(defaults.precision)) run.precision = *precision;
-    return bytes_per_particle(run);
+/// What a run takes for each particle by the method that takes least: which one is to run is not known while a file is
+/// read.
+double least_bytes_per_particle() {
+    double least = infinity;
+    for (const Method& method : methods()) {
+        RunDescription run = with_method({}, method.info.id);
+        run.precision = Precision::float_;
+        least = std::min(least, bytes_per_particle(run));
+    }
+    return least;
 }
 
 /// A parsed file; the scene for given values of its parameters is read from it once more.
@@ -46,9 +50,7 @@ public:
         const ParameterValues values(parameters_.infos());
         SceneNumbers numbers(parameters_, values);
         texts_ = read_texts(root_, numbers, problems_);
-        bytes_per_particle_ = bytes_of_particle(texts_.defaults);
-        const SceneStart start =
-            read_scene(root_, numbers, files_, {.bytes_per_particle = bytes_per_particle_}, problems_).start;
+        const SceneStart start = read_scene(root_, numbers, files_, how(true, false), problems_).start;
         problems_.report();
         note_uses(numbers);
         check_names();
@@ -58,18 +60,16 @@ public:
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
-    Scene scene(const ParameterValues& values) const {
-        return read(values, {.bytes_per_particle = bytes_per_particle_, .starts_are_known = values == opened_with_});
-    }
+    Scene scene(const ParameterValues& values) const { return read(values, how(true, values == opened_with_)); }
     double particles(const ParameterValues& values) const {
-        return static_cast<double>(read(values, {.bytes_per_particle = bytes_per_particle_, .checks = false}).count());
+        return static_cast<double>(read(values, how(false, false)).count());
     }
     /// Why a run in float would be one of other numbers.
     std::optional<std::string> lost_in_float(const ParameterValues& values, const std::string& name) const {
         return lost_in_float_.of(values, [&]() -> std::optional<std::string> {
             SceneNumbers numbers(parameters_, values);
             SceneProblems problems;
-            read_scene(root_, numbers, files_, {.bytes_per_particle = bytes_per_particle_, .checks = false}, problems);
+            read_scene(root_, numbers, files_, how(false, false), problems);
             try {
                 problems.report();
                 numbers.lost_in_float().report();
@@ -101,6 +101,9 @@ public:
     std::span<const ParameterInfo> infos() const { return parameters_.infos(); }
 
 private:
+    SceneReading how(bool checks, bool starts_are_known) const {
+        return {bytes_per_particle_, memory_, checks, starts_are_known};
+    }
     Scene read(const ParameterValues& values, const SceneReading& how) const {
         SceneNumbers numbers(parameters_, values);
         SceneProblems problems;
@@ -142,7 +145,7 @@ private:
     SceneParameters parameters_;
     SceneTexts texts_;
     ParameterValues opened_with_;  ///< as the file has them
-    double bytes_per_particle_ = 0;
+    double bytes_per_particle_ = least_bytes_per_particle(), memory_ = available_memory();
 };
 
 /// Problems that only some values of the parameters have are those of the command line or of a slider.

@@ -20,18 +20,19 @@ std::string group_name(const toml::node& node) {
     return name;
 }
 
-LineArrangement line(const toml::node& node, SceneNumbers& numbers) {
+/// `spread`: displacements set the particles apart.
+LineArrangement line(const toml::node& node, SceneNumbers& numbers, bool spread) {
     LineArrangement line{.count = 0, .step = {}};
     read_all_keys(table_of(node, "line"), "line",
                   {{"count", [&](const toml::node& given) { line.count = numbers.count(given, 1); }},
                    {"step", [&](const toml::node& given) { line.step = numbers.vector(given, Use::start); }}});
     if (line.count == 0) fail_at(node, "a line needs a count");
-    if (line.count > 1 && !node.as_table()->contains("step"))
+    if (line.count > 1 && !spread && !node.as_table()->contains("step"))
         fail_at(node, "a line needs a step, [x, y, z], from one particle to the next");
     return line;
 }
 
-GridArrangement grid(const toml::node& node, SceneNumbers& numbers) {
+GridArrangement grid(const toml::node& node, SceneNumbers& numbers, bool spread) {
     GridArrangement grid{.columns = 0, .rows = 0, .steps = {}};
     const auto count = [&](const toml::node& given) {
         const auto both = elements_of(given, "two numbers, [columns, rows]", 2, 2);
@@ -46,7 +47,7 @@ GridArrangement grid(const toml::node& node, SceneNumbers& numbers) {
     };
     read_all_keys(table_of(node, "grid"), "grid", {{"count", count}, {"steps", steps}});
     if (grid.rows == 0) fail_at(node, "a grid needs a count");
-    if (grid.columns * grid.rows > 1 && !node.as_table()->contains("steps"))
+    if (grid.columns * grid.rows > 1 && !spread && !node.as_table()->contains("steps"))
         fail_at(node, "a grid needs steps, [[x, y, z], [x, y, z]], along its rows and from row to row");
     return grid;
 }
@@ -100,8 +101,9 @@ void settle_listed(const toml::table& table, ParticleBlock& block) {
 void read_arrangement(const toml::table& table, ParticleBlock& block, const toml::node& node, SceneNumbers& numbers,
                       ParticleFiles& files) {
     if (block.arrangement.index() != 0) fail_at(node, "a block has at most one of line, grid, lattice and file");
-    if (table.get("line") == &node) block.arrangement = line(node, numbers);
-    if (table.get("grid") == &node) block.arrangement = grid(node, numbers);
+    const bool spread = table.contains("displacement");
+    if (table.get("line") == &node) block.arrangement = line(node, numbers, spread);
+    if (table.get("grid") == &node) block.arrangement = grid(node, numbers, spread);
     if (table.get("file") == &node) block.arrangement = listed(node, files);
     if (table.get("lattice") == &node) block.arrangement = crystal(node, numbers);
 }

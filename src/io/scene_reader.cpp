@@ -90,7 +90,7 @@ void Reader::read_blocks() {
         problems_.attempt([&] { fail_at(root_, "a scene needs [[particles]]"); });
     // before anything goes through particles
     SceneProblems memory;
-    memory.attempt([&] { check_memory(blocks_.tables, scene_, how_.bytes_per_particle); });
+    memory.attempt([&] { check_memory(blocks_.tables, scene_, how_); });
     blocks_.complete = blocks_.complete && !memory.any() && !scene_.particles.empty();
     problems_.attempt([&] { memory.report(); });
 }
@@ -124,7 +124,9 @@ void Reader::check_meaning() {
     if (!problems_.any() && !how_.starts_are_known) check_starts();
 }
 
+/// Unless a file says where the particles start.
 void Reader::check_starts() {
+    if (scene_.start.change.from) return;
     const SceneParticles particles(scene_, SceneParticles::Ask::places);
     for (std::size_t i = 0; i < pairs_.tables.size(); ++i)
         problems_.attempt_at(*pairs_.tables[i]->get("potential"),

@@ -17,7 +17,8 @@ struct SceneTexts {
 
 /// How much of a scene is read.
 struct SceneReading {
-    double bytes_per_particle = 0;  ///< that a run takes: more of them than fit into memory are a problem
+    double bytes_per_particle = 0;  ///< that a run takes at least: more particles than fit into `memory` are a problem
+    double memory = 0;              ///< [bytes] when the file was opened; the program itself takes of it
     bool checks = true;             ///< also what blocks mean together
     bool starts_are_known = false;  ///< to be where potentials are finite
 };

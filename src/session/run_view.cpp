@@ -30,8 +30,8 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     view.conservation = simulation.conservation();
     view.notes.clear();
     if (!view.divergence) {
-        view.notes =
-            notes_of_rounding(view.description, view.diagnostics.farthest, [&] { return simulation.rate_of_motion(); });
+        view.notes = notes_of_rounding(view.description, view.diagnostics.farthest,
+                                       [&](double enough) { return simulation.rate_of_motion(enough); });
     }
     view.has_exact = simulation.has_exact();
     view.why_not_exact = simulation.why_not_exact();

@@ -1,4 +1,6 @@
 // What the blocks of a scene file mean together: which problem is reported, and where.
+#include "io/scene_file.hpp"
+#include "sim/run/run_description.hpp"
 #include "support/scene_texts.hpp"
 
 #include <fmt/format.h>
@@ -174,6 +176,32 @@ TEST(SceneChecks, pair_potentials_are_finite_where_pairs_start) {
         << "it does not act";
     const std::string row = "steplab = 1\n[[particles]]\nline = { count = 2000, step = [1, 0, 0] }\n[[pairs]]\n";
     EXPECT_THAT(refusal_of_scene(row + "potential = \"log(r-1.5)\"\n"), HasSubstr("not finite at r = 1")) << "of many";
+}
+
+// Nuclei in metres, a field at whose centre something is held, a cloud that displacements make of one place.
+TEST(SceneChecks, scenes_that_are_finite_where_it_counts_are_read) {
+    const std::string begin = "steplab = 1\n[[particles]]\n";
+    for (const std::string& scene :
+         {begin + "mass = 1.67e-27\n[[particles]]\nmass = 1.67e-27\nposition = [1e-15, 0, 0]\n[[pairs]]\n"
+                  "potential = \"-A * exp(-r / a) / r\"\nA = 1e-27\na = 1.4e-15\ncutoff = 5e-15\n",
+          begin + "fixed = true\n[[particles]]\nposition = [1, 0, 0]\n[[fields]]\n"
+                  "potential = \"-1 / sqrt(x^2 + y^2 + z^2)\"\n",
+          begin + "line = { count = 100 }\ndisplacement = { random = 1, seed = 3 }\n"})
+        EXPECT_EQ(refusal_of_scene(scene), "read") << scene;
+}
+
+// It is there that they start, not where the blocks say.
+TEST(SceneChecks, potentials_are_asked_where_a_file_lets_the_particles_start) {
+    const auto read = [](const std::string& pair) {
+        return describe(scene_from(
+            {{.name = "",
+              .content =
+                  "steplab = 1\n[[particles]]\nline = { count = 2, step = [1, 0, 0] }\n[[pairs]]\npotential = \"" +
+                  pair + "\"\n[start]\nfrom = \"a.csv\"\n"},
+             {.name = "a.csv", .content = "step,time,particle,x,y,z\n0,0,0,0,0,0\n0,0,1,2,0,0\n"}},
+            "a.toml"));
+    };
+    EXPECT_NO_THROW(read("-log(r - 1.5) + r"));
 }
 
 }  // namespace

@@ -56,5 +56,14 @@ TEST(SceneDivergence, is_said_where_steps_are_too_long_for_a_typed_potential) {
     }
 }
 
+// Moved in their box, some particles come to lie on images of others, where a typed potential has no bound.
+TEST(SceneDivergence, is_said_of_a_typed_crystal_in_a_box_as_without) {
+    const std::string crystal =
+        "[[particles]]\nlattice = { kind = \"cubic\", cells = [10, 10, 10], constant = 1.1 }\n"
+        "temperature = { kT = 0.1, seed = 5 }\n[[pairs]]\npotential = \"4 * (r^-12 - r^-6)\"\ncutoff = 2.5\n";
+    for (const char* const box : {"", "[box]\nsize = [11, 11, 11]\n"})
+        EXPECT_NE(ended(run_of_text(crystal + box, "velocity-verlet", 0.05, Precision::double_), 300), "") << box;
+}
+
 }  // namespace
 }  // namespace steplab::test

@@ -142,6 +142,21 @@ TEST(SceneFacts, of_a_particle_that_turns_round_give_no_note) {
     }
 }
 
+TEST(SceneFacts, of_a_particle_beside_a_far_one_that_rests_give_no_note) {
+    for (const char* const held : {"fixed = true\n", ""}) {
+        RunDescription run = describe(
+            read_scene(std::string("steplab = 1\n[[particles]]\ngroup = \"ball\"\nposition = [1, 0, 0]\n[[particles]]\n"
+                                   "position = [0, 1e6, 0]\n") +
+                       held + "[[fields]]\nparticles = \"ball\"\npotential = \"x^4 / 4 + x^2 / 2\"\n"));
+        run = with_method(run, "velocity-verlet");
+        run.precision = Precision::float_;
+        run.dt = 0.001;
+        Simulation simulation(run);
+        simulation.advance(100);
+        EXPECT_THAT(notes_of_rounding(simulation), IsEmpty()) << held;
+    }
+}
+
 // Altered particles are those of a composed scene, whatever the model was.
 TEST(SceneFacts, follow_altered_masses) {
     const RunDescription run = describe("morse");

@@ -103,6 +103,22 @@ TEST(scene_view, a_file_that_is_right_again_ends_the_message) {
     EXPECT_FALSE(desk.has("refusal"));
 }
 
+void draw_until_nothing_changes(Desk& desk) {
+    do desk.frame();
+    while (desk.interface.seconds_until_change() == 0);
+}
+
+TEST(scene_view, a_longer_message_is_seen_whole) {
+    Desk desk(scene(""));
+    for (const char* message : {"a.toml:2:1: no", "a.toml:3:1: one line\nand another\nand a third", "a.toml:2:1: no"}) {
+        desk.interface.report_error(message);
+        draw_until_nothing_changes(desk);
+        EXPECT_LT(desk.widget("refusal.text").bottom, desk.widget("refusal").bottom) << message;
+        EXPECT_GT(desk.widget("refusal.text").top, desk.widget("refusal").top) << message;
+        EXPECT_LT(desk.widget("refusal").bottom - desk.widget("refusal.text").bottom, 20) << message;
+    }
+}
+
 /// Of as many particles as a parameter says, of a mass that another leaves.
 RunDescription hungry_scene(const std::string& mass) {
     return describe(scene_from({{.name = "",

@@ -19,6 +19,7 @@ namespace {
 
 std::vector<IndexRange> ranges_named(const std::vector<std::string>& names, const SceneParticles& particles) {
     std::vector<IndexRange> ranges;
+    ranges.reserve(names.size() + 1);
     for (const std::string& name : names) ranges.push_back(particles.named(name));
     if (ranges.empty()) ranges.push_back({0, particles.count()});
     return ranges;
@@ -46,10 +47,11 @@ public:
             throw UsageError(fmt::format("the potential is not finite at r = {}, where particles {} and {} start",
                                          exact_text(r), i, j));
     }
-    /// At the distances that any scene may have, from atoms in metres to planets in millimetres.
+    /// At the distances that any scene may have, from nuclei in metres to planets in millimetres.
     bool is_finite_somewhere(const SceneParticle& one, const SceneParticle& other) const {
-        for (double r = 1e-12; r < 1e15; r *= 1.5) {
-            if ((cutoff_ == 0 || r < cutoff_) && is_finite(r, one, other)) return true;
+        const double last = cutoff_ > 0 ? cutoff_ : 1e15;
+        for (double r = cutoff_ > 0 ? 1e-9 * cutoff_ : 1e-18; r < last; r *= 1.5) {
+            if (is_finite(r, one, other)) return true;
         }
         return false;
     }
@@ -68,6 +70,7 @@ void check_finite(const FieldTerm& term, const SceneParticles& particles) {
     for (const IndexRange range : ranges_named(term.particles, particles)) {
         for (std::size_t i = range.first; i < range.first + range.count; ++i) {
             const SceneParticle particle = particles[i];
+            if (particle.fixed) continue;  // no field acts on it
             const Vec3 start = start_of(particle);
             const Vector<double> at{start.x, start.y, start.z};
             const Vector<double> force = potential.force(at, particle.mass, particle.charge);

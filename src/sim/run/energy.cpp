@@ -39,9 +39,10 @@ double floor_of(const ComposedForces& forces) {
     return floor;
 }
 
-bool has_expressions(const Forces& forces) {
+/// Not in a box: where particles are moved in it, some come to lie on the images of others.
+bool has_expressions_in_open_space(const Forces& forces) {
     const auto* const composed = std::get_if<ComposedForces>(&forces);
-    if (!composed) return false;
+    if (!composed || !(composed->terms->box == Vec3{})) return false;
     const Composition& terms = *composed->terms;
     return !terms.fields.empty() || std::any_of(terms.pairs.begin(), terms.pairs.end(), [](const auto& pairs) {
         return built_in_potential(pairs.potential) == nullptr;
@@ -119,7 +120,7 @@ EnergyMeter::EnergyMeter(const Plan& scene, Instructions instructions)
       unit_(shared(forces_)),
       pieces_(pieces_of(scene)),
       sums_(pieces_.count()) {
-    if (has_expressions(forces_)) floor_ += floor_of_expressions(scene);
+    if (has_expressions_in_open_space(forces_)) floor_ += floor_of_expressions(scene);
 }
 
 /// A typed potential may be 0 where the particles start, and says nothing of a size: what it is elsewhere does.

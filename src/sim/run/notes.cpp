@@ -20,24 +20,22 @@ double rounding_unit(Precision precision) {
 /// keeps fewer than 7 binary digits, and what is lost has a sign of its own.
 constexpr double units_of_an_increment = 128;
 
-using Rate = std::function<double()>;
+using Rate = std::function<double(double)>;
 
 /// The largest frequency, which may take long to find, is asked for only where that of a pair alone, which is lower,
 /// does not answer.
-double rate_of(const RunDescription& run, const Rate& rate) {
+double rate_of(const RunDescription& run, const Rate& rate, double enough) {
     const double omega = fastest_frequency(run);
-    return omega > 0 || !rate ? omega : rate();
+    return omega > 0 || !rate ? omega : rate(enough);
 }
 
 std::optional<std::string> note_of_increments(const RunDescription& run, const Rate& rate) {
     const bool compensated = run.method_parameters.contains("compensated") && run.method_parameters["compensated"] > 0;
     if (compensated || chooses_its_steps(run)) return std::nullopt;
-    const auto is_kept = [&](double omega) {
-        return std::abs(run.dt) * omega >= units_of_an_increment * rounding_unit(run.precision);
-    };
-    if (is_kept(facts_of(run).pair_frequency)) return std::nullopt;
-    const double omega = rate_of(run, rate);
-    if (!(omega > 0) || is_kept(omega)) return std::nullopt;
+    const double enough = units_of_an_increment * rounding_unit(run.precision) / std::abs(run.dt);
+    if (facts_of(run).pair_frequency >= enough) return std::nullopt;
+    const double omega = rate_of(run, rate, enough);
+    if (!(omega > 0) || omega >= enough) return std::nullopt;
     const std::string remedy = run.method_parameters.contains("compensated") ? ", compensated=1 keeps it" : "";
     return fmt::format(
         "a step of dt = {} s adds so little that {} rounds most of it away: a larger dt is more accurate{}",
@@ -73,7 +71,7 @@ std::vector<std::string> notes_of_rounding(const RunDescription& run, double far
 std::vector<std::string> notes_of_rounding(const Simulation& simulation) {
     if (simulation.divergence()) return {};
     return notes_of_rounding(simulation.description(), simulation.farthest(),
-                             [&] { return simulation.rate_of_motion(); });
+                             [&](double enough) { return simulation.rate_of_motion(enough); });
 }
 
 void NotesOfRuns::add(const RunDescription& run, double farthest) {

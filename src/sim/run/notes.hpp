@@ -13,9 +13,9 @@ namespace steplab {
 /// What rounding does to a run that goes on all the same, one sentence each; none as a rule: steps so short that they
 /// add less than rounding keeps of it, and displacements so large that they no longer resolve the scene's bonds.
 /// `farthest`: largest displacement from the reference positions, in metres. `rate`: of the motion, in 1/s, asked for
-/// where no frequency of the scene is known; 0 or null: not known, either.
+/// with that which is enough where no frequency of the scene is known; 0 or null: not known, either.
 std::vector<std::string> notes_of_rounding(const RunDescription& run, double farthest,
-                                           const std::function<double()>& rate = nullptr);
+                                           const std::function<double(double)>& rate = nullptr);
 /// Those of a run where it stands. One that diverged has a reason instead.
 std::vector<std::string> notes_of_rounding(const Simulation& simulation);
 

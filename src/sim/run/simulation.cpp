@@ -137,19 +137,26 @@ double Simulation::farthest() const {
     return farthest_of([&](const PortionSink& sink) { body.emit(sink); });
 }
 
-double Simulation::rate_of_motion() const {
+double Simulation::rate_of_motion(double enough) const {
+    const State<double>& now = state();
+    const std::size_t count = now.displacement.count();
+    double ways = 0, speeds = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 way = now.displacement.at(i), velocity = now.velocity.at(i);
+        if (velocity != Vec3{}) ways += dot(way, way), speeds += dot(velocity, velocity);
+    }
+    const double rate = ways > 0 ? std::sqrt(speeds / ways) : 0;
+    if (rate >= enough) return rate;
     std::vector<Vec3> force;
     forces(force);
-    const State<double>& now = state();
     const Plan& scene = body_->segment.scene;
-    double farthest = 0, fastest = 0, steepest = 0;
-    for (std::size_t i = 0; i < force.size(); ++i) {
+    double pulled = 0, accelerations = 0;
+    for (std::size_t i = 0; i < count; ++i) {
         const double mass = scene.mass * (scene.masses.empty() ? 1 : scene.masses[i]);
-        farthest = std::max(farthest, length(now.displacement.at(i)));
-        fastest = std::max(fastest, length(now.velocity.at(i)));
-        steepest = std::max(steepest, length(force[i]) / mass);
+        const Vec3 way = now.displacement.at(i), acceleration = (1 / mass) * force[i];
+        if (acceleration != Vec3{}) pulled += dot(way, way), accelerations += dot(acceleration, acceleration);
     }
-    return farthest > 0 ? std::max(fastest / farthest, std::sqrt(steepest / farthest)) : 0;
+    return pulled > 0 ? std::max(rate, std::sqrt(std::sqrt(accelerations / pulled))) : rate;
 }
 
 const State<double>& Simulation::state() const { return settled().state(); }

@@ -102,9 +102,10 @@ public:
     double energy_error() const;
     /// Diagnostics::farthest, in little memory.
     double farthest() const;
-    /// In 1/s, how fast the motion changes now, for scenes of which no frequency is known: the larger of speed and of
-    /// acceleration over displacement, the latter's root, each the largest of all particles. 0: nothing has moved yet.
-    double rate_of_motion() const;
+    /// In 1/s, how fast the motion changes now, for scenes of which no frequency is known: speeds over displacements,
+    /// each a root mean square of the particles that move; unless that is `enough`, also the root of accelerations over
+    /// displacements, of those that are pulled. 0: nothing has moved yet.
+    double rate_of_motion(double enough) const;
     /// Displacements from the reference positions and velocities of the moment, with all the digits the run has.
     const State<double>& state() const;
     /// The unchanging part of the scene; built when first asked for.

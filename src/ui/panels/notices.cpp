@@ -18,6 +18,7 @@ void draw_refusal(const Context& context) {
     if (close_cross(context, "refusal.close")) context.state.wanted.dismiss();
     ImGui::PushTextWrapPos(ImGui::GetContentRegionAvail().x - context.px(6));
     explanation(context, message, colour::text);
+    context.mark("refusal.text");  // where that is another one, the card has its size a frame later
     ImGui::PopTextWrapPos();
 }
 
