@@ -39,12 +39,13 @@ private:
     /// A frequency of the scene, its mode, and the limit of a method for it.
     struct Oscillation {
         double omega = 0;
-        double gamma = 0;  ///< rate at which it is damped
+        double gamma = 0;    ///< rate at which it is damped
+        bool mixes = false;  ///< damping leads out of it: dashpots or drag are not spread as springs and masses are
         Eigen::Index mode = 0;
         double limit = infinity;
     };
     std::vector<Oscillation> oscillations() const;
-    double damping_of(Eigen::Index mode) const;
+    void find_damping(Oscillation& oscillation) const;
     Oscillation first_to_grow(const Method& method, const ParameterValues& parameters) const;
     /// The rate of the fastest non-oscillating departure from the initial positions.
     double departure() const;
