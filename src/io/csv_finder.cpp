@@ -23,10 +23,7 @@ public:
             if (!is_open_) line.fail(fmt::format("a frame has more rows than the {} of the first one", rows_));
             ++frame_.rows;
         } else {
-            if (frame_.rows > 0 && row.is_out_of_order(last_, first_))
-                line.fail(
-                    fmt::format("particle {} stands behind particle {}: the rows of a step must be in ascending order",
-                                row.particle, last_.particle));
+            if (frame_.rows > 0 && row.is_out_of_order(last_, first_)) line.fail(row.order_text(last_));
             if (is_open_) found.push_back(frame_until(line.begin));
             first_ = row.particle;
             frame_ = {.begin = line.begin, .line = line.number, .moment = row.moment, .rows = 1};

@@ -3,8 +3,11 @@
 #include "io/columns.hpp"
 #include "io/frame_block.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace steplab {
@@ -21,6 +24,11 @@ struct CsvBegin {
     /// begin again, it is a row of another one.
     bool is_out_of_order(const CsvBegin& before, std::uint64_t first) const {
         return is_of_moment(before) && particle <= before.particle && particle != first;
+    }
+    /// What is wrong then.
+    std::string order_text(const CsvBegin& before) const {
+        return fmt::format("particle {} stands behind particle {}: the rows of a step must be in ascending order",
+                           particle, before.particle);
     }
     bool is_of_moment(const CsvBegin& before) const {
         return moment.step == before.moment.step && moment.time == before.moment.time;

@@ -45,9 +45,7 @@ private:
             take_line();
         } while (has_line_ && begin_.follows(before));
         if (has_line_ && begin_.is_out_of_order(before, frame.particles.front()))
-            input_.fail(
-                fmt::format("particle {} stands behind particle {}: the rows of a step must be in ascending order",
-                            begin_.particle, before.particle));
+            input_.fail(begin_.order_text(before));
         return true;
     }
 

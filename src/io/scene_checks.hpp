@@ -20,7 +20,7 @@ void check_springs(const toml::table& table, const SpringTerm& term, const Scene
 void check_pairs(const toml::table& table, const PairTerm& term, Vec3 box, const SceneParticles& particles,
                  SceneProblems& problems);
 
-/// Too many particles for this many bytes of memory of each.
+/// More particles than any method can run in the memory there was.
 void check_memory(const std::vector<const toml::table*>& blocks, const Scene& scene, const SceneReading& how);
 
 }  // namespace steplab

@@ -113,6 +113,9 @@ TEST(scene_view, a_longer_message_is_seen_whole) {
     for (const char* message : {"a.toml:2:1: no", "a.toml:3:1: one line\nand another\nand a third", "a.toml:2:1: no"}) {
         desk.interface.report_error(message);
         draw_until_nothing_changes(desk);
+        const float settled = desk.widget("refusal").top;
+        for (int i = 0; i < 3; ++i) desk.frame();
+        EXPECT_EQ(desk.widget("refusal").top, settled) << "it still grew: " << message;
         EXPECT_LT(desk.widget("refusal.text").bottom, desk.widget("refusal").bottom) << message;
         EXPECT_GT(desk.widget("refusal.text").top, desk.widget("refusal").top) << message;
         EXPECT_LT(desk.widget("refusal").bottom - desk.widget("refusal.text").bottom, 20) << message;
