@@ -61,12 +61,28 @@ picture verdict --model rope --method velocity-verlet --dt 0.05 --steps 40 --ui 
     --colour strain
 picture panel-tabs --model chain --until 20 --run method=rk4 --run method=euler --ui on --size 640x480 --scale 1
 
+picture magnified --model mesh --set dim=30 --set v0=0.02 --steps 130 --displacements 400 --colour displacement --size 800x500 \
+    --view 30,25,98,29,0,-27
+while read -r scene until; do
+    picture "scene-$scene" --scene "$scene" --until "$until" --size 480x320
+done <<'SCENES'
+three-pendulums 2.2
+newtons-cradle 0.4
+two-planets 7
+cloth 1.5
+fermi-pasta-ulam 60
+SCENES
+
 say "docs/images/comet.gif: four methods on an ellipse"
 "$root/build/release/bin/steplab" record --scene kepler-ellipse --set e=0.6 --until 26 --run method=dop853 \
     --run method=velocity-verlet,dt=0.1 --run method=rk4,dt=0.2 --run method=euler-forward,dt=0.01 --layout split \
     --fps 10 --speed 4 --size 520x400 --view 0,75,7,0.4,0,0.2 --grid off --out "$images/comet.gif"
 
 start_display 1280x800
+say "docs/images/scenes.png: the page of scenes"
+open_window --model rope
+xdotool key ctrl+o; expect 'widget scenes.path [0-9].*'; sleep 3 # the pictures are read meanwhile
+window_picture scenes
 say "docs/images/time-line.png: a time line with a branch, a mark and a change"
 open_window --model mesh --set v0=7 --method rk4 --dt 0.05 --speed 4 --play
 expect 'step 24[0-9]'; click play; expect 'playing false'

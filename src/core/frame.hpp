@@ -40,13 +40,27 @@ struct Frame {
     /// What a file has of its particles besides; null: nothing.
     std::shared_ptr<const std::vector<ParticleValues>> values = {};
     std::optional<Cell> cell = {};  ///< the box of a file in which edges lean; the shape has none then
+    double magnified = 1;           ///< factor by which displacements from the rest positions are drawn
 
     /// A position as drawn: its image in the box (Shape::seen, Cell::seen).
     Vec3 seen_at(Vec3 position) const { return cell ? cell->seen(position) : shape->seen(position); }
     /// The way from one particle to the nearest image of another (Shape::nearest, Cell::through).
     Vec3 nearest(Vec3 way) const { return cell ? way - cell->through(way) : shape->nearest(way); }
-    /// The position at which a particle is drawn.
-    Vec3 seen(std::size_t particle) const { return seen_at(positions[particle]); }
+    /// Where a particle is drawn that is at this position, with its displacement magnified.
+    Vec3 drawn_at(std::size_t particle, Vec3 position) const {
+        if (magnified == 1) return position;
+        const Vec3 rest = shape->rest[particle];
+        return rest + magnified * (position - rest);
+    }
+    /// The position of a particle that is drawn there: the inverse of drawn_at().
+    Vec3 position_drawn_at(std::size_t particle, Vec3 drawn) const {
+        if (magnified == 1) return drawn;
+        const Vec3 rest = shape->rest[particle];
+        return rest + (1 / magnified) * (drawn - rest);
+    }
+    Vec3 drawn(std::size_t particle) const { return drawn_at(particle, positions[particle]); }
+    /// The place in the picture of a particle: its image in the box, of where it is drawn.
+    Vec3 seen(std::size_t particle) const { return seen_at(drawn(particle)); }
 };
 
 /// Where a particle is, as frames and files of this precision have it.

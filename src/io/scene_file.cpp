@@ -7,6 +7,7 @@
 #include "io/scene_problems.hpp"
 #include "io/scene_reader.hpp"
 #include "io/shared_files.hpp"
+#include "io/toml_text.hpp"
 #include "models/scene/planner.hpp"
 #include "models/scene/scene_facts.hpp"
 #include "sim/catalogue.hpp"
@@ -17,11 +18,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace steplab {
@@ -29,6 +32,9 @@ namespace steplab {
 namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
+constexpr std::size_t most_values = 4'000'000;  // some 300 MB, and a second
+/// What --run, --set and --spread of a run mean by themselves.
+constexpr std::array<std::string_view, 3> names_of_runs{"method", "precision", "dt"};
 
 /// What a run takes for each particle by the method that takes least: which one is to run is not known while a file is
 /// read.
@@ -46,7 +52,7 @@ double least_bytes_per_particle() {
 class Document {
 public:
     Document(const std::string& text, const std::string& name, ParticleFiles files)
-        : root_(toml::parse(text, name)), files_(std::move(files)), parameters_(root_, problems_) {
+        : root_(toml_table(text, name, most_values)), files_(std::move(files)), parameters_(root_, problems_) {
         const ParameterValues values(parameters_.infos());
         SceneNumbers numbers(parameters_, values);
         texts_ = read_texts(root_, numbers, problems_);
@@ -122,11 +128,17 @@ private:
             const bool first = !unused || entry.place->source().begin < unused->place->source().begin;
             if (!numbers.used().contains(name) && first) unused = &entry, unused_name = name;
         }
-        if (unused) fail_at(*unused->place, fmt::format("nothing uses the parameter '{}'", unused_name));
+        if (unused) fail_at(*unused->place, fmt::format("nothing uses the parameter '{}'", shown(unused_name)));
     }
 
-    /// --set has to know which is meant.
+    /// --set, --run and --spread have to know which is meant.
     void check_names() const {
+        for (const std::string_view name : names_of_runs) {
+            const auto same = parameters_.entries().find(name);
+            if (same == parameters_.entries().end()) continue;
+            fail_at(*same->second.place,
+                    fmt::format("every run has a '{}' of its own; give the parameter another name", name));
+        }
         if (texts_.defaults.method.empty()) return;
         const MethodInfo& info = method(texts_.defaults.method).info;
         for (const ParameterInfo& known : info.parameters) {

@@ -15,6 +15,8 @@ namespace steplab {
 
 namespace {
 
+constexpr std::size_t most_parameters = 1000;  // each of them has a slider
+
 std::optional<double> number_of(const toml::node& node) {
     if (const auto* const integer = node.as_integer()) return static_cast<double>(integer->get());
     if (const auto* const real = node.as_floating_point()) return real->get();
@@ -42,6 +44,9 @@ Expression expression_of(const toml::node& node) {
 SceneParameters::SceneParameters(const toml::table& root, SceneProblems& problems) {
     const toml::node* const all = root.get("parameters");
     if (!all) return;
+    const toml::table& table = table_of(*all, "[parameters]");
+    if (table.size() > most_parameters)
+        fail_at(*all, fmt::format("a scene has at most {} parameters", most_parameters));
     std::vector<std::string> names;
     const auto parameter = [&](const std::string& name, const toml::node& node) {
         Entry& entry = entries_[name];
@@ -54,7 +59,7 @@ SceneParameters::SceneParameters(const toml::table& root, SceneProblems& problem
         names.push_back(name);
         if (!entry.expression) infos_.push_back(entry.info);
     };
-    problems.attempt([&] { read_all_keys(table_of(*all, "[parameters]"), "[parameters]", {}, parameter); });
+    problems.attempt([&] { read_all_keys(table, "[parameters]", {}, parameter); });
     for (const std::string& name : names) problems.attempt([&] { set_range(entries_.at(name)); });
 }
 
@@ -63,7 +68,7 @@ void SceneParameters::read(Entry& entry, const std::string& name, const toml::no
     if (!is_name(name) || name == "pi") fail_at(node, fmt::format("'{}' cannot be a name in expressions", shown(name)));
     entry.info.name = kept(name);
     if (const toml::table* const table = node.as_table()) {
-        read_all_keys(*table, fmt::format("parameter '{}'", name),
+        read_all_keys(*table, fmt::format("parameter '{}'", shown(name)),
                       {{"value", [&](const toml::node& given) { read_value(entry, given); }},
                        {"range",
                         [&](const toml::node& given) {
@@ -76,7 +81,7 @@ void SceneParameters::read(Entry& entry, const std::string& name, const toml::no
                             entry.info.slider_logarithmic = flag_of(given);
                             entry.logarithmic = &given;
                         }}});
-        if (!table->contains("value")) fail_at(node, fmt::format("parameter '{}' needs a value", name));
+        if (!table->contains("value")) fail_at(node, fmt::format("parameter '{}' needs a value", shown(name)));
     } else {
         read_value(entry, node);
     }
@@ -97,10 +102,12 @@ void SceneParameters::set_range(Entry& entry) {
         high = numbers.quantity(*ends[1], SceneNumbers::Use::force).value;
         if (!(low < high)) fail_at(*entry.range, "the range must grow");
         if (logarithmic && !(low > 0))
-            fail_at(*entry.range, fmt::format("a logarithmic range of '{}' must begin above 0", entry.info.name));
+            fail_at(*entry.range,
+                    fmt::format("a logarithmic range of '{}' must begin above 0", shown(entry.info.name)));
     } else if (logarithmic) {
         if (!(entry.number > 0))
-            fail_at(*entry.logarithmic, fmt::format("'{}' is not above 0: it needs a range that is", entry.info.name));
+            fail_at(*entry.logarithmic,
+                    fmt::format("'{}' is not above 0: it needs a range that is", shown(entry.info.name)));
         low = entry.number / 100;
         high = entry.number * 100;
     } else {
@@ -183,10 +190,12 @@ double SceneNumbers::value_of(const std::string& name, const toml::node& place) 
     if (entry == parameters_.entries().end()) fail_at(place, unknown_word("parameter", name, names()));
     if (entry->second.problem) throw SceneProblem(*entry->second.problem);
     if (!entry->second.expression) return known_[name] = values_[name];
-    if (!under_way_.insert(name).second) fail_at(*entry->second.place, fmt::format("'{}' depends on itself", name));
+    if (!under_way_.insert(name).second)
+        fail_at(*entry->second.place, fmt::format("'{}' depends on itself", shown(name)));
     constexpr std::size_t longest_chain = 200;  // of parameters that follow each other; it is as deep on the stack
     if (under_way_.size() > longest_chain)
-        fail_at(*entry->second.place, fmt::format("'{}' follows a chain of more than {} others", name, longest_chain));
+        fail_at(*entry->second.place,
+                fmt::format("'{}' follows a chain of more than {} others", shown(name), longest_chain));
     const struct Leaving {  // also by a problem: others are looked for
         ~Leaving() { names.erase(name); }
         std::set<std::string, std::less<>>& names;

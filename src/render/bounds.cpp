@@ -58,7 +58,7 @@ Bounds expected_bounds(const Shape& shape) {
 
 AxesBox axes_box(const Frame& frame) {
     const Shape& shape = *frame.shape;
-    if (!shape.is_periodic() && !frame.cell)
+    if (!shape.is_periodic() && !frame.cell && frame.magnified == 1)
         return axes_box(expected_bounds(shape), shape.spacing, bounds_of(frame.positions));
     std::vector<Vec3> seen(frame.positions.size());
     for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = frame.seen(i);

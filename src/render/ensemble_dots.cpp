@@ -25,7 +25,7 @@ void EnsembleDots::prepare(const Shot& shot) {
     const std::size_t particles = shot.frame.positions.size();
     radius_ = vertex_length(shot.projection, part_of_ball * shot.known.sizes.radius(Role::moving));
     for (std::size_t i = 0; i < shot.frame.ensemble.size(); ++i) {
-        const Vec3 place = shot.frame.shape->seen(shot.frame.ensemble[i]);
+        const Vec3 place = shot.frame.seen_at(shot.frame.drawn_at(i % particles, shot.frame.ensemble[i]));
         if (!drawable(place)) continue;
         const Rgb colour = particle_colour(shot.frame, shot.style, shot.scale, i % particles);
         listed_.push_back(

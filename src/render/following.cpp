@@ -12,7 +12,7 @@ std::optional<Vec3> centre_of_mass(const Frame& frame) {
     for (std::size_t i = 0; i < frame.positions.size(); ++i) {
         if (shape.roles[i] == Role::fixed) continue;
         const double own = shape.masses.empty() ? 1 : shape.masses[i];
-        sum = sum + own * frame.positions[i];
+        sum = sum + own * frame.drawn(i);
         mass += own;
     }
     return mass > 0 ? std::optional((1 / mass) * sum) : std::nullopt;

@@ -65,6 +65,7 @@ void Ghosts::prepare(const Shot& shot, ShownRuns followers, Occupancy& taken) {
     for (std::size_t i = 0; i < count_; ++i) {
         Ghost& ghost = *ghosts_[i];
         ghost.frame.shape = shot.frame.shape;
+        ghost.frame.magnified = shot.frame.magnified;
         ghost.frame.positions = ghost_places(shot.frame, *followers[i].frame, shot.style.magnify);
         prepare(shot, i + 1, ghost, taken);
     }
@@ -94,7 +95,7 @@ void Ghosts::find_apart(const Shot& shot, Ghost& ghost) {
     ghost.apart.resize(ghost.frame.positions.size());
     ghost.bent.resize(ghost.frame.positions.size());
     for (std::size_t i = 0; i < ghost.apart.size(); ++i) {
-        const double way = length(ghost.frame.positions[i] - shot.frame.positions[i]);
+        const double way = length(ghost.frame.drawn(i) - shot.frame.drawn(i));
         ghost.apart[i] = way > hidden * radius_of(shot.known, i);
         ghost.bent[i] = way > hidden_spring * radius_of(shot.known, i);
     }
@@ -106,7 +107,7 @@ void Ghosts::link(const Shot& shot, std::size_t run, Ghost& ghost) {
     const VertexColour colour = vertex_colour(colour_of(shot, run), link_alpha);
     const auto add = [&](Vec3 from, Vec3 to) { add_dashes(ghost.links, shot, from, to, colour); };
     for (std::size_t i = 0; i < ghost.apart.size(); ++i) {
-        const Vec3 way = ghost.frame.positions[i] - shot.frame.positions[i];
+        const Vec3 way = ghost.frame.drawn(i) - shot.frame.drawn(i);
         if (!(length(way) > radius_of(shot.known, i))) continue;  // hidden in the particle
         const Vec3 from = shot.frame.seen(i), to = ghost.frame.seen(i);
         if (shot.known.shape->seen(from + way) == from + way) {

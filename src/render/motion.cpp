@@ -27,6 +27,7 @@ void between(const Frame& from, const Frame& to, double fraction, Frame& out) {
     out.velocities = to.velocities;
     out.values = to.values;
     out.cell = to.cell;
+    out.magnified = to.magnified;
     out.positions.resize(to.positions.size());
     for (std::size_t i = 0; i < to.positions.size(); ++i) {
         out.positions[i] = from_position * from.positions[i] + to_position * to.positions[i] +

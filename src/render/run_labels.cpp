@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace steplab::render {
@@ -36,6 +37,11 @@ void sketch_line(Sketch& sketch, const RunLine& line, PixelPoint middle, const P
     sketch.text({middle.x + name_place * pixel_scale, y}, line.text, palette.text);
 }
 
+/// "differences \u00d7 1000"
+std::string times(std::string_view what, double factor) {
+    return fmt::format("{} \u00d7 {}", what, short_number(factor));
+}
+
 /// The text, or as much of its beginning as fits.
 std::string cut_to(const Sketch& sketch, std::string text, double width) {
     if (sketch.text_size(text).x <= width) return text;
@@ -49,11 +55,25 @@ std::string cut_to(const Sketch& sketch, std::string text, double width) {
 
 }  // namespace
 
-std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style) {
+std::vector<RunLine> lines_of_runs(ShownRuns runs, const Style& style) {
     std::vector<RunLine> lines;
-    for (std::size_t i = 0; i < runs.size() && style.legend; ++i) lines.push_back(line_of_run(runs[i], i));
-    if (style.magnify != 1) lines.push_back({fmt::format("differences \u00d7 {}", short_number(style.magnify))});
+    for (std::size_t i = 0; i < runs.size() && runs.size() > 1 && style.legend; ++i)
+        lines.push_back(line_of_run(runs[i], i));
+    if (runs.size() > 1 && style.magnify != 1) lines.push_back({times("differences", style.magnify)});
+    if (runs[0].frame->magnified != 1) lines.push_back({times("displacements", runs[0].frame->magnified)});
     return lines;
+}
+
+std::vector<RunLine> lines_of_tile(const ShownRun& run, std::size_t number) {
+    std::vector<RunLine> lines{line_of_run(run, number)};
+    if (run.frame->magnified != 1) lines.push_back({times("displacements", run.frame->magnified)});
+    return lines;
+}
+
+std::size_t most_run_lines(std::size_t runs, const Style& style) {
+    const std::size_t factor = style.displacements == 1 ? 0 : 1;
+    if (runs == 1) return factor;
+    return factor + (style.layout == RunLayout::split ? 1 : runs + (style.magnify == 1 ? 0 : 1));
 }
 
 RunLine line_of_run(const ShownRun& run, std::size_t number) { return {run.name, number}; }

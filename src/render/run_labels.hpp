@@ -19,8 +19,13 @@ struct RunLine {
     std::optional<std::size_t> run = {};  ///< whose mark stands before it
 };
 
-/// Which run has which mark, and how many times the differences of ghosts are magnified, if they are.
-std::vector<RunLine> lines_of_ghosts(ShownRuns runs, const Style& style);
+/// Which run has which mark, of several in one picture, and how many times the differences of ghosts and the
+/// displacements are magnified, if they are.
+std::vector<RunLine> lines_of_runs(ShownRuns runs, const Style& style);
+/// The same of a run in a tile of its own.
+std::vector<RunLine> lines_of_tile(const ShownRun& run, std::size_t number);
+/// How many lines a picture of so many runs, or each tile of it, has at most.
+std::size_t most_run_lines(std::size_t runs, const Style& style);
 /// The name of a run, after its mark and its number.
 RunLine line_of_run(const ShownRun& run, std::size_t number);
 

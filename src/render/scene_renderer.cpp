@@ -158,7 +158,7 @@ std::vector<Flat> SceneRenderer::Body::draw_split(ShownRuns runs, const Style& g
         const auto place = place_of(areas[i], tile, target.size());
         if (!place) continue;
         flats.push_back(draw_run(i, *runs[i].frame, {}, style, camera, *place, target));
-        flats.back().lines = {line_of_run(runs[i], i)};
+        flats.back().lines = lines_of_tile(runs[i], i);
         flats.back().layout = RunLayout::split;
         flats.back().tile = {areas[i].size, tile.left - areas[i].left, tile.top - areas[i].top};
         flats.back().legend = i == in_corner;
@@ -334,7 +334,7 @@ void SceneRenderer::draw(ShownRuns runs, const Style& style, const Camera& camer
     } else {
         flats.push_back(body_->draw_run(0, *runs[0].frame, runs.subspan(1), style, camera,
                                         {tile, target.size(), {0, 0, target.size()}}, target));
-        if (runs.size() > 1) flats[0].lines = lines_of_ghosts(runs, style);
+        flats[0].lines = lines_of_runs(runs, style);
         flats[0].tile = tile;
     }
     glDisable(GL_SCISSOR_TEST);

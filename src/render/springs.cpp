@@ -117,7 +117,7 @@ void Springs::prepare(const Shot& shot, const ParticleBlocks& blocks, const Look
     const float least = least_width * static_cast<float>(style.pixel_scale);
     const std::span<const Spring> springs =
         are_between_dots(shot, blocks) ? std::span<const Spring>() : known.shape->springs;
-    const auto seen = [&](std::size_t i) { return drawable(shot.frame.positions[i]); };
+    const auto seen = [&](std::size_t i) { return drawable(shot.frame.drawn(i)); };
     const auto add = [&](glm::vec3 start, glm::vec3 end, std::size_t i) {
         if (!filter.worth_drawing(start, end) || !seen(springs[i].first) || !seen(springs[i].second)) return;
         list_for(filter.thickness(start, end, radius_), least).push_back({start, end, colour_of(shot, look, i)});

@@ -44,6 +44,8 @@ struct Style {
     ParticleList selected_too = {};            ///< others to mark
     /// Where it and particles selected before have been, the newest place of each last; null: not drawn.
     std::shared_ptr<const Trails> trails = {};
+    /// Factor by which displacements from the rest positions are drawn: what frames are asked to have as `magnified`.
+    double displacements = 1;
     double mass = 1;  ///< of each particle; for its kinetic energy
     /// Value at the upper end of the colour scale; none: the next nice number above the largest value of the frame.
     std::optional<double> scale_maximum = {};

@@ -75,6 +75,10 @@ struct ShowEnsemble {
 struct ShowForces {
     bool on = true;
 };
+/// The factor by which displacements from the rest positions are drawn, > 0.
+struct Magnify {
+    double factor = 1;
+};
 /// Whether views hold how far the runs are from the motion of their scene, also where one run is alone.
 struct ShowErrors {
     bool on = true;
@@ -120,11 +124,11 @@ struct TakeBranch {
 
 }  // namespace event
 
-using Event =
-    std::variant<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart, event::Begin,
-                 event::Change, event::SetRate, event::Track, event::Do, event::Undo, event::Redo, event::ShowEnsemble,
-                 event::ShowForces, event::ShowErrors, event::ShowSamples, event::ShowCosts, event::AddRun,
-                 event::ChangeRun, event::EqualCost, event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
+using Event = std::variant<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart,
+                           event::Begin, event::Change, event::SetRate, event::Track, event::Do, event::Undo,
+                           event::Redo, event::ShowEnsemble, event::ShowForces, event::Magnify, event::ShowErrors,
+                           event::ShowSamples, event::ShowCosts, event::AddRun, event::ChangeRun, event::EqualCost,
+                           event::RemoveRun, event::Lead, event::Bookmark, event::TakeBranch>;
 
 /// True if it is one of these.
 template <class... Kinds>
@@ -137,8 +141,8 @@ void check(const event::Loop& loop);
 
 /// True if an event changes what the runs of a session compute or where they stand; the others change what is shown.
 inline bool changes_runs(const Event& event) {
-    return !is_any<event::SetRate, event::Loop, event::Track, event::ShowEnsemble, event::ShowForces, event::ShowErrors,
-                   event::ShowSamples, event::ShowCosts>(event);
+    return !is_any<event::SetRate, event::Loop, event::Track, event::ShowEnsemble, event::ShowForces, event::Magnify,
+                   event::ShowErrors, event::ShowSamples, event::ShowCosts>(event);
 }
 
 /// True if a recording has it: what changes the runs, and how fast they play.

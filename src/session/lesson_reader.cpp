@@ -4,6 +4,7 @@
 #include "core/text.hpp"
 #include "io/input_file.hpp"
 #include "io/shared_files.hpp"
+#include "io/toml_text.hpp"
 #include "session/lesson.hpp"
 #include "session/session.hpp"
 #include "session/session_file.hpp"
@@ -175,7 +176,7 @@ LessonTitle title_of(const Lesson& lesson) {
 }
 
 Lesson parse_lesson(const std::string& text, const std::string& name, Recording session) {
-    return in_file(name, [&] { return lesson_of(toml::parse(text, name), std::move(session)); });
+    return in_file(name, [&] { return lesson_of(toml_table(text, name), std::move(session)); });
 }
 
 Lesson read_lesson_file(const std::filesystem::path& path) {

@@ -15,11 +15,14 @@
 #include <utility>
 
 namespace steplab {
-
 namespace {
 
 [[noreturn]] void refuse(std::string_view why) {
     throw UsageError(fmt::format("a trajectory is played back: {}; \"continue from here\" begins a run", why));
+}
+
+void refuse(bool wrong, std::string_view why) {
+    if (wrong) refuse(why);
 }
 
 [[noreturn]] void refuse_file(const std::string& file, std::string_view why) {
@@ -100,9 +103,10 @@ struct Playback::Handle {
         of.take_sample();
     }
     void operator()(const event::ShowForces& show) const {
-        if (show.on && !of.is_measured()) refuse("forces are known only of whole scenes");
+        refuse(show.on && !of.is_measured(), "forces are known only of whole scenes");
         of.with_forces_ = show.on;
     }
+    void operator()(const event::Magnify& magnify) const { of.magnified_ = magnify.factor; }
     void operator()(const event::Bookmark& mark) const { of.bookmark(mark.text); }
     void operator()(const event::Begin&) const { refuse("another run takes the place of the trajectory"); }
     void operator()(const event::Change&) const { refuse("its method, dt and parameters are those of its run"); }
@@ -110,14 +114,10 @@ struct Playback::Handle {
     void operator()(const event::Undo&) const { refuse("nothing was done that could be undone"); }
     void operator()(const event::Redo&) const { refuse("nothing was undone"); }
     void operator()(const event::ShowEnsemble& show) const {
-        if (show.ensemble.runs > 0) refuse("no ensemble goes beside it");
+        refuse(show.ensemble.runs > 0, "no ensemble goes beside it");
     }
-    void operator()(const event::ShowErrors& show) const {
-        if (show.on) refuse("it is not compared with a reference");
-    }
-    void operator()(const event::ShowCosts& show) const {
-        if (show.on) refuse("what accuracy costs is measured of runs");
-    }
+    void operator()(const event::ShowErrors& show) const { refuse(show.on, "it is not compared with a reference"); }
+    void operator()(const event::ShowCosts& show) const { refuse(show.on, "what accuracy costs is measured of runs"); }
     void operator()(const event::AddRun&) const { refuse("no runs go beside it"); }
     void operator()(const event::ChangeRun&) const { refuse("no runs go beside it"); }
     void operator()(const event::EqualCost&) const { refuse("no runs go beside it"); }
@@ -150,8 +150,7 @@ std::uint64_t Playback::end_of(bool late) {
 
 bool Playback::play_to(double elapsed) {
     if (!playing_) return false;
-    const bool is_due = backwards_ ? elapsed <= next_elapsed() : elapsed >= next_elapsed();
-    if (!is_due) return false;
+    if (!(backwards_ ? elapsed <= next_elapsed() : elapsed >= next_elapsed())) return false;
     const std::uint64_t last = last_played();
     if (loop_ && number_ == last) {
         go_to(frame_of(backwards_ ? loop_->last : loop_->first));
@@ -298,6 +297,7 @@ void Playback::observe(RunView& view) {
     view.description = run_;
     view.facts = facts_of(run_);
     view.frame = std::move(frame);
+    view.frame.magnified = magnified_;
     view.series = std::move(series);
     view.diagnostics = diagnostics_;
     if (meter_) {

@@ -103,6 +103,7 @@ private:
     Rate rate_;
     std::optional<std::size_t> tracked_;
     bool with_forces_ = false, with_samples_ = false;
+    double magnified_ = 1;
     RunSamples samples_{0};  ///< of the frames that were gone to
     std::vector<Mark> bookmarks_;
 };

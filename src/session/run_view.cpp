@@ -28,6 +28,7 @@ void observe(const Simulation& simulation, std::optional<std::size_t> particle, 
     view.resolution = simulation.resolution();
     view.facts = facts_of(view.description);
     view.conservation = simulation.conservation();
+    view.refusals = simulation.refusals();
     view.notes.clear();
     if (!view.divergence) {
         view.notes = notes_of_rounding(view.description, view.diagnostics.farthest,

@@ -51,7 +51,8 @@ struct RunView {
     std::optional<Resolution> resolution;  ///< of the fastest oscillation
     SceneFacts facts;
     Conservation conservation;
-    std::vector<std::string> notes;  ///< of rounding (notes.hpp)
+    std::shared_ptr<const MethodRefusals> refusals;  ///< null: not known, as of a file
+    std::vector<std::string> notes;                  ///< of rounding (notes.hpp)
     bool has_exact = false;
     std::string why_not_exact;  ///< why the position error is not known; empty if it is
     bool playing = false;

@@ -37,6 +37,7 @@ struct Session::Handle {
     void operator()(const event::Redo&) const { session.redo(); }
     void operator()(const event::ShowEnsemble& show) const { session.show_ensemble(show.ensemble); }
     void operator()(const event::ShowForces& show) const { session.with_forces_ = show.on; }
+    void operator()(const event::Magnify& magnify) const { session.magnified_ = magnify.factor; }
     void operator()(const event::ShowErrors& show) const { session.with_errors_ = show.on; }
     void operator()(const event::ShowSamples& show) const { session.with_samples_ = show.on; }
     void operator()(const event::ShowCosts& show) const { session.with_costs_ = show.on; }

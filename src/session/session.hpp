@@ -171,6 +171,7 @@ private:
     std::optional<std::uint64_t> goal_;
     std::optional<std::size_t> tracked_;
     bool with_forces_ = false, with_samples_ = false, with_costs_ = false;
+    double magnified_ = 1;
     bool equal_cost_ = false;
     std::optional<bool> with_errors_;  ///< none: as usual
     LiveEnsembleOptions ensemble_;

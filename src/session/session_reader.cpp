@@ -4,6 +4,7 @@
 #include "io/input_file.hpp"
 #include "io/scene_file.hpp"
 #include "io/starting_values_file.hpp"
+#include "io/toml_text.hpp"
 #include "session/event_words.hpp"
 #include "session/session.hpp"
 #include "session/session_file.hpp"
@@ -299,7 +300,7 @@ Recording recording_of(const toml::table& root) {
 }  // namespace
 
 Recording parse_session(const std::string& text, const std::string& name) {
-    return in_file(name, [&] { return recording_of(toml::parse(text, name)); });
+    return in_file(name, [&] { return recording_of(toml_table(text, name)); });
 }
 
 Recording read_session_file(const std::string& path) {

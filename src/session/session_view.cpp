@@ -26,6 +26,7 @@ void Session::observe(SessionView& view) const {
     RunView& leading = view.leading;
     steplab::observe(run(), tracked_, leading);
     if (with_forces_) run().forces(leading.frame.forces);
+    leading.frame.magnified = magnified_;
     line_.put_samples_into(leading.series);
     leading.playing = playing_ && (backwards_ || !leading.divergence);
     leading.goal = goal_;
@@ -40,6 +41,7 @@ void Session::observe(SessionView& view) const {
     view.followers.resize(followers_.size());
     for (std::size_t i = 0; i < followers_.size(); ++i) {
         steplab::observe(followers_[i].run(), tracked_, view.followers[i]);
+        view.followers[i].frame.magnified = magnified_;
         followers_[i].line().put_samples_into(view.followers[i].series);
     }
     view.line = line_view();

@@ -4,6 +4,7 @@
 #include "io/commit.hpp"
 #include "io/scene_toml.hpp"
 #include "io/starting_values_file.hpp"
+#include "io/toml_text.hpp"
 #include "session/event_words.hpp"
 #include "session/session_file.hpp"
 
@@ -192,7 +193,7 @@ std::string text_of(const RecordedEnd& end) {
 /// TOML is UTF-8; the files that a scene reads need not be.
 void check_readable(const std::string& text) {
     try {
-        const toml::table parsed = toml::parse(text);
+        const toml::table parsed = toml_table(text, "session");
     } catch (const toml::parse_error& error) {
         throw FileError(fmt::format("a session file cannot hold this scene or the files that it reads: {}",
                                     shown(error.description())));

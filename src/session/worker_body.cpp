@@ -133,7 +133,9 @@ void Worker::Body::handle(const Event& event) {
     }
     note_pause();
     session->handle(event);
-    if (is_any<event::Track, event::ShowForces, event::ShowSamples, event::ShowCosts, event::Bookmark>(event)) return;
+    if (is_any<event::Track, event::ShowForces, event::Magnify, event::ShowSamples, event::ShowCosts, event::Bookmark>(
+            event))
+        return;
     if (changes_speed(event)) pace.forget_speed();
     pace.begin(Clock::now());
 }

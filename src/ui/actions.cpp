@@ -163,6 +163,11 @@ render::Camera home_camera(const Context& context) {
     return render::camera_of(view, context.view.frame, scene_size(context));
 }
 
+void magnify(const Context& context, double displacements) {
+    context.stage.style.displacements = displacements;
+    context.events.send(event::Magnify{displacements});
+}
+
 void reset_view(const Context& context) { context.stage.camera = home_camera(context); }
 
 void perform(const Context& context, Action action) {

@@ -31,6 +31,8 @@ std::string help_of(Action action);
 
 /// Where the camera is when the scene opens: where its file says, else as suits the scene.
 render::Camera home_camera(const Context& context);
+/// Draws displacements from the rest positions so many times as large.
+void magnify(const Context& context, double displacements);
 /// Moves the camera there.
 void reset_view(const Context& context);
 

@@ -58,15 +58,20 @@ ParticleList others_with(std::size_t particle, const Context& context) {
     return ParticleList(std::move(others));
 }
 
+/// Where a particle is to go that was seen at one place and is to be seen at another.
+Vec3 position_seen_at(const Frame& frame, std::size_t particle, Vec3 place) {
+    const Vec3 image = frame.drawn(particle) - frame.seen(particle);
+    return frame.position_drawn_at(particle, place + image);
+}
+
 /// Once for each step that is seen: between, no time has passed for the spring.
 void tug(const Context& context, Vec3 place) {
     Hands& hands = context.state.hands;
     const Frame& frame = context.view.frame;
     if (hands.tugged_at == frame.step) return;
     const std::size_t particle = *hands.pulled;
-    const Vec3 image = frame.positions[particle] - frame.seen(particle);
-    context.events.send(event::Do{
-        Tug{particle, place + image, tug_rate(context), hands.tugged_at.has_value(), others_with(particle, context)}});
+    context.events.send(event::Do{Tug{particle, position_seen_at(frame, particle, place), tug_rate(context),
+                                      hands.tugged_at.has_value(), others_with(particle, context)}});
     hands.tugged_at = frame.step;
     hands.pulled_in = context.view.run;
 }
@@ -79,7 +84,8 @@ void pull(const Context& context, const render::Projection& projection) {
         hands.pulled.reset();
         return;
     }
-    const Vec3 seen = context.view.frame.seen(particle);
+    const Frame& frame = context.view.frame;
+    const Vec3 seen = frame.seen(particle);
     if (!render::drawable(seen)) return;
     const Vec3 place = under_pointer_beside(seen, context, projection);
     hands.moved = hands.moved || io.MouseDelta.x != 0 || io.MouseDelta.y != 0;
@@ -89,7 +95,8 @@ void pull(const Context& context, const render::Projection& projection) {
     }
     hands.tugged_at.reset();
     if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
-    context.events.send(event::Do{Pull{particle, place, others_with(particle, context)}});
+    context.events.send(
+        event::Do{Pull{particle, frame.position_drawn_at(particle, place), others_with(particle, context)}});
     hands.pulled_in = context.view.run;
 }
 
@@ -109,7 +116,7 @@ void aim(const Context& context, const render::Projection& projection) {
     }
     const Rate rate = context.state.wanted.rate();
     const Vec3 arrow = under_pointer_beside(frame.seen(particle), context, projection) - frame.seen(particle);
-    hands.kick = (1 / (rate.as_fast_as_possible ? 1 : rate.seconds_per_second)) * arrow;
+    hands.kick = (1 / (frame.magnified * (rate.as_fast_as_possible ? 1 : rate.seconds_per_second))) * arrow;
     if (ImGui::GetIO().MouseDown[1]) return;
     if (is_dragged(context, 1)) kick(context, particle, hands.kick);
     hands.kicked.reset();

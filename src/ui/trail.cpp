@@ -23,7 +23,9 @@ void Trails::record(const RunView& view, bool shown) {
     }
     render::Trails all;
     for (const Trail& trail : trails_) {
-        if (trail.places.size() > 1) all.emplace_back(trail.places.begin(), trail.places.end());
+        if (trail.places.size() < 2) continue;
+        all.emplace_back(trail.places.begin(), trail.places.end());
+        for (Vec3& place : all.back()) place = view.frame.drawn_at(trail.particle, place);
     }
     places_ = all.empty() ? nullptr : std::make_shared<const render::Trails>(std::move(all));
 }

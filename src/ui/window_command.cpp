@@ -69,6 +69,10 @@ void add_picture(CommandLine& line, const Context& context) {
                     background);
     line.add_unless(style.springs, "--springs", "off");
     line.add_unless(style.grid, "--grid", "off");
+    line.add_unless(!style.velocities, "--velocities", "on");
+    line.add_unless(!style.forces, "--forces", "on");
+    line.add_unless(!context.state.trail, "--trail", "on");
+    line.add_unless(style.displacements == 1, "--displacements", number_text(style.displacements));
     const auto& tracked = context.view.tracked;
     if (tracked && tracked->particle != first_followed(*frame.shape))
         line.add("--particle", std::to_string(tracked->particle));

@@ -40,11 +40,21 @@ TEST(ShippedScenes, are_at_least_sixteen_with_a_title_and_what_they_teach) {
 }
 
 // What a person first sees of a scene of one's own is chosen for it; models choose their camera themselves.
-TEST(ShippedScenes, open_with_a_camera) {
+TEST(ShippedScenes, open_with_a_camera_and_colours) {
     for (const std::string& name : shipped_scenes()) {
         const bool is_model =
             std::any_of(models().begin(), models().end(), [&](const Model& model) { return model.info.id == name; });
         EXPECT_NE(find_scene(name)->defaults.camera.empty(), !is_model) << name;
+        EXPECT_NE(find_scene(name)->defaults.colour.empty(), !is_model) << name;
+    }
+}
+
+// A teacher writes them within a lesson.
+TEST(ShippedScenes, that_need_no_programming_are_files_of_under_40_lines) {
+    for (const char* const name :
+         {"three-pendulums", "newtons-cradle", "two-planets", "cloth", "fermi-pasta-ulam", "kepler-ellipse"}) {
+        const std::string text = find_scene(name)->parts.front().content;
+        EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 40) << name;
     }
 }
 

@@ -33,10 +33,12 @@ TEST(Motion, begins_and_ends_at_the_frames) {
 TEST(Motion, keeps_what_a_file_says_of_its_particles) {
     Frame a = on_a_cubic(1), b = on_a_cubic(1.5), shown;
     b.values = std::make_shared<const std::vector<ParticleValues>>(std::vector<ParticleValues>{{"q", {1}}});
+    b.magnified = 7;
     b.cell = Cell{{Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 0, 1}}};
     between(a, b, 0.5, shown);
     EXPECT_EQ(shown.values, b.values);
     EXPECT_EQ(shown.cell, b.cell);
+    EXPECT_EQ(shown.magnified, 7);
     between(b, a, 0.5, shown);
     EXPECT_EQ(shown.values, nullptr);
     EXPECT_FALSE(shown.cell);

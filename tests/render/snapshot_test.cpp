@@ -11,7 +11,9 @@ namespace steplab {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 /// `steplab snapshot` from outside, in an empty working folder.
@@ -176,6 +178,35 @@ TEST_F(Snapshot, draws_several_runs_as_ghosts_or_split) {
     EXPECT_NE(with({"--magnify", "3"}), ghosts);
     EXPECT_NE(with({"--layout", "split"}), ghosts);
     EXPECT_NE(with({"--ui", "on"}), with({"--ui", "on", "--layout", "split"}));
+}
+
+TEST_F(Snapshot, draws_arrows_and_magnified_displacements_where_they_are_asked_for) {
+    const auto draw = [this](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"--model", "chain",  "--set",   "v0=1e-6", "--until",
+                                           "2",       "--size", "640x400", "--out",   "a.png"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = snapshot(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return bytes("a.png");
+    };
+    const std::string usual = draw({});
+    EXPECT_EQ(draw({"--velocities", "off", "--forces", "off", "--displacements", "1"}), usual);
+    std::vector<std::string> pictures{usual};
+    for (const std::vector<std::string>& options :
+         {std::vector<std::string>{"--velocities", "on"}, {"--forces", "on"}, {"--displacements", "1e5"}}) {
+        const std::string picture = draw(options);
+        EXPECT_THAT(pictures, Not(Contains(picture))) << options[0];
+        pictures.push_back(picture);
+        EXPECT_EQ(draw(options), picture);
+    }
+    for (const std::vector<std::string>& wrong : {std::vector<std::string>{"--velocities", "yes"},
+                                                  {"--forces", ""},
+                                                  {"--displacements", "0"},
+                                                  {"--displacements", "-1"},
+                                                  {"--displacements", "large"},
+                                                  {"--displacements", "1e16"}}) {
+        EXPECT_EQ(snapshot({"--model", "chain", wrong[0], wrong[1], "--out", "b.png"}).code, 2) << wrong[1];
+    }
 }
 
 TEST_F(Snapshot, the_run_of_several_that_diverged_is_named) {

@@ -141,7 +141,7 @@ std::map<std::size_t, Event> events_of_all_kinds() {
                                  event::AddRun{other},    event::ChangeRun{1, other},
                                  event::EqualCost{true},  event::RemoveRun{1},
                                  event::Lead{1},          event::Bookmark{},
-                                 event::TakeBranch{0}};
+                                 event::TakeBranch{0},    event::Magnify{3}};
     std::map<std::size_t, Event> events;
     for (const Event& event : all) events.emplace(event.index(), event);
     return events;
@@ -155,7 +155,7 @@ TEST(Playback, refuses_what_cannot_be_done_to_frames_of_a_file_and_does_all_else
         Playback playback(written.path);
         const bool possible =
             is_any<event::Play, event::Loop, event::Step, event::Seek, event::SeekTime, event::Restart, event::SetRate,
-                   event::Track, event::ShowForces, event::ShowSamples, event::Bookmark>(event);
+                   event::Track, event::ShowForces, event::Magnify, event::ShowSamples, event::Bookmark>(event);
         go_to(playback, 9);
         if (possible) {
             EXPECT_NO_THROW(playback.handle(event)) << "event " << kind;
@@ -181,10 +181,12 @@ TEST(Playback, shows_forces_tracked_particles_and_bookmarks) {
     playback.handle(event::ShowForces{true});
     playback.handle(event::Track{5});
     playback.handle(event::Bookmark{"here"});
+    playback.handle(event::Magnify{8});
     SessionView view = view_of(playback);
     std::vector<Vec3> forces;
     simulation.forces(forces);
     EXPECT_EQ(view.leading.frame.forces, forces);
+    EXPECT_EQ(view.leading.frame.magnified, 8);
     const RunView run = steplab::view_of(simulation, 5);
     ASSERT_TRUE(view.leading.tracked && run.tracked);
     EXPECT_EQ(view.leading.tracked->displacement, run.tracked->displacement);

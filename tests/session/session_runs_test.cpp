@@ -41,6 +41,27 @@ TEST(Session, shows_runs_of_different_dt_at_the_same_time) {
     EXPECT_EQ(session.followers()[0].run().step(), 10u);
 }
 
+TEST(Session, magnifies_what_is_drawn_of_every_run_and_nothing_that_is_computed) {
+    Session session(chain("rk4")), usual(chain("rk4"));
+    session.handle(event::AddRun{chain("verlet")});
+    session.handle(event::Magnify{100});
+    for (Session* const each : {&session, &usual}) {
+        each->handle(event::Step{3});
+        each->finish();
+    }
+    SessionView view, expected;
+    session.observe(view);
+    usual.observe(expected);
+    EXPECT_EQ(view.leading.frame.magnified, 100);
+    EXPECT_EQ(view.followers.at(0).frame.magnified, 100);
+    EXPECT_EQ(expected.leading.frame.magnified, 1);
+    EXPECT_EQ(view.leading.frame.positions, expected.leading.frame.positions);
+    EXPECT_EQ(session.run().hash(), usual.run().hash());
+    session.handle(event::Undo{});
+    session.observe(view);
+    EXPECT_EQ(view.leading.frame.magnified, 100) << "it is nothing to undo";
+}
+
 TEST(Session, does_to_all_runs_what_is_done_to_the_scene) {
     Session session(chain("rk4"));
     session.handle(event::AddRun{chain("verlet")});

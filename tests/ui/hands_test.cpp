@@ -156,6 +156,28 @@ TEST_F(Hands, selected_particles_are_pulled_together_while_the_run_stands) {
     EXPECT_TRUE(last_act<Pull>().others.empty());
 }
 
+TEST_F(Hands, a_magnified_particle_is_pulled_kicked_and_tugged_to_where_it_is_drawn) {
+    const auto pulled_with = [&](double magnified, bool playing) {
+        RunView view = view_of(simulation, 5);
+        view.frame.magnified = magnified;
+        view.playing = playing;
+        desk.show(view);
+        const Point place = place_of(desk, 5);
+        hold_keys({.control = true});
+        desk.move_to(place.x, place.y);
+        desk.press();
+        desk.move_to(place.x + 20, place.y - 40);
+        const Vec3 position = playing ? last_act<Tug>().position : last_act<Pull>().position;
+        desk.release();
+        return position - view.frame.shape->rest[5];
+    };
+    for (const bool playing : {false, true}) {
+        const Vec3 usual = pulled_with(1, playing), small = pulled_with(64, playing);
+        EXPECT_GT(length(usual), 0.01);
+        EXPECT_LT(length(64.0 * small - usual), 1e-12) << "at rest it is drawn at the same place: some roundings";
+    }
+}
+
 TEST_F(Hands, while_the_run_plays_a_particle_is_tugged_once_a_step) {
     play_a_step();
     const Point place = place_of(desk, 5);

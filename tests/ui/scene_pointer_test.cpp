@@ -260,6 +260,16 @@ TEST(scene_pointer, another_scene_is_shown_whole_and_one_of_its_particles_follow
     EXPECT_EQ(desk.recorder.tracked, first_followed(*desk.view.frame.shape));
 }
 
+TEST(scene_pointer, another_scene_is_drawn_with_displacements_as_they_are) {
+    Desk desk(describe("chain"));
+    desk.style.displacements = 1000;
+    desk.show(view_of(Simulation(describe("chain", "verlet"))));
+    EXPECT_EQ(desk.style.displacements, 1000) << "another method";
+    desk.show(view_of(Simulation(describe("rope"))));
+    EXPECT_EQ(desk.style.displacements, 1);
+    EXPECT_EQ(std::get<event::Magnify>(desk.recorder.events.back()).factor, 1);
+}
+
 TEST(scene_pointer, a_camera_that_was_moved_stays_when_the_scene_changes_its_size) {
     Desk desk(describe("chain"));
     drag_scene(desk, 0, 80, 0);

@@ -36,11 +36,18 @@ TEST(window_command, names_all_that_was_chosen) {
     desk.style = {.colouring = render::Colouring::speed,
                   .background = render::Background::light,
                   .springs = false,
-                  .grid = false};
+                  .grid = false,
+                  .velocities = true,
+                  .forces = true,
+                  .displacements = 250};
+    ViewChoices choices;
+    choices.trail = true;
+    desk.interface.use(choices, choices);
     desk.camera = {{1, 2, -3}, 20, 35, 25.5};
     EXPECT_EQ(copied(desk), "steplab view " + command_line(desk.view.description) +
                                 " --steps 120 --play --view 35,25.5,20,1,2,-3 --colour speed --background light"
-                                " --springs off --grid off --particle 3 --speed 2.5 --ensemble 16"
+                                " --springs off --grid off --velocities on --forces on --trail on --displacements 250"
+                                " --particle 3 --speed 2.5 --ensemble 16"
                                 " --spread k=0.999:1.001 --size 1000x900 --config none");
 }
 

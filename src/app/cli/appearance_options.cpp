@@ -21,12 +21,11 @@ namespace {
 constexpr ParameterInfo scale_info{
     .name = "--scale", .unit = "", .minimum = 0.5, .maximum = 8, .what = "scale of text and lines"};
 
-bool is_on(std::string_view option, std::string_view word) {
-    constexpr std::array<std::string_view, 2> switches{"off", "on"};
-    if (std::find(switches.begin(), switches.end(), word) == switches.end())
-        throw UsageError(unknown_word(fmt::format("value of {}", option), word, switches));
-    return word == switches[1];
-}
+constexpr ParameterInfo displacements_info{.name = "--displacements",
+                                           .unit = "",
+                                           .minimum_included = false,
+                                           .maximum = 1e15,  // beyond it a rounding error of double fills the scene
+                                           .what = "factor by which displacements are drawn"};
 
 std::size_t parse_particle(std::string_view text, const RunDescription& description) {
     const double count = model_of(description).particles(description.scene);
@@ -39,6 +38,13 @@ std::size_t parse_particle(std::string_view text, const RunDescription& descript
 }
 
 }  // namespace
+
+bool is_on(std::string_view option, std::string_view word) {
+    constexpr std::array<std::string_view, 2> switches{"off", "on"};
+    if (std::find(switches.begin(), switches.end(), word) == switches.end())
+        throw UsageError(unknown_word(fmt::format("value of {}", option), word, switches));
+    return word == switches[1];
+}
 
 void AppearanceOptions::declare(CLI::App& app, const Help& help) {
     app_ = &app;
@@ -54,6 +60,12 @@ void AppearanceOptions::declare(CLI::App& app, const Help& help) {
     add("--particle", particle_, "I", help.particle);
     add("--springs", springs_, "on|off", fmt::format("Draw the springs (default {})", springs_));
     add("--grid", grid_, "on|off", fmt::format("Draw the ground grid and the axes (default {})", grid_));
+    add("--velocities", velocities_, "on|off",
+        fmt::format("Draw the velocity of each particle as an arrow (default {})", velocities_));
+    add("--forces", forces_, "on|off",
+        fmt::format("Draw the force on each particle as an arrow (default {})", forces_));
+    add("--displacements", displacements_, "F",
+        "Draw displacements from the rest positions F times as large (default 1)");
     add("--ui", panel_, "on|off", help.panel);
     add("--scale", scale_, "X", help.scale);
 }
@@ -77,6 +89,9 @@ render::Style AppearanceOptions::style(const RunDescription& description) const 
     style.background = background_of(said(description, "--background", background_, &SceneDefaults::background));
     style.springs = is_on("--springs", springs_);
     style.grid = is_on("--grid", grid_);
+    style.velocities = is_on("--velocities", velocities_);
+    style.forces = is_on("--forces", forces_);
+    style.displacements = parse_value(displacements_info, displacements_);
     style.mass = facts_of(description).mass;
     if (!particle_.empty()) style.selected = parse_particle(particle_, description);
     return style;
@@ -94,8 +109,8 @@ void AppearanceOptions::put_remembered(const ui::ViewChoices& choices, const Run
     if (!says(description, "--background", &SceneDefaults::background)) style.background = choices.background;
     if (!is_given(*app_, "--springs")) style.springs = choices.springs;
     if (!is_given(*app_, "--grid")) style.grid = choices.grid;
-    style.velocities = choices.velocities;
-    style.forces = choices.forces;
+    if (!is_given(*app_, "--velocities")) style.velocities = choices.velocities;
+    if (!is_given(*app_, "--forces")) style.forces = choices.forces;
 }
 
 void check_column(const render::Style& style, const std::vector<std::string>& columns) {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -15,7 +16,7 @@ class App;
 namespace steplab {
 
 /// The options of how a run is shown, the same for pictures and the window: --view, --colour, --background, --particle,
-/// --springs, --grid, --ui and --scale.
+/// --springs, --grid, --velocities, --forces, --displacements, --ui and --scale.
 class AppearanceOptions {
 public:
     /// The texts of the help that differ between pictures and the window.
@@ -53,9 +54,15 @@ private:
     std::string particle_;
     std::string springs_ = "on";
     std::string grid_ = "on";
+    std::string velocities_ = "off";
+    std::string forces_ = "off";
+    std::string displacements_ = "1";
     std::string panel_;
     std::string scale_;
 };
+
+/// The value of an option that is on or off. Throws UsageError for another word.
+bool is_on(std::string_view option, std::string_view word);
 
 /// Throws UsageError if the style names a column that is none of those of the file that is played; none: no file is.
 void check_column(const render::Style& style, const std::vector<std::string>& columns);

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/shown.hpp"
 #include "io/output_file.hpp"
+#include "io/toml_text.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <system_error>
 #include <toml++/toml.h>
@@ -198,13 +201,24 @@ std::string view_choices_path(const std::string& config) {
     return home.is_absolute() ? (home / ".config" / "steplab" / "view.toml").string() : std::string();
 }
 
+namespace {
+
+std::string content_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    if (!file) throw FileError("it cannot be read");
+    return text;
+}
+
+}  // namespace
+
 ReadViewChoices read_view_choices(const std::string& path) {
     ReadViewChoices result;
     std::error_code none;
     if (path.empty() || !fs::exists(path, none)) return result;
     try {
         if (!fs::is_regular_file(path, none)) throw FileError("it is no file");
-        const toml::table table = toml::parse_file(path);
+        const toml::table table = toml_table(content_of(path), path);
         const auto written = table["version"].value<std::int64_t>();
         result.newer = written && *written > version;
         if (result.newer) {

@@ -63,6 +63,7 @@ void ViewOptions::declare(CLI::App& app) {
     content_.declare(app, {.group = group,
                            .plots = "Plots below the scene",
                            .caption = "Saved pictures and films have a text below them"});
+    text_option(app, "--trail", trail_, "on|off", "Draw where the selected particle has been (default off)", group);
     text_option(app, "--speed", speed_, "X|unlimited", "Simulated seconds per second of real time (default 1)", group);
     flag_option(app, "--play", playing_, "Start playing at once, after --steps or --until", group);
     flag_option(app, "--full-screen", full_screen_, "Open in full screen", group);
@@ -92,6 +93,7 @@ WindowRequest ViewOptions::request(const std::vector<RunDescription>& runs, Give
         request.ensemble = nearest_live_ensemble(description, ensemble_.count(), ensemble_.ranges(description));
     request.config = config_;
     request.trace = trace_;
+    if (!trail_.empty()) is_on("--trail", trail_);  // a wrong word is reported now
     request.full_screen = full_screen_;
     request.playing = playing_ || session.film;
     if (session.film && request.steps > 0)
@@ -107,6 +109,7 @@ void ViewOptions::put_remembered(const ui::ViewChoices& choices, const RunDescri
                                  WindowRequest& request) const {
     request.choices = request.remembered = choices;
     appearance_.put_remembered(choices, description, request.style);
+    if (!trail_.empty()) request.choices.trail = is_on("--trail", trail_);
     if (request.panel) request.choices.panel = request.panel;
     request.panel = request.choices.panel;
     if (const auto plots = content_.plots()) {

@@ -73,6 +73,7 @@ private:
     std::string config_;
     std::string size_ = "1280x800";
     std::string speed_;
+    std::string trail_;
     std::string trace_;
     bool full_screen_ = false;
     bool playing_ = false;

@@ -122,9 +122,14 @@ std::vector<PicturedRuns::Place> PicturedRuns::places() const {
 void PicturedRuns::look() {
     const Simulation& leading = runs_.front().simulation;
     observe(leading, particle_, request_.view);
+    if (request_.style.forces) leading.forces(request_.view.frame.forces);
+    request_.view.frame.magnified = request_.style.displacements;
     if (ensemble_) ensemble_->put_into(request_.view);
     request_.followers.resize(runs_.size() - 1);
-    for (std::size_t i = 1; i < runs_.size(); ++i) observe(runs_[i].simulation, particle_, request_.followers[i - 1]);
+    for (std::size_t i = 1; i < runs_.size(); ++i) {
+        observe(runs_[i].simulation, particle_, request_.followers[i - 1]);
+        request_.followers[i - 1].frame.magnified = request_.style.displacements;
+    }
     std::erase_if(request_.past, [&](const PastMoment& moment) { return moment.leading.frame.step >= leading.step(); });
     if (request_.panel && runs_.size() > 1) request_.errors = errors_.of(simulations());
     if (request_.panel) judge_steps();

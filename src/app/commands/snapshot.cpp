@@ -94,6 +94,8 @@ private:
         Playback playback(trajectory_);
         for (; playback.has_more(); playback.look_on()) check_interruption();
         playback.handle(event::Track{request.style.selected});
+        if (request.style.forces) playback.handle(event::ShowForces{});
+        playback.handle(event::Magnify{request.style.displacements});
         if (end.time) {
             playback.handle(event::SeekTime{*end.time});
         } else {

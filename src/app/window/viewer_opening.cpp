@@ -23,6 +23,7 @@ void Viewer::open(const WindowRequest& request) {
     interface_.resize(window_.display());
     picture_.upload_fonts(interface_.fonts());
     if (style_.forces) worker_->send(event::ShowForces{true});
+    if (style_.displacements != 1) worker_->send(event::Magnify{style_.displacements});
     take_news();
     place_camera(request);  // a wrong text is reported now
     for (const RunDescription& run : request.followers) worker_->send(event::AddRun{run});

@@ -7,6 +7,7 @@
 #include "sim/catalogue.hpp"
 #include "sim/run/linear_limit.hpp"
 #include "sim/run/memory.hpp"
+#include "sim/run/method_refusals.hpp"
 #include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
@@ -67,32 +68,8 @@ void check_method(const RunDescription& description) {
     const bool of_model = !description.origin && description.alterations.empty() && !description.start.from;
     if (of_model && !entry.info.refusal && !facts_of(description).lists_pairs) return;
     const Plan scene = plan_of(description);
-    if (entry.info.curiosity && std::holds_alternative<ComposedForces>(scene.forces))
-        throw UsageError(fmt::format("{} cannot run this scene: it is kept as printed in 2008, for the models of then",
-                                     description.method));
-    if (facts_of(description).damping && entry.info.order_with_damping == 0)
-        throw UsageError(
-            fmt::format("{} cannot run this scene: dashpots, and drag that differs between particles, are "
-                        "not in its formulas",
-                        description.method));
-    const auto refused = std::visit(
-        [&](const auto& forces) {
-            return entry.info.refusal ? entry.info.refusal(coupling(forces)) : std::optional<std::string>();
-        },
-        scene.forces);
-    if (refused) throw UsageError(fmt::format("{} cannot run this scene: {}", description.method, *refused));
+    if (const auto refused = method_refusal(entry, description, scene)) throw UsageError(*refused);
     check_memory(description, bytes_of_interactions(description, scene));
-}
-
-/// --set has to know which is meant.
-void check_names(const RunDescription& description) {
-    for (const ParameterInfo& info : description.method_parameters.infos()) {
-        if (!description.scene.contains(info.name)) continue;
-        throw UsageError(
-            fmt::format("'{}' is a parameter of the scene and of {}: rename that of the scene, or "
-                        "choose another method",
-                        info.name, description.method));
-    }
 }
 
 const Model& unaltered_model(const RunDescription& description) {
@@ -194,7 +171,7 @@ void set_parameter(RunDescription& description, std::string_view name, std::stri
 
 void check_values(const RunDescription& description) {
     check_dt(description);
-    check_names(description);
+    if (const auto refused = name_refusal(method(description.method).info, description)) throw UsageError(*refused);
     for (const ParameterValues& values : {description.scene, description.method_parameters}) {
         for (const auto& info : values.infos()) {
             check_value(info, values[info.name]);

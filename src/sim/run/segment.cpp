@@ -82,6 +82,11 @@ const Conservation& Segment::conservation() const {
     return *conservation_;
 }
 
+const std::shared_ptr<const MethodRefusals>& Segment::refusals() const {
+    if (!refusals_) refusals_ = std::make_shared<const MethodRefusals>(method_refusals(held, scene));
+    return refusals_;
+}
+
 ParticleForces& Segment::forces() const {
     if (!forces_) forces_.emplace(scene);
     return *forces_;

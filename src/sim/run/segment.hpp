@@ -4,6 +4,7 @@
 #include "sim/catalogue.hpp"
 #include "sim/run/energy.hpp"
 #include "sim/run/execution.hpp"
+#include "sim/run/method_refusals.hpp"
 #include "sim/run/particle_forces.hpp"
 #include "sim/run/resolution.hpp"
 #include "sim/run/run_description.hpp"
@@ -46,10 +47,12 @@ struct Segment {
     /// Of the fastest oscillation, if its frequency is known.
     const std::optional<Resolution>& resolution() const;
     const Conservation& conservation() const;
+    const std::shared_ptr<const MethodRefusals>& refusals() const;
     ParticleForces& forces() const;
 
 private:
     mutable std::optional<Conservation> conservation_;
+    mutable std::shared_ptr<const MethodRefusals> refusals_;
     mutable std::optional<ParticleForces> forces_;
     mutable std::optional<std::optional<StabilityLimit>> limit_;
     mutable std::optional<std::optional<Resolution>> resolution_;

@@ -46,6 +46,7 @@ bool Simulation::has_exact() const { return body_->exact() != nullptr; }
 const std::optional<StabilityLimit>& Simulation::limit() const { return body_->segment.limit(); }
 const std::optional<Resolution>& Simulation::resolution() const { return body_->segment.resolution(); }
 Conservation Simulation::conservation() const { return body_->segment.conservation(); }
+std::shared_ptr<const MethodRefusals> Simulation::refusals() const { return body_->segment.refusals(); }
 const std::optional<Divergence>& Simulation::divergence() const { return settled().divergence; }
 
 std::uint64_t Simulation::evaluations() const {
@@ -102,6 +103,7 @@ void Simulation::prepare(Frame& out, const FrameParts& wanted) const {
     out.forces.clear();
     out.values.reset();
     out.cell.reset();
+    out.magnified = 1;
 }
 
 void Simulation::fill(Frame& out, const Portion& portion) const {

@@ -5,6 +5,7 @@
 #include "models/conservation.hpp"
 #include "sim/run/act.hpp"
 #include "sim/run/execution.hpp"
+#include "sim/run/method_refusals.hpp"
 #include "sim/run/resolution.hpp"
 #include "sim/run/run_description.hpp"
 #include "sim/steppers/stepper.hpp"
@@ -89,6 +90,8 @@ public:
     const std::optional<Resolution>& resolution() const;
     /// What the scene as it is now lets a method keep.
     Conservation conservation() const;
+    /// Why other methods cannot run the scene; never null.
+    std::shared_ptr<const MethodRefusals> refusals() const;
 
     /// The moment as seen from outside; the run is not changed. The second form reuses the vectors of `out`; those that
     /// are not wanted are left empty.

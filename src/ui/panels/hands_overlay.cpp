@@ -110,7 +110,8 @@ std::string numbers_of(const Context& context, std::size_t particle) {
     if (frame.shape->roles[particle] != Role::moving) text += fmt::format(" ({})", id(frame.shape->roles[particle]));
     if (const double mass = mass_of(view, particle); mass > 0) text += "   " + with_unit(setting_text(mass), "kg");
     return text +
-           fmt::format("\nat {} m\nvelocity {} m/s", vector(frame.seen(particle)), vector(frame.velocities[particle])) +
+           fmt::format("\nat {} m\nvelocity {} m/s", vector(frame.seen_at(frame.positions[particle])),
+                       vector(frame.velocities[particle])) +
            values_of(frame, particle);
 }
 

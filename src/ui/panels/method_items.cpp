@@ -24,7 +24,12 @@ std::string_view group_of(const MethodInfo& info) {
 
 }  // namespace
 
-std::vector<ComboItem> method_items() {
+std::vector<ComboItem> method_items(const RunView& view) {
+    const auto refusal = [&](const MethodInfo& info) {
+        if (!view.refusals) return std::string();
+        const auto refused = view.refusals->find(info.id);
+        return refused == view.refusals->end() ? std::string() : refused->second;
+    };
     std::vector<ComboItem> items;
     for (const std::string_view group : groups) {
         for (const Method& entry : methods()) {
@@ -33,7 +38,8 @@ std::vector<ComboItem> method_items() {
                              .name = entry.info.name,
                              .remark = fmt::format("order {}", entry.info.order),
                              .tooltip = std::string(entry.info.what),
-                             .group = group});
+                             .group = group,
+                             .refusal = refusal(entry.info)});
         }
     }
     return items;

@@ -14,7 +14,7 @@ namespace steplab::ui {
 void draw_method_panel(const Context& context) {
     const RunDescription description = context.description();
     heading(context, "METHOD");
-    const auto items = method_items();
+    const auto items = method_items(context.view);
     const auto shown =
         std::find_if(items.begin(), items.end(), [&](const ComboItem& item) { return item.id == description.method; });
     auto chosen = static_cast<std::size_t>(shown - items.begin());

@@ -141,10 +141,9 @@ bool has_room_for_title(const Context& context, const plot::Plot& plot, const Ar
     return context.is_saved() || ImGui::CalcTextSize(plot.title.c_str()).x <= room;
 }
 
-/// The controls of a plot, and what its axis up means, in the frame where there is no room beside them; in a picture
-/// that is saved the latter alone.
-void draw_header(const Context& context, const plot::Plot& plot, std::size_t number, const Area& area,
-                 const Area& frame) {
+/// The controls of a plot, and what its axis up means where there is room beside them; in a picture that is saved the
+/// latter alone.
+void draw_header(const Context& context, const plot::Plot& plot, std::size_t number, const Area& area) {
     const float y = area.y + context.px(0.5f * header + 3);
     if (context.is_saved()) {
         const WithFont font(context.theme.fonts().heading);
@@ -155,11 +154,7 @@ void draw_header(const Context& context, const plot::Plot& plot, std::size_t num
     ImGui::SameLine(0, context.px(6));
     draw_scale(context, context.state.plots.shown[number]);
     const WithFont font(context.theme.fonts().small);
-    if (has_room_for_title(context, plot, area)) {
-        text_left(title_from(context, area), y, plot.title, colour::text_dim);
-    } else {
-        text_left(frame.x + context.px(6), frame.y + context.px(10), plot.title, colour::text_faint);
-    }
+    if (has_room_for_title(context, plot, area)) text_left(title_from(context, area), y, plot.title, colour::text_dim);
     draw_count(context, number, area);
 }
 
@@ -172,7 +167,7 @@ void draw_chosen(const Context& context, std::size_t number, const Area& area) {
     const plot::Layout layout = plot_layout(context.theme, plot, area);
     move_axes(context, plot, layout, area, context.state.plots.shown[number]);
     if (context.state.plots.shown[number].kind == PlotKind::costs) use_costs(context, layout);
-    draw_header(context, plot, number, area, layout.frame);
+    draw_header(context, plot, number, area);
 }
 
 }  // namespace

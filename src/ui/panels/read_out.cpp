@@ -87,10 +87,8 @@ Area room_for_read_out(const Context& context) {
     const auto [x, y, width, height] = context.tile();
     Area room{static_cast<float>(x), static_cast<float>(y), static_cast<float>(width), static_cast<float>(height)};
     const render::Style& style = context.stage.style;
-    const std::size_t runs = 1 + context.session.followers.size();
-    if (runs == 1) return room;
-    const bool split = style.layout == render::RunLayout::split;
-    const std::size_t lines = split ? 1 : runs + (style.magnify != 1 ? 1 : 0);
+    const std::size_t lines = render::most_run_lines(1 + context.session.followers.size(), style);
+    if (lines == 0) return room;
     const auto taken = render::run_lines_area({width, height}, style.layout, lines, style.pixel_scale);
     if (2 * taken.top > height) {
         room.height = static_cast<float>(taken.top);

@@ -174,7 +174,7 @@ void draw_together(const Context& context) {
 void draw_add(const Context& context) {
     std::size_t none = 0;
     std::vector<ComboItem> items{{.id = "", .name = "+ method"}};
-    for (ComboItem& item : method_items()) items.push_back(std::move(item));
+    for (ComboItem& item : method_items(context.view)) items.push_back(std::move(item));
     if (combo(context, "add run", items, none, context.px(104)))
         context.events.send(event::AddRun{with_method(context.description(), items[none].id)});
     ImGui::SameLine(0, context.px(6));

@@ -1,6 +1,10 @@
+#include "core/entry.hpp"
 #include "core/shown.hpp"
 #include "render/colouring.hpp"
+#include "ui/actions.hpp"
 #include "ui/panels/panels.hpp"
+#include "ui/widgets/format.hpp"
+#include "ui/widgets/slider.hpp"
 #include "ui/widgets/widgets.hpp"
 
 #include <algorithm>
@@ -88,6 +92,29 @@ void draw_following(const Context& context) {
         context.state.following = static_cast<render::Following>(chosen);
 }
 
+constexpr ParameterInfo displacements_info{.name = "displacements",
+                                           .unit = "",
+                                           .minimum_included = false,
+                                           .maximum = 1e12,
+                                           .default_value = 1,
+                                           .what = "how many times as large as they are displacements are drawn"};
+
+void draw_displacements(const Context& context, const render::Style& style) {
+    slider_row(context,
+               {.widget = "displacements",
+                .label = "displacements",
+                .tooltip = "how many times as large as they are displacements from the rest positions are "
+                           "drawn: small motion is seen",
+                .value_text = rounded_text(style.displacements),
+                .entry_text = typed(style.displacements),
+                .value = style.displacements,
+                .default_value = 1,
+                .range = {1, 1e6, true, false},
+                .style = {},
+                .set = [&](double value) { magnify(context, value); },
+                .set_text = [&](std::string_view text) { magnify(context, parse_value(displacements_info, text)); }});
+}
+
 /// What is drawn: a row of the scene, a row of its motion.
 void draw_parts(const Context& context, render::Style& style) {
     const float second = row_places(context).control;
@@ -120,6 +147,7 @@ void draw_show_panel(const Context& context) {
     draw_colouring(context, style);
     draw_background(context, style);
     draw_following(context);
+    draw_displacements(context, style);
     draw_parts(context, style);
     if (!context.session.playback) draw_ensemble_rows(context);
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "plot/free_corner.hpp"
 #include "plot/plot.hpp"
 #include "ui/plot/scene_laws.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -94,6 +96,7 @@ struct PlotsState {
     std::optional<bool> scanned = {};  ///< whether costs were asked for
     std::optional<bool> sampled = {};  ///< whether samples were asked for
     SceneLaws laws = {};
+    std::map<std::string, plot::Corner> legends = {};  ///< where they stand, by the plot's name
 };
 
 }  // namespace steplab::ui

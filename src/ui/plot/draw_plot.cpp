@@ -1,7 +1,9 @@
 #include "ui/plot/draw_plot.hpp"
 
 #include "core/number_text.hpp"
+#include "ui/plot/legend.hpp"
 #include "ui/plot/plot_files.hpp"
+#include "ui/plot/plot_lines.hpp"
 #include "ui/widgets/format.hpp"
 #include "ui/widgets/icons.hpp"
 #include "ui/widgets/run_marks.hpp"
@@ -20,23 +22,6 @@ namespace {
 using plot::Curve;
 using plot::Plot;
 
-float thickness_of(const Context& context) { return context.theme.scale() * 1.6f; }
-
-void draw_solid(ImDrawList& list, const std::vector<ImVec2>& corners, ImU32 ink, float thickness) {
-    // ImGui's indices have 16 bits; a thick line takes up to 6 vertices per point.
-    constexpr std::size_t most = 8192;
-    for (std::size_t from = 0; from + 1 < corners.size(); from += most - 1) {
-        const std::size_t count = std::min(most, corners.size() - from);
-        list.AddPolyline(corners.data() + from, static_cast<int>(count), ink, 0, thickness);
-    }
-}
-
-void draw_line(ImDrawList& list, const std::vector<ImVec2>& corners, plot::Line line, ImU32 ink, float thickness) {
-    if (line == plot::Line::none) return;
-    if (line == plot::Line::solid) return draw_solid(list, corners, ink, thickness);
-    draw_dashes(list, corners, plot::dashes_of(line), ink, thickness);
-}
-
 void draw_ticks(const plot::Layout& layout) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Area& frame = layout.frame;
@@ -53,17 +38,13 @@ void draw_ticks(const plot::Layout& layout) {
     }
 }
 
-/// Dots at the points where they are few enough to be told apart.
-void draw_marks(ImDrawList& list, const std::vector<ImVec2>& corners, ImU32 ink, float radius) {
-    for (const ImVec2& corner : corners) list.AddCircleFilled(corner, radius, ink);
-}
-
-void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, const plot::Layout& layout) {
+void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, const std::vector<plot::Point>& points,
+                const plot::Layout& layout) {
     std::vector<ImVec2> corners;
-    for (const plot::Point& point : plot::decimated(curve.x, curve.y, layout.axes))
-        corners.emplace_back(point.x, point.y);
+    for (const plot::Point& point : points) corners.emplace_back(point.x, point.y);
     const ImU32 ink = ink_of(context, curve.colour);
     draw_line(list, corners, curve.line, ink, thickness_of(context));
+    // dots at the points where they are few enough to be told apart
     const bool few = static_cast<float>(corners.size()) < layout.frame.width / context.px(12);
     if (curve.large) draw_marks(list, corners, ink, context.px(5));
     if (curve.has_marks(few)) draw_marks(list, corners, ink, context.px(2.4f));
@@ -88,11 +69,6 @@ void draw_moments(ImDrawList& list, const Context& context, const Plot& plot, co
     list.AddLine({x, frame.y}, {x, frame.bottom()}, colour::accent);
 }
 
-ImU32 area_ink(const Context& context, const plot::Band& band) {
-    constexpr ImU32 alpha = 0x38;
-    return (ink_of(context, band.colour) & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
-}
-
 /// Quadrilateral by quadrilateral: as a whole it is not convex.
 void draw_band(ImDrawList& list, const Context& context, const plot::Band& band, const plot::Layout& layout) {
     const std::vector<plot::Strip> strips = plot::strips(band, layout.axes);
@@ -105,78 +81,24 @@ void draw_band(ImDrawList& list, const Context& context, const plot::Band& band,
     list.Flags = flags;
 }
 
-void draw_curves(const Context& context, const Plot& plot, const plot::Layout& layout) {
+/// Where the curves run, in pixels.
+using Lines = std::vector<std::vector<plot::Point>>;
+
+Lines lines_of(const Plot& plot, const plot::Layout& layout) {
+    Lines lines;
+    for (const Curve& curve : plot.curves) lines.push_back(plot::decimated(curve.x, curve.y, layout.axes));
+    return lines;
+}
+
+void draw_curves(const Context& context, const Plot& plot, const Lines& lines, const plot::Layout& layout) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const Area& frame = layout.frame;
     const float thickness = thickness_of(context);
     list.PushClipRect({frame.x, frame.y - thickness}, {frame.right() + 1, frame.bottom() + thickness}, true);
     for (const plot::Band& band : plot.bands) draw_band(list, context, band, layout);
     draw_moments(list, context, plot, layout);
-    for (const Curve& curve : plot.curves) draw_curve(list, context, curve, layout);
+    for (std::size_t i = 0; i < lines.size(); ++i) draw_curve(list, context, plot.curves[i], lines[i], layout);
     list.PopClipRect();
-}
-
-/// Where the name of a curve or band stands in the legend: its right end, and the middle of its line.
-struct LegendPlace {
-    const std::string* name;
-    const Curve* curve;                 ///< null: of a band
-    const plot::Band* band;             ///< null: of a curve
-    float right = 0, y = 0, width = 0;  ///< width: with the sample of its line
-};
-
-/// From right to left and in as many rows as it takes, the last curve first.
-std::vector<LegendPlace> legend_places(const Context& context, const Plot& plot, const Area& frame, float top) {
-    const float row = ImGui::GetTextLineHeight() + context.px(2), last = frame.right() - context.px(8);
-    std::vector<LegendPlace> places;
-    float right = last, y = top + 0.5f * row;
-    const auto add = [&](const std::string& name, const Curve* curve, const plot::Band* band) {
-        const float width = ImGui::CalcTextSize(name.c_str()).x + context.px(27);
-        if (right - width < frame.x && right < last) {
-            right = last;
-            y += row;
-        }
-        places.push_back({&name, curve, band, right, y, width});
-        right -= width + context.px(12);
-    };
-    for (const plot::Band& band : plot.bands) add(band.name, nullptr, &band);
-    for (auto curve = plot.curves.rbegin(); curve != plot.curves.rend(); ++curve) {
-        if (curve->in_legend) add(curve->name, &*curve, nullptr);
-    }
-    return places;
-}
-
-/// What a curve or band looks like.
-void draw_sample(ImDrawList& list, const Context& context, const LegendPlace& place) {
-    const float from = place.right - place.width, to = from + context.px(22);
-    if (place.band)
-        return list.AddRectFilled({from, place.y - context.px(4)}, {to, place.y + context.px(4)},
-                                  area_ink(context, *place.band));
-    const Curve& curve = *place.curve;
-    const ImU32 ink = ink_of(context, curve.colour);
-    draw_line(list, {{from, place.y}, {to, place.y}}, curve.line, ink, thickness_of(context));
-    if (curve.line == plot::Line::none) draw_marks(list, {{0.5f * (from + to), place.y}}, ink, context.px(2.4f));
-}
-
-/// For each curve a short line in its style and its name, on a card near the top of the frame. Where it would cover
-/// most of the curves it is left out: the list of runs has the same lines, and the pointer tells the names.
-void draw_legend(const Context& context, const Plot& plot, const Area& frame, float top) {
-    if (plot.curves.size() + plot.bands.size() < 2) return;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const WithFont font(context.theme.fonts().small);
-    const std::vector<LegendPlace> places = legend_places(context, plot, frame, top);
-    if (places.empty()) return;
-    const float half = 0.5f * ImGui::GetTextLineHeight() + context.px(2);
-    float left = frame.right();
-    for (const LegendPlace& place : places) left = std::min(left, place.right - place.width);
-    const bool covers_most =
-        frame.right() - left > 0.55f * frame.width && places.back().y + half - frame.y > 0.35f * frame.height;
-    if (covers_most && !context.is_saved()) return;
-    list.AddRectFilled({left - context.px(5), places.front().y - half}, {frame.right() - 1, places.back().y + half},
-                       colour::card, context.px(4));
-    for (const LegendPlace& place : places) {
-        text_right(place.right, place.y, *place.name, colour::text_dim);
-        draw_sample(list, context, place);
-    }
 }
 
 /// The point of a curve that the pointer is at: the one over it or, where x does not ascend, the nearest in pixels.
@@ -277,8 +199,9 @@ void draw_content(const Context& context, const Plot& plot, const Area& area, co
         draw_ticks(layout);
     }
     draw_axis_name(context, plot, area, layout.frame);
-    draw_curves(context, plot, layout);
-    draw_legend(context, plot, layout.frame, layout.frame.y + context.px(title_in_frame ? 20 : 4));
+    const Lines lines = lines_of(plot, layout);
+    draw_curves(context, plot, lines, layout);
+    draw_legend(context, plot, layout, lines, title_in_frame);
     ImGui::SetCursorScreenPos({layout.frame.x, layout.frame.y});
     if (context.purpose == Purpose::use && !plot.nearest_alone) draw_values_under_pointer(context, plot, layout, area);
 }
@@ -311,6 +234,7 @@ void draw_plot(const Context& context, const Plot& plot, const Area& area, bool 
     if (plot::has_values(plot)) {
         draw_content(context, plot, area, layout, title_in_frame);
     } else {
+        draw_legend(context, plot, layout, {}, title_in_frame);
         draw_empty(context, plot, frame);
     }
     draw_save_menu(context, plot, area);

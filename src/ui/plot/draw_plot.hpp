@@ -6,8 +6,7 @@
 namespace steplab::ui {
 
 /// Draws a plot into an area of the current ImGui window: axes, curves, legend, the values under the pointer, and a
-/// right-click menu that saves it as CSV, SVG or PNG. The room for the title is left to the caller: above the frame, or
-/// where that is narrow its first line.
+/// right-click menu that saves it as CSV, SVG or PNG. Above the frame, the room for the title is left to the caller.
 void draw_plot(const Context& context, const plot::Plot& plot, const Area& area, bool title_in_frame);
 
 /// The layout of a plot within an area, in the small font.

@@ -10,16 +10,20 @@ namespace {
 bool draw_item(const Context& context, std::string_view widget, const ComboItem& item, bool selected) {
     const WithId id(item.id);
     const float height = ImGui::GetTextLineHeight() + context.px(8);
-    const bool clicked = ImGui::Selectable("##item", selected, 0, {0, height});
+    const bool possible = item.refusal.empty();
+    const ImGuiSelectableFlags flags = possible ? 0 : ImGuiSelectableFlags_DontClosePopups;
+    const bool clicked = ImGui::Selectable("##item", selected, flags, {0, height}) && possible;
     context.mark(std::string(widget) + "/" + std::string(item.id));
     const ImVec2 from = ImGui::GetItemRectMin();
     const ImVec2 to = ImGui::GetItemRectMax();
     const ImVec2 menu = ImGui::GetWindowPos();
-    tooltip_beside(context, {menu.x, from.y, menu.x + ImGui::GetWindowSize().x, to.y}, item.tooltip, Beside::right);
+    tooltip_beside(context, {menu.x, from.y, menu.x + ImGui::GetWindowSize().x, to.y},
+                   possible ? item.tooltip : item.refusal, Beside::right);
     const float y = 0.5f * (from.y + to.y);
-    text_left(from.x + context.px(10), y, item.name, selected ? colour::accent_hover : colour::text);
+    const ImU32 ink = !possible ? colour::text_faint : selected ? colour::accent_hover : colour::text;
+    text_left(from.x + context.px(10), y, item.name, ink);
     const WithFont font(context.theme.fonts().small);
-    text_right(to.x - context.px(10), y, item.remark, colour::text_dim);
+    text_right(to.x - context.px(10), y, item.remark, possible ? colour::text_dim : colour::text_faint);
     return clicked;
 }
 

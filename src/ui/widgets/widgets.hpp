@@ -75,6 +75,7 @@ struct ComboItem {
     std::string remark = {};
     std::string tooltip = {};
     std::string_view group = {};  ///< a heading above the first of successive items of a group
+    std::string refusal = {};     ///< why it cannot be chosen: it is grey, and says so; empty: it can
 };
 /// A box that shows the chosen item and opens a menu of all items. True if another one was chosen.
 bool combo(const Context& context, std::string_view widget, std::span<const ComboItem> items, std::size_t& chosen,

@@ -45,6 +45,13 @@ TEST(ViewOptions, leave_what_was_chosen_before) {
     EXPECT_FALSE(chosen.picture.caption);
 }
 
+TEST(ViewOptions, take_a_trail) {
+    EXPECT_TRUE(opened_with({"--trail", "on"}).trail);
+    EXPECT_FALSE(opened_with({"--trail", "off"}).trail);
+    EXPECT_FALSE(opened_with({}).trail);
+    EXPECT_THROW(opened_with({"--trail", "long"}), UsageError);
+}
+
 TEST(ViewOptions, refuse_unknown_plots_and_too_many) {
     EXPECT_THROW(opened_with({"--plots", "energie-error"}), UsageError);
     EXPECT_THROW(opened_with({"--plots", "speeds,speeds"}), UsageError);

@@ -92,12 +92,14 @@ TEST(read_out, keeps_to_the_picture_of_the_leading_run_in_windows_of_any_size) {
 
 TEST(read_out, leaves_the_lines_about_the_runs_their_place) {
     for (const Shown& shown : all_shown()) {
-        if (shown.runs == 1) continue;
-        const ComparedRuns desk(shown);
+        ComparedRuns desk(shown);
+        desk.style.displacements = 100;
+        desk.frame();
         const auto place = read_out(desk);
         const PixelRect tile = desk.tile(shown);
         ASSERT_TRUE(place) << shown.text();
-        const std::size_t lines = shown.layout == render::RunLayout::split ? 1 : shown.runs;
+        const std::size_t lines =
+            shown.runs == 1 || shown.layout == render::RunLayout::split ? (shown.runs == 1 ? 1 : 2) : shown.runs + 1;
         const auto area = render::run_lines_area({tile.width, tile.height}, shown.layout, lines,
                                                  static_cast<double>(shown.display.scale));
         const bool beside = place->right <= static_cast<float>(tile.x + area.left);

@@ -1,0 +1,92 @@
+#include "plot/free_corner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace steplab::plot {
+namespace {
+
+constexpr Box frame{100, 50, 400, 200};
+constexpr Box card{0, 0, 120, 40};
+constexpr std::array corners{Corner::top_right, Corner::top_left, Corner::bottom_right, Corner::bottom_left};
+
+Box card_at(Corner corner, float above = 0) { return card_in(frame, corner, card.width, card.height, above); }
+
+/// A line across a corner's card, from its left to its right.
+std::vector<Point> through(Corner corner) {
+    const Box box = card_at(corner);
+    return {{box.x - 10, box.y + 20}, {box.right() + 10, box.y + 20}};
+}
+
+TEST(FreeCorner, cards_lie_within_the_frame) {
+    for (const Corner corner : corners) {
+        for (const float above : {0.0F, 16.0F, 1000.0F}) {
+            const Box box = card_at(corner, above);
+            EXPECT_GE(box.x, frame.x);
+            EXPECT_LE(box.right(), frame.right());
+            EXPECT_GE(box.y, frame.y);
+            EXPECT_LE(box.bottom(), frame.bottom());
+        }
+    }
+    EXPECT_EQ(card_at(Corner::bottom_left, 16).bottom(), frame.bottom() - 16);
+}
+
+TEST(FreeCorner, length_of_a_line_within_a_box) {
+    const Box box{0, 0, 10, 10};
+    EXPECT_FLOAT_EQ(length_within(std::vector<Point>{{-5, 5}, {20, 5}}, box), 10);
+    EXPECT_FLOAT_EQ(length_within(std::vector<Point>{{5, -5}, {5, 3}}, box), 3);
+    EXPECT_FLOAT_EQ(length_within(std::vector<Point>{{0, 0}, {20, 20}}, box), 10 * std::sqrt(2.0F));
+    EXPECT_FLOAT_EQ(length_within(std::vector<Point>{{2, 2}, {4, 2}, {4, 5}}, box), 5);
+    EXPECT_EQ(length_within(std::vector<Point>{{-5, 12}, {20, 12}}, box), 0);
+    EXPECT_EQ(length_within(std::vector<Point>{{11, -5}, {30, 15}}, box), 0);
+    EXPECT_EQ(length_within(std::vector<Point>{{5, 5}}, box), 0);
+}
+
+// Against the part of many points of each stretch that lie in the box.
+TEST(FreeCorner, length_is_that_of_the_points_inside) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-20, 30);
+    const Box box{0, 0, 10, 10};
+    for (int i = 0; i < 200; ++i) {
+        const Point a{place(random), place(random)}, b{place(random), place(random)};
+        constexpr int points = 4000;
+        int inside = 0;
+        for (int k = 0; k < points; ++k) {
+            const float t = (static_cast<float>(k) + 0.5F) / points;
+            inside += box.contains(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
+        }
+        const float length = std::hypot(b.x - a.x, b.y - a.y);
+        // a point is missed or counted too much at each end
+        EXPECT_NEAR(length_within(std::vector<Point>{a, b}, box), length * static_cast<float>(inside) / points,
+                    3 * length / points);
+    }
+}
+
+TEST(FreeCorner, is_where_the_lines_are_not) {
+    for (const Corner clear : corners) {
+        std::vector<std::vector<Point>> lines;
+        for (const Corner other : corners) {
+            if (other != clear) lines.push_back(through(other));
+        }
+        for (const Corner present : corners) EXPECT_EQ(free_corner(lines, frame, card, 0, present, 30), clear);
+    }
+}
+
+TEST(FreeCorner, stays_unless_another_is_much_better) {
+    const std::vector<std::vector<Point>> everywhere{through(Corner::top_right), through(Corner::top_left),
+                                                     through(Corner::bottom_right), through(Corner::bottom_left)};
+    for (const Corner present : corners) {
+        EXPECT_EQ(free_corner(everywhere, frame, card, 0, present, 30), present);
+        EXPECT_EQ(free_corner({}, frame, card, 0, present, 30), present);
+    }
+    const Box box = card_at(Corner::top_right);
+    const std::vector<std::vector<Point>> touched{{{box.x, box.y + 5}, {box.x + 20, box.y + 5}}};
+    EXPECT_EQ(free_corner(touched, frame, card, 0, Corner::top_right, 30), Corner::top_right);
+    EXPECT_NE(free_corner(touched, frame, card, 0, Corner::top_right, 10), Corner::top_right);
+}
+
+}  // namespace
+}  // namespace steplab::plot
