@@ -20,18 +20,6 @@ class ComposedTruth : public testing::Test {};
 using TruthNumbers = testing::Types<float, double>;
 TYPED_TEST_SUITE(ComposedTruth, TruthNumbers);
 
-/// Calls f(scene, text) for some random scenes of each kind that suits.
-template <class Suits, class F>
-void for_scenes(unsigned each, Suits suits, F f) {
-    for (const RandomScene& kind : random_scenes) {
-        for (unsigned seed = 0; seed < each; ++seed) {
-            RandomScene wanted = kind;
-            if (suits(wanted)) f(random_scene(wanted, seed), std::string(kind.name) + ", seed " + std::to_string(seed));
-        }
-    }
-}
-bool any_scene(RandomScene&) { return true; }
-
 // Some ten operations for a term, each off by eps / 2, and sums of up to a hundred terms: in units of the sizes of
 // all terms the largest found is 2.2.
 constexpr Real roundings = 4;
@@ -104,23 +92,6 @@ TYPED_TEST(ComposedTruth, forces_turn_with_the_scene_and_are_the_same_elsewhere)
             }
         }
     });
-}
-
-/// (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / (12 h), wrong by h^4 / 30 of the fifth derivative.
-template <class F>
-auto fifth_order_slope(F f, Real h) {
-    return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
-}
-
-/// A direction for each particle that moves.
-std::vector<Real3> directions(const PlainScene& plain) {
-    std::vector<Real3> all;
-    for (std::size_t i = 0; i < plain.count(); ++i) {
-        const auto k = static_cast<Real>(i);
-        const bool fixed = plain.particles()[i].fixed;
-        all.push_back(fixed ? Real3{} : Real3{std::sin(3 * k + 1), std::cos(5 * k), std::sin(7 * k + 2)});
-    }
-    return all;
 }
 
 /// Without what follows velocities, and in a box without springs about as long as half of it, which may pass to another

@@ -4,6 +4,8 @@
 #include "models/scene/plain_scene.hpp"
 #include "models/scene/planner.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <variant>
 #include <vector>
@@ -38,5 +40,22 @@ Found found(const Scene& scene) {
 
 template <class T>
 inline constexpr Real eps = std::numeric_limits<T>::epsilon();
+
+/// (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / (12 h), wrong by h^4 / 30 of the fifth derivative.
+template <class F>
+auto fifth_order_slope(F f, Real h) {
+    return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h);
+}
+
+/// A direction for each particle that moves.
+inline std::vector<Real3> directions(const PlainScene& plain) {
+    std::vector<Real3> all;
+    for (std::size_t i = 0; i < plain.count(); ++i) {
+        const auto k = static_cast<Real>(i);
+        const bool fixed = plain.particles()[i].fixed;
+        all.push_back(fixed ? Real3{} : Real3{std::sin(3 * k + 1), std::cos(5 * k), std::sin(7 * k + 2)});
+    }
+    return all;
+}
 
 }  // namespace steplab::test

@@ -3,6 +3,7 @@
 #include "models/scene/scene.hpp"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace steplab::test {
@@ -43,5 +44,17 @@ Scene random_scene(const RandomScene& wanted, unsigned seed);
 /// All vectors of the scene turned about the axis (1, 2, 3) and moved; velocities and accelerations only turned.
 Scene turned_scene(const Scene& scene, Vec3 shift);
 Vec3 turned(Vec3 vector);
+
+/// Calls f(scene, text) for some random scenes of each kind that suits.
+template <class Suits, class F>
+void for_scenes(unsigned each, Suits suits, F f) {
+    for (const RandomScene& kind : random_scenes) {
+        for (unsigned seed = 0; seed < each; ++seed) {
+            RandomScene wanted = kind;
+            if (suits(wanted)) f(random_scene(wanted, seed), std::string(kind.name) + ", seed " + std::to_string(seed));
+        }
+    }
+}
+inline bool any_scene(RandomScene&) { return true; }
 
 }  // namespace steplab::test
