@@ -71,7 +71,7 @@ TYPED_TEST(ComposedTruth, forces_within_a_scene_cancel) {
 // Turned and moved elsewhere, the same numbers but for rounding: a scene without external potentials has the same
 // forces, turned, and without gravity the same energy.
 TYPED_TEST(ComposedTruth, forces_turn_with_the_scene_and_are_the_same_elsewhere) {
-    const auto open = [](RandomScene& wanted) { return wanted.periodic == 0; };
+    const auto open = [](RandomScene& wanted) { return wanted.periodic == 0 && wanted.rounded; };
     for_scenes(6, open, [](Scene scene, const std::string& text) {
         SCOPED_TRACE(text);
         std::erase_if(scene.fields, [](const FieldTerm& field) { return !field.potential.empty(); });

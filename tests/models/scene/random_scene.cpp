@@ -58,7 +58,8 @@ private:
                 const int cell = cells[next];
                 const Vec3 corner{step * apart * (cell % side), step * apart * (cell / side % side),
                                   step * apart * (cell / side / side)};
-                listed->push_back({.position = corner + steps(jitter),
+                const Vec3 off = wanted_.rounded ? Vec3{} : Vec3{uniform(0, step), uniform(0, step), uniform(0, step)};
+                listed->push_back({.position = corner + steps(jitter) + off,
                                    .velocity = steps(60),
                                    .mass = wanted_.spread ? uniform(0.5, 3) : 1.7});
             }

@@ -20,6 +20,7 @@ struct RandomScene {
     bool network = false;    ///< springs from each particle to its neighbours in number
     bool damped = false;
     bool fields = true, fixed = true, spread = true;  ///< spread: masses differ
+    bool rounded = true;                              ///< positions that float has exactly
 };
 
 /// One for each way in which composed forces are summed.
@@ -28,6 +29,7 @@ inline constexpr RandomScene random_scenes[]{
     {.name = "few pairs within a cut-off", .cutoff = 1.5},
     {.name = "springs alone", .most = 20, .pairs = false, .damped = true},
     {.name = "a network of springs", .least = 40, .most = 60, .pairs = false, .network = true},
+    {.name = "springs between any places", .least = 40, .most = 60, .pairs = false, .network = true, .rounded = false},
     {.name = "many pairs", .least = 30, .most = 70, .network = true, .damped = true},
     {.name = "many pairs, some within a cut-off", .least = 30, .most = 70, .cutoff = 2, .some_open = true},
     {.name = "few in a box", .least = 4, .cutoff = 1.5, .periodic = 2},
@@ -38,7 +40,8 @@ inline constexpr RandomScene random_scenes[]{
 };
 
 /// All positions, displacements, velocities and accelerations are multiples of 15 / 1024, so that float has them
-/// and their differences exactly, and so it is after turned_scene(). No two particles are nearer than 0.2.
+/// and their differences exactly, and so it is after turned_scene(); positions only where they are rounded. No two
+/// particles are nearer than 0.2.
 Scene random_scene(const RandomScene& wanted, unsigned seed);
 
 /// All vectors of the scene turned about the axis (1, 2, 3) and moved; velocities and accelerations only turned.
