@@ -20,7 +20,7 @@ namespace {
 using testing::ElementsAre;
 
 /// Dashpots along every direction, several on each particle; a fixed corner, three masses, drag of one.
-const std::string network = R"(
+const std::string dashpot_network = R"(
 [[particles]]
 group = "net"
 grid = { count = [3, 3], steps = [[1, 0, 0], [0, 1, 0.1]] }
@@ -47,7 +47,7 @@ drag = 0.7
 )";
 
 /// A damped row on a wall, charges in a trap above it, forces within and across.
-const std::string of_all_kinds = R"toml(
+const std::string forces_of_all_kinds = R"toml(
 [[particles]]
 group = "wall"
 fixed = true
@@ -101,7 +101,7 @@ drag = 0.3
 )toml";
 
 /// A Gaussian well and powers, in a typed trap.
-const std::string typed = R"toml(
+const std::string typed_trap = R"toml(
 [[particles]]
 group = "a"
 mass = 2
@@ -124,9 +124,10 @@ potential = "trap/2*(x^2 + 2*y^2 + 3*z^2)"
 trap = 0.5
 )toml";
 
-const std::string typed_with_drag = replaced(replaced(typed, "mass = 3", "mass = 2"), "velocity = [-0.2, 0.1, 0.1]",
-                                             "velocity = [-0.2, 0.1, 0.1]\nmass = 2") +
-                                    "[[fields]]\ndrag = 0.4\n";
+const std::string typed_trap_with_drag =
+    replaced(replaced(typed_trap, "mass = 3", "mass = 2"), "velocity = [-0.2, 0.1, 0.1]",
+             "velocity = [-0.2, 0.1, 0.1]\nmass = 2") +
+    "[[fields]]\ndrag = 0.4\n";
 
 RunDescription ordered_run(const std::string& text, const MethodInfo& info, double dt) {
     RunDescription run = with_method(describe(read_scene("steplab = 1\n" + text)), info.id);
@@ -134,20 +135,20 @@ RunDescription ordered_run(const std::string& text, const MethodInfo& info, doub
     return run;
 }
 
-struct Reached {
+struct ReachedState {
     Frame frame;
     double evaluations = 0;
 };
-Reached reached(const RunDescription& run, std::uint64_t steps) {
+ReachedState state_reached(const RunDescription& run, std::uint64_t steps) {
     Simulation simulation(run);
     simulation.advance(steps);
     EXPECT_FALSE(simulation.divergence()) << command_line(run);
     return {simulation.frame(), static_cast<double>(simulation.evaluations())};
 }
-Reached to_tolerance(const std::string& text, const MethodInfo& info, double time, double tolerance) {
+ReachedState to_tolerance(const std::string& text, const MethodInfo& info, double time, double tolerance) {
     RunDescription run = ordered_run(text, info, time);
     run.method_parameters.set("tolerance", tolerance);
-    return reached(run, 1);
+    return state_reached(run, 1);
 }
 
 /// Where the scene is after a time: right to some 1e-15.
@@ -166,7 +167,7 @@ constexpr double measured_time = 4;
 
 double error_of(const std::string& text, const MethodInfo& info, std::uint64_t steps) {
     const RunDescription run = ordered_run(text, info, measured_time / static_cast<double>(steps));
-    return distance(reached(run, steps).frame, right_place(text, measured_time));
+    return distance(state_reached(run, steps).frame, right_place(text, measured_time));
 }
 
 /// The power of dt with which the error falls: of the finest steps whose errors are a thousand times rounding
@@ -198,7 +199,7 @@ double fitted_order(const std::string& text, const MethodInfo& info) {
 /// order. How many steps it takes depends on where it meets the end and on those that are refused.
 void expect_order_by_tolerance(const std::string& text, const MethodInfo& info) {
     constexpr double time = 12, loose = 1e-5, tight = 1e-11;
-    const Reached first = to_tolerance(text, info, time, loose), last = to_tolerance(text, info, time, tight);
+    const ReachedState first = to_tolerance(text, info, time, loose), last = to_tolerance(text, info, time, tight);
     const double coarse = distance(first.frame, right_place(text, time));
     const double fine = distance(last.frame, right_place(text, time));
     EXPECT_LT(fine, 200 * tight) << info.id;
@@ -226,19 +227,19 @@ protected:
 
 TEST_P(SceneOrders, with_a_network_of_dashpots) {
     const int order = GetParam().info->order_with_damping;
-    if (order > 0) expect_orders(network, order);
+    if (order > 0) expect_orders(dashpot_network, order);
 }
 
 TEST_P(SceneOrders, with_forces_of_all_kinds) {
     const int order = GetParam().info->order_with_damping;
-    if (order > 0) expect_orders(of_all_kinds, order);
-    const std::string undamped = replaced(replaced(of_all_kinds, "damping = 0.5\n", ""), "drag = 0.3\n", "");
+    if (order > 0) expect_orders(forces_of_all_kinds, order);
+    const std::string undamped = replaced(replaced(forces_of_all_kinds, "damping = 0.5\n", ""), "drag = 0.3\n", "");
     expect_orders(undamped, GetParam().info->order);
 }
 
 TEST_P(SceneOrders, with_a_typed_potential) {
-    expect_orders(typed, GetParam().info->order);
-    expect_orders(typed_with_drag, GetParam().info->order_with_drag);
+    expect_orders(typed_trap, GetParam().info->order);
+    expect_orders(typed_trap_with_drag, GetParam().info->order_with_drag);
 }
 
 bool is_working_in_double(const MethodCase& c) { return c.precision == Precision::double_; }
@@ -248,11 +249,11 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, SceneOrders, testing::ValuesIn(working_metho
 // In float the same motion: a hundred steps of rounding 6e-8 at positions of 2, grown a little.
 TEST(SceneOrder, of_typed_potentials_in_float_is_a_matter_of_rounding) {
     for (const MethodCase& c : working_methods_where(is_working_in_double)) {
-        RunDescription run = ordered_run(typed, *c.info, 0.02);
+        RunDescription run = ordered_run(typed_trap, *c.info, 0.02);
         if (c.info->adaptive) run.method_parameters.set("tolerance", 1e-7);
-        const Frame in_double = reached(run, 100).frame;
+        const Frame in_double = state_reached(run, 100).frame;
         run.precision = Precision::float_;
-        const double apart = distance(reached(run, 100).frame, in_double);
+        const double apart = distance(state_reached(run, 100).frame, in_double);
         EXPECT_LT(apart, 2e-5) << c.id();
         EXPECT_GT(apart, 0) << c.id();
     }
@@ -278,14 +279,15 @@ TEST(SceneOrder, is_none_of_methods_that_refuse_a_scene_by_name) {
     const std::string as_printed = "it is kept as printed in 2008, for the models of then";
     const std::string seam = "its potential has min, max or abs, whose seams a power series does not see";
     const std::string damped = "dashpots, and drag that differs between particles, are not in its formulas";
-    EXPECT_THAT(refusals(typed), ElementsAre("verlet-2008: " + as_printed, "stoermer-2008: " + as_printed));
-    EXPECT_THAT(refusals(replaced(typed, "0.1*r^2", "0.1*max(r, 1)^2")),
+    EXPECT_THAT(refusals(typed_trap), ElementsAre("verlet-2008: " + as_printed, "stoermer-2008: " + as_printed));
+    EXPECT_THAT(refusals(replaced(typed_trap, "0.1*r^2", "0.1*max(r, 1)^2")),
                 ElementsAre("taylor: " + seam, "verlet-2008: " + as_printed, "stoermer-2008: " + as_printed));
-    EXPECT_THAT(refusals(network), ElementsAre("rkn-12-10: " + damped, "taylor: " + damped, "gauss-16: " + damped,
-                                               "verlet-2008: " + as_printed, "stoermer-2008: " + as_printed));
+    EXPECT_THAT(refusals(dashpot_network),
+                ElementsAre("rkn-12-10: " + damped, "taylor: " + damped, "gauss-16: " + damped,
+                            "verlet-2008: " + as_printed, "stoermer-2008: " + as_printed));
     std::size_t without = 0;
     for (const Method& method : methods()) without += method.info.order_with_damping == 0 ? 1 : 0;
-    EXPECT_EQ(refusals(network).size(), without) << "those that the catalogue says take no dashpots";
+    EXPECT_EQ(refusals(dashpot_network).size(), without) << "those that the catalogue says take no dashpots";
 }
 
 }  // namespace

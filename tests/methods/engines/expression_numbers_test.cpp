@@ -42,6 +42,7 @@ const std::vector<Written> written{
     {"sqrt(x + y)", [](Complex x, Complex y) { return std::sqrt(x + y); }},
     {"x^3 - y^-2", [](Complex x, Complex y) { return x * x * x - one / (y * y); }},
     {"x^2.5 + y^-0.75", [](Complex x, Complex y) { return std::pow(x, Real(2.5)) + std::pow(y, Real(-0.75)); }},
+    {"x^0.3 - y^-1.7", [](Complex x, Complex y) { return std::pow(x, Real(0.3)) - std::pow(y, Real(-1.7)); }},
     {"x^y", [](Complex x, Complex y) { return std::exp(y * std::log(x)); }},
     {"(x + y)^(x/y)", [](Complex x, Complex y) { return std::exp(x / y * std::log(x + y)); }},
     {"2^x", [](Complex x, Complex) { return std::exp(x * std::numbers::ln2_v<Real>); }},

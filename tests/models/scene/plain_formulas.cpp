@@ -134,7 +134,7 @@ const std::vector<PairFormula>& pair_formulas() {
         {"m1*q2^2*exp(-r/2)*sqrt(r)", sided_energy, sided_slope, {}, true},
         {"m1*m2*exp(-r)/4 - q1*q2*tanh(r)/(1 + r)", mixed_energy, mixed_slope, {}, false, mixed_terms},
         {"log(1 + r^2)*sin(r) + cos(2*r)/(1 + r) + tan(1/(2 + r))", waves_energy, waves_slope, {}},
-        {"a*r^1.5 - r^0.25 + (1 + r)^(-r) - r^n", powers_energy, powers_slope, {{"a", 0.375}, {"n", -1.75}}},
+        {"a*r^1.5 - r^0.25 + (1 + r)^(-r) - r^n", powers_energy, powers_slope, {{"a", 0.375}, {"n", -1.703125}}},
         {"stiff*max(0, 1 - r)^2.5", contact_energy, contact_slope, {{"stiff", 9}}}};
     return all;
 }
