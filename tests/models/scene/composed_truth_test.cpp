@@ -145,6 +145,11 @@ TEST(ComposedSlopes, of_the_energy_are_the_forces) {
     });
 }
 
+TEST(ComposedSlopes, of_every_built_in_potential_are_among_the_plain_formulas) {
+    for (const PotentialInfo* const info : BuiltInPotentials::infos)
+        EXPECT_NO_THROW(pair_formula(info->name)) << info->name;
+}
+
 // The slopes of plain_formulas.cpp were written by hand.
 TEST(ComposedSlopes, of_the_plain_formulas_are_right) {
     const PlainParticle a{.mass = 0.7L, .charge = -0.4L}, b{.mass = 1.9L, .charge = 0.8L};
