@@ -2,6 +2,7 @@
 
 #include "core/number_text.hpp"
 #include "sim/run/simulation.hpp"
+#include "sim/run/starting.hpp"
 #include "support/runs.hpp"
 #include "support/scene_texts.hpp"
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <variant>
 
 namespace steplab::test {
 namespace {
@@ -160,6 +162,44 @@ G = 1
     const Frame start = after(run, 0), end = after(run, 100);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_LT(length(end.positions[i] - start.positions[i]), 1e-6) << i;  // values of eight digits
+}
+
+// Released at rest where V = -D + E, a Morse pair is at exp(b (r - r0)) = (1 + s cos(omega t)) / (1 - s^2), s^2 = E /
+// D, omega = sqrt(k / mu) sqrt(1 - E / D), as the law of energy mu r'^2 / 2 + V = E - D shows: the period grows from
+// that of the minimum to infinity at E = D. Masses of 1 and 3: mu = 3/4, and the layout of any forces.
+TEST(SceneAnswer, a_morse_pair_has_the_motion_and_the_period_of_its_energy) {
+    constexpr double D = 1.5, k = 12, r0 = 1.2, mu = 0.75;
+    const double b = std::sqrt(k / (2 * D));
+    const auto solves_to_a_tolerance = [](const MethodCase& c) {
+        return c.precision == Precision::double_ && (c.info->adaptive || c.info->order > 8);
+    };
+    for (const double energy : {0.01, 0.5, 0.75, 0.96}) {  // E / D
+        const double s = std::sqrt(energy), omega = std::sqrt(k / mu) * std::sqrt(1 - energy);
+        const double start = r0 - std::log(1 - s) / b, period = 2 * std::numbers::pi / omega;
+        const std::string text = "[[particles]]\n[[particles]]\nposition = [0, " + number_text(start) +
+                                 ", 0]\nmass = 3\n[[pairs]]\npotential = \"morse\"\nD = 1.5\nk = 12\nr0 = 1.2\n";
+        for (const MethodCase& c : working_methods_where(solves_to_a_tolerance)) {
+            RunDescription run = run_of_text(text, c, period / 16);
+            EXPECT_TRUE(std::holds_alternative<ComposedForces>(plan_of(run).forces));
+            run.method_parameters.set("tolerance", 1e-13);
+            Simulation simulation(run);
+            for (int step = 1; step <= 32; ++step) {
+                simulation.advance(1);
+                const Frame frame = simulation.frame();
+                const double r = frame.positions[1].y - frame.positions[0].y;
+                const double right = r0 + std::log((1 + s * std::cos(omega * frame.time)) / (1 - s * s)) / b;
+                // tolerances of 1e-13 in two periods; a shift in time grows with the speeds near E = D
+                EXPECT_NEAR(r, right, 1e-10) << c.id() << " E / D " << energy << ", step " << step;
+                EXPECT_NEAR(frame.positions[0].y + 3 * (frame.positions[1].y - start), 0, 1e-11);
+            }
+        }
+        // in small steps: back where it began after one period and not sooner, off by the second order of 1 / 2000
+        const Frame back =
+            after(run_of_text(text, {&method("velocity-verlet").info, Precision::double_}, period / 2000), 2000);
+        EXPECT_NEAR(back.positions[1].y - back.positions[0].y, start, 1e-3 * (start - r0)) << energy;
+        const Frame half = after(run_of_text(text, {&method("rk4").info, Precision::double_}, period / 2000), 1000);
+        EXPECT_NEAR(half.positions[1].y - half.positions[0].y, r0 - std::log(1 + s) / b, 1e-8) << energy;
+    }
 }
 
 // The modes of two masses between walls with k, K, k are

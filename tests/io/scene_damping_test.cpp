@@ -3,6 +3,7 @@
 #include "core/number_text.hpp"
 #include "models/forces/linear_response.hpp"
 #include "sim/run/simulation.hpp"
+#include "sim/run/starting.hpp"
 #include "support/runs.hpp"
 #include "support/scene_texts.hpp"
 
@@ -10,6 +11,7 @@
 
 #include <cmath>
 #include <string>
+#include <variant>
 
 namespace steplab::test {
 namespace {
@@ -137,11 +139,70 @@ TEST(Damping, is_part_of_the_forces) {
     EXPECT_NEAR(forces[1].x, 0.8, 1e-15);
 }
 
-// A drag that is the same for all keeps every method, and has the bits of the drag of models.
+std::string hash_after(const RunDescription& run, std::uint64_t steps) {
+    Simulation simulation(run);
+    simulation.advance(steps);
+    EXPECT_FALSE(simulation.divergence()) << command_line(run);
+    return simulation.hash();
+}
+
+/// The rope with drag, written by hand; `drag` are its blocks. A run in float holds parameters as float has them.
+std::string rope_with(const std::string& drag) {
+    return "[parameters]\nm = 0.3\nk = 200\nc = 0.5\ng = 9.81\n[[particles]]\ngroup = \"rope\"\nmass = \"m\"\n"
+           "line = { count = 10, step = [0.5, 0, 0] }\n[[fix]]\nparticles = \"rope[0]\"\nfixed = true\n"
+           "[[springs]]\nbetween = \"rope\"\nk = \"k * m\"\n[[fields]]\ngravity = [0, \"-g\", 0]\n" +
+           drag;
+}
+
+// A drag that is the same for all, however it is written, keeps every method, and has the bits of the drag of models.
 TEST(Damping, equal_drag_is_the_drag_of_models) {
-    const std::string text =
-        "[[particles]]\nvelocity = [1, 0, 0]\n[[particles]]\nposition = [5, 0, 0]\n[[fields]]\ndrag = 0.5\n";
-    for (const MethodCase& c : working_methods()) EXPECT_NO_THROW(check(run_of_text(text, c, 0.01))) << c.id();
+    for (const MethodCase& c : working_methods()) {
+        const RunDescription model = run_of("rope", c.id(), c.precision, 0.01, {{"c", 0.5}});
+        const std::string right = hash_after(model, 20);
+        for (const char* const drag :
+             {"drag = \"c\"\n", "drag = \"c/4\"\n[[fields]]\nparticles = \"all\"\ndrag = \"3*c/4\"\n"})
+            EXPECT_EQ(hash_after(run_of_text(rope_with(drag), c, 0.01), 20), right) << c.id() << ' ' << drag;
+        EXPECT_NE(hash_after(run_of_text(rope_with("drag = \"1.000001*c\"\n"), c, 0.01), 20), right) << c.id();
+    }
+}
+
+// In the layout of any forces: the same rate c / m for all, of one block, of blocks for groups, and in proportion to
+// masses that differ.
+TEST(Damping, equal_drag_has_the_same_bits_however_it_is_written) {
+    const std::string pair =
+        "[[particles]]\ngroup = \"a\"\nvelocity = [1, 0, 0]\n"
+        "[[particles]]\ngroup = \"b\"\nposition = [5, 1, 0]\nvelocity = [0, 0.5, 0]\n"
+        "[[springs]]\npairs = [[\"a\", \"b\"]]\nk = 2\n";
+    const std::string all = "[[fields]]\ndrag = 0.5\n";
+    const std::string by_groups =
+        "[[fields]]\nparticles = \"b\"\ndrag = 0.25\n[[fields]]\nparticles = \"a\"\ndrag = 0.125\n"
+        "[[fields]]\ndrag = 0.25\n[[fields]]\nparticles = \"a\"\ndrag = 0.125\n";
+    const std::string heavy = replaced(pair, "velocity = [0, 0.5, 0]\n", "velocity = [0, 0.5, 0]\nmass = 4\n");
+    const std::string in_proportion =
+        "[[fields]]\nparticles = \"a\"\ndrag = 0.5\n[[fields]]\nparticles = \"b\"\ndrag = 2\n";
+    const std::string in_parts = "[[fields]]\ndrag = 0.5\n[[fields]]\nparticles = \"b\"\ndrag = 1.5\n";
+    for (const MethodCase& c : working_methods()) {
+        const auto hash = [&](const std::string& text) { return hash_after(run_of_text(text, c, 0.01), 20); };
+        EXPECT_EQ(hash(pair + by_groups), hash(pair + all)) << c.id();
+        EXPECT_EQ(hash(heavy + in_parts), hash(heavy + in_proportion)) << c.id();
+        EXPECT_NE(hash(pair + all), hash(pair)) << c.id();
+        EXPECT_NE(hash(heavy + in_proportion), hash(heavy)) << c.id();
+    }
+}
+
+// The oscillator in the layout of any forces, where a field that pulls at nothing keeps it: the same operations on a
+// single spring. Taylor's method sums the series of the two layouts in another order.
+TEST(Damping, equal_drag_of_any_forces_is_the_drag_of_models) {
+    const std::string oscillator =
+        "[[particles]]\ngroup = \"anchor\"\nfixed = true\n[[particles]]\ngroup = \"mass\"\nvelocity = [1, 0, 0]\n"
+        "[[springs]]\npairs = [[\"anchor\", \"mass\"]]\nk = 1\n[[fields]]\ndrag = 0.5\npotential = \"0*x\"\n";
+    const auto sums_alike = [](const MethodCase& c) { return c.id() != "taylor"; };
+    for (const MethodCase& c : working_methods_where(sums_alike)) {
+        const RunDescription model = run_of("oscillator", c.id(), c.precision, 0.01, {{"c", 0.5}});
+        const RunDescription composed = run_of_text(oscillator, c, 0.01);
+        EXPECT_TRUE(std::holds_alternative<ComposedForces>(plan_of(composed).forces));
+        EXPECT_EQ(hash_after(composed, 20), hash_after(model, 20)) << c.id();
+    }
 }
 
 }  // namespace
