@@ -59,17 +59,17 @@ open_for_the_monkey() {
     ln -sf trace "$folder/said"
     (cd "$folder" && exec "$program" --trace "$folder/trace" --config "$folder/view.toml" --model chain) 2>"$folder/errors" &
     window_pid=$!
-    wait_for '^widget step ' 0
+    answered '^widget step ' 0 || give_up "it does not open"
     window=$(xdotool search --name steplab | head -1)
 }
 
-# wait_for REGEX LINES: until the trace has such a line behind its first LINES.
-wait_for() {
+# answered REGEX LINES [SECONDS]: waits until the trace has such a line behind its first LINES.
+answered() {
     # shellcheck disable=SC2154  # of the driver
-    local end=$((SECONDS + patience))
+    local end=$((SECONDS + ${3:-$patience}))
     until tail -n "+$(($2 + 1))" "$folder/trace" 2>/dev/null | grep -qE "$1"; do
         kill -0 "$window_pid" 2>/dev/null || return 1
-        ((SECONDS < end)) || give_up "it does not answer"
+        ((SECONDS < end)) || return 1
         sleep 0.05
     done
 }
@@ -91,6 +91,18 @@ check_end() {
 
 megabytes() { awk '/^VmRSS/ { print int($2 / 1024) }' "/proc/$window_pid/status"; }
 
+# resized WIDTH HEIGHT LINES: asks for the size until the trace has it behind its first LINES: a window that is on its way
+# out of full screen takes its own.
+resized() {
+    local tries=0 every=5
+    while ((tries++ * every < patience)); do
+        xdotool windowsize "$window" "$1" "$2" 2>>"$folder/xdotool.log"
+        if answered "^size ${1}x$2" "$3" $every; then return; fi
+        kill -0 "$window_pid" 2>/dev/null || return 1
+    done
+    give_up "it does not answer"
+}
+
 # play_round: the gestures, and then a size that it did not have before, which it has to answer.
 play_round() {
     round "$number" >"$folder/round-$number.txt"
@@ -98,8 +110,7 @@ play_round() {
     sed "s/%1/$window/" "$folder/round-$number.txt" | xdotool - >>"$folder/xdotool.log" 2>&1
     local lines width=$((900 + number % 300)) height=$((600 + number % 97))
     lines=$(wc -l <"$folder/trace")
-    xdotool windowsize "$window" $width $height 2>>"$folder/xdotool.log"
-    wait_for "^size ${width}x$height" "$lines" || { check_end && open_for_the_monkey; }
+    resized $width $height "$lines" || { check_end && open_for_the_monkey; }
 }
 
 number=0

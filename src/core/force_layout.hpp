@@ -53,8 +53,8 @@ struct ForceCapabilities {
     /// range(): how the force between two particles changes with their distance (core/pair_range.hpp).
     bool range = false;
     /// approaches(): the same of any number of pair forces (core/pair_approach.hpp); has_local_fields(),
-    /// field_bound(u, v, i, from, to): how large the acceleration of particle i by fields that are not polynomials is
-    /// at most on its straight way between two times from now.
+    /// field_bound(u, v, a, i, from, to): how large the acceleration of particle i by fields that are not polynomials
+    /// is at most between two times from now, on its way if its acceleration stays a.
     bool approaches = false;
     /// hold(u, v), held(), each_held(f): the pairs within a cut-off can be held, so that nothing jumps where one
     /// crosses it. f(i, j, cutoff, whether it acts) for every pair that has one.
@@ -150,7 +150,7 @@ template <class Force, class T>
 concept HasApproaches = requires(const Force& force, const Field<T>& u) {
     { force.approaches() } -> std::same_as<const Approaches&>;
     { force.has_local_fields() } -> std::same_as<bool>;
-    { force.field_bound(u, u, 0, 0.0, 1.0) } -> std::same_as<double>;
+    { force.field_bound(u, u, u, 0, 0.0, 1.0) } -> std::same_as<double>;
 };
 
 /// A visitor of held pairs.

@@ -28,35 +28,56 @@ public:
             weight_[k] = std::max(pull_[k], number(std::abs(slope) * r * r));
         }
         find_next();
+        find_way_outwards();
     }
 
     /// From one step to the next, what a force does may grow by this factor.
     static constexpr double growth = 4;
 
     double cutoff() const { return cutoff_; }
-    /// Of the distance, which two particles have to come nearer at least before the force matters `growth` times as
-    /// much.
-    double least_way() const { return least_way_; }
+    /// Of the distance, which two particles have to come nearer, or to move apart, at least before the force matters
+    /// `growth` times as much.
+    double least_way() const { return std::min(least_way_, least_way_outwards_); }
+    /// Whether it does so anywhere where they move apart.
+    bool grows_outwards() const { return least_way_outwards_ < never; }
 
     /// Two particles that approach.
     struct Pair {
-        double distance = 0, speed2 = 0;  ///< squared, relative to each other
-        double momentum2 = 0;             ///< |d x w|^2: what keeps them apart
-        double strength = 1;              ///< their relative acceleration is this times F
-        double negligible = 0;            ///< a squared speed: what a force that does less can be overlooked
+        double distance = 0, speed2 = 0;        ///< squared, relative to each other
+        double momentum2 = 0;                   ///< |d x w|^2: what keeps them apart
+        double pull = 0;                        ///< acceleration relative to each other now, of all forces
+        double strength = 1;                    ///< their relative acceleration is this times F
+        double negligible = 0;                  ///< a squared speed: what a force that does less can be overlooked
+        bool inwards = true, outwards = false;  ///< whether they approach, or move apart, now or soon
     };
 
-    /// After which time the force matters so many times as much as now, if all its work goes into their approach; not
-    /// within `longest`: infinity. What matters is |F| r or |F'| r^2, whichever is more.
+    /// After which time the force matters so many times as much as now, if all its work, and that of the others as they
+    /// are now, goes into their approach; not within `longest`: infinity. What matters is |F| r or |F'| r^2, whichever
+    /// is more.
     double time_to_growth(const Pair& pair, double longest) const {
         const std::size_t now = place(pair.distance);
         const double limit = growth * std::max(pair.strength * weight_[now], pair.negligible);
         // with the work of forces that do not matter yet they are hardly faster
-        const double farthest = pair.distance - 2 * longest * std::sqrt(pair.speed2);
+        const double farthest = pair.distance - longest * (2 * std::sqrt(pair.speed2) + longest * pair.pull);
         const std::size_t last = farthest > 0 ? place(farthest) : 0;
         const bool matters = pair.strength * weight_[now] >= pair.negligible;
         for (std::size_t k = matters ? next_[now] + std::size_t{1} : now; k-- > last;) {
             if (pair.strength * weight_[k] >= limit) return meets(pair, k, limit) ? time_to(pair, k) : never;
+        }
+        return never;
+    }
+
+    /// The same of two particles that move apart, at all their speed: a force may be felt from a distance on.
+    double time_to_growth_outwards(const Pair& pair, double longest) const {
+        const std::size_t now = place(pair.distance);
+        const double limit = growth * std::max(pair.strength * weight_[now], pair.negligible);
+        const double speed = std::sqrt(pair.speed2), farthest = pair.distance + longest * (speed + longest * pair.pull);
+        const std::size_t last = place(farthest);
+        for (std::size_t k = now + 1; k <= last; ++k) {
+            if (pair.strength * weight_[k] < limit) continue;
+            const double way = std::max(distance(k) - pair.distance, 0.0);
+            // speed t + pull t^2 / 2 = way
+            return 2 * way / (speed + std::sqrt(speed * speed + 2 * pair.pull * way));
         }
         return never;
     }
@@ -112,22 +133,40 @@ private:
     /// Whether they come as near as node k, if the force that is below `limit` until there draws them together.
     bool meets(const Pair& pair, std::size_t k, double limit) const {
         const double r = distance(k), steps = static_cast<double>(place(pair.distance) - k + 1);
-        return pair.momentum2 < r * r * (pair.speed2 + 2 * limit * step * steps);
+        return pair.momentum2 < r * r * (pair.speed2 + 2 * (limit * step * steps + pair.pull * (pair.distance - r)));
     }
 
     double time_to(const Pair& pair, std::size_t last) const {
+        const double own = pair.strength * pull_[place(pair.distance)] / pair.distance;
+        const double others = std::max(pair.pull - own, 0.0);
         double time = 0, speed2 = pair.speed2, r = pair.distance;
         for (std::size_t k = place(pair.distance) + 1; k-- > last;) {
             const double next = std::min(distance(k), r);
-            speed2 += 2 * pair.strength * pull_[k] * step;
-            if (!(pair.momentum2 < next * next * speed2)) return never;
+            speed2 += 2 * (pair.strength * pull_[k] * step + others * (r - next));
+            if (r > next && !(pair.momentum2 < next * next * speed2)) return never;
             if (r > next) time += (r - next) / std::sqrt(speed2);
             r = next;
         }
         return time;
     }
 
-    double cutoff_, least_way_ = 0.75;
+    /// The least way outwards from a node to one at which the force matters `growth` times as much. From where there is
+    /// none to where it begins counts too, but not a dip in which it vanishes for a moment.
+    void find_way_outwards() {
+        double least = never;
+        std::size_t low = nodes;  // the farthest node so far at which it matters least of those that may be begun from
+        for (std::size_t k = 0; k < nodes; ++k) {
+            if (low < nodes && weight_[k] > 0 && weight_[k] >= growth * weight_[low]) {
+                least = std::min(least, (distance(k) - distance(low)) / distance(low + 1));
+                low = k;
+            } else if (low == nodes || weight_[k] <= weight_[low]) {
+                low = k;
+            }
+        }
+        least_way_outwards_ = least;
+    }
+
+    double cutoff_, least_way_ = 0.75, least_way_outwards_ = never;
     std::vector<double> weight_, pull_;
     std::vector<std::uint16_t> next_;
 };

@@ -10,6 +10,7 @@
 #include "methods/engines/compensated.hpp"
 #include "methods/engines/encounters.hpp"
 #include "methods/engines/integrator.hpp"
+#include "methods/engines/own_steps.hpp"
 #include "methods/engines/series_forces.hpp"
 #include "methods/engines/series_motion.hpp"
 
@@ -241,13 +242,42 @@ private:
             (share >= T(1) && std::isfinite(share) ? too_small : too_large) = progress_.unit;
             progress_.unit = unit_between(too_small, progress_.length, too_large);
         }
-        progress_.length = longest_step(system, x_[0], v_, progress_.length, static_cast<T>(tolerance_));
+        progress_.length = longest_step(system, now(a_), progress_.length, static_cast<T>(tolerance_));
         if (!system.held().empty())
             progress_.length =
                 length_until_crossing(system, v_.count(), progress_.length, [this](T t, Motion<T>& then) {
                     series_motion(std::span<const Field<T>>(x_), v_, progress_.unit, t, forces_->axes(), then);
                 });
+        if (has_hidden_forces(system)) end_where_foreseen(system);
         if (!forces_->singular()) end_at_collision(system);
+    }
+
+    /// A series ends before something acts that is in none of its terms: before its accelerations are others than those
+    /// at its end.
+    template <class System>
+    void end_where_foreseen(System& system) {
+        Motion<T> then(v_.count());
+        for (int halvings = 0; halvings < 100; ++halvings) {
+            series_motion(std::span<const Field<T>>(x_), v_, progress_.unit, progress_.length, forces_->axes(), then);
+            accelerate(system, then.x, then.v, end_);
+            if (ends_as_foreseen(then)) return;
+            progress_.length /= T(2);
+        }
+    }
+
+    /// The last terms of the series of the accelerations are of the tolerance over the square of its length.
+    bool ends_as_foreseen(const Motion<T>& then) const {
+        constexpr T terms = T(128);
+        T gap2 = T(0), forces2 = T(0), velocities2 = T(0), places2 = T(0);
+        for (std::size_t k = 0; k < end_.flat().size(); ++k) {
+            const T a = end_.flat()[k], gap = a - then.a.flat()[k], v = then.v.flat()[k], x = then.x.flat()[k];
+            gap2 += gap * gap;
+            forces2 += a * a;
+            velocities2 += v * v;
+            places2 += x * x;
+        }
+        const T change = static_cast<T>(tolerance_) / progress_.length, last = terms * change / progress_.length;
+        return is_smooth(gap2, last * last * (T(1) + places2), forces2, velocities2, change);
     }
 
     /// When a collision approaches, the series ends before it; close to the collision it ends as far behind it. A

@@ -213,7 +213,7 @@ private:
         if (progress_.crossed) accelerate(system, from_.x, from_.v, from_.a);
         // behind a crossing the force is another one, of which no step has told anything yet
         const T caution = progress_.crossed ? T(8) : T(1);
-        const T longest = longest_step(system, from_.x, from_.v, caution * control_.length(), tolerance_) / caution;
+        const T longest = longest_step(system, motion(from_), caution * control_.length(), tolerance_) / caution;
         if (longest < control_.length()) {
             control_.length(longest);
             if (!(longest > shortest_step(target))) return stop(system, longest, target);

@@ -22,7 +22,7 @@ namespace steplab {
 // afar that nothing of it is seen, leaves steps free to grow until a whole encounter lies between two stages. A method
 // that chooses its own steps therefore
 //
-//     h = longest_step(system, x, v, h, tolerance)      takes no step that carries two particles deep into each other's
+//     h = longest_step(system, motion, h, tolerance)    takes no step that carries two particles deep into each other's
 //                                                       reach from outside (PairRange of the models' own layouts,
 //                                                       Approaches of composed scenes);
 //     system.hold(x, v)                                 has no force jump inside a step;

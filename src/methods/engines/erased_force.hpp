@@ -92,7 +92,7 @@ public:
         virtual std::optional<PairRange<T>> range() const = 0;
         virtual const Approaches& approaches() const = 0;
         virtual bool has_local_fields() const = 0;
-        virtual double field_bound(const Field<T>& x, const Field<T>& v, std::size_t i, double from,
+        virtual double field_bound(const Field<T>& x, const Field<T>& v, const Field<T>& a, std::size_t i, double from,
                                    double to) const = 0;
         virtual bool hold(const Field<T>& x, const Field<T>& v) = 0;
         virtual const std::vector<bool>& held() const = 0;
@@ -153,8 +153,9 @@ public:
     std::optional<PairRange<T>> range() const { return face_->range(); }
     const Approaches& approaches() const { return face_->approaches(); }
     bool has_local_fields() const { return face_->has_local_fields(); }
-    double field_bound(const Field<T>& x, const Field<T>& v, std::size_t i, double from, double to) const {
-        return face_->field_bound(x, v, i, from, to);
+    double field_bound(const Field<T>& x, const Field<T>& v, const Field<T>& a, std::size_t i, double from,
+                       double to) const {
+        return face_->field_bound(x, v, a, i, from, to);
     }
     /// False where the layout holds no pairs.
     bool hold(const Field<T>& x, const Field<T>& v) { return face_->hold(x, v); }

@@ -54,7 +54,8 @@ public:
         if (tolerance_ > T(0)) system.hold(end_.x, end_.v);
         system.accelerations(end_.x, begin_a_);
         guess(begin_a_);
-        if (tolerance_ > T(0)) progress_.next = T(2) * aim_ * time_scale(system, end_.x, end_.v, begin_a_);
+        if (tolerance_ > T(0))
+            progress_.next = first_step(T(2) * aim_ * time_scale(system, end_.x, end_.v, begin_a_), system.dt());
     }
 
     template <class System>
@@ -198,7 +199,9 @@ private:
         if (drag_.on()) drag_.add(work_in_own_step(system, T(0)));
         std::swap(begin_, end_);
         system.hold(begin_.x, begin_.v);
-        progress_.next = longest_step(system, begin_.x, begin_.v, progress_.next, tolerance_);
+        const bool hidden = has_hidden_forces(system);
+        if (hidden) beginning(system);
+        progress_.next = longest_step(system, MotionOf<T>{begin_.x, begin_.v, begin_a_}, progress_.next, tolerance_);
         T h = progress_.next;
         guard_.begin_step();
         if (guard_.approaching()) {
@@ -213,9 +216,12 @@ private:
             if (straddles(system, h)) continue;
             if (solved && fits(h)) {
                 if (crosses(system, h)) continue;
-                accept(h);
-                progress_.across = T(0);
-                return progress_.time.inner_step(h);
+                if (!hidden || ends_as_foreseen(system, h)) {
+                    accept(h);
+                    progress_.across = T(0);
+                    return progress_.time.inner_step(h);
+                }
+                progress_.next = h / T(4);
             }
             if (!solved) progress_.next = h / T(2);
             h = progress_.next;
@@ -232,6 +238,18 @@ private:
         const bool other = factor < T(0.94) || factor > T(1.06);  // an equal step is cheaper
         if (refused || (other && !(h < progress_.next))) progress_.next = h * factor;
         return !refused;
+    }
+
+    /// Whether the forces at the end of a step are those of the polynomial of its stages.
+    template <class System>
+    bool ends_as_foreseen(System& system, T h) {
+        end_a_ = Field<T>(end_.x.count());
+        system.accelerations(end_.x, end_a_);
+        const auto spectrum = stages_.spectrum();
+        T velocities2 = T(0);
+        each_coordinate(begin_.v, [&](std::size_t k) { velocities2 += begin_.v.flat()[k] * begin_.v.flat()[k]; });
+        return is_smooth(stages_.gap_at_end(end_a_), spectrum.coefficient_6 + spectrum.coefficient_7, spectrum.force,
+                         velocities2, tolerance_ / h);
     }
 
     template <class System>
@@ -321,6 +339,7 @@ private:
     TwoPartState<T> begin_;  ///< of the last own step
     Field<T> known_;         ///< forces at the stages of the last step
     Field<T> begin_a_;       ///< accelerations at the beginning of an own step, where asked for
+    Field<T> end_a_;         ///< forces at its end, where asked for
     CollisionGuard<T> guard_;
     Progress progress_;
     GaussStages<T> stages_;

@@ -40,13 +40,13 @@ public:
         end_ = TwoPartState<T>(state);
         begin_ = end_;
         const std::size_t count = end_.x.count();
-        for (Field<T>* field : {&a_, &begin_a_, &x_, &v_, &f_, &last_a_}) *field = Field<T>(count);
+        for (Field<T>* field : {&a_, &begin_a_, &x_, &v_, &f_, &last_a_, &next_a_}) *field = Field<T>(count);
         for (Terms* set : {&b_, &trial_, &g_}) set->fill(Field<T>(count));
         aim_ = std::min(T(Control::longest), T(Control::reach) * root(tolerance_in(system, tolerance_), 15));
         system.hold(end_.x, end_.v);
         system.accelerations(end_.x, a_);
         progress_ = {};
-        progress_.last = progress_.next = aim_ * time_scale(system, end_.x, end_.v, a_);
+        progress_.last = progress_.next = first_step(aim_ * time_scale(system, end_.x, end_.v, a_), system.dt());
         guard_.state({});
         resist(system, end_.x, end_.v, a_);
     }
@@ -132,7 +132,7 @@ private:
         if (drag_.on()) drag_.add(work_in_own_step(system, T(0)));
         system.hold(end_.x, end_.v);
         if (progress_.crossed) accelerate(system, end_.x, end_.v, a_);
-        progress_.next = longest_step(system, end_.x, end_.v, progress_.next, tolerance_);
+        progress_.next = longest_step(system, now(), progress_.next, tolerance_);
         T h = guard_.behind(progress_.next), before = any, converging = any;
         guard_.begin_step();
         if (guard_.approaching()) {
@@ -148,7 +148,9 @@ private:
             if (converged && fits(h, before)) {
                 progress_.next = std::min(progress_.next, converging);
                 if (crosses(system, h)) continue;
-                return accept(system, h);
+                move_to_next(system, h);
+                if (!has_hidden_forces(system) || ends_as_foreseen(h)) return accept(system, h);
+                progress_.next = h / T(4);
             }
             if (!converged) progress_.next = converging = h / T(2);
             h = progress_.next;
@@ -160,14 +162,36 @@ private:
 
     /// True if the trial step is good; the next one has a better length. A step cut short says nothing about longer
     /// ones. A phase that does not fall with the step is rounding, for which no shorter step is better, unless the
-    /// accelerations change velocities by more than the tolerance: then they jump where the step begins.
+    /// accelerations change velocities by more than the tolerance: then they jump where the step begins, or have a seam
+    /// within it.
     bool fits(T h, T& before) {
         const T covered = phase(h), factor = step_factor(aim_, covered), change = T(64) * tolerance_ / h;
+        const T speed2 = T(1) + squares(end_.v), bend = seam * tolerance_ / h;
         const bool better_shorter = covered < T(0.95) * std::exchange(before, covered) ||
-                                    squares(last_a_) > change * change * (T(1) + squares(end_.v));
+                                    squares(last_a_) > change * change * speed2 ||
+                                    squares(trial_[5]) > bend * bend * speed2;
         const bool refused = factor < T(smallest_accepted_factor) && better_shorter;
         if (refused || !(h < progress_.next)) progress_.next = h * factor;
         return !refused;
+    }
+
+    /// Of what a kink of the accelerations within a step does to the velocity, so many times as much is in b_5; of what
+    /// rounding of the accelerations does, no more.
+    static constexpr T seam = T(1e5);
+
+    /// Whether the accelerations at the end of a step are those of its polynomial. Where they are not something acts
+    /// behind the last node that was not seen, or not all of it.
+    bool ends_as_foreseen(T h) const {
+        T gap2 = T(0);
+        const T *const a = a_.flat().data(), *const end = next_a_.flat().data();
+        const auto b = Radau::numbers(std::as_const(trial_));
+        for (std::size_t k = 0; k < a_.flat().size(); ++k) {
+            T foreseen = a[k];
+            for (std::size_t i = 0; i < terms; ++i) foreseen += b[i][k];
+            gap2 += (end[k] - foreseen) * (end[k] - foreseen);
+        }
+        return is_smooth(gap2, squares(trial_[5]) + squares(trial_[6]), squares(a_) + squares(next_a_), squares(end_.v),
+                         tolerance_ / h);
     }
 
     template <class System>
@@ -204,13 +228,21 @@ private:
         progress_.time.inner_step(T(2) * progress_.across);
     }
 
+    /// The end of the trial step.
+    template <class System>
+    void move_to_next(System& system, T h) {
+        next_ = end_;
+        move_radau(next_, a_, trial_, h, T(1));
+        accelerate(system, next_.x, next_.v, next_a_);
+    }
+
     template <class System>
     void accept(System& system, T h) {
-        begin_ = end_;
+        std::swap(begin_, end_);
+        std::swap(end_, next_);
         std::swap(begin_a_, a_);
+        std::swap(a_, next_a_);
         std::swap(b_, trial_);
-        move_radau(end_, begin_a_, b_, h, T(1));
-        accelerate(system, end_.x, end_.v, a_);
         progress_.crossed = system.hold(end_.x, end_.v);
         progress_.last = h;
         progress_.across = T(0);
@@ -340,6 +372,8 @@ private:
     Terms b_;                ///< of the last step
     Terms trial_, g_;
     CollisionGuard<T> guard_;
+    TwoPartState<T> next_;  ///< the end of a trial step
+    Field<T> next_a_;       ///< accelerations there
     Field<T> x_, v_, f_, last_a_;
     Progress progress_;
 };

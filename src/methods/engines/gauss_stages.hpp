@@ -125,6 +125,17 @@ public:
         return {sum(squares) / T(stage_count), ends[Weights::coefficient_6], ends[Weights::coefficient_7]};
     }
 
+    /// Sum of the squares of what forces at the end of the step differ by from the polynomial of its stages.
+    T gap_at_end(const Field<T>& forces) const {
+        const Stages<T> weights = Stages<T>::load(rounded_to<T>(gauss_table.end).data());
+        T gap2 = T(0);
+        each_coordinate(f_, axes_, [&](std::size_t k) {
+            const T gap = forces.flat()[k] - sum(weights * f_.flat()[k]);
+            gap2 += gap * gap;
+        });
+        return gap2;
+    }
+
 private:
     using Weights = GaussWeights<T>;
 

@@ -9,11 +9,13 @@
 #include "core/pair_approach.hpp"
 #include "core/pair_range.hpp"
 #include "core/vector.hpp"
+#include "methods/engines/collisions.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace steplab {
 
@@ -75,6 +77,12 @@ bool has_encounters(const System& system) {
     return system.range() || !system.approaches().terms.empty();
 }
 
+/// True in scenes of which parts may be felt at some places alone, at ends of which the stages tell nothing.
+template <class System>
+bool has_hidden_forces(const System& system) {
+    return !system.approaches().terms.empty() || system.has_local_fields();
+}
+
 /// longest_step() by a PairRange.
 template <class System, class T>
 T longest_within(const System& system, const PairRange<T>& range, const Field<T>& x, const Field<T>& v, T h,
@@ -124,17 +132,23 @@ double longest_of_many(const Approaches& approaches, const Field<T>& v, double h
 /// Whether a step of length h moves a pair of an open space by this share of its distance, or half of it: of others
 /// nothing need be asked. Pairs in rows, a register at a time.
 template <class T>
-bool moves_pairs(const Field<T>& x, const Field<T>& v, T h, T share) {
+bool moves_pairs(const MotionOf<T>& now, T h, T share) {
     using N = Lanes<T>;
-    const FieldLanes<const T> places(x), velocities(v);
-    const N moved(T(4) * h * h), near(share * share);
+    const FieldLanes<const T> places(now.x), velocities(now.v), pulls(now.a);
+    const N moved(T(4) * h * h), near(share * share), half(h / T(2));
     const auto square = [](const Vector<N>& d) { return d.x * d.x + d.y * d.y + d.z * d.z; };
     N most(T(0));
-    for (std::size_t i = 0; i + 1 < x.count(); ++i) {
-        const Vector<N> at{N(x.x()[i]), N(x.y()[i]), N(x.z()[i])}, with{N(v.x()[i]), N(v.y()[i]), N(v.z()[i])};
-        for (std::size_t r = (i + 1) / N::count; r * N::count < x.count(); ++r) {
-            const N way2 = square(velocities.get(r) - with), distance2 = square(places.get(r) - at);
-            const N beyond = where(N::first(x.count() - r * N::count), moved * way2 - near * distance2, N(T(0)));
+    const std::size_t count = now.x.count();
+    const auto all = [](const Field<T>& field, std::size_t i) {
+        return Vector<N>{N(field.x()[i]), N(field.y()[i]), N(field.z()[i])};
+    };
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const Vector<N> at = all(now.x, i), with = all(now.v, i), pull = all(now.a, i);
+        for (std::size_t r = (i + 1) / N::count; r * N::count < count; ++r) {
+            const Vector<N> w = velocities.get(r) - with;
+            const N slow2 = square(w), fast2 = square(w + half * (pulls.get(r) - pull)),
+                    way2 = where(slow2 < fast2, fast2, slow2), distance2 = square(places.get(r) - at);
+            const N beyond = where(N::first(count - r * N::count), moved * way2 - near * distance2, N(T(0)));
             most = where(most < beyond, beyond, most);
         }
     }
@@ -143,29 +157,44 @@ bool moves_pairs(const Field<T>& x, const Field<T>& v, T h, T share) {
     return found;
 }
 
+/// What tells an ApproachTable how a pair moves within a step of length h; none where that is no matter.
+template <class System, class T>
+std::optional<ApproachTable::Pair> moving_pair(const System& system, const Approaches::Pair& pair,
+                                               const MotionOf<T>& now, double h, double share, double negligible) {
+    const Vector<T> d = system.separation(now.x, pair.first, pair.second),
+                    w = difference_of(now.v, pair.first, pair.second),
+                    a = difference_of(now.a, pair.first, pair.second);
+    const auto distance2 = static_cast<double>(dot(d, d)), speed2 = static_cast<double>(dot(w, w)),
+               inwards = static_cast<double>(-dot(d, w)), pulled = static_cast<double>(-dot(d, a));
+    const double soon2 = speed2 + h * (static_cast<double>(dot(w, a)) + h / 4 * static_cast<double>(dot(a, a)));
+    const double way2 = h * h * std::max(speed2, soon2);
+    if (4 * way2 < share * share * distance2) return std::nullopt;
+    const double distance = std::sqrt(distance2);
+    return ApproachTable::Pair{.distance = distance,
+                               .speed2 = speed2,
+                               .momentum2 = std::max(distance2 * speed2 - inwards * inwards, 0.0),
+                               .pull = std::sqrt(static_cast<double>(dot(a, a))),
+                               .strength = pair.strength,
+                               .negligible = negligible * std::max(speed2, soon2),
+                               .inwards = std::max(inwards, inwards + h / 2 * pulled) >= 0,
+                               .outwards = std::min(inwards, inwards + h / 2 * pulled) < 0};
+}
+
 /// longest_step() by Approaches.
 template <class System, class T>
-T longest_approach(const System& system, const Approaches& approaches, const Field<T>& x, const Field<T>& v, T h,
-                   T tolerance) {
+T longest_approach(const System& system, const Approaches& approaches, const MotionOf<T>& now, T h, T tolerance) {
     auto longest = static_cast<double>(h);
     const double negligible = negligible_share * static_cast<double>(tolerance);
     const bool few = !approaches.pairs.empty(), open = approaches.shortest_side == 0;
-    if (few && open && !moves_pairs(x, v, h, static_cast<T>(approaches.least_way))) return h;
+    if (few && open && !moves_pairs(now, h, static_cast<T>(approaches.least_way))) return h;
     for (const Approaches::Pair& pair : approaches.pairs) {
-        const Vector<T> d = system.separation(x, pair.first, pair.second),
-                        w = difference_of(v, pair.first, pair.second);
-        const auto distance2 = static_cast<double>(dot(d, d)), speed2 = static_cast<double>(dot(w, w)),
-                   inwards = static_cast<double>(-dot(d, w));
-        const double share = approaches.terms[pair.term].table.least_way();
-        if (!(inwards >= 0) || 4 * longest * longest * speed2 < share * share * distance2) continue;
-        const ApproachTable::Pair now{.distance = std::sqrt(distance2),
-                                      .speed2 = speed2,
-                                      .momentum2 = std::max(distance2 * speed2 - inwards * inwards, 0.0),
-                                      .strength = pair.strength,
-                                      .negligible = negligible * speed2};
-        longest = std::min(longest, approaches.terms[pair.term].table.time_to_growth(now, longest));
+        const ApproachTable& table = approaches.terms[pair.term].table;
+        const auto moving = moving_pair(system, pair, now, longest, table.least_way(), negligible);
+        if (moving && moving->inwards) longest = std::min(longest, table.time_to_growth(*moving, longest));
+        if (moving && moving->outwards && table.grows_outwards())
+            longest = std::min(longest, table.time_to_growth_outwards(*moving, longest));
     }
-    return static_cast<T>(std::min(longest, longest_of_many(approaches, v, longest, negligible)));
+    return static_cast<T>(std::min(longest, longest_of_many(approaches, now.v, longest, negligible)));
 }
 
 /// How long from now a bound is kept that holds for pieces of time; at least until `end`: infinity.
@@ -188,28 +217,29 @@ double kept_until(Bound bound, double limit, double end) {
 /// longest_step() where fields act that may be felt at some places alone: no farther than to where one does more than
 /// it does now, as it changes now, and than a thousandth of the tolerance allows.
 template <class System, class T>
-T longest_to_fields(const System& system, const Field<T>& x, const Field<T>& v, T h, T tolerance) {
+T longest_to_fields(const System& system, const MotionOf<T>& now, T h, T tolerance) {
     auto longest = static_cast<double>(h);
-    for (std::size_t i = 0; i < x.count(); ++i) {
-        const auto bound = [&](double from, double to) { return system.field_bound(x, v, i, from, to); };
-        const Vector<T> own{v.x()[i], v.y()[i], v.z()[i]};
-        const double soon = longest * 0x1p-20, now = bound(0, 0), slope = (bound(soon, soon) - now) / soon,
-                     negligible = negligible_share * static_cast<double>(tolerance) *
-                                  std::sqrt(static_cast<double>(dot(own, own))) / longest,
-                     limit = ApproachTable::growth * std::max(now + std::abs(slope) * longest, negligible);
+    for (std::size_t i = 0; i < now.x.count(); ++i) {
+        const auto bound = [&](double from, double to) { return system.field_bound(now.x, now.v, now.a, i, from, to); };
+        const Vector<T> own{now.v.x()[i], now.v.y()[i], now.v.z()[i]}, pull{now.a.x()[i], now.a.y()[i], now.a.z()[i]};
+        const double speed =
+            std::sqrt(static_cast<double>(dot(own, own))) + longest * std::sqrt(static_cast<double>(dot(pull, pull)));
+        const double soon = longest * 0x1p-20, here = bound(0, 0), slope = (bound(soon, soon) - here) / soon,
+                     negligible = negligible_share * static_cast<double>(tolerance) * speed / longest,
+                     limit = ApproachTable::growth * std::max(here + std::abs(slope) * longest, negligible);
         longest = std::min(longest, kept_until(bound, limit, longest));
     }
     return static_cast<T>(longest);
 }
 
 /// The length allowed of a step that would have the length h. In scenes of many particles, where all are among others,
-/// the fastest motion decides.
+/// the fastest motion decides. The accelerations are asked for where has_hidden_forces().
 template <class System, class T>
-T longest_step(const System& system, const Field<T>& x, const Field<T>& v, T h, T tolerance) {
-    if (const auto range = system.range()) return longest_within(system, *range, x, v, h, tolerance);
+T longest_step(const System& system, const MotionOf<T>& now, T h, T tolerance) {
+    if (const auto range = system.range()) return longest_within(system, *range, now.x, now.v, h, tolerance);
     const Approaches& approaches = system.approaches();
-    if (!approaches.terms.empty()) h = longest_approach(system, approaches, x, v, h, tolerance);
-    return system.has_local_fields() ? longest_to_fields(system, x, v, h, tolerance) : h;
+    if (!approaches.terms.empty()) h = longest_approach(system, approaches, now, h, tolerance);
+    return system.has_local_fields() ? longest_to_fields(system, now, h, tolerance) : h;
 }
 
 }  // namespace steplab

@@ -6,6 +6,7 @@
 #include "methods/engines/compensated.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -39,11 +40,21 @@ private:
     Time ahead_ = 0, lost_ = 0;
 };
 
+/// The first step, that of the time scale of the motion. Where next to nothing acts yet that is longer than what the
+/// run is asked for by powers of ten, and what lies within it could not be told from its ends: steps grow from frames
+/// on.
+template <class T>
+T first_step(T of_motion, T dt) {
+    constexpr T most_frames = T(1024);
+    return std::min(of_motion, most_frames * dt);
+}
+
 /// 1 / omega along the motion from x, v, where the accelerations are a: omega^2 = |change of a| / |change of x| over a
 /// small time, found again with that time itself; not longer than drag takes. dt where nothing changes.
 template <class System, class T>
 T time_scale(System& system, const Field<T>& x, const Field<T>& v, const Field<T>& a) {
     Field<T> later_x = x, later_a(x.count());
+    const T longest = first_step(std::numeric_limits<T>::max(), system.dt());
     T scale = system.dt(), after = scale / T(1024);
     for (int i = 0; i < 3; ++i) {
         elementwise(x.flat().size(), [&](std::size_t k) {
@@ -56,8 +67,9 @@ T time_scale(System& system, const Field<T>& x, const Field<T>& v, const Field<T
             moved += dx * dx;
             changed += da * da;
         }
-        if (!(changed > T(0)) || !(moved > T(0))) break;
-        scale = after = square_root(square_root(moved / changed));
+        if (!(changed > T(0)) || !(moved > T(0)) || !std::isfinite(changed)) break;
+        scale = square_root(square_root(moved / changed));
+        after = std::min(scale, longest);
     }
     return system.drag() > T(0) ? std::min(scale, T(1) / system.drag()) : scale;
 }
@@ -75,6 +87,17 @@ template <class T>
 T idle_accelerations(T error, T x, T h) {
     const T smallest = error / (h * h);
     return smallest * smallest * (T(1) + x);
+}
+
+/// Whether accelerations at the end of a step are as far from its polynomial as smooth ones may be: by less than its
+/// last coefficients, than rounding, and than what changes the velocities by the tolerance. All but that (the tolerance
+/// over the length of the step) are sums of squares.
+template <class T>
+bool is_smooth(T gap2, T last_coefficients2, T accelerations2, T velocities2, T change) {
+    constexpr T noise = T(1024) * std::numeric_limits<T>::epsilon(), unseen = T(64);
+    const T allowed = unseen * change;
+    return gap2 <=
+           T(4) * last_coefficients2 + noise * noise * accelerations2 + allowed * allowed * (T(1) + velocities2);
 }
 
 /// What to multiply a step with whose motion has covered the phase z, so that the next one covers `aim`.

@@ -99,13 +99,14 @@ public:
         return none;
     }
     /// Whether fields act that may be felt at some places alone, and how large the acceleration of a particle by them
-    /// is at most on its straight way between two times from now.
+    /// is at most between two times from now, on its way if its acceleration stays a.
     bool has_local_fields() const {
         if constexpr (Force::capabilities.approaches) return force_.has_local_fields();
         return false;
     }
-    double field_bound(const Field<T>& x, const Field<T>& v, std::size_t i, double from, double to) const {
-        if constexpr (Force::capabilities.approaches) return force_.field_bound(x, v, i, from, to);
+    double field_bound(const Field<T>& x, const Field<T>& v, const Field<T>& a, std::size_t i, double from,
+                       double to) const {
+        if constexpr (Force::capabilities.approaches) return force_.field_bound(x, v, a, i, from, to);
         return 0;
     }
     /// From now on those pairs act on each other that do at x and v (NearPairs::hold()): until the next call nothing

@@ -111,8 +111,9 @@ public:
         return *approaches_;
     }
     bool has_local_fields() const { return fields_.has_local(); }
-    double field_bound(const Field<T>& u, const Field<T>& v, std::size_t i, double from, double to) const {
-        return moves(i) ? fields_.bound(particles_, u, v, i, from, to) : 0;
+    double field_bound(const Field<T>& u, const Field<T>& v, const Field<T>& a, std::size_t i, double from,
+                       double to) const {
+        return moves(i) ? fields_.bound(particles_, {u, v, a}, i, from, to) : 0;
     }
     /// From now on exactly those pairs with a cut-off act on each other that are within it at these positions, those at
     /// it if they approach. In between the force is smooth. True if they are others than before.

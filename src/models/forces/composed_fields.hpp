@@ -49,15 +49,22 @@ public:
 
     /// Whether some are no polynomials: what they do at one place tells little of another.
     bool has_local() const { return has_local_; }
-    /// How large the acceleration of a particle by those is at most on its straight way between two times from now.
-    double bound(const ComposedParticles<T>& particles, const Field<T>& u, const Field<T>& v, std::size_t i,
-                 double from, double to) const {
-        const Vector<T> start = particles.place(u, i);
-        const auto along = [=](T x, T speed) {
-            const auto at = static_cast<double>(x), w = static_cast<double>(speed);
-            return Interval(at + from * w, at + to * w);
+    /// Displacements, velocities and accelerations now.
+    struct Motion {
+        const Field<T>&u, &v, &a;
+    };
+    /// How large the acceleration of a particle by those is at most between two times from now, on its way if its
+    /// acceleration stays as it is.
+    double bound(const ComposedParticles<T>& particles, const Motion& now, std::size_t i, double from,
+                 double to) const {
+        const Vector<T> start = particles.place(now.u, i);
+        const auto along = [=](T x, T speed, T pull) {
+            const auto at = static_cast<double>(x), w = static_cast<double>(speed), a = static_cast<double>(pull) / 2;
+            return Interval(at + from * w, at + to * w) + Interval(from * from * a, to * to * a);
         };
-        const Vector<Interval> way{along(start.x, v.x()[i]), along(start.y, v.y()[i]), along(start.z, v.z()[i])};
+        const Vector<Interval> way{along(start.x, now.v.x()[i], now.a.x()[i]),
+                                   along(start.y, now.v.y()[i], now.a.y()[i]),
+                                   along(start.z, now.v.z()[i], now.a.z()[i])};
         const Interval mass(particles.mass(i)), charge(particles.charge(i));
         double sum = 0;
         for (std::size_t f = 0; f < potentials_->size(); ++f) {

@@ -130,8 +130,9 @@ public:
         if constexpr (Force::capabilities.approaches) return force_.has_local_fields();
         return false;
     }
-    double field_bound(const Field<T>& x, const Field<T>& v, std::size_t i, double from, double to) const override {
-        if constexpr (Force::capabilities.approaches) return force_.field_bound(x, v, i, from, to);
+    double field_bound(const Field<T>& x, const Field<T>& v, const Field<T>& a, std::size_t i, double from,
+                       double to) const override {
+        if constexpr (Force::capabilities.approaches) return force_.field_bound(x, v, a, i, from, to);
         return 0;
     }
     bool hold(const Field<T>& x, const Field<T>& v) override {
