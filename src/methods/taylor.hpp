@@ -9,8 +9,8 @@
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/compensated.hpp"
 #include "methods/engines/encounters.hpp"
+#include "methods/engines/foreseen.hpp"
 #include "methods/engines/integrator.hpp"
-#include "methods/engines/own_steps.hpp"
 #include "methods/engines/series_forces.hpp"
 #include "methods/engines/series_motion.hpp"
 
@@ -248,36 +248,9 @@ private:
                 length_until_crossing(system, v_.count(), progress_.length, [this](T t, Motion<T>& then) {
                     series_motion(std::span<const Field<T>>(x_), v_, progress_.unit, t, forces_->axes(), then);
                 });
-        if (has_hidden_forces(system)) end_where_foreseen(system);
+        progress_.length = foreseen_length<T>(system, x_, v_, progress_.unit, forces_->axes(), progress_.length,
+                                              static_cast<T>(tolerance_));
         if (!forces_->singular()) end_at_collision(system);
-    }
-
-    /// A series ends before something acts that is in none of its terms: before its accelerations are others than those
-    /// at its end.
-    template <class System>
-    void end_where_foreseen(System& system) {
-        Motion<T> then(v_.count());
-        for (int halvings = 0; halvings < 100; ++halvings) {
-            series_motion(std::span<const Field<T>>(x_), v_, progress_.unit, progress_.length, forces_->axes(), then);
-            accelerate(system, then.x, then.v, end_);
-            if (ends_as_foreseen(then)) return;
-            progress_.length /= T(2);
-        }
-    }
-
-    /// The last terms of the series of the accelerations are of the tolerance over the square of its length.
-    bool ends_as_foreseen(const Motion<T>& then) const {
-        constexpr T terms = T(128);
-        T gap2 = T(0), forces2 = T(0), velocities2 = T(0), places2 = T(0);
-        for (std::size_t k = 0; k < end_.flat().size(); ++k) {
-            const T a = end_.flat()[k], gap = a - then.a.flat()[k], v = then.v.flat()[k], x = then.x.flat()[k];
-            gap2 += gap * gap;
-            forces2 += a * a;
-            velocities2 += v * v;
-            places2 += x * x;
-        }
-        const T change = static_cast<T>(tolerance_) / progress_.length, last = terms * change / progress_.length;
-        return is_smooth(gap2, last * last * (T(1) + places2), forces2, velocities2, change);
     }
 
     /// When a collision approaches, the series ends before it; close to the collision it ends as far behind it. A
@@ -337,8 +310,8 @@ private:
     template <class System>
     double work_in_series(const System& system, T since) const {
         const bool behind = progress_.across > T(0) && since > progress_.across;
-        const std::span<const Field<T>> series(x_);
-        const double work = series_work(drag_, series, progress_.unit, behind ? progress_.across : since);
+        const double work =
+            series_work(drag_, std::span<const Field<T>>(x_), progress_.unit, behind ? progress_.across : since);
         if (!behind) return work;
         const double across = to_double(progress_.across);
         return work + work_at_even_slope(drag_, behind_collision(system), -across, to_double(since) - 2 * across);
@@ -363,14 +336,12 @@ private:
         system.count_evaluations(last_ - 1);
     }
 
-    double tolerance_;
-    double log_tolerance_;     ///< in this scene
-    std::size_t last_;         ///< order of the last coefficient, K
-    std::vector<Field<T>> x_;  ///< coefficients of the displacements
-    Field<T> v_;               ///< velocities at the beginning of the series
+    double tolerance_, log_tolerance_;  ///< the latter in this scene
+    std::size_t last_;                  ///< order of the last coefficient, K
+    std::vector<Field<T>> x_;           ///< coefficients of the displacements
+    Field<T> v_;                        ///< velocities at the beginning of the series
     Lost<T> lost_;
     Progress progress_;
-
     CollisionGuard<T> guard_;
     Field<T> a_, end_;
     std::unique_ptr<SeriesForces<T>> forces_;

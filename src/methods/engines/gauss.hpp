@@ -6,6 +6,7 @@
 #include "methods/engines/accelerate.hpp"
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/encounters.hpp"
+#include "methods/engines/foreseen.hpp"
 #include "methods/engines/gauss_stages.hpp"
 #include "methods/engines/integrator.hpp"
 #include "methods/engines/moving_axes.hpp"
@@ -201,7 +202,7 @@ private:
         system.hold(begin_.x, begin_.v);
         const bool hidden = has_hidden_forces(system);
         if (hidden) beginning(system);
-        progress_.next = longest_step(system, MotionOf<T>{begin_.x, begin_.v, begin_a_}, progress_.next, tolerance_);
+        progress_.next = longest_step(system, beginning_known(), progress_.next, tolerance_);
         T h = progress_.next;
         guard_.begin_step();
         if (guard_.approaching()) {
@@ -216,7 +217,7 @@ private:
             if (straddles(system, h)) continue;
             if (solved && fits(h)) {
                 if (crosses(system, h)) continue;
-                if (!hidden || ends_as_foreseen(system, h)) {
+                if (!hidden || is_foreseen(system, beginning_known(), stages_, end_.x, tolerance_ / h)) {
                     accept(h);
                     progress_.across = T(0);
                     return progress_.time.inner_step(h);
@@ -238,18 +239,6 @@ private:
         const bool other = factor < T(0.94) || factor > T(1.06);  // an equal step is cheaper
         if (refused || (other && !(h < progress_.next))) progress_.next = h * factor;
         return !refused;
-    }
-
-    /// Whether the forces at the end of a step are those of the polynomial of its stages.
-    template <class System>
-    bool ends_as_foreseen(System& system, T h) {
-        end_a_ = Field<T>(end_.x.count());
-        system.accelerations(end_.x, end_a_);
-        const auto spectrum = stages_.spectrum();
-        T velocities2 = T(0);
-        each_coordinate(begin_.v, [&](std::size_t k) { velocities2 += begin_.v.flat()[k] * begin_.v.flat()[k]; });
-        return is_smooth(stages_.gap_at_end(end_a_), spectrum.coefficient_6 + spectrum.coefficient_7, spectrum.force,
-                         velocities2, tolerance_ / h);
     }
 
     template <class System>
@@ -298,8 +287,9 @@ private:
     template <class System>
     MotionOf<T> beginning(System& system) {
         accelerate(system, begin_.x, begin_.v, begin_a_);
-        return {begin_.x, begin_.v, begin_a_};
+        return beginning_known();
     }
+    MotionOf<T> beginning_known() const { return {begin_.x, begin_.v, begin_a_}; }
 
     template <class System>
     double now(const System& system) const {
@@ -339,7 +329,6 @@ private:
     TwoPartState<T> begin_;  ///< of the last own step
     Field<T> known_;         ///< forces at the stages of the last step
     Field<T> begin_a_;       ///< accelerations at the beginning of an own step, where asked for
-    Field<T> end_a_;         ///< forces at its end, where asked for
     CollisionGuard<T> guard_;
     Progress progress_;
     GaussStages<T> stages_;

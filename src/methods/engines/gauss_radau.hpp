@@ -8,6 +8,7 @@
 #include "methods/engines/adaptive.hpp"
 #include "methods/engines/collisions.hpp"
 #include "methods/engines/encounters.hpp"
+#include "methods/engines/foreseen.hpp"
 #include "methods/engines/gauss_stages.hpp"
 #include "methods/engines/integrator.hpp"
 #include "methods/engines/own_steps.hpp"
@@ -147,9 +148,12 @@ private:
             if (straddles(system, h)) continue;
             if (converged && fits(h, before)) {
                 progress_.next = std::min(progress_.next, converging);
+                next_ = end_;
+                move_radau(next_, a_, trial_, h, T(1));
                 if (crosses(system, h)) continue;
-                move_to_next(system, h);
-                if (!has_hidden_forces(system) || ends_as_foreseen(h)) return accept(system, h);
+                accelerate(system, next_.x, next_.v, next_a_);
+                if (!has_hidden_forces(system) || is_foreseen(now(), trial_, next_a_, tolerance_ / h))
+                    return accept(system, h);
                 progress_.next = h / T(4);
             }
             if (!converged) progress_.next = converging = h / T(2);
@@ -162,36 +166,14 @@ private:
 
     /// True if the trial step is good; the next one has a better length. A step cut short says nothing about longer
     /// ones. A phase that does not fall with the step is rounding, for which no shorter step is better, unless the
-    /// accelerations change velocities by more than the tolerance: then they jump where the step begins, or have a seam
-    /// within it.
+    /// accelerations change velocities by more than the tolerance: then they jump where the step begins.
     bool fits(T h, T& before) {
         const T covered = phase(h), factor = step_factor(aim_, covered), change = T(64) * tolerance_ / h;
-        const T speed2 = T(1) + squares(end_.v), bend = seam * tolerance_ / h;
         const bool better_shorter = covered < T(0.95) * std::exchange(before, covered) ||
-                                    squares(last_a_) > change * change * speed2 ||
-                                    squares(trial_[5]) > bend * bend * speed2;
+                                    squares(last_a_) > change * change * (T(1) + squares(end_.v));
         const bool refused = factor < T(smallest_accepted_factor) && better_shorter;
         if (refused || !(h < progress_.next)) progress_.next = h * factor;
         return !refused;
-    }
-
-    /// Of what a kink of the accelerations within a step does to the velocity, so many times as much is in b_5; of what
-    /// rounding of the accelerations does, no more.
-    static constexpr T seam = T(1e5);
-
-    /// Whether the accelerations at the end of a step are those of its polynomial. Where they are not something acts
-    /// behind the last node that was not seen, or not all of it.
-    bool ends_as_foreseen(T h) const {
-        T gap2 = T(0);
-        const T *const a = a_.flat().data(), *const end = next_a_.flat().data();
-        const auto b = Radau::numbers(std::as_const(trial_));
-        for (std::size_t k = 0; k < a_.flat().size(); ++k) {
-            T foreseen = a[k];
-            for (std::size_t i = 0; i < terms; ++i) foreseen += b[i][k];
-            gap2 += (end[k] - foreseen) * (end[k] - foreseen);
-        }
-        return is_smooth(gap2, squares(trial_[5]) + squares(trial_[6]), squares(a_) + squares(next_a_), squares(end_.v),
-                         tolerance_ / h);
     }
 
     template <class System>
@@ -202,10 +184,7 @@ private:
 
     template <class System>
     bool crosses(System& system, T& h) {
-        if (system.held().empty()) return false;
-        TwoPartState<T> end = end_;
-        move_radau(end, a_, trial_, h, T(1));
-        return crosses_on_the_way(system, now(), end.x, end.v, h);
+        return !system.held().empty() && crosses_on_the_way(system, now(), next_.x, next_.v, h);
     }
 
     MotionOf<T> now() const { return {end_.x, end_.v, a_}; }
@@ -226,14 +205,6 @@ private:
         b_.fill(Field<T>(a_.count()));
         progress_.last = progress_.next = length;
         progress_.time.inner_step(T(2) * progress_.across);
-    }
-
-    /// The end of the trial step.
-    template <class System>
-    void move_to_next(System& system, T h) {
-        next_ = end_;
-        move_radau(next_, a_, trial_, h, T(1));
-        accelerate(system, next_.x, next_.v, next_a_);
     }
 
     template <class System>
@@ -358,22 +329,17 @@ private:
         return std::max({smallest, square_root(square_root(root(part_5, 3))), square_root(root(part_6, 7))});
     }
 
-    static T squares(const Field<T>& field) {
-        T sum = T(0);
-        for (const T number : field.flat()) sum += number * number;
-        return sum;
-    }
+    static T squares(const Field<T>& field) { return sum_of_squares(field); }
 
     T tolerance_;
-    T aim_ = T(0);           ///< what omega h is kept at
-    TwoPartState<T> end_;    ///< of the last own step
-    TwoPartState<T> begin_;  ///< its beginning
-    Field<T> a_, begin_a_;   ///< accelerations there, drag included
-    Terms b_;                ///< of the last step
+    T aim_ = T(0);                   ///< what omega h is kept at
+    TwoPartState<T> end_;            ///< of the last own step
+    TwoPartState<T> begin_;          ///< its beginning
+    TwoPartState<T> next_;           ///< the end of a trial step
+    Field<T> a_, begin_a_, next_a_;  ///< accelerations there, drag included
+    Terms b_;                        ///< of the last step
     Terms trial_, g_;
     CollisionGuard<T> guard_;
-    TwoPartState<T> next_;  ///< the end of a trial step
-    Field<T> next_a_;       ///< accelerations there
     Field<T> x_, v_, f_, last_a_;
     Progress progress_;
 };

@@ -125,15 +125,31 @@ public:
         return {sum(squares) / T(stage_count), ends[Weights::coefficient_6], ends[Weights::coefficient_7]};
     }
 
-    /// Sum of the squares of what forces at the end of the step differ by from the polynomial of its stages.
-    T gap_at_end(const Field<T>& forces) const {
-        const Stages<T> weights = Stages<T>::load(rounded_to<T>(gauss_table.end).data());
+    /// Sum of the squares of what forces at the beginning and at the end of the step differ by from the polynomial of
+    /// its stages.
+    T gap_at_ends(const Field<T>& begin, const Field<T>& end) const {
+        const Stages<T> at_begin = Stages<T>::load(rounded_to<T>(gauss_table.begin).data());
+        const Stages<T> at_end = Stages<T>::load(rounded_to<T>(gauss_table.end).data());
         T gap2 = T(0);
         each_coordinate(f_, axes_, [&](std::size_t k) {
-            const T gap = forces.flat()[k] - sum(weights * f_.flat()[k]);
-            gap2 += gap * gap;
+            const T before = begin.flat()[k] - sum(at_begin * f_.flat()[k]);
+            const T behind = end.flat()[k] - sum(at_end * f_.flat()[k]);
+            gap2 += before * before + behind * behind;
         });
         return gap2;
+    }
+
+    /// Sum of the squares of the Legendre coefficients of orders 4 and 5 of the forces.
+    T coefficients_4_and_5() const {
+        T squares = T(0);
+        for (const std::size_t order : {4, 5}) {
+            const Stages<T> weights = Stages<T>::load(rounded_to<T>(gauss_table.legendre[order]).data());
+            each_coordinate(f_, axes_, [&](std::size_t k) {
+                const T coefficient = sum(weights * f_.flat()[k]);
+                squares += coefficient * coefficient;
+            });
+        }
+        return squares;
     }
 
 private:

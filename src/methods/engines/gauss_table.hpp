@@ -16,7 +16,7 @@ struct GaussTable {
     Row b{};                                  ///< weights
     std::array<Row, stage_count> a{};         ///< a[i][j] = integral of the j-th Lagrange polynomial from 0 to c_i
     std::array<Row, stage_count> legendre{};  ///< legendre[k][j]: what f_j adds to the coefficient of P_k(2 s - 1) of f
-    Row end{};                                ///< what f_j adds to the polynomial at 1, where all P_k are 1
+    Row begin{}, end{};  ///< what f_j adds to the polynomial at 0 and at 1, where P_k is (-1)^k and 1
 };
 
 namespace detail {
@@ -47,7 +47,10 @@ constexpr GaussTable make_gauss_table() {
         table.b[j] = (1 - x * x) / (64 * p[j][7] * p[j][7]);
         for (std::size_t k = 0; k < stage_count; ++k)
             table.legendre[k][j] = table.b[j] * static_cast<long double>(2 * k + 1) * p[j][k];
-        for (std::size_t k = 0; k < stage_count; ++k) table.end[j] += table.legendre[k][j];
+        for (std::size_t k = 0; k < stage_count; ++k) {
+            table.end[j] += table.legendre[k][j];
+            table.begin[j] += (k % 2 == 0 ? 1 : -1) * table.legendre[k][j];
+        }
     }
     for (std::size_t i = 0; i < stage_count; ++i) {
         for (std::size_t j = 0; j < stage_count; ++j) {

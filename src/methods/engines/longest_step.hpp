@@ -176,8 +176,8 @@ std::optional<ApproachTable::Pair> moving_pair(const System& system, const Appro
                                .pull = std::sqrt(static_cast<double>(dot(a, a))),
                                .strength = pair.strength,
                                .negligible = negligible * std::max(speed2, soon2),
-                               .inwards = std::max(inwards, inwards + h / 2 * pulled) >= 0,
-                               .outwards = std::min(inwards, inwards + h / 2 * pulled) < 0};
+                               .inwards = std::max(inwards, inwards + h * pulled) >= 0,
+                               .outwards = std::min(inwards, inwards + h * pulled) < 0};
 }
 
 /// longest_step() by Approaches.

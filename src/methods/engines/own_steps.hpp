@@ -89,17 +89,6 @@ T idle_accelerations(T error, T x, T h) {
     return smallest * smallest * (T(1) + x);
 }
 
-/// Whether accelerations at the end of a step are as far from its polynomial as smooth ones may be: by less than its
-/// last coefficients, than rounding, and than what changes the velocities by the tolerance. All but that (the tolerance
-/// over the length of the step) are sums of squares.
-template <class T>
-bool is_smooth(T gap2, T last_coefficients2, T accelerations2, T velocities2, T change) {
-    constexpr T noise = T(1024) * std::numeric_limits<T>::epsilon(), unseen = T(64);
-    const T allowed = unseen * change;
-    return gap2 <=
-           T(4) * last_coefficients2 + noise * noise * accelerations2 + allowed * allowed * (T(1) + velocities2);
-}
-
 /// What to multiply a step with whose motion has covered the phase z, so that the next one covers `aim`.
 template <class T>
 T step_factor(T aim, T z) {

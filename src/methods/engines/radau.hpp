@@ -63,6 +63,14 @@ struct Radau {
         return binomial;
     }();
 
+    /// What s^power adds to the coefficient of P_order(2 s - 1): (2 k + 1) n!^2 / ((n - k)! (n + k + 1)!).
+    static constexpr long double legendre(std::size_t order, std::size_t power) {
+        long double value = static_cast<long double>(2 * order + 1) / static_cast<long double>(power + 1);
+        for (std::size_t i = 0; i < order; ++i)
+            value *= static_cast<long double>(power - i) / static_cast<long double>(power + 2 + i);
+        return value;
+    }
+
     /// The numbers of the coefficients' fields.
     template <class Fields>
     static auto numbers(Fields& fields) {
