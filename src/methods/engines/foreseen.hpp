@@ -44,11 +44,18 @@ bool has_kink(T orders_4_and_5, T orders_6_and_7, T velocities2, T change) {
     return orders_6_and_7 > T(0.002) * orders_4_and_5 && orders_6_and_7 > allowed * allowed * (T(1) + velocities2);
 }
 
+/// Whether the forces of a scene have seams, where they bend.
+template <class System>
+bool has_seams(const System& system) {
+    if constexpr (requires { system.force().coupling(); }) return !system.force().coupling().smooth;
+    return false;
+}
+
 /// Of a Gauss-Radau step from `begin`, whose accelerations are those at its beginning and terms b_0 ... b_6: whether
 /// those at its end, computed there, are those of its polynomial, and that has no kink. Where they are not something
 /// acts behind the last node that was not seen, or not all of it.
-template <class T, class Terms>
-bool is_foreseen(const MotionOf<T>& begin, const Terms& b, const Field<T>& end_a, T change) {
+template <class System, class T, class Terms>
+bool is_foreseen(const System& system, const MotionOf<T>& begin, const Terms& b, const Field<T>& end_a, T change) {
     const auto terms = Radau::numbers(b);
     const T *const a = begin.a.flat().data(), *const end = end_a.flat().data();
     T gap2 = T(0);
@@ -66,7 +73,7 @@ bool is_foreseen(const MotionOf<T>& begin, const Terms& b, const Field<T>& end_a
     }
     const T velocities2 = sum_of_squares(begin.v), last = orders[2] + orders[3];
     return is_smooth(gap2, last, sum_of_squares(begin.a) + sum_of_squares(end_a), velocities2, change) &&
-           !has_kink(orders[0] + orders[1], last, velocities2, change);
+           !(has_seams(system) && has_kink(orders[0] + orders[1], last, velocities2, change));
 }
 
 /// Of a step of the Gauss method from `begin` to displacements `end_x`: the same at both its ends, where it has no
@@ -80,7 +87,7 @@ bool is_foreseen(System& system, const MotionOf<T>& begin, const GaussStages<T>&
     const auto spectrum = stages.spectrum();
     const T velocities2 = sum_of_squares(begin.v), last = spectrum.coefficient_6 + spectrum.coefficient_7;
     return is_smooth(stages.gap_at_ends(begin_f, end_f), last, spectrum.force, velocities2, change) &&
-           !has_kink(stages.coefficients_4_and_5(), last, velocities2, change);
+           !(has_seams(system) && has_kink(stages.coefficients_4_and_5(), last, velocities2, change));
 }
 
 /// Of a motion by a series of this length and tolerance: whether its accelerations are those computed there. The last
@@ -98,21 +105,18 @@ bool is_foreseen(const Motion<T>& then, const Field<T>& computed, T tolerance, T
                      sum_of_squares(then.v), change);
 }
 
-/// The length, no longer than this, of a series whose accelerations are the true ones at its end and before: it ends
-/// before something acts that is in none of its terms.
+/// The length, no longer than this, of a series whose accelerations are the true ones at its end: it ends before
+/// something acts that is in none of its terms.
 template <class T, class System>
 T foreseen_length(System& system, std::span<const Field<T>> x, const Field<T>& v, T unit, std::size_t axes, T length,
                   T tolerance) {
     if (!has_hidden_forces(system)) return length;
     Motion<T> then(v.count());
     Field<T> computed(v.count());
-    const auto is_as_foreseen = [&](T part) {
-        series_motion(x, v, unit, part * length, axes, then);
-        accelerate(system, then.x, then.v, computed);
-        return is_foreseen(then, computed, tolerance, length);
-    };
     for (int halvings = 0; halvings < 100; ++halvings) {
-        if (is_as_foreseen(T(1)) && is_as_foreseen(T(0.5)) && is_as_foreseen(T(0.75))) break;
+        series_motion(x, v, unit, length, axes, then);
+        accelerate(system, then.x, then.v, computed);
+        if (is_foreseen(then, computed, tolerance, length)) break;
         length /= T(2);
     }
     return length;

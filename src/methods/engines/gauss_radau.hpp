@@ -152,7 +152,7 @@ private:
                 move_radau(next_, a_, trial_, h, T(1));
                 if (crosses(system, h)) continue;
                 accelerate(system, next_.x, next_.v, next_a_);
-                if (!has_hidden_forces(system) || is_foreseen(now(), trial_, next_a_, tolerance_ / h))
+                if (!has_hidden_forces(system) || is_foreseen(system, now(), trial_, next_a_, tolerance_ / h))
                     return accept(system, h);
                 progress_.next = h / T(4);
             }

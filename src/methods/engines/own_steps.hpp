@@ -67,9 +67,9 @@ T time_scale(System& system, const Field<T>& x, const Field<T>& v, const Field<T
             moved += dx * dx;
             changed += da * da;
         }
-        if (!(changed > T(0)) || !(moved > T(0)) || !std::isfinite(changed)) break;
-        scale = square_root(square_root(moved / changed));
-        after = std::min(scale, longest);
+        const bool lost = !std::isfinite(changed);  // in a wall, of which nothing was felt before
+        if (!(changed > T(0)) || !(moved > T(0)) || (lost && after <= longest)) break;
+        scale = after = lost ? longest : square_root(square_root(moved / changed));
     }
     return system.drag() > T(0) ? std::min(scale, T(1) / system.drag()) : scale;
 }
