@@ -61,7 +61,7 @@ picture verdict --model rope --method velocity-verlet --dt 0.05 --steps 40 --ui 
     --colour strain
 picture panel-tabs --model chain --until 20 --run method=rk4 --run method=euler --ui on --size 640x480 --scale 1
 
-picture magnified --model mesh --set dim=30 --set v0=0.02 --steps 130 --displacements 400 --colour displacement --size 800x500 \
+picture magnified --model mesh --set dim=30 --set v0=0.02 --steps 900 --displacements 100 --colour displacement --size 800x500 \
     --view 30,25,98,29,0,-27
 while read -r scene until; do
     picture "scene-$scene" --scene "$scene" --until "$until" --size 480x320
@@ -82,7 +82,9 @@ start_display 1280x800
 say "docs/images/scenes.png: the page of scenes"
 open_window --model rope
 xdotool key ctrl+o; expect 'widget scenes.path [0-9].*'; sleep 3 # the pictures are read meanwhile
-window_picture scenes
+ffmpeg -v error -f x11grab -video_size 1280x800 -i "$DISPLAY" -frames:v 1 -y "$images/scenes.png" # the page has no key for it
+close_window
+rm "$folder/trace"
 say "docs/images/time-line.png: a time line with a branch, a mark and a change"
 open_window --model mesh --set v0=7 --method rk4 --dt 0.05 --speed 4 --play
 expect 'step 24[0-9]'; click play; expect 'playing false'

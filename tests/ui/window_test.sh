@@ -243,8 +243,8 @@ input_is_answered_while_frames_are_slow() {
 }
 
 ensemble_goes_with_the_run() {
-    start_display 1280x900
-    open_window --model chain --method euler --size 1280x880 # room for all rows of the panel
+    start_display 1280x960
+    open_window --model chain --method euler --size 1280x930 # room for all rows of the panel
     click ensemble/16; expect 'ensemble 0' 'widget ensemble width [0-9].*'
     click step; expect 'step 1' 'ensemble [0-9.]+e-[0-9]+'
     click play; expect 'playing true' 'step [0-9]{2}'

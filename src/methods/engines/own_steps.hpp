@@ -45,7 +45,7 @@ private:
 /// on.
 template <class T>
 T first_step(T of_motion, T dt) {
-    constexpr T most_frames = T(1024);
+    constexpr T most_frames = std::is_same_v<T, float> ? T(1024) : T(131072);  // their times keep half of the digits
     return std::min(of_motion, most_frames * dt);
 }
 
