@@ -142,7 +142,7 @@ public:
     /// Sum of the squares of the Legendre coefficients of orders 4 and 5 of the forces.
     T coefficients_4_and_5() const {
         T squares = T(0);
-        for (const std::size_t order : {4, 5}) {
+        for (const std::size_t order : {std::size_t{4}, std::size_t{5}}) {
             const Stages<T> weights = Stages<T>::load(rounded_to<T>(gauss_table.legendre[order]).data());
             each_coordinate(f_, axes_, [&](std::size_t k) {
                 const T coefficient = sum(weights * f_.flat()[k]);

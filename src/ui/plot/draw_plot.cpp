@@ -41,6 +41,7 @@ void draw_ticks(const plot::Layout& layout) {
 void draw_curve(ImDrawList& list, const Context& context, const Curve& curve, const std::vector<plot::Point>& points,
                 const plot::Layout& layout) {
     std::vector<ImVec2> corners;
+    corners.reserve(points.size());
     for (const plot::Point& point : points) corners.emplace_back(point.x, point.y);
     const ImU32 ink = ink_of(context, curve.colour);
     draw_line(list, corners, curve.line, ink, thickness_of(context));
