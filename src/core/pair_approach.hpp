@@ -41,7 +41,7 @@ public:
     /// Whether it does so anywhere where they move apart.
     bool grows_outwards() const { return least_way_outwards_ < never; }
 
-    /// Two particles that approach.
+    /// Two particles that move.
     struct Pair {
         double distance = 0, speed2 = 0;        ///< squared, relative to each other
         double momentum2 = 0;                   ///< |d x w|^2: what keeps them apart
@@ -150,11 +150,11 @@ private:
         return time;
     }
 
-    /// The least way outwards from a node to one at which the force matters `growth` times as much. From where there is
-    /// none to where it begins counts too, but not a dip in which it vanishes for a moment.
+    /// The least way outwards from a node to one at which the force matters `growth` times as much; from where there is
+    /// none to where it begins, too.
     void find_way_outwards() {
         double least = never;
-        std::size_t low = nodes;  // the farthest node so far at which it matters least of those that may be begun from
+        std::size_t low = nodes;  // the farthest node so far at which it matters least
         for (std::size_t k = 0; k < nodes; ++k) {
             if (low < nodes && weight_[k] > 0 && weight_[k] >= growth * weight_[low]) {
                 least = std::min(least, (distance(k) - distance(low)) / distance(low + 1));

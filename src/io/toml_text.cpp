@@ -56,7 +56,7 @@ private:
                 line_start_ = at_ + 1;
             }
             if (c == '\\' && quote == '"') {
-                at_ += 2;
+                at_ += text_.substr(at_ + 1, 1) == "\n" ? 1 : 2;  // the end of a line counts
             } else if (multiline ? text_.substr(at_, 3) == three : c == quote) {
                 at_ += multiline ? 3 : 1;
                 return;

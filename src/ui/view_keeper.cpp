@@ -20,7 +20,7 @@ void ViewKeeper::keep(const Context& context) {
     }
     place_camera(context, first, other_scene, other_shape);
     if (first || other_scene) choose_colours(context, first);
-    if (!first && other_scene) magnify(context, 1);
+    if (!first && other_scene && context.stage.style.displacements != 1) magnify(context, 1);
     scene_ = id_of(view.description);
     origin_ = view.description.origin;
     shape_ = view.frame.shape;

@@ -5,12 +5,12 @@
 #include "io/scene_writer.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/asked.hpp"
 #include "support/scene_texts.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -96,6 +96,12 @@ TEST(SceneChanges, keys_of_many_parts_are_refused_wherever_they_stand) {
     EXPECT_THAT(refusal_of_scene("steplab = 1\n" + times(99, "a.") + "a = 1\n"), Not(HasSubstr("parts")));
 }
 
+TEST(SceneChanges, lines_within_texts_count) {
+    const std::string key = times(100, "a.") + "a = 1\n";
+    for (const char* const text : {"\"\"\"one\ntwo\\\n three\"\"\"\n", "'''one\n\\\n'''\n", "\"\"\"\n\\\\\n\"\"\"\n"})
+        EXPECT_THAT(refusal_of_scene("steplab = 1\ntitle = " + std::string(text) + key), StartsWith("a.toml:5:"));
+}
+
 TEST(SceneChanges, points_in_texts_and_comments_are_no_parts_of_keys) {
     const std::string points = times(500, ".");
     const std::string text = row_between_walls(3);
@@ -137,16 +143,6 @@ TEST(SceneChanges, parameters_have_no_names_that_runs_have) {
     }
 }
 
-/// What a run is refused for; none if it is not.
-std::optional<std::string> refusal(const RunDescription& run) {
-    try {
-        check(run);
-        return std::nullopt;
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-}
-
 /// A run of a model and the same of the file that it is exported to.
 struct Exported {
     RunDescription model, file;
@@ -168,8 +164,9 @@ TEST(SceneChanges, models_exported_have_their_hashes_with_every_method) {
                 const std::string name = std::string(of.info.id) + " by " + std::string(method.info.id);
                 EXPECT_EQ(run.file.method, method.info.id);
                 EXPECT_EQ(run.file.dt, 0.03);
-                if (of.info.id == "free" || refusal(run.model)) continue;  // the accelerations of `free` become fields
-                ASSERT_FALSE(refusal(run.file)) << name << ": " << *refusal(run.file);
+                if (of.info.id == "free" || refusal_of(run.model))
+                    continue;  // the accelerations of `free` become fields
+                ASSERT_FALSE(refusal_of(run.file)) << name << ": " << *refusal_of(run.file);
                 Simulation direct(run.model), from_file(run.file);
                 const std::uint64_t steps = direct.particles() > 100 ? 3 : 40;
                 direct.advance(steps);
@@ -186,7 +183,7 @@ TEST(SceneChanges, models_exported_have_their_hashes_with_every_method) {
 TEST(SceneChanges, free_particles_exported_fall_as_before) {
     for (const Method& method : methods()) {
         const Exported run(model("free"), method, Precision::double_);
-        if (refusal(run.file)) continue;
+        if (refusal_of(run.file)) continue;
         Simulation direct(run.model), from_file(run.file);
         direct.advance(40);
         from_file.advance(40);

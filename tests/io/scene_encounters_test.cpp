@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "io/scene_file.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/asked.hpp"
 #include "support/runs.hpp"
 #include "support/scene_texts.hpp"
 
@@ -137,9 +138,6 @@ std::vector<ShortRange> potentials() {
     return all;
 }
 
-/// What the project asks of an error: 1000 tolerances, no less than 1e-9.
-double allowed(double tolerance) { return std::max(1000 * tolerance, 1e-9); }
-
 class SceneEncounters : public testing::TestWithParam<std::string_view> {};
 
 // With 40 for dt, the whole flight is one step of output and free for the method to divide.
@@ -157,7 +155,7 @@ TEST_P(SceneEncounters, two_particles_head_on_follow_the_closed_form) {
                     simulation.advance(static_cast<std::uint64_t>(std::lround(time / dt)));
                     const double exact =
                         scene.bullet_at(static_cast<double>(std::lround(time / dt)) * simulation.dt(), within);
-                    const double error = std::abs(simulation.frame().positions[1].x - exact) / allowed(tolerance);
+                    const double error = std::abs(simulation.frame().positions[1].x - exact) / asked_error(tolerance);
                     EXPECT_LT(error, 1) << potential.name << ", mass " << mass << ", speed " << speed << ", tolerance "
                                         << tolerance << ", dt " << dt << ": exact " << exact;
                     worst = std::max(worst, error);
@@ -202,7 +200,7 @@ TEST_P(SceneEncounters, a_field_on_the_way_is_not_jumped_over) {
                 for (const double dt : {0.1, 40.0}) {
                     Simulation simulation(barrier_run(GetParam(), height, width, tolerance, dt));
                     simulation.advance(static_cast<std::uint64_t>(std::lround(40 / dt)));
-                    EXPECT_NEAR(simulation.frame().positions[0].x, exact, 2 * allowed(tolerance))
+                    EXPECT_NEAR(simulation.frame().positions[0].x, exact, 2 * asked_error(tolerance))
                         << "height " << height << ", width " << width << ", tolerance " << tolerance << ", dt " << dt;
                 }
         }

@@ -3,6 +3,7 @@
 
 #include "io/scene_file.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/asked.hpp"
 #include "support/runs.hpp"
 #include "support/scene_texts.hpp"
 
@@ -32,9 +33,6 @@ Frame seen_at(const RunDescription& run, double time) {
     return simulation.frame();
 }
 
-/// What the project asks of an error: 1000 tolerances, no less than 1e-9.
-double asked(double tolerance) { return std::max(1000 * tolerance, 1e-9); }
-
 /// Calls test(tolerance, dt); in the last one all is one step of output.
 template <class Test>
 void over_settings(double time, Test test) {
@@ -60,7 +58,7 @@ TEST_P(OwnStepsAtSeams, balls_that_touch_bounce) {
     const double time = 20, within = std::numbers::pi / 100, apart = 1 + (time - 9 - within);
     over_settings(time, [&](double tolerance, double dt) {
         const Frame frame = seen_at(own_step_run(contact(2), GetParam(), tolerance, dt), time);
-        EXPECT_NEAR(frame.positions[1].x, 5 - time / 2 + apart / 2, asked(tolerance))
+        EXPECT_NEAR(frame.positions[1].x, 5 - time / 2 + apart / 2, asked_error(tolerance))
             << "tolerance " << tolerance << ", dt " << dt;
     });
 }
@@ -69,8 +67,8 @@ TEST_P(OwnStepsAtSeams, balls_that_touch_bounce) {
 TEST_P(OwnStepsAtSeams, balls_exchange_their_velocities) {
     over_settings(20, [&](double tolerance, double dt) {
         const Frame frame = seen_at(own_step_run(contact(2.5), GetParam(), tolerance, dt), 20);
-        EXPECT_NEAR(frame.velocities[0].x, -1, asked(tolerance)) << "tolerance " << tolerance << ", dt " << dt;
-        EXPECT_NEAR(frame.velocities[1].x, 0, asked(tolerance)) << "tolerance " << tolerance << ", dt " << dt;
+        EXPECT_NEAR(frame.velocities[0].x, -1, asked_error(tolerance)) << "tolerance " << tolerance << ", dt " << dt;
+        EXPECT_NEAR(frame.velocities[1].x, 0, asked_error(tolerance)) << "tolerance " << tolerance << ", dt " << dt;
     });
 }
 
@@ -94,7 +92,7 @@ TEST_P(OwnStepsAtSeams, a_ball_bounces_on_a_floor) {
     over_settings(6, [&](double tolerance, double dt) {
         const Frame frame = seen_at(own_step_run(text, GetParam(), tolerance, dt), 6);
         // the speed of 14 m/s at two bounces of 0.03 s
-        EXPECT_NEAR(frame.positions[0].y, bouncing(6, 1e4), 20 * asked(tolerance))
+        EXPECT_NEAR(frame.positions[0].y, bouncing(6, 1e4), 20 * asked_error(tolerance))
             << "tolerance " << tolerance << ", dt " << dt;
     });
 }
@@ -112,7 +110,7 @@ TEST_P(OwnSteps, a_soft_wall_that_is_not_felt_at_the_start_sends_back) {
         const double exact = -w * (2 * (time - arrival) / (2 * w) - 2 * std::log(2.0) - std::log(0.5));
         over_settings(time, [&](double tolerance, double dt) {
             const Frame frame = seen_at(own_step_run(text, GetParam(), tolerance, dt), time);
-            EXPECT_NEAR(frame.positions[0].x, exact, asked(tolerance))
+            EXPECT_NEAR(frame.positions[0].x, exact, asked_error(tolerance))
                 << "from " << start << ", tolerance " << tolerance << ", dt " << dt;
         });
     }
@@ -165,7 +163,7 @@ TEST_P(OwnSteps, what_lies_on_a_curved_way_is_not_jumped_over) {
         over_settings(way.time, [&](double tolerance, double dt) {
             const Frame frame = seen_at(own_step_run(way.text, GetParam(), tolerance, dt), way.time);
             for (std::size_t i = 0; i < right.positions.size(); ++i)
-                EXPECT_NEAR(length(frame.positions[i] - right.positions[i]), 0, way.growth * asked(tolerance))
+                EXPECT_NEAR(length(frame.positions[i] - right.positions[i]), 0, way.growth * asked_error(tolerance))
                     << way.name << ", tolerance " << tolerance << ", dt " << dt;
         });
     }

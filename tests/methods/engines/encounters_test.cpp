@@ -1,5 +1,6 @@
 #include "methods/engines/encounters.hpp"
 
+#include "support/asked.hpp"
 #include "support/runs.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -81,9 +82,6 @@ RunDescription with_tolerance(RunDescription description, double tolerance) {
     return description;
 }
 
-/// What the project asks of an error: 1000 tolerances, no less than 1e-9.
-double allowed(double tolerance) { return std::max(1000 * tolerance, 1e-9); }
-
 constexpr std::string_view ids_of_own_steps[] = {"dopri5", "dop853", "rkn-12-10", "taylor", "ias15", "gauss-16"};
 
 class EncountersOf : public testing::TestWithParam<std::string_view> {
@@ -100,7 +98,7 @@ protected:
                                              tolerance));
         simulation.advance(steps);
         const double exact = scene.bullet_at(static_cast<double>(steps) * simulation.dt()).value();
-        return std::abs(simulation.frame().positions[1].x - exact) / allowed(tolerance);
+        return std::abs(simulation.frame().positions[1].x - exact) / asked_error(tolerance);
     }
     double worst_error(Precision precision, const std::vector<double>& tolerances,
                        const std::vector<double>& dts) const {
@@ -137,7 +135,7 @@ double error_of_many(std::string_view model, std::string_view id, Settings setti
         return frame_after(with_tolerance(run_of(model, method, Precision::double_, its_dt, settings), its_tolerance),
                            static_cast<std::uint64_t>(std::lround(time / its_dt)));
     };
-    return distance(frame_of(id, tolerance, dt), frame_of("ias15", 1e-15, time / 16)) / allowed(tolerance);
+    return distance(frame_of(id, tolerance, dt), frame_of("ias15", 1e-15, time / 16)) / asked_error(tolerance);
 }
 
 // Until t = 3 the cube's pairs have crossed the cut-off some times, and small errors have not grown yet.

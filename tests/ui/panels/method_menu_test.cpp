@@ -1,26 +1,16 @@
 // Methods that cannot run a scene: which they are, and that the menu offers none of them.
-#include "core/error.hpp"
 #include "io/scene_file.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
+#include "support/asked.hpp"
 #include "ui/desk.hpp"
 
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <string>
 
 namespace steplab::ui {
 namespace {
-
-std::optional<std::string> refusal(const RunDescription& run) {
-    try {
-        check(run);
-        return std::nullopt;
-    } catch (const UsageError& error) {
-        return error.what();
-    }
-}
 
 TEST(method_menu, reasons_are_those_for_which_a_run_is_refused) {
     std::size_t refused = 0;
@@ -29,7 +19,7 @@ TEST(method_menu, reasons_are_those_for_which_a_run_is_refused) {
         const auto refusals = Simulation(run).refusals();
         for (const Method& method : methods()) {
             const auto known = refusals->find(method.info.id);
-            const auto right = refusal(with_method(run, method.info.id));
+            const auto right = test::refusal_of(with_method(run, method.info.id));
             EXPECT_EQ(known != refusals->end(), right.has_value()) << name << ' ' << method.info.id;
             if (known == refusals->end() || !right) continue;
             EXPECT_EQ(known->second, *right);
