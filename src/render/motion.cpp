@@ -25,6 +25,8 @@ void between(const Frame& from, const Frame& to, double fraction, Frame& out) {
     out.precision = to.precision;
     out.shape = to.shape;
     out.velocities = to.velocities;
+    out.forces = to.forces;
+    out.oscillation = to.oscillation;
     out.values = to.values;
     out.cell = to.cell;
     out.magnified = to.magnified;

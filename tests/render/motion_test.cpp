@@ -44,6 +44,19 @@ TEST(Motion, keeps_what_a_file_says_of_its_particles) {
     EXPECT_FALSE(shown.cell);
 }
 
+TEST(Motion, has_the_arrows_of_the_later_frame) {
+    Frame a = on_a_cubic(1), b = on_a_cubic(1.5), shown;
+    b.forces = {{1, 2, 3}};
+    b.oscillation = {{0, 1, 0}};
+    between(a, b, 0.5, shown);
+    EXPECT_EQ(shown.velocities, b.velocities);
+    EXPECT_EQ(shown.forces, b.forces);
+    EXPECT_EQ(shown.oscillation, b.oscillation);
+    between(b, a, 0.5, shown);
+    EXPECT_TRUE(shown.forces.empty());
+    EXPECT_TRUE(shown.oscillation.empty());
+}
+
 TEST(Motion, follows_a_cubic_exactly) {
     const Frame a = on_a_cubic(1), b = on_a_cubic(3);
     for (const double fraction : {0.1, 0.25, 0.5, 0.9}) {
