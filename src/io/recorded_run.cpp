@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 namespace steplab {
 
@@ -16,12 +16,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
-
-/// Diagnostics take memory of their own, which large scenes are spared.
-std::optional<double> error_of(const Simulation& simulation) {
-    constexpr std::size_t most_particles = 100000;
-    return simulation.particles() <= most_particles ? simulation.diagnostics().error : std::nullopt;
-}
 
 }  // namespace
 
@@ -45,11 +39,12 @@ RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t e
         record(simulation);
     }
     const double wall_seconds = seconds_since(begin);
+    RunResult result = result_of(simulation, energy_start, energy_error);
+    result.error = error_at_end(simulation);
     return {.run = simulation.description(),
-            .result = result_of(simulation, energy_start, energy_error),
+            .result = std::move(result),
             .wall_seconds = wall_seconds,
             .until = end.time,
-            .error = error_of(simulation),
             .notes = notes_of_rounding(simulation)};
 }
 

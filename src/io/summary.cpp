@@ -74,7 +74,7 @@ void add_result(nlohmann::ordered_json& json, const RunSummary& summary, bool ti
     json["energy_error"] = result.energy_error;
     if (result.drag_work) json["drag_work"] = *result.drag_work;
     if (energy_error_is_change(summary)) json["energy_change"] = std::exchange(json["energy_error"], nullptr);
-    if (timed && summary.error) json["error"] = *summary.error;
+    if (result.error) json["error"] = *result.error;
     if (timed) json["notes"] = summary.notes;
     if (timed) json["wall_seconds"] = summary.wall_seconds;
     json["hash"] = result.hash;
@@ -129,7 +129,7 @@ std::string summary_text(const RunSummary& summary) {
     line(energy_error_is_change(summary) ? "energy change" : "energy error",
          fmt::format("{} J at most, over the written steps (--every)", short_number(result.energy_error)));
     if (result.drag_work) line("work of drag", short_number(*result.drag_work) + " J, counted in the energy error");
-    if (summary.error) line("error", short_number(*summary.error) + " m at the end, against the exact solution");
+    if (result.error) line("error", short_number(*result.error) + " m at the end, against the exact solution");
     if (result.collisions.count() > 0) line("collisions", collisions_text(result.collisions));
     line("wall time", duration_text(summary.wall_seconds));
     line("hash", result.hash);
@@ -177,12 +177,14 @@ std::string summary_text(const EnsembleSummary& summary) {
         line(name, fmt::format("{} to {}", number_text(from), number_text(to)));
     std::uint64_t steps = 0;
     double error = 0;
+    bool is_change = false;
     for (const auto& run : summary.runs) {
+        is_change = is_change || energy_error_is_change(run.summary);
         steps += run.summary.result.steps;
         error = std::max(error, run.summary.result.energy_error);
     }
     line("steps", fmt::format("{} in total", steps));
-    line(has_drag(first) ? "energy change" : "energy error",
+    line(is_change ? "energy change" : "energy error",
          fmt::format("{} J at most, over the written steps (--every) of all runs", short_number(error)));
     line("wall time", duration_text(summary.wall_seconds));
     line("status", summary.diverged() == 0 ? "ok"

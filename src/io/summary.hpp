@@ -15,9 +15,9 @@ struct RunSummary {
     RunDescription run;
     RunResult result;  ///< energy_error over the written steps
     double wall_seconds = 0;
-    std::optional<double> until = {};     ///< end of the last step, where it is given (RunEnd)
-    std::optional<double> error = {};     ///< of a position at the end, where an exact solution is known
-    std::vector<std::string> notes = {};  ///< of rounding (sim/run/notes.hpp)
+    std::optional<double> until = {};  ///< end of the last step, where it is given (RunEnd)
+    std::vector<std::string> notes =
+        {};  ///< of rounding (sim/run/notes.hpp), and of an end that is not the one asked for
 };
 
 /// One JSON object; numbers that are not finite are null. It has the texts of a scene file and of what it reads, and
@@ -40,7 +40,7 @@ struct EnsembleSummary {
     std::vector<ParameterRange> ranges;
     std::vector<Run> runs;  ///< one at least
     double wall_seconds = 0;
-    std::vector<std::string> notes = {};  ///< of rounding in any run (sim/run/notes.hpp)
+    std::vector<std::string> notes = {};  ///< of any run
 
     /// The number of runs that diverged.
     std::size_t diverged() const;

@@ -47,6 +47,7 @@ std::vector<RunSummary> recorded(const EnsembleJob& job, EnsembleRows& rows) {
         const EnsembleRun& run = job.runs[i];
         rows.begin(i, run.description);
         Simulation simulation(run.description, job.execution);
+        if (run.with_errors) simulation.count_drag_work();
         summaries.push_back(record_run(
             simulation, run.end, job.every, [](std::uint64_t) {},
             [&rows](const Simulation& now) { rows.record(now); }));
@@ -71,6 +72,7 @@ EnsembleSummary summary_of(const EnsembleJob& job, const std::vector<RunSummary>
         }
     }
     summary.notes = notes.all();
+    if (job.note_of_end) summary.notes.push_back(*job.note_of_end);
     return summary;
 }
 

@@ -6,6 +6,8 @@
 #include "sim/run/execution.hpp"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace steplab {
@@ -15,6 +17,7 @@ struct EnsembleJob {
     std::vector<ParameterRange> ranges;
     std::vector<EnsembleRun> runs;  ///< one at least
     std::uint64_t every = 1;
+    std::optional<std::string> note_of_end = {};  ///< where the longest run ends elsewhere than asked
     OutputOptions output;
     Execution execution;
 

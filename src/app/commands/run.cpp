@@ -59,14 +59,14 @@ public:
         try {
             const bool rows_on_terminal = output_.standard_output_taken() && isatty(STDOUT_FILENO) != 0;
             Progress progress(steps, isatty(STDERR_FILENO) != 0 && !rows_on_terminal);
-            const RunSummary summary = record_run(
+            RunSummary summary = record_run(
                 simulation, end, rows_every, [&progress](std::uint64_t step) { progress.at(step); },
                 [&outputs](const Simulation& now) { outputs.record(now); });
+            const auto note_of_end = time_.note(description, end);
+            if (note_of_end && !summary.result.divergence) summary.notes.push_back(*note_of_end);
             outputs.commit(summary);
             output_.print_summary(summary_text(summary));
             for (const std::string& note : summary.notes) print_note(program, note);
-            const auto note = time_.note(description, end);
-            if (note && !summary.result.divergence) print_note(program, *note);
         } catch (const Interrupted&) {
             print_interruption(fmt::format("interrupted after step {}", simulation.step()), outputs.keep_partial());
             throw;
@@ -87,7 +87,8 @@ private:
         const auto longest = std::max_element(job.runs.begin(), job.runs.end(), fewer_steps);
         job.every = every(longest->end.step);
         if (const auto note = time_.note(longest->description, longest->end))
-            print_note(program, "the longest run: " + *note);
+            job.note_of_end = "the longest run: " + *note;
+        for (EnsembleRun& run : job.runs) run.with_errors = output_.asks_for_energy_error();
         catch_interruptions();
         job.run();
         return static_cast<int>(ExitCode::done);

@@ -95,7 +95,7 @@ void fill(Result& result, const RunSummary& summary) {
     if (summary.result.divergence) result.reason = summary.result.divergence->message;
     result.hash = summary.result.hash;
     result.notes = summary.notes;
-    result.error = summary.error;
+    result.error = summary.result.error;
     result.wall_seconds = summary.wall_seconds;
 }
 

@@ -50,6 +50,7 @@ EnsembleResult run_alone(const EnsembleRun& run, std::uint64_t every, Execution 
     execution.threads = 1;
     Simulation simulation(run.description, execution);
     simulation.end_at(run.end);
+    if (run.with_errors) simulation.count_drag_work();
     const std::uint64_t steps = run.end.step;
     const double energy_start = simulation.energy();
     EnergyErrors errors;
@@ -62,7 +63,9 @@ EnsembleResult run_alone(const EnsembleRun& run, std::uint64_t every, Execution 
         done(to - at);
         at = to;
     }
-    return {.result = result_of(simulation, energy_start, errors.largest(simulation.step()))};
+    RunResult result = result_of(simulation, energy_start, errors.largest(simulation.step()));
+    if (run.with_errors) result.error = error_at_end(simulation);
+    return {.result = std::move(result)};
 }
 
 /// Hands out the runs to threads.

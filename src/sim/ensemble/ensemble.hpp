@@ -15,6 +15,8 @@ namespace steplab {
 struct EnsembleRun {
     RunDescription description;
     RunEnd end;
+    /// Measured too, where they are known: the work of drag, of runs that then do not share lanes, and the error.
+    bool with_errors = false;
 };
 
 /// Its result, equal to that of a Simulation; energy_error is taken over every K-th step and the last.

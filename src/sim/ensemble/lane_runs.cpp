@@ -24,6 +24,7 @@ struct Member {
     Plan scene;
     EnergyMeter meter;
     std::uint64_t steps;
+    std::shared_ptr<const ExactSolution> exact;  ///< if errors are measured and one is known
     Energy baseline;
     RunResult result;
     bool open = true;       ///< under way
@@ -33,7 +34,8 @@ struct Member {
         : held(as_held(run.description)),
           scene(plan_of(held)),
           meter(scene, instructions_of(execution)),
-          steps(run.end.step) {}
+          steps(run.end.step),
+          exact(run.with_errors ? exact_of(held) : nullptr) {}
 
     StepperSetup setup(const Execution& execution) const {
         return segment_start(held, scene, instructions_of(execution));
@@ -115,6 +117,8 @@ private:
         result.particles = member.scene.reference.count;
         result.evaluations = group_.evaluations();
         result.energy_end = energy_end;
+        if (member.exact && result.time <= member.exact->valid_until())
+            result.error = largest_error(seen_.displacement, *member.exact, result.time);
         const auto emit = [&](const PortionSink& sink) { show(run, sink); };
         result.farthest = farthest_of(emit);
         result.hash = hash_of(step_, member.held.precision, emit);
@@ -142,6 +146,9 @@ bool same_engine(const RunDescription& a, const RunDescription& b) {
     return a.model == b.model && a.origin == b.origin && a.method == b.method && a.precision == b.precision;
 }
 
+/// A run that counts the work of drag does so alone.
+bool counts_drag(const EnsembleRun& run) { return run.with_errors && integrates_drag_work(run.description); }
+
 /// The first of these runs that take one way through the code, and what their method needs of them.
 struct Together {
     std::vector<std::unique_ptr<Member>> members;
@@ -149,7 +156,7 @@ struct Together {
 
     Together(std::span<const EnsembleRun> runs, const Execution& execution) {
         for (const EnsembleRun& run : runs.first(std::min(runs.size(), most_lanes))) {
-            if (!same_engine(run.description, runs.front().description)) return;
+            if (!same_engine(run.description, runs.front().description) || counts_drag(run)) return;
             auto member = std::make_unique<Member>(run, execution);
             const StepperSetup setup = member->setup(execution);
             if (setups.empty() ? !fits_lanes(setup) : !lane_compatible(setups.front(), setup)) return;

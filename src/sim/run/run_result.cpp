@@ -18,4 +18,9 @@ RunResult result_of(const Simulation& simulation, double energy_start, double en
             .collisions = simulation.collisions()};
 }
 
+std::optional<double> error_at_end(const Simulation& simulation) {
+    if (!simulation.has_exact() || simulation.particles() > most_particles_of_errors) return std::nullopt;
+    return simulation.diagnostics().error;
+}
+
 }  // namespace steplab

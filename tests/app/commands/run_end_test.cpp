@@ -28,8 +28,10 @@ TEST(Run, methods_of_own_steps_end_at_the_time_asked_for) {
         EXPECT_EQ(csv.rows.back()[1], "1");
         EXPECT_NEAR(number(csv.rows.back()[3]), std::sin(1.0), 1e-5) << c;  // float
     }
-    EXPECT_THAT(run_program({"run", "--until", "1", "--dt", "0.3", "--summary", "-"}).err,
-                HasSubstr("4 steps of dt = 0.3 s end at t = 1.2 s, not at 1 s"));
+    const Outcome outcome = run_program({"run", "--until", "1", "--dt", "0.3", "--summary", "-"});
+    const std::string note = "4 steps of dt = 0.3 s end at t = 1.2 s, not at 1 s";
+    EXPECT_THAT(outcome.err, HasSubstr(note));
+    EXPECT_EQ(nlohmann::json::parse(outcome.out)["notes"], nlohmann::json::array({note}));
 }
 
 TEST(Run, ensembles_and_pictures_that_end_later_say_so) {
