@@ -121,7 +121,9 @@ Shape shape(const ParameterValues& values) {
 
 /// That of the infinite grid, in its plane at wave vector (pi, 0): omega^2 = 8 k / m. The fixed border lowers it by a
 /// few percent in small meshes, so that a dt below the limit computed from it is always below the true one.
-std::optional<double> omega_max(const ParameterValues& values) { return std::sqrt(8 * values["k"] / values["m"]); }
+std::optional<double> omega_max(const ParameterValues& values) {
+    return std::sqrt(8.0) * std::sqrt(values["k"] / values["m"]);
+}
 
 SceneFacts facts(const ParameterValues& values) {
     const double ends = values.count("dim") == 3 ? 1 : 2;  // that move, of the spring that swings fastest

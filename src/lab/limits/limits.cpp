@@ -92,7 +92,9 @@ StabilityLab::StabilityLab(const RunDescription& description)
       facts_(facts_of(description)),
       spacing_(model_of(description).shape(as_held(description).scene).spacing),
       linearised_(scene_, model_of(description).shape(as_held(description).scene)),
-      modes_(modes(linearised_)) {}
+      modes_(modes(linearised_)) {
+    check_stiffness(omega_max());
+}
 
 double StabilityLab::omega_max() const { return highest_frequency(modes_); }
 

@@ -25,7 +25,8 @@ struct Limit {
 /// Finds the limits of methods on one scene.
 class StabilityLab {
 public:
-    /// The description's scene in its precision; its method is ignored. Throws UsageError (check()).
+    /// The description's scene in its precision; its method is ignored. Throws UsageError (check()), also for scenes
+    /// whose frequencies are above largest_frequency.
     explicit StabilityLab(const RunDescription& description);
 
     double omega_max() const;

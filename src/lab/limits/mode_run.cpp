@@ -230,9 +230,10 @@ double ModeRun::nonlinearity() const {
     double difference = 0;
     for (std::size_t k = 0; k < shape_.flat().size(); ++k) {
         const double rest = there.flat()[k] - here.flat()[k] + omega_ * omega_ * shape_.flat()[k];
-        difference += rest * rest;
+        const double relative = rest / (rate_ * rate_);  // of a size that has a square, however stiff the springs are
+        difference += relative * relative;
     }
-    return std::sqrt(difference / norm_) / (rate_ * rate_);
+    return std::sqrt(difference / norm_);
 }
 
 }  // namespace steplab

@@ -71,7 +71,7 @@ PresentLimit PresentLimits::at(const RunDescription& description, const State<do
                                double time) {
     PresentLimit found{.step = step, .time = time, .oscillation = oscillation(description, state)};
     const double omega = found.oscillation.omega;
-    if (!chooses_its_steps(description)) found.limit = linear_limit(description, omega);
+    if (!chooses_its_steps(description) && omega <= largest_frequency) found.limit = linear_limit(description, omega);
     found.resolution = steplab::resolution(description, omega);
     return found;
 }

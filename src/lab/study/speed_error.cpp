@@ -205,6 +205,7 @@ double frequency(const StudyPlan& plan) {
     const Model& scene = model_of(plan.scene);
     const LinearisedScene linearised(plan_of(plan.scene), scene.shape(plan.scene.scene));
     const double omega = highest_frequency(modes(linearised));
+    check_stiffness(omega);
     return omega > 0 ? omega : 5 * 3.14159265358979 / plan.time;
 }
 

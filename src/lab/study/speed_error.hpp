@@ -74,7 +74,7 @@ bool takes_dt(const std::string& method);
 bool takes_tolerance(const std::string& method);
 
 /// The scene's largest angular frequency, or one for which a tenth of the time is a quarter of its period. Expensive
-/// for a scene of many particles.
+/// for a scene of many particles. Throws UsageError (check_stiffness()).
 double frequency(const StudyPlan& plan);
 
 /// Number of steps at the method's largest reasonable dt: just below the stability limit if there is one.

@@ -47,7 +47,7 @@ struct Frequency {
     }
     /// Of the infinite grid, as the model mesh has it.
     std::optional<KnownFrequency> operator()(const GridForces& grid) const {
-        return KnownFrequency{std::sqrt(8 * grid.k / grid.mass), true};
+        return KnownFrequency{std::sqrt(8.0) * std::sqrt(grid.k / grid.mass), true};
     }
     std::optional<KnownFrequency> operator()(const ComposedForces& forces) const {
         if (!has_linear_springs_alone(*forces.terms)) return std::nullopt;

@@ -1,12 +1,18 @@
 #include "sim/run/linearised.hpp"
 
+#include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/number_text.hpp"
 #include "models/forces/layouts.hpp"
+#include "sim/run/run_description.hpp"
+
+#include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace steplab {
@@ -28,14 +34,39 @@ Eigen::VectorXd arbitrary_vector(Eigen::Index size) {
     return v.normalized();
 }
 
+/// True of numbers whose squares neither overflow nor lose digits.
+bool has_a_square(double size) { return size > 1e-140 && size < 1e140; }
+
+/// Also of force constants whose squares no number holds.
+double length(const Eigen::VectorXd& v) {
+    const double plain = v.norm();
+    return has_a_square(plain) ? plain : v.stableNorm();
+}
+
+/// The power of two, division by which is exact, that brings the largest element near 1: the solver of Eigen 3.4
+/// compares squares of elements beside the diagonal with elements on it, and takes small ones for zero.
+double scale_of(const std::vector<double>& alpha, const std::vector<double>& beta) {
+    double largest = 0;
+    for (const double element : alpha) largest = std::max(largest, std::abs(element));
+    for (const double element : beta) largest = std::max(largest, std::abs(element));
+    if (!(largest > 0) || !std::isfinite(largest)) return 1;
+    return std::ldexp(1.0, std::ilogb(largest));
+}
+
+/// Eigenvalues, ascending, and eigenvectors of a tridiagonal matrix.
+struct Tridiagonal {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors;
+};
+
 /// Of the matrix with these elements on its diagonal and, but for the last, beside it.
-Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> tridiagonal(const std::vector<double>& alpha,
-                                                           const std::vector<double>& beta) {
+Tridiagonal tridiagonal(const std::vector<double>& alpha, const std::vector<double>& beta) {
     const auto steps = static_cast<Eigen::Index>(alpha.size());
+    const double scale = scale_of(alpha, beta);
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(alpha.data(), steps),
-                                  Eigen::Map<const Eigen::VectorXd>(beta.data(), steps - 1));
-    return solver;
+    solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(alpha.data(), steps) / scale,
+                                  Eigen::Map<const Eigen::VectorXd>(beta.data(), steps - 1) / scale);
+    return {solver.eigenvalues() * scale, solver.eigenvectors()};
 }
 
 /// The tridiagonal matrix of the Lanczos method, and its basis vectors.
@@ -44,18 +75,18 @@ struct Krylov {
     Eigen::MatrixXd basis;
     Eigen::Index steps = 0;
 
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solve() const { return tridiagonal(alpha, beta); }
+    Tridiagonal solve() const { return tridiagonal(alpha, beta); }
 
     /// Adds a vector; false if the space is closed under the matrix.
     bool step(const LinearMap& matrix) {
         Eigen::VectorXd next = matrix(basis.col(steps));
         alpha.push_back(basis.col(steps).dot(next));
         ++steps;
-        const double size = next.norm();
+        const double size = length(next);
         for (int twice = 0; twice < 2; ++twice) {  // twice is enough: Parlett, The Symmetric Eigenvalue Problem, 6.9
             next -= basis.leftCols(steps) * (basis.leftCols(steps).transpose() * next);
         }
-        beta.push_back(next.norm());
+        beta.push_back(length(next));
         largest = std::max({largest, size, beta.back()});
         if (!(beta.back() > 1e-12 * largest)) return false;
         if (steps < basis.cols()) basis.col(steps) = next / beta.back();
@@ -74,11 +105,11 @@ public:
     /// On to the next vector; false if there is none.
     bool step() {
         Eigen::VectorXd next = matrix_(now_);
-        largest_ = std::max(largest_, next.norm());
+        largest_ = std::max(largest_, length(next));
         alpha.push_back(now_.dot(next));
         next -= alpha.back() * now_;
         if (alpha.size() > 1) next -= beta.back() * before_;
-        beta.push_back(next.norm());
+        beta.push_back(length(next));
         if (!(beta.back() > 1e-12 * largest_)) return false;
         before_ = std::exchange(now_, next / beta.back());
         return true;
@@ -99,8 +130,8 @@ Eigenpair largest_eigenpair(const LinearMap& matrix, const Eigen::VectorXd& alon
     const Eigen::Index size = along.size();
     if (size == 0) return {};
     Eigen::VectorXd start = arbitrary_vector(size);
-    if (const double length = along.norm(); length > 0 && std::isfinite(length))
-        start = (along / length + part_of_others * start).normalized();
+    if (const double size_along = length(along); size_along > 0 && std::isfinite(size_along))
+        start = (along / size_along + part_of_others * start).normalized();
     ThreeTerms terms(matrix, start);
     Eigenpair found;
     Eigen::VectorXd weights;
@@ -110,8 +141,8 @@ Eigenpair largest_eigenpair(const LinearMap& matrix, const Eigen::VectorXd& alon
         const bool last = !terms.step() || steps == most;
         if (!last && steps % 5 != 0) continue;
         const auto solver = tridiagonal(terms.alpha, terms.beta);
-        found.value = solver.eigenvalues()[steps - 1];
-        weights = solver.eigenvectors().col(steps - 1);
+        found.value = solver.values[steps - 1];
+        weights = solver.vectors.col(steps - 1);
         found.residual = terms.beta.back() * std::abs(weights[steps - 1]);
         if (last || found.residual <= accuracy * std::abs(found.value)) break;
     }
@@ -133,18 +164,18 @@ Eigenpairs lanczos(const LinearMap& matrix, Eigen::Index size) {
     krylov.basis.col(0) = arbitrary_vector(size);
     bool closed = false;
     const auto residual = [&](const auto& solver) {
-        return krylov.beta.back() * std::abs(solver.eigenvectors()(krylov.steps - 1, krylov.steps - 1));
+        return krylov.beta.back() * std::abs(solver.vectors(krylov.steps - 1, krylov.steps - 1));
     };
     while (!closed && krylov.steps < most) {
         closed = !krylov.step(matrix);
         const bool test = size > complete_up_to && krylov.steps % 10 == 0;
         if (!test || closed) continue;
         const auto solver = krylov.solve();
-        if (residual(solver) < converged * std::abs(solver.eigenvalues()(krylov.steps - 1))) break;
+        if (residual(solver) < converged * std::abs(solver.values(krylov.steps - 1))) break;
     }
     const auto solver = krylov.solve();
-    return {.values = solver.eigenvalues(),
-            .vectors = krylov.basis.leftCols(krylov.steps) * solver.eigenvectors(),
+    return {.values = solver.values,
+            .vectors = krylov.basis.leftCols(krylov.steps) * solver.vectors,
             .complete = closed || krylov.steps == size,
             .residual = residual(solver)};
 }
@@ -229,7 +260,15 @@ Eigen::Index count_of_still(const Eigen::VectorXd& values) {
 
 double highest_frequency(const Eigenpairs& modes) {
     const double largest = modes.values.size() > 0 ? modes.values[modes.values.size() - 1] : 0;
-    return std::sqrt(std::max(0.0, largest));
+    return std::isfinite(largest) ? std::sqrt(std::max(0.0, largest)) : std::numeric_limits<double>::infinity();
+}
+
+void check_stiffness(double omega) {
+    if (omega <= largest_frequency) return;
+    throw UsageError(
+        fmt::format("the scene is too stiff to be judged in double: its largest frequency at the start is "
+                    "above {} 1/s",
+                    typed(largest_frequency)));
 }
 
 }  // namespace steplab

@@ -80,7 +80,9 @@ Eigenpairs all_modes(const LinearisedScene& scene);
 /// How many of the ascending eigenvalues are no vibrations: those that rounding leaves of zero, and those of unstable
 /// directions.
 Eigen::Index count_of_still(const Eigen::VectorXd& values);
-/// The largest angular frequency, 0 if nothing oscillates.
+/// The largest angular frequency; 0 if nothing oscillates, infinity if it is beyond what a number holds.
 double highest_frequency(const Eigenpairs& modes);
+/// Throws UsageError for a scene with a higher frequency than largest_frequency.
+void check_stiffness(double omega);
 
 }  // namespace steplab

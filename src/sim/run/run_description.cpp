@@ -216,7 +216,7 @@ std::string command_line(const RunDescription& description) {
 
 std::optional<StabilityLimit> stability_limit(const RunDescription& description) {
     const auto omega = model_of(description).omega_max(description.scene);
-    if (!omega) return std::nullopt;
+    if (!omega || !(*omega <= largest_frequency)) return std::nullopt;
     return StabilityLimit{linear_limit(description, *omega), *omega};
 }
 

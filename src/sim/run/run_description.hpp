@@ -90,12 +90,14 @@ std::string command_line(const RunDescription& description);
 
 /// The largest stable dt of the method on this scene as linear theory gives it, drag included: that of the fastest mode
 /// and of motion without any spring. limit: infinity = stable at any dt; 0 = unstable at any dt. Nothing if the scene's
-/// omega_max is not known. With drag it takes some milliseconds.
+/// omega_max is not known, or beyond what the theory is asked for. With drag it takes some milliseconds.
 struct StabilityLimit {
     double limit = 0;
     double omega_max = 0;
 };
 std::optional<StabilityLimit> stability_limit(const RunDescription& description);
+/// In 1/s: up to here double holds a frequency's square, and what a step makes of it.
+inline constexpr double largest_frequency = 1e150;
 
 /// The largest angular frequency of the scene at its start; of pairs, for which that is not known, sqrt(2 k / m) of
 /// one alone. 0 if nothing oscillates.

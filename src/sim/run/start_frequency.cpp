@@ -4,6 +4,7 @@
 #include "core/field.hpp"
 #include "models/forces/layouts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <variant>
@@ -16,6 +17,16 @@ using Number = Dual<double>;
 
 double dot(const Field<double>& a, const Field<double>& b) {
     return std::inner_product(a.flat().begin(), a.flat().end(), b.flat().begin(), 0.0);
+}
+
+double largest(const Field<double>& field) {
+    double largest = 0;
+    for (const double number : field.flat()) largest = std::max(largest, std::abs(number));
+    return largest;
+}
+
+void scale(Field<double>& field, double factor) {
+    for (double& number : field.flat()) number *= factor;
 }
 
 /// The accelerations at x, and how they change along a direction.
@@ -40,7 +51,9 @@ Accelerations accelerations(const Forces& forces, const Field<double>& x, const 
 double start_frequency(const Plan& scene) {
     const State<double> start = scene.start.state();
     Field<double> motion = start.velocity;
-    if (dot(motion, motion) == 0) motion = accelerations(scene.forces, start.displacement, motion).value;
+    if (largest(motion) == 0) motion = accelerations(scene.forces, start.displacement, motion).value;
+    // its size does not matter; that its squares are numbers does
+    if (const double size = largest(motion); size > 0) scale(motion, 1 / size);
     const double size = dot(motion, motion);
     if (!(size > 0)) return 0;
     const double stiffness = -dot(motion, accelerations(scene.forces, start.displacement, motion).change) / size;

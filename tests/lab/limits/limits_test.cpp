@@ -1,5 +1,6 @@
 #include "lab/limits/limits.hpp"
 
+#include "core/error.hpp"
 #include "lab/limits/all_limits.hpp"
 #include "lab/limits/mode_run.hpp"
 #include "support/runs.hpp"
@@ -304,6 +305,25 @@ TEST(ModeRun, detects_a_force_that_is_not_smooth) {
         run_of("morse", "verlet", Precision::double_, 0.1, {{"edge", 2}, {"spacing", 1}, {"cutoff", 1}});
     const Limit limit = StabilityLab(run).limit(run);
     EXPECT_NE(limit.note, "");
+}
+
+// What is measured goes through squares of frequencies: units must not matter as long as these are numbers.
+TEST(Limits, do_not_depend_on_the_units) {
+    for (const char* id : {"chain", "mesh", "oscillator"}) {
+        const Limit one = limit_of(id, "rk4", Precision::double_, {{"k", 1}});
+        for (const double k : {1e-290, 1e-200, 1e-160, 1e160, 1e200, 1e290}) {
+            const Limit limit = limit_of(id, "rk4", Precision::double_, {{"k", k}});
+            EXPECT_NEAR(*limit.theory * std::sqrt(k) / *one.theory, 1, 1e-9) << id << " k = " << k;
+            // bisection ends within 1e-4
+            EXPECT_NEAR(*limit.measured * std::sqrt(k) / *one.measured, 1, 2e-4) << id << " k = " << k;
+            EXPECT_EQ(limit.note, one.note) << id << " k = " << k;
+        }
+    }
+}
+
+TEST(Limits, of_scenes_too_stiff_for_double_are_refused) {
+    for (const char* id : {"chain", "mesh", "rope", "oscillator"})
+        EXPECT_THROW(limit_of(id, "rk4", Precision::double_, {{"k", 1.7e308}}), UsageError) << id;
 }
 
 }  // namespace

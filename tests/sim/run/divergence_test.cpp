@@ -128,6 +128,26 @@ TEST(Divergence, says_where_and_why_and_what_to_do) {
     EXPECT_EQ(again.step(), 2000u);
 }
 
+// Frequencies of which the theory makes overflows are not explained by it.
+TEST(Divergence, of_the_stiffest_springs_has_the_right_reason) {
+    for (const char* id : {"chain", "mesh", "rope", "oscillator"}) {
+        for (const double k : {1e150, 1e250, 1e299, 1e304, 1.7e308}) {
+            Simulation simulation(run_of(id, "rk4", Precision::double_, 0.1, {{"k", k}}));
+            simulation.advance(1000);
+            const auto& divergence = simulation.divergence();
+            ASSERT_TRUE(divergence) << id << " k = " << k;
+            const double soft =
+                stability_limit(run_of(id, "rk4", Precision::double_, 0.1, {{"k", 1e20}}))->limit * 1e10;
+            // drag, which the rope has, is nothing beside such springs
+            if (divergence->limit) {
+                EXPECT_NEAR(*divergence->limit * std::sqrt(k) / soft, 1, 1e-9) << id << " k = " << k;
+            }
+            EXPECT_EQ(divergence->limit.has_value(), k < 1e300) << id;
+            EXPECT_THAT(divergence->message, Not(HasSubstr("gains energy"))) << id << " k = " << k;
+        }
+    }
+}
+
 TEST(Divergence, of_a_method_without_limit_says_so) {
     Simulation simulation(run_of("oscillator", "midpoint", Precision::double_, 0.9));
     simulation.advance(100000);

@@ -46,6 +46,20 @@ TEST(OmegaMax, agrees_with_the_closed_forms) {
     EXPECT_EQ(omega_max("free"), 0);
 }
 
+// Force constants and masses whose squares overflow or underflow: nothing but the unit of time differs.
+TEST(OmegaMax, does_not_depend_on_the_units) {
+    for (const char* id : {"chain", "mesh", "oscillator", "rope"}) {
+        const double one = omega_max(id, {{"k", 1}});
+        for (const double k : {1e-300, 1e-250, 1e-160, 1e-100, 1e100, 1e160, 1e250, 1e300})
+            EXPECT_NEAR(omega_max(id, {{"k", k}}) / std::sqrt(k) / one, 1, 1e-12) << id << " k = " << k;
+    }
+}
+
+TEST(OmegaMax, beyond_what_double_holds_is_not_zero) {
+    for (const char* id : {"chain", "mesh", "rope"})
+        EXPECT_GT(omega_max(id, {{"k", 1.7e308}}), largest_frequency) << id;
+}
+
 // Beyond 300 numbers it ends when the residual is small or after 300 steps; the largest eigenvalue of a chain is then
 // accurate to (pi / 600)^2 times the gap there.
 TEST(OmegaMax, of_a_long_chain_is_accurate_enough_for_limits) {
