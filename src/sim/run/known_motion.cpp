@@ -3,6 +3,7 @@
 #include "models/forces/linear_response.hpp"
 #include "sim/run/fixed_particles.hpp"
 #include "sim/run/kepler_motion.hpp"
+#include "sim/run/known_fall.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -259,6 +260,7 @@ std::shared_ptr<const ExactSolution> line_motion(const Plan& plan) {
 
 std::shared_ptr<const ExactSolution> known_motion(const Plan& plan) {
     if (auto motion = kepler_motion(plan)) return motion;
+    if (auto motion = known_fall(plan)) return motion;
     return line_motion(plan);
 }
 
