@@ -7,6 +7,7 @@
 #include "app/cli/standard_streams.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "core/text.hpp"
 #include "core/watching.hpp"
@@ -146,7 +147,16 @@ private:
     StudyPlan plan_of(const std::string& scene) const {
         const RunDescription run = describe(find_scene(scene));
         constexpr double usual_steps = 1000;
-        return plan_for(run, model_of(run).opening.until.value_or(usual_steps * run.dt), quick_);
+        StudyPlan plan = plan_for(run, model_of(run).opening.until.value_or(usual_steps * run.dt), quick_);
+        if (quick_ && time_.empty()) shorten(plan);
+        return plan;
+    }
+
+    static void shorten(StudyPlan& plan) {
+        const double whole = std::exchange(plan.time, quick_time(plan));
+        if (plan.time == whole) return;
+        print_note("steplab report", fmt::format("{}: over {} s of {} s, as --quick has no more time (--time T)",
+                                                 shown(plan.scene.model), typed(plan.time, 3), typed(whole, 3)));
     }
 
     /// Tables and pages call a scene by the name of its file.

@@ -23,7 +23,7 @@ constexpr std::size_t most_frequencies = 64;
 constexpr double fewest_steps = 1024, most_particle_steps = 4e8;
 /// The work of a step beyond all limits, which solves equations, grows with the square of the particles or faster:
 /// beyond this number a run has as few steps as show a growth of 1 % a step.
-constexpr std::size_t many_particles = 100;
+constexpr std::size_t many_particles = 25;
 constexpr std::uint64_t steps_of_many = 64, steps_of_few = 1024;
 /// If theory and measurement differ by more, the note says why.
 constexpr double agreement = 1e-3;
@@ -46,9 +46,12 @@ Above just_above(const Method& method, const ParameterValues& parameters, double
     return best;
 }
 
-/// Enough steps to detect growth at a quarter of this rate.
-std::uint64_t steps_of_a_run(const Above& above, double evaluations, std::size_t particles) {
-    const double most = most_particle_steps / (static_cast<double>(particles) * std::max(1.0, evaluations));
+/// Enough steps to detect growth at a quarter of this rate, as far as the work allows.
+std::uint64_t steps_of_a_run(const Above& above, double evaluations, const Plan& scene) {
+    // a particle of a general layout takes some ten times as long as one of a lattice
+    const double particles = static_cast<double>(scene.reference.count) *
+                             (std::holds_alternative<ComposedForces>(scene.forces) ? 10.0 : 1.0);
+    const double most = most_particle_steps / (particles * std::max(1.0, evaluations));
     const double wanted = above.log_growth > 0 ? 0.8 / above.log_growth : fewest_steps;
     return static_cast<std::uint64_t>(std::max(fewest_steps, std::min(wanted, most)));
 }
@@ -87,8 +90,9 @@ std::optional<double> Limit::ratio() const {
     return *measured / *theory;
 }
 
-StabilityLab::StabilityLab(const RunDescription& description)
-    : scene_(balanced(plan_of(as_held(description)))),
+StabilityLab::StabilityLab(const RunDescription& description, NoLimit no_limit)
+    : no_limit_(no_limit),
+      scene_(balanced(plan_of(as_held(description)))),
       facts_(facts_of(description)),
       spacing_(model_of(description).shape(as_held(description).scene).spacing),
       linearised_(scene_, model_of(description).shape(as_held(description).scene)),
@@ -175,6 +179,13 @@ Limit StabilityLab::limit(const RunDescription& description) const {
     return limit;
 }
 
+/// Of a method that is stable at any dt by theory; empty if it is measured.
+std::string StabilityLab::why_not_measured(const RunDescription& held) const {
+    if (held.precision == Precision::float_) return "stable at any dt: not measured in float";
+    if (held.method_parameters.contains("tolerance")) return "shortens its steps where necessary: not measured";
+    return no_limit_ == NoLimit::measured ? "" : "stable at any dt by theory: not measured (--quick)";
+}
+
 void StabilityLab::find(Limit& limit, const Method& method) const {
     const RunDescription& held = limit.description;
     const Oscillation first = first_to_grow(method, held.method_parameters);
@@ -189,19 +200,15 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
         limit.note = "demonstrates a mistake: not measured";
         return;
     }
-    if (std::isinf(first.limit) &&
-        (held.precision == Precision::float_ || held.method_parameters.contains("tolerance"))) {
-        limit.note = held.precision == Precision::float_ ? "stable at any dt: not measured in float"
-                                                         : "shortens its steps where necessary: not measured";
-        return;
-    }
+    if (std::isinf(first.limit)) limit.note = why_not_measured(held);
+    if (!limit.note.empty()) return;
     // float has 7 digits for the distance of a pair: vibrations must be larger
     const double size = (held.precision == Precision::float_ ? 1e-3 : 1e-6) * spacing_;
     const ModeRun run(method, held.method_parameters, held.precision, scene_,
                       linearised_.displacements(modes_.vectors.col(first.mode)), first.omega, size, departure());
     const Above above = just_above(method, held.method_parameters, first.omega, first.gamma, first.limit);
     const std::uint64_t steps =
-        steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_.reference.count);
+        steps_of_a_run(above, evaluations_per_step(method.info, held.method_parameters), scene_);
     limit.measured =
         measured(run, {.expected = first.limit,
                        .above = above.dt,
@@ -209,6 +216,8 @@ void StabilityLab::find(Limit& limit, const Method& method) const {
                        .steps = steps,
                        .steps_beyond = scene_.reference.count > many_particles ? steps_of_many : steps_of_few});
     if (!agree(first.limit, *limit.measured)) limit.note = disagreement(run, held, first.limit, *limit.measured);
+    if (!limit.note.empty() && above.log_growth > 0 && static_cast<double>(steps) * above.log_growth < 0.5)
+        limit.note += fmt::format(", or {} steps are too few to see it grow", steps);
 }
 
 }  // namespace steplab

@@ -22,12 +22,15 @@ struct Limit {
     std::optional<double> ratio() const;
 };
 
+/// Whether limits that theory says to be none are measured, which takes long: such methods solve equations.
+enum class NoLimit { measured, by_theory };
+
 /// Finds the limits of methods on one scene.
 class StabilityLab {
 public:
     /// The description's scene in its precision; its method is ignored. Throws UsageError (check()), also for scenes
     /// whose frequencies are above largest_frequency.
-    explicit StabilityLab(const RunDescription& description);
+    explicit StabilityLab(const RunDescription& description, NoLimit no_limit = NoLimit::measured);
 
     double omega_max() const;
     /// The limit of the method named by the description; its scene must be that of this object. Theory: the smallest dt
@@ -50,8 +53,10 @@ private:
     Oscillation first_to_grow(const Method& method, const ParameterValues& parameters) const;
     /// The rate of the fastest non-oscillating departure from the initial positions.
     double departure() const;
+    std::string why_not_measured(const RunDescription& held) const;
     void find(Limit& limit, const Method& method) const;
 
+    NoLimit no_limit_;
     Plan scene_;  ///< balanced
     SceneFacts facts_;
     double spacing_;

@@ -21,7 +21,7 @@ constexpr double share_of_series = 0.85;
 /// The limits of all methods of the plan, in its first precision; for a method that cannot run the scene, the reason.
 std::vector<Limit> limits_of(const StudyPlan& plan, const StudyProgress& progress) {
     const Precision precision = plan.precisions.front();
-    const StabilityLab lab(run_over(plan, "rk4", precision, 1));
+    const StabilityLab lab(run_over(plan, "rk4", precision, 1), plan.brief ? NoLimit::by_theory : NoLimit::measured);
     std::vector<RunDescription> methods;
     for (const std::string& id : plan.methods) {
         methods.push_back(run_over(plan, id, precision, 1));

@@ -4,8 +4,10 @@
 #include "io/commit.hpp"
 #include "lab/study/parallel.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/memory.hpp"
 #include "sim/run/samples.hpp"
 #include "sim/run/simulation.hpp"
+#include "sim/run/starting.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -95,7 +97,16 @@ StudyPlan plan_for(const RunDescription& scene, double time, bool quick) {
     plan.ratio = quick ? 2 : 1.4142135623730951;
     plan.reference_effort = quick ? 0.1 : 1;  // where a cut-off keeps references from converging it takes a minute
     plan.rounds = quick ? 3 : 7;
+    plan.brief = quick;
     return plan;
+}
+
+double quick_time(const StudyPlan& plan) {
+    // ω T of the fastest vibration, for each particle and each of its partners: what a step of any method has to do
+    constexpr double most_work = 4e5;
+    const Plan scene = steplab::plan_of(plan.scene);
+    const double terms = static_cast<double>(scene.reference.count) + interacting_pairs(scene);
+    return std::min(plan.time, most_work / (frequency(plan) * terms));
 }
 
 std::span<const LeftOut> left_out_of_plans() { return left_out; }

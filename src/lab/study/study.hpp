@@ -28,6 +28,10 @@ std::vector<StudyPlan> default_plans(bool quick);
 /// The plan that a report has for a scene: all methods in both precisions.
 StudyPlan plan_for(const RunDescription& scene, double time, bool quick);
 
+/// The longest time, up to that of the plan, over which a quick report of this scene takes less than a minute: by the
+/// work of a run, so that it is the same on every machine. Throws UsageError (check_stiffness()).
+double quick_time(const StudyPlan& plan);
+
 /// A model without a scene in reports, and why.
 struct LeftOut {
     std::string_view model, reason;

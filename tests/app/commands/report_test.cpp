@@ -128,6 +128,20 @@ TEST(Report, has_a_scene_of_every_model_or_names_it_as_left_out) {
     }
 }
 
+// The work of a run is its time by the rate of its fastest vibration and the number of its forces.
+TEST(Report, a_quick_one_takes_as_much_of_a_run_as_there_is_time_for) {
+    const auto time_of = [](double dim, double whole) {
+        RunDescription mesh = describe("mesh");
+        mesh.scene.set("dim", dim);
+        return quick_time(plan_for(mesh, whole, true));
+    };
+    EXPECT_EQ(time_of(10, 20), 20);
+    const double most = time_of(10, 1e6);
+    EXPECT_LT(most, 1e6);
+    EXPECT_EQ(time_of(10, 1e7), most);
+    EXPECT_NEAR(time_of(20, 1e6), most / 4, most / 20);  // the edge of a mesh has fewer springs
+}
+
 TEST(Report, of_another_program_in_the_same_folder_is_refused) {
     const TemporaryFolder folder;
     BegunReport first(folder.file("out"));

@@ -321,6 +321,17 @@ TEST(Limits, do_not_depend_on_the_units) {
     }
 }
 
+TEST(Limits, that_are_none_by_theory_are_measured_unless_time_is_short) {
+    const RunDescription run = run_of("chain", "implicit-midpoint", Precision::double_, 0.1);
+    const Limit measured = StabilityLab(run).limit(run), by_theory = StabilityLab(run, NoLimit::by_theory).limit(run);
+    EXPECT_EQ(measured.measured, infinity);
+    EXPECT_EQ(by_theory.theory, infinity);
+    EXPECT_FALSE(by_theory.measured);
+    EXPECT_EQ(by_theory.note, "stable at any dt by theory: not measured (--quick)");
+    const RunDescription other = run_of("chain", "rk4", Precision::double_, 0.1);
+    EXPECT_TRUE(StabilityLab(other, NoLimit::by_theory).limit(other).measured);
+}
+
 TEST(Limits, of_scenes_too_stiff_for_double_are_refused) {
     for (const char* id : {"chain", "mesh", "rope", "oscillator"})
         EXPECT_THROW(limit_of(id, "rk4", Precision::double_, {{"k", 1.7e308}}), UsageError) << id;
