@@ -28,8 +28,9 @@ std::vector<StudyPlan> default_plans(bool quick);
 /// The plan that a report has for a scene: all methods in both precisions.
 StudyPlan plan_for(const RunDescription& scene, double time, bool quick);
 
-/// The longest time, up to that of the plan, over which a quick report of this scene takes less than a minute: by the
-/// work of a run, so that it is the same on every machine. Throws UsageError (check_stiffness()).
+/// The time, up to that of the plan, over which runs of this scene take as much work as a quick report has room for:
+/// the same on every machine. Where methods solve equations of many pairs it takes minutes all the same. Throws
+/// UsageError (check_stiffness()).
 double quick_time(const StudyPlan& plan);
 
 /// A model without a scene in reports, and why.
