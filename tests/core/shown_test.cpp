@@ -70,7 +70,7 @@ std::string written_safely(std::initializer_list<std::string_view> texts) {
 TEST(WriteSafely, writes_what_safe_message_makes_of_all_texts) {
     EXPECT_EQ(written_safely({"steplab", ": ", "a\x1b\n", "\xc3\xa4"}), "steplab: a\\x1b\n\xc3\xa4");
     std::mt19937 random(1);
-    for (const std::size_t length : {0, 1, 1000, 4095, 4096, 4097, 20000}) {
+    for (const std::size_t length : {0U, 1U, 1000U, 4095U, 4096U, 4097U, 20000U}) {
         std::string text(length, '\0');
         for (char& c : text) c = static_cast<char>(random());
         EXPECT_EQ(written_safely({text, "\n", text}), safe_message(text) + "\n" + safe_message(text)) << length;

@@ -50,12 +50,9 @@ TEST(SceneLimits, too_many_particles_are_refused_at_once_at_their_number) {
             SCOPED_TRACE(std::string(count) + more);
             const double before = heap();
             std::string answer;
+            const std::string text = std::string("steplab = 1\n[[particles]]\ngroup = \"a\"\n") + count + "\n" + more;
             // a hundred times what it takes; and of the memory nothing depends on the count
-            EXPECT_LT(seconds_of([&] {
-                          answer = refusal_of_scene(std::string("steplab = 1\n[[particles]]\ngroup = \"a\"\n") + count +
-                                                    "\n" + more);
-                      }),
-                      1);
+            EXPECT_LT(seconds_of([&] { answer = refusal_of_scene(text); }), 1);
             EXPECT_THAT(answer, AllOf(StartsWith(place), HasSubstr(" particles need "), HasSubstr("choose fewer")));
             EXPECT_LT(heap() - before, 1e8);
         }
