@@ -128,8 +128,7 @@ public:
     /// Sum of the squares of what forces at the beginning and at the end of the step differ by from the polynomial of
     /// its stages.
     T gap_at_ends(const Field<T>& begin, const Field<T>& end) const {
-        const Stages<T> at_begin = Stages<T>::load(rounded_to<T>(gauss_table.begin).data());
-        const Stages<T> at_end = Stages<T>::load(rounded_to<T>(gauss_table.end).data());
+        const Stages<T> at_begin = of_stages(gauss_table.begin), at_end = of_stages(gauss_table.end);
         T gap2 = T(0);
         each_coordinate(f_, axes_, [&](std::size_t k) {
             const T before = begin.flat()[k] - sum(at_begin * f_.flat()[k]);
@@ -143,7 +142,7 @@ public:
     T coefficients_4_and_5() const {
         T squares = T(0);
         for (const std::size_t order : {std::size_t{4}, std::size_t{5}}) {
-            const Stages<T> weights = Stages<T>::load(rounded_to<T>(gauss_table.legendre[order]).data());
+            const Stages<T> weights = of_stages(gauss_table.legendre[order]);
             each_coordinate(f_, axes_, [&](std::size_t k) {
                 const T coefficient = sum(weights * f_.flat()[k]);
                 squares += coefficient * coefficient;
@@ -154,6 +153,13 @@ public:
 
 private:
     using Weights = GaussWeights<T>;
+
+    /// A number for each stage, in lanes, which are loaded from aligned memory.
+    template <class Numbers>
+    static Stages<T> of_stages(const Numbers& numbers) {
+        alignas(64) const auto rounded = rounded_to<T>(numbers);
+        return Stages<T>::load(rounded.data());
+    }
 
     /// Where only half of the digits are right after this number, the step is too long: two halves of it cost less.
     static constexpr std::size_t most_iterations = 40;
