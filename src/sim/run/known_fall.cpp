@@ -13,15 +13,13 @@ namespace steplab {
 
 namespace {
 
-using Number = long double;
-
 /// The integral of KickResponse::g of free motion with drag: t^2 phi_2(-gamma t), phi_2(z) = (e^z - 1 - z) / z^2
 /// (Hochbruck, Ostermann, Acta Numerica 19 (2010) 209), by its series where that difference would cancel.
-Number response_to_push(Number gamma, Number t) {
-    const Number z = -gamma * t;
+long double response_to_push(long double gamma, long double t) {
+    const long double z = -gamma * t;
     if (z < -1) return t * t * (std::exp(z) - 1 - z) / (z * z);
-    Number sum = 1;
-    for (int k = 24; k >= 1; --k) sum = 1 + sum * z / static_cast<Number>(k + 2);  // 2 / 26! = 5e-27
+    long double sum = 1;
+    for (int k = 24; k >= 1; --k) sum = 1 + sum * z / static_cast<long double>(k + 2);  // 2 / 26! = 5e-27
     return t * t * sum / 2;
 }
 
@@ -32,9 +30,7 @@ struct Falling {
 };
 
 Vec3 along_each(const Falling& particle, auto value) {
-    const auto number = [&](double u, double v, double a) {
-        return static_cast<double>(value(Number(u), Number(v), Number(a)));
-    };
+    const auto number = [&](double u, double v, double a) { return static_cast<double>(value(u, v, a)); };
     const auto& [u, v, a, drag] = particle;
     return {number(u.x, v.x, a.x), number(u.y, v.y, a.y), number(u.z, v.z, a.z)};
 }
@@ -45,19 +41,21 @@ public:
 
     Vec3 displacement(std::size_t i, double t) const override {
         const KickResponse kick(0, particles_[i].drag, t);
-        const Number push = response_to_push(particles_[i].drag, t);
-        return along_each(particles_[i], [&](Number u, Number v, Number a) { return u + v * kick.g + a * push; });
+        const long double push = response_to_push(particles_[i].drag, t);
+        return along_each(particles_[i],
+                          [&](long double u, long double v, long double a) { return u + v * kick.g + a * push; });
     }
     Vec3 velocity(std::size_t i, double t) const override {
         const KickResponse kick(0, particles_[i].drag, t);
-        return along_each(particles_[i], [&](Number, Number v, Number a) { return v * kick.g_rate + a * kick.g; });
+        return along_each(particles_[i],
+                          [&](long double, long double v, long double a) { return v * kick.g_rate + a * kick.g; });
     }
     /// Of some operations in long double.
     double rounding(double t) const override {
         double largest = 0;
         for (const auto& [u, v, a, drag] : particles_)
             largest = std::max(largest, length(u) + length(v) * t + length(a) * t * t);
-        return 16 * static_cast<double>(std::numeric_limits<Number>::epsilon()) * largest;
+        return 16 * static_cast<double>(std::numeric_limits<long double>::epsilon()) * largest;
     }
 
 private:
