@@ -33,9 +33,7 @@ EnsembleRows::EnsembleRows(const OutputOptions& options, std::span<const Ensembl
     }
     if (!options.series.empty()) {
         series_file_.emplace(options.series, compression_of(options.series));
-        const auto is_known = [](const EnsembleRun& run) {
-            return !has_drag(run.description) || integrates_drag_work(run.description);
-        };
+        const auto is_known = [](const EnsembleRun& run) { return knows_energy_error(run.description); };
         series_.emplace(*series_file_,
                         SeriesWriter::Columns{.error = std::any_of(runs.begin(), runs.end(), has_exact),
                                               .energy_error = std::all_of(runs.begin(), runs.end(), is_known),

@@ -73,6 +73,10 @@ void OutputOptions::print_summary(std::string text) const {
     print_beside(text, standard_output_taken());
 }
 
+bool knows_energy_error(const RunDescription& description) {
+    return !has_drag(description) || integrates_drag_work(description);
+}
+
 void print_interruption(std::string text, const std::vector<std::string>& kept) {
     if (!kept.empty()) text += fmt::format("; output so far is kept in '{}'", fmt::join(kept, "' and '"));
     print_aside(fmt::format("steplab run: {}\n", text));
@@ -96,10 +100,9 @@ RunOutputs::RunOutputs(const OutputOptions& options, const RunDescription& descr
             for (const Observable observable : observables_->wanted()) more.emplace_back(id(observable));
         }
         series_file_.emplace(options.series, compression_of(options.series));
-        series_.emplace(*series_file_, SeriesWriter::Columns{
-                                           .error = exact_of(description) != nullptr,
-                                           .energy_error = !has_drag(description) || integrates_drag_work(description),
-                                           .more = std::move(more)});
+        series_.emplace(*series_file_, SeriesWriter::Columns{.error = exact_of(description) != nullptr,
+                                                             .energy_error = knows_energy_error(description),
+                                                             .more = std::move(more)});
     }
     if (!options.summary.empty()) summary_file_.emplace(options.summary, compression_of(options.summary));
 }

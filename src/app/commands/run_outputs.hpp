@@ -46,6 +46,9 @@ struct OutputOptions {
     void print_summary(std::string text) const;
 };
 
+/// False if drag takes energy that the method does not count.
+bool knows_energy_error(const RunDescription& description);
+
 /// Prints "steplab run: interrupted after step 5; output so far is kept in 'a.csv.partial'" to standard error.
 void print_interruption(std::string text, const std::vector<std::string>& kept);
 

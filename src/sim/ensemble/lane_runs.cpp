@@ -117,10 +117,10 @@ private:
         result.particles = member.scene.reference.count;
         result.evaluations = group_.evaluations();
         result.energy_end = energy_end;
-        if (member.exact && result.time <= member.exact->valid_until())
-            result.error = largest_error(seen_.displacement, *member.exact, result.time);
         const auto emit = [&](const PortionSink& sink) { show(run, sink); };
         result.farthest = farthest_of(emit);
+        if (member.exact && result.time <= member.exact->valid_until())  // of what was shown just now
+            result.error = largest_error(seen_.displacement, *member.exact, result.time);
         result.hash = hash_of(step_, member.held.precision, emit);
         member.open = false;
     }
