@@ -4,10 +4,10 @@
 #include "io/scene_file.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/asked.hpp"
+#include "support/integral.hpp"
 #include "support/runs.hpp"
 #include "support/scene_texts.hpp"
 
-#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -93,13 +93,12 @@ struct HeadOn {
 
     /// How long they are within reach: 2 int dr / speed, in r = nearest + s^2.
     Real duration() const {
-        boost::math::quadrature::tanh_sinh<Real> integral;
         const Real nearest = passes() ? Real(1e-12) : turning_point(), mass = reduced_mass();
         const auto time = [&](Real s) -> Real {
             const Real left = 2 * (energy() - potential.energy(nearest + s * s)) / mass;
             return left > 0 ? 4 * s / sqrt(left) : Real(0);
         };
-        return integral.integrate(time, Real(0), sqrt(Real(potential.end) - nearest), Real(1e-14));
+        return integral(time, Real(sqrt(Real(potential.end) - nearest)), Real(1e-14));
     }
 
     /// The bullet's place at a time behind the encounter.
@@ -178,7 +177,6 @@ RunDescription barrier_run(std::string_view method, double height, double width,
 
 /// Where it is then. Its energy is 0.5: what is higher sends it back.
 double behind_barrier(double height, double width, double time) {
-    boost::math::quadrature::tanh_sinh<Real> integral;
     const auto potential = [=](Real x) -> Real { return height * exp(-(x / width) * (x / width)); };
     const bool passes = height < 0.5;
     const Real end = 8.5 * width, nearest = passes ? Real(0) : turning_point(potential, Real(0.5), end);
@@ -186,7 +184,7 @@ double behind_barrier(double height, double width, double time) {
         const Real left = 1 - 2 * potential(nearest + s * s);
         return left > 0 ? 2 * s / sqrt(left) : Real(0);
     };
-    const Real within = 2 * integral.integrate(pace, Real(0), sqrt(end - nearest), Real(1e-14));
+    const Real within = 2 * integral(pace, Real(sqrt(end - nearest)), Real(1e-14));
     const Real behind = end + time - (10 - end) - within;
     return static_cast<double>(passes ? behind : -behind);
 }

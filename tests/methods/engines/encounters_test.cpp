@@ -1,9 +1,9 @@
 #include "methods/engines/encounters.hpp"
 
 #include "support/asked.hpp"
+#include "support/integral.hpp"
 #include "support/runs.hpp"
 
-#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -51,14 +51,13 @@ struct HeadOn {
 
     /// How long they are within the cut-off: 2 int dr / speed, in r = turning point + s^2 where they turn.
     Real duration() const {
-        boost::math::quadrature::tanh_sinh<Real> integral;
         const Real nearest = passes_through() ? Real(0) : turning_point();
         const Real there = passes_through() ? energy() - potential(0) : Real(0);
         const auto time = [&](Real s) {
             const Real left = there + fall(nearest, s * s);
             return left > 0 ? s / std::sqrt(left) : Real(0);
         };
-        return 2 * integral.integrate(time, Real(0), std::sqrt(cutoff - nearest), 1e-15L);
+        return 2 * integral(time, std::sqrt(cutoff - nearest), 1e-15L);
     }
 
     /// Where the bullet is at a time behind the encounter; none before.
