@@ -33,7 +33,7 @@ moment() {
         two-planets) echo --until 2 --view 20,40,9,0.4,0,0.9 ;;
         double-well) echo --until 8 --view 30,40,5,0.3,0,0.7 ;;
         fermi-pasta-ulam) echo --until 700 --view -14,8,30,16.5,0,0 --colour speed ;;
-        fcc-crystal) echo --until 4 --view 30,24,15,3.1,3.1,3.1 ;;
+        fcc-crystal) echo --until 4 --set kT=2.5 --view 30,24,16,3.3,3.3,3.3 ;;
         galaxies) echo --until 9 --view 10,50,14,0,0,0.9 ;;
         newtons-cradle) echo --until 0.15 --view -20,8,3,0.3,0.4,0 ;;
         outer-solar-system) echo --until 55 --view 20,50,95,0,-8,-3 ;;

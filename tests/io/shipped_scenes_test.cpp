@@ -2,6 +2,7 @@
 
 #include "io/scene_file.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/observables.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/runs.hpp"
 
@@ -198,6 +199,25 @@ TEST(ShippedScenes, network_and_crystal_keep_their_momentum) {
 // sum m v^2 = (3 n - 3) kT.
 TEST(ShippedScenes, crystal_has_its_temperature) {
     EXPECT_NEAR(2 * diagnostics_after(shipped("fcc-crystal"), 0).kinetic, (3.0 * 256 - 3) * 0.3, 1e-9);
+}
+
+/// Root of the mean squared displacement after a time, by the distance of neighbours.
+double lindemann_ratio(double kT, double time) {
+    RunDescription run = shipped("fcc-crystal");
+    run.scene.set("kT", kT);
+    Observables observables(model_of(run).plan(run.scene), {Observable::msd});
+    Simulation simulation(run);
+    observables.of(simulation.state());
+    simulation.advance(static_cast<std::uint64_t>(std::lround(time / run.dt)));
+    return std::sqrt(observables.of(simulation.state())[0].value()) / (1.64 / std::numbers::sqrt2);
+}
+
+// Crystals hold where it is below some 0.15 (Lindemann 1910); in a melt it grows with time.
+TEST(ShippedScenes, crystal_melts_above_a_temperature) {
+    EXPECT_LT(lindemann_ratio(0.3, 8), 0.1);
+    EXPECT_LT(lindemann_ratio(1, 8), 0.15);
+    EXPECT_GT(lindemann_ratio(2, 8), 0.5);
+    EXPECT_GT(lindemann_ratio(3, 8), 1);
 }
 
 }  // namespace
