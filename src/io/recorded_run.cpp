@@ -1,6 +1,7 @@
 #include "io/recorded_run.hpp"
 
 #include "core/interruption.hpp"
+#include "core/larger_magnitude.hpp"
 #include "sim/run/confirmed_steps.hpp"
 #include "sim/run/notes.hpp"
 
@@ -35,7 +36,7 @@ RunSummary record_run(Simulation& simulation, const RunEnd& end, std::uint64_t e
         stepping.advance(simulation, std::min(steps, recorded + every));
         if (simulation.step() == recorded) break;  // no further step was valid
         recorded = simulation.step();
-        energy_error = std::max(energy_error, std::abs(simulation.energy_error()));
+        energy_error = larger_magnitude(energy_error, simulation.energy_error());
         record(simulation);
     }
     const double wall_seconds = seconds_since(begin);

@@ -8,6 +8,7 @@
 #include "app/cli/text_table.hpp"
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/larger_magnitude.hpp"
 #include "core/number_text.hpp"
 #include "io/compression.hpp"
 #include "io/output_file.hpp"
@@ -55,7 +56,7 @@ struct Worst {
         }
         last = compared;
         error = std::max(error, compared->error);
-        energy_error = std::max(energy_error, std::abs(compared->energy_error.value_or(0)));
+        energy_error = larger_magnitude(energy_error, compared->energy_error.value_or(0));
     }
 };
 

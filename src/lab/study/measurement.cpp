@@ -1,6 +1,7 @@
 #include "lab/study/measurement.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "core/larger_magnitude.hpp"
 #include "sim/run/samples.hpp"
 #include "sim/run/segment.hpp"
 
@@ -60,7 +61,7 @@ Measurement measure(const RunDescription& run, std::uint64_t steps, const Refere
         clock.time([&] { more = samples.advance(simulation); });
         return more;
     };
-    while (advance()) energy_error = std::max(energy_error, std::abs(simulation.energy_error()));
+    while (advance()) energy_error = larger_magnitude(energy_error, simulation.energy_error());
     measurement.result = result_of(simulation, energy_start, energy_error);
     measurement.rough_seconds = clock.seconds(measurement.result.evaluations);
     if (!measurement.diverged()) compare(measurement, simulation.state(), reference);

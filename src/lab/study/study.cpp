@@ -1,6 +1,7 @@
 #include "lab/study/study.hpp"
 
 #include "core/interruption.hpp"
+#include "core/larger_magnitude.hpp"
 #include "io/commit.hpp"
 #include "lab/study/parallel.hpp"
 #include "sim/catalogue.hpp"
@@ -58,7 +59,7 @@ plot::Curve energy_curve(const Measurement& run, const Execution& execution) {
     double largest = 0;
     while (samples.advance(simulation)) {
         check_interruption();
-        largest = std::max(largest, std::abs(simulation.energy_error()));
+        largest = larger_magnitude(largest, simulation.energy_error());
         if (samples.number() % samples_per_span != 0) continue;
         curve.add(simulation.time(), largest);
         largest = 0;

@@ -1,6 +1,7 @@
 #include "sim/ensemble/lane_runs.hpp"
 
 #include "core/flush_subnormals.hpp"
+#include "core/larger_magnitude.hpp"
 #include "sim/catalogue.hpp"
 #include "sim/ensemble/lane_compatible.hpp"
 #include "sim/run/divergence.hpp"
@@ -95,7 +96,7 @@ private:
         }
         if (!ends && step_ % every_ != 0) return;
         const double now = energy(run).total();
-        member.result.energy_error = std::max(member.result.energy_error, std::abs(now - member.baseline.total()));
+        member.result.energy_error = larger_magnitude(member.result.energy_error, now - member.baseline.total());
         if (ends) finish(run, now);
     }
 

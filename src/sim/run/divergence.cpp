@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 namespace steplab {
 
@@ -36,22 +37,26 @@ std::string reason(const Divergence& divergence, const RunDescription& held) {
                        significant(*divergence.limit, 4), held.method);
 }
 
+/// Whether the run can hold the energy, and so the forces, at the last good step.
+bool is_held(double energy, Precision precision) {
+    return std::abs(energy) <=
+           (precision == Precision::float_ ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max());
+}
+
 std::string encounter(const OwnStop& stop) {
     if (stop.first == stop.second) return {};
     return fmt::format("; nearest to each other are particles {} and {}, {} m apart", stop.first, stop.second,
                        typed(stop.distance, 3));
 }
 
-std::string stop_message(const Divergence& divergence, const RunDescription& held) {
-    const OwnStop& stop = *divergence.stop;
+std::string stop_reason(const OwnStop& stop, const RunDescription& held) {
     const std::string what = chooses_its_steps(held)
                                  ? "meets its tolerance of " + typed(held.method_parameters["tolerance"], 3)
                                  : "solves its equations";
     const std::string shortest =
         stop.step > 0 ? fmt::format("not even one of {} s", typed(stop.step, 3)) : "however short";
-    return fmt::format("The run stopped: step {} (t = {}) was the last valid one; at t = {} no step of {} {}, {}{}.",
-                       divergence.step, significant(divergence.time, 6), significant(stop.time, 8), held.method, what,
-                       shortest, encounter(stop));
+    return fmt::format("at t = {} no step of {} {}, {}{}", significant(stop.time, 8), held.method, what, shortest,
+                       encounter(stop));
 }
 
 }  // namespace
@@ -75,17 +80,23 @@ std::size_t wildest_particle(const State<double>& state) {
     return wildest;
 }
 
-void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit) {
+void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit,
+             double energy) {
     divergence.dt = held.dt;
+    const std::string last =
+        fmt::format("step {} (t = {}) was the last valid one", divergence.step, significant(divergence.time, 6));
+    if (!is_held(energy, held.precision)) {
+        divergence.message = fmt::format("The run {}: {}; the energy there is more than {} holds, whatever dt is.",
+                                         divergence.stop ? "stopped" : "diverged", last, id(held.precision));
+        return;
+    }
     if (divergence.stop) {
-        divergence.message = stop_message(divergence, held);
+        divergence.message = fmt::format("The run stopped: {}; {}.", last, stop_reason(*divergence.stop, held));
         return;
     }
     if (limit && std::isfinite(limit->limit)) divergence.limit = limit->limit;
-    divergence.message =
-        fmt::format("The run diverged: step {} (t = {}) was the last valid one; particle {} blew up in step {}: {}.",
-                    divergence.step, significant(divergence.time, 6), divergence.particle, divergence.step + 1,
-                    reason(divergence, held));
+    divergence.message = fmt::format("The run diverged: {}; particle {} blew up in step {}: {}.", last,
+                                     divergence.particle, divergence.step + 1, reason(divergence, held));
 }
 
 }  // namespace steplab

@@ -18,7 +18,8 @@ bool energy_is_surely_possible(double bound, const Energy& start, double floor);
 /// The particle farthest from its senses: not finite, or the fastest.
 std::size_t wildest_particle(const State<double>& state);
 
-/// Fills in dt, limit and message.
-void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit);
+/// Fills in dt, limit and message. `energy`: of the last good step [J].
+void explain(Divergence& divergence, const RunDescription& held, const std::optional<StabilityLimit>& limit,
+             double energy);
 
 }  // namespace steplab

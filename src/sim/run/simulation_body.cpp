@@ -192,7 +192,7 @@ void Simulation::Body::go_back_to_kept() {
 void Simulation::Body::diverged() {
     divergence->step = step;
     divergence->time = time_at(step);
-    explain(*divergence, segment.held, segment.limit());
+    explain(*divergence, segment.held, segment.limit(), energy().total());
     keep();
 }
 

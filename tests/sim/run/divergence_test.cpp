@@ -3,6 +3,7 @@
 #include "core/interruption.hpp"
 #include "sim/run/remedy.hpp"
 #include "sim/run/starting.hpp"
+#include "support/asked.hpp"
 #include "support/runs.hpp"
 
 #include <gmock/gmock.h>
@@ -54,6 +55,25 @@ TEST(Divergence, of_a_method_that_chooses_its_steps_never_blames_dt) {
     }
     // taylor gets through, or leaves what float holds
     EXPECT_EQ(stopped, (std::set<std::string>{"dop853", "dopri5", "gauss-16", "ias15", "rkn-12-10"}));
+}
+
+// The bullet's target is so stiff that its energy overflows at the start: neither a shorter dt nor another tolerance
+// helps.
+TEST(Divergence, of_energies_beyond_all_numbers_blames_neither_dt_nor_tolerance) {
+    for (const MethodCase& c : methods_where([](const MethodCase&) { return true; })) {
+        const bool is_double = c.precision == Precision::double_;
+        RunDescription run =
+            run_of("morse", c.id(), c.precision, 20, {{"edge", 3}, {"k", is_double ? 1e16 : 1e9}, {"r0", 1}});
+        if (refusal_of(run)) continue;
+        Simulation simulation(run);
+        simulation.advance(1);
+        ASSERT_TRUE(simulation.divergence()) << c;
+        const std::string holds = is_double ? "double" : "float";
+        EXPECT_THAT(simulation.divergence()->message,
+                    HasSubstr("the energy there is more than " + holds + " holds, whatever dt is"))
+            << c;
+        EXPECT_THAT(simulation.divergence()->message, Not(HasSubstr("tolerance"))) << c;
+    }
 }
 
 /// A process of its own: the signal has come when the step begins.
