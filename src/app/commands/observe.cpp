@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <unistd.h>
@@ -39,7 +40,7 @@ public:
     void declare(CLI::App& app) override {
         text_option(app, "file", file_, "FILE", "File written by `steplab run --out`: trajectory or XYZ");
         flag_option(app, "--rdf", rdf_, "Radial distribution function g(r), averaged over the frames, as CSV");
-        text_option(app, "--bins", bins_, "N", "Number of distances up to half the box (default 200)");
+        text_option(app, "--bins", bins_, "N", "Number of distances up to half the box's shortest side (default 200)");
         text_option(app, "--out", out_, "FILE|-", "Output file (default -, standard output)");
     }
 
@@ -75,13 +76,14 @@ private:
     }
 
     void add(const std::vector<Vec3>& positions, Vec3 box, std::size_t bins) {
-        const double side = box.x;
-        if (!(side > 0) || box.y != side || box.z != side)
-            throw FileError(
-                fmt::format("'{}' has no cubic periodic box, without which there is no density to compare "
-                            "distances with",
-                            shown(file_)));
-        if (!distribution_) distribution_.emplace(side, bins);
+        if (!(std::min({box.x, box.y, box.z}) > 0))
+            throw FileError(fmt::format(
+                "'{}' has no periodic box along all three axes, without which there is no density to compare "
+                "distances with",
+                shown(file_)));
+        if (!distribution_) distribution_.emplace(box, bins);
+        if (box != distribution_->box())
+            throw FileError(fmt::format("the periodic box of '{}' changes from frame to frame", shown(file_)));
         distribution_->add(positions);
     }
 

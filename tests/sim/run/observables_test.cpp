@@ -117,7 +117,7 @@ TEST(Observables, displacement_is_that_of_moving_particles_since_the_first_state
 TEST(RadialDistribution, has_the_shells_of_a_cubic_lattice) {
     std::vector<Vec3> lattice;
     for (int i = 0; i < 216; ++i) lattice.push_back({1.0 * (i % 6), 1.0 * (i / 6 % 6), 1.0 * (i / 36)});
-    RadialDistribution rdf(6, 30);  // bins of 0.1
+    RadialDistribution rdf({6, 6, 6}, 30);  // bins of 0.1
     rdf.add(lattice);
     rdf.add(lattice);
     const auto neighbours = [&](std::size_t bin) {  // of a particle: g times those of an ideal gas
@@ -128,6 +128,25 @@ TEST(RadialDistribution, has_the_shells_of_a_cubic_lattice) {
     EXPECT_NEAR(neighbours(14), 12, 1e-9) << "at sqrt(2)";
     EXPECT_NEAR(neighbours(17), 8, 1e-9) << "at sqrt(3)";
     EXPECT_NEAR(neighbours(9) + neighbours(10), 6, 1e-9) << "at 1, on the border of two bins";
+}
+
+// A lattice of cells 1 x 1 x 1.5 in a box of 4 x 5 x 9: two neighbours at 1 along each of two axes, two at 1.5, and
+// four pairs of diagonals.
+TEST(RadialDistribution, knows_boxes_of_unequal_sides) {
+    std::vector<Vec3> lattice;
+    for (int i = 0; i < 120; ++i) lattice.push_back({1.0 * (i % 4), 1.0 * (i / 4 % 5), 1.5 * (i / 20)});
+    RadialDistribution rdf({4, 5, 9}, 19);
+    rdf.add(lattice);
+    const auto neighbours = [&](double r) {
+        const double width = 2.0 / 19, inner = width * std::floor(r / width), outer = inner + width;
+        return rdf[static_cast<std::size_t>(r / width)] * 119 / 180.0 * 4 * 3.14159265358979 / 3 *
+               (std::pow(outer, 3) - std::pow(inner, 3));
+    };
+    EXPECT_DOUBLE_EQ(rdf.distance(18), 2 - 1.0 / 19) << "half the shortest side";
+    EXPECT_NEAR(neighbours(1), 4, 1e-9);
+    EXPECT_NEAR(neighbours(std::sqrt(2.0)), 4, 1e-9);
+    EXPECT_NEAR(neighbours(1.5), 2, 1e-9);
+    EXPECT_NEAR(neighbours(std::sqrt(3.25)), 8, 1e-9);
 }
 
 }  // namespace
