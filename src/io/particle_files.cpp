@@ -82,6 +82,11 @@ std::string ParticleFiles::text_in(const fs::path& folder, const std::string& na
     return TextInput(std::move(file)).rest(static_cast<std::size_t>(most));
 }
 
+std::string ParticleFiles::name_below(const std::string& name) {
+    const fs::path path = fs::path(name).lexically_normal();
+    return path.is_absolute() || path.begin()->string() == ".." ? path.filename().string() : name;
+}
+
 ParticleFiles ParticleFiles::in_folder(const fs::path& folder) {
     return ParticleFiles([folder](const std::string& name, Use use) { return text_in(folder, name, use); });
 }

@@ -16,6 +16,10 @@ namespace steplab {
 /// The files that a scene file reads, each read once, by the names that the scene file has for them.
 class ParticleFiles {
 public:
+    /// The name for it in a scene that is written elsewhere: its own, if that leads below the folder of the scene file;
+    /// else its last part.
+    static std::string name_below(const std::string& name);
+
     enum class Use { particles, start };
     /// Gives the text of a file. Throws FileError.
     using Source = std::function<std::string(const std::string& name, Use use)>;

@@ -31,7 +31,7 @@ bool holds(const std::string& name, const std::string& content) {
 /// compressed file the same text.
 bool reads_there(const std::filesystem::path& folder, const SceneFile::Part& part, ParticleFiles::Use use) {
     try {
-        return ParticleFiles::text_in(folder, part.name, use) == part.content;
+        return ParticleFiles::text_in(folder, ParticleFiles::name_below(part.name), use) == part.content;
     } catch (const FileError&) {
         return false;
     }
@@ -39,9 +39,11 @@ bool reads_there(const std::filesystem::path& folder, const SceneFile::Part& par
 
 /// Nothing that is there is written over: it may be what the scene was made from.
 void write_beside(const std::filesystem::path& folder, const std::string& name, const std::string& content) {
-    const std::string path = (folder / name).string();
-    if (holds(path, content)) return;
-    OutputFile file(path);
+    const std::filesystem::path path = folder / name;
+    if (holds(path.string(), content)) return;
+    std::error_code tried;  // where there is none after this, the file says so
+    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), tried);
+    OutputFile file(path.string());
     file.write(content);
     file.commit();
 }
@@ -54,7 +56,7 @@ std::string start_file(const std::filesystem::path& folder, const RunDescription
     for (const SceneFile::Part& part : run.origin->parts) {
         if (own.empty() || part.name != own) continue;
         const bool is_moment = file_at_step(own).step || own.ends_with(".trajectory");
-        if (!is_moment || reads_there(folder, part, ParticleFiles::Use::start)) return own;
+        if (!is_moment || reads_there(folder, part, ParticleFiles::Use::start)) return ParticleFiles::name_below(own);
     }
     return values;
 }
@@ -68,7 +70,7 @@ void write_read_files(const std::filesystem::path& folder, const RunDescription&
         const bool starts = part.name == own_start;
         if (reads_there(folder, part, starts ? ParticleFiles::Use::start : ParticleFiles::Use::particles)) continue;
         if (starts && run.start.from) continue;  // its values take the place of these
-        write_beside(folder, starts ? start : part.name, part.content);
+        write_beside(folder, starts ? start : ParticleFiles::name_below(part.name), part.content);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/expression.hpp"
 #include "core/number_text.hpp"
+#include "io/particle_files.hpp"
 #include "io/scene_toml.hpp"
 #include "io/starting_values_file.hpp"
 
@@ -86,7 +87,7 @@ private:
                                     kinds[static_cast<std::size_t>(given.kind)], given.cells[0], given.cells[1],
                                     given.cells[2], number(given.constant)));
     }
-    void arrangement(const ListedParticles& given) { line("file", toml_string(given.file)); }
+    void arrangement(const ListedParticles& given) { line("file", toml_string(ParticleFiles::name_below(given.file))); }
 };
 
 void Writer::operator()(const ParticleBlock& block) {

@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+#include <string>
+
 namespace steplab {
 namespace {
 
@@ -98,6 +101,26 @@ TEST_F(StartCommands, refuses_what_cannot_be_a_start) {
     put_text(folder_.file("one.xyz"), "1\n\nX 0 0 0\n");
     refused(folder_.file("one.xyz"), 2, "holds 1 particles, the scene has 2");
     refused(folder_.file("one.xyz:9"), 3, "it has no frame of step 9");
+}
+
+// Whatever the scene calls them: all lie in the folder that it is written to, or below it.
+TEST_F(StartCommands, writes_the_files_of_other_folders_where_the_scene_finds_them) {
+    std::filesystem::create_directories(folder_.file("own/data"));
+    put_text(folder_.file("own/data/two.xyz"), "2\n\nX 0 0 0\nX 2 0 0\n");
+    const std::string rest = "[[pairs]]\npotential = \"gravity\"\nG = 1\n[run]\ndt = 0.01\nuntil = 0.1\n";
+    const std::string scene = folder_.file("own/listed.toml");
+    for (const std::string& name : {std::string("data/two.xyz"), std::string("../own/data/two.xyz"),
+                                    folder_.file("own/data/two.xyz"), std::string("data/../data/two.xyz")}) {
+        put_text(scene, "steplab = 1\n[[particles]]\nfile = \"" + name + "\"\n" + rest);
+        const TemporaryFolder other;
+        std::filesystem::create_directories(other.file("in"));
+        const std::string copy = other.file("in/copy.toml");
+        const Outcome outcome = run_program({"export", "--scene", scene, "--to", "scene", "--out", copy});
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(summary({"run", "--scene", copy})["hash"], summary({"run", "--scene", scene})["hash"]) << name;
+        for (const auto& file : std::filesystem::directory_iterator(other.file("")))
+            EXPECT_EQ(file.path().filename(), "in");
+    }
 }
 
 TEST_F(StartCommands, writes_the_files_of_a_scene_beside_it) {
