@@ -46,9 +46,14 @@ std::string joined(std::span<const std::string_view> words, std::string_view sep
 
 std::string unknown_word(std::string_view kind, std::string_view word, std::span<const std::string_view> known,
                          std::string_view of) {
+    constexpr std::size_t most = 60;  // more than any catalogue of the program has
     const auto guess = nearest(word, known);
-    return fmt::format("unknown {} '{}'{}{}{}; known: {}", kind, shown(word), of.empty() ? "" : " of ", of,
-                       guess ? fmt::format(" (did you mean '{}'?)", *guess) : "", joined(known));
+    const std::string all = known.empty() ? "there is none"
+                            : known.size() > most
+                                ? fmt::format("known: {} ... ({} in all)", joined(known.first(most)), known.size())
+                                : "known: " + joined(known);
+    return fmt::format("unknown {} '{}'{}{}{}; {}", kind, shown(word), of.empty() ? "" : " of ", of,
+                       guess ? fmt::format(" (did you mean '{}'?)", *guess) : "", all);
 }
 
 }  // namespace steplab

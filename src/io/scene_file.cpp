@@ -128,7 +128,18 @@ private:
             const bool first = !unused || entry.place->source().begin < unused->place->source().begin;
             if (!numbers.used().contains(name) && first) unused = &entry, unused_name = name;
         }
-        if (unused) fail_at(*unused->place, fmt::format("nothing uses the parameter '{}'", shown(unused_name)));
+        if (!unused) return;
+        check_values();
+        fail_at(*unused->place, fmt::format("nothing uses the parameter '{}'", shown(unused_name)));
+    }
+
+    /// Of all parameters, whether something uses them or not.
+    void check_values() {
+        const ParameterValues values(parameters_.infos());
+        SceneNumbers numbers(parameters_, values);
+        for (const auto& [name, entry] : parameters_.entries())
+            problems_.attempt([&] { numbers.parameter(name, *entry.place, SceneNumbers::Use::force); });
+        problems_.report();
     }
 
     /// --set, --run and --spread have to know which is meant.

@@ -240,6 +240,8 @@ void SceneNumbers::note_float(const toml::node& node, double value, Use use) {
 WrittenNumber SceneNumbers::positive(const toml::node& node, Use use) {
     WrittenNumber quantity = this->quantity(node, use);
     if (!(quantity.value > 0)) fail_at(node, fmt::format("must be > 0 (is {})", exact_text(quantity.value)));
+    if (quantity.value < std::numeric_limits<double>::min())  // runs take it for 0
+        fail_at(node, fmt::format("must be at least 2.3e-308 (is {})", exact_text(quantity.value)));
     return quantity;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace steplab {
@@ -44,6 +46,17 @@ TEST(Text, an_unknown_word_is_answered_with_the_nearest_and_all_known_ones) {
               "unknown model 'chian' (did you mean 'chain'?); known: chain, mesh, rope");
     EXPECT_EQ(unknown_word("model", "pendulum", known), "unknown model 'pendulum'; known: chain, mesh, rope");
     EXPECT_EQ(unknown_word("model", "", known), "unknown model ''; known: chain, mesh, rope");
+    EXPECT_EQ(unknown_word("parameter", "r", {}), "unknown parameter 'r'; there is none");
+}
+
+TEST(Text, an_unknown_word_among_very_many_is_answered_with_some_of_them) {
+    std::vector<std::string> names(100000);
+    for (std::size_t i = 0; i < names.size(); ++i) names[i] = "group" + std::to_string(i);
+    const std::string text =
+        unknown_word("group", "group99999x", std::vector<std::string_view>(names.begin(), names.end()));
+    EXPECT_LT(text.size(), 1000U);
+    EXPECT_TRUE(text.ends_with("group59 ... (100000 in all)")) << text;
+    EXPECT_NE(text.find("did you mean 'group99999'?"), std::string::npos);
 }
 
 }  // namespace
