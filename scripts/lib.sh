@@ -127,6 +127,10 @@ build() {
     cmake --build --preset "$preset" "$@" >&2
 }
 
+# For what runs under AddressSanitizer: drivers of OpenGL leak, and a request for too much memory is an exception, not an
+# end.
+use_sanitizers() { export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1; }
+
 # quiet_tests PRESET [arguments of ctest]: prints the summary only, everything if a test fails.
 quiet_tests() {
     local preset=$1 log=$root/build/$1.tests.log

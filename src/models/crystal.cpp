@@ -140,7 +140,7 @@ const Model& crystal_model() {
             {.id = "crystal",
              .name = "Periodic crystal",
              .what =
-                 "A periodic Morse crystal at finite temperature; it relaxes into a denser lattice, or melts if hot.",
+                 "A cubic Morse crystal in a periodic box; its lattice gives way, and the energy set free melts it.",
              .parameters = parameters},
         .opening = {.method = "velocity-verlet", .dt = 0.05},
         .topic = "molecules",
