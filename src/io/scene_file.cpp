@@ -137,8 +137,8 @@ private:
     void check_values() {
         const ParameterValues values(parameters_.infos());
         SceneNumbers numbers(parameters_, values);
-        for (const auto& [name, entry] : parameters_.entries())
-            problems_.attempt([&] { numbers.parameter(name, *entry.place, SceneNumbers::Use::force); });
+        for (const auto& one : parameters_.entries())
+            problems_.attempt([&] { numbers.parameter(one.first, *one.second.place, SceneNumbers::Use::force); });
         problems_.report();
     }
 
