@@ -8,12 +8,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace steplab {
 
+/// Distances between two neighbouring ones of a table, at which a force does more than there.
+struct HiddenStretch {
+    double from = 0, to = 0;  ///< [m]
+    double weight = 0;        ///< the largest |F| r between them
+};
+
 /// A pair force F(r) in steps of a 32nd of an octave of the distance, from 2^-64 m to 2^64 m. What is narrower than
-/// that is not in it.
+/// that is not in it, but is added as hidden stretches.
 class ApproachTable {
 public:
     /// F: a function of r, divided by the unit of mass. `cutoff`: beyond it there is no force; 0: none.
@@ -33,6 +40,18 @@ public:
 
     /// From one step to the next, what a force does may grow by this factor.
     static constexpr double growth = 4;
+
+    /// Calls f(from, to) for each step of the table.
+    template <class F>
+    static void each_step(F f) {
+        for (std::size_t k = 0; k + 1 < nodes; ++k) f(distance(k), distance(k + 1));
+    }
+    void add_hidden(std::vector<HiddenStretch> hidden) {
+        hidden_ = std::move(hidden);
+        for (const HiddenStretch& stretch : hidden_) least_way_ = std::min(least_way_, eighth(stretch) / stretch.to);
+    }
+    /// Whether it has some.
+    bool has_hidden() const { return !hidden_.empty(); }
 
     double cutoff() const { return cutoff_; }
     /// Of the distance, which two particles have to come nearer, or to move apart, at least before the force matters
@@ -75,13 +94,23 @@ public:
         const std::size_t last = place(farthest);
         for (std::size_t k = now + 1; k <= last; ++k) {
             if (pair.strength * weight_[k] < limit) continue;
-            const double way = std::max(distance(k) - pair.distance, 0.0);
-            // speed t + pull t^2 / 2 = way
-            return 2 * way / (speed + std::sqrt(speed * speed + 2 * pair.pull * way));
+            return time_for(std::max(distance(k) - pair.distance, 0.0), speed, pair.pull);
         }
         return never;
     }
 
+    /// After which time a pair is where the nearest hidden stretch begins, or has gone an eighth of it: there the force
+    /// itself tells the rest. Infinity if none lies ahead.
+    double time_to_hidden(const Pair& pair) const {
+        double way = never;
+        for (const HiddenStretch& stretch : hidden_) {
+            if (pair.strength * stretch.weight < pair.negligible) continue;
+            const double inwards = pair.distance - stretch.to, outwards = stretch.from - pair.distance;
+            if ((inwards > 0 && !pair.inwards) || (outwards > 0 && !pair.outwards)) continue;
+            way = std::min(way, std::max({inwards, outwards, eighth(stretch)}));
+        }
+        return way < never ? time_for(way, std::sqrt(pair.speed2), pair.pull) : never;
+    }
     /// Where, from afar inwards, a force of this strength first matters more than `negligible`; 0: nowhere.
     double outermost(double strength, double negligible) const {
         for (std::size_t k = nodes - 1; k-- > 0;) {
@@ -91,8 +120,13 @@ public:
     }
 
     /// The length over which a force of this strength changes by a factor e, where from afar inwards it first matters
-    /// more than `negligible`; infinity: nowhere.
+    /// more than `negligible`, or an eighth of a hidden stretch; infinity: nowhere.
     double length(double strength, double negligible) const {
+        return std::min(hidden_way(strength, negligible), shown_length(strength, negligible));
+    }
+
+private:
+    double shown_length(double strength, double negligible) const {
         const double outer = outermost(strength, negligible), here = weight_[place(outer)];
         for (std::size_t k = place(outer); outer > 0 && k-- > 0;) {
             if (weight_[k] >= e_squared * here) return (outer - distance(k)) / 2;
@@ -100,13 +134,26 @@ public:
         return never;
     }
 
-private:
     static constexpr double never = std::numeric_limits<double>::infinity();
     static constexpr int octaves = 64, bits_of_step = 52 - 5;  // 32 = 2^5 nodes from one power of two to the next
     static constexpr std::size_t nodes = std::size_t{2 * octaves} << 5;
     static constexpr std::uint64_t first = std::uint64_t{1023 - octaves} << 5;
     static constexpr double e_squared = 7.389;
     static constexpr double step = 1.0 / 32;  ///< not less than the step of ln r
+
+    static double eighth(const HiddenStretch& stretch) { return (stretch.to - stretch.from) / 8; }
+    /// Of the least stretch in which a force of this strength matters more than `negligible`.
+    double hidden_way(double strength, double negligible) const {
+        double way = never;
+        for (const HiddenStretch& stretch : hidden_) {
+            if (strength * stretch.weight >= negligible) way = std::min(way, eighth(stretch));
+        }
+        return way;
+    }
+    /// speed t + pull t^2 / 2 = way.
+    static double time_for(double way, double speed, double pull) {
+        return 2 * way / (speed + std::sqrt(speed * speed + 2 * pull * way));
+    }
 
     /// Node k, by the leading bits of the number.
     static double distance(std::size_t k) { return std::bit_cast<double>((first + k) << bits_of_step); }
@@ -169,6 +216,7 @@ private:
     double cutoff_, least_way_ = 0.75, least_way_outwards_ = never;
     std::vector<double> weight_, pull_;
     std::vector<std::uint16_t> next_;
+    std::vector<HiddenStretch> hidden_;
 };
 
 /// How the pairs of a scene act on each other at all distances.

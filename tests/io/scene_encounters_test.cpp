@@ -204,6 +204,53 @@ TEST_P(SceneEncounters, a_field_on_the_way_is_not_jumped_over) {
         }
 }
 
+/// Two particles of mass 1 that approach each other at 1 m/s from 10 m, with a shell at 5 m around each.
+RunDescription shell_run(std::string_view method, double height, double width, double tolerance, double dt) {
+    const std::string text = fmt::format(
+        "steplab = 1\n[[particles]]\n[[particles]]\nposition = [10, 0, 0]\nvelocity = [-1, 0, 0]\n[[pairs]]\n"
+        "potential = \"A*exp(-((r-5)/w)^2)\"\nA = {}\nw = {}\n",
+        height, width);
+    RunDescription description = with_method(describe(read_scene(text)), method);
+    description.method_parameters.set("tolerance", tolerance);
+    description.dt = dt;
+    return description;
+}
+
+/// How far behind the first one the second then is. Their relative energy is 1/4: what is higher sends them back, else
+/// they go through both shells.
+double behind_shells(double height, double width, double time) {
+    const auto speed2 = [=](Real x) -> Real { return 1 - 4 * height * exp(-(x / width) * (x / width)); };
+    const Real end = Real(8.5) * width;
+    if (height < 0.25) {
+        const auto pace = [&](Real x) -> Real { return 1 / sqrt(speed2(x - end)); };
+        const Real across = integral(pace, Real(2 * end), Real(1e-14));
+        return static_cast<double>(10 - time - 2 * (2 * end - across));
+    }
+    const Real turning = width * sqrt(log(Real(4 * height)));
+    const auto pace = [&](Real s) -> Real {  // in x = turning point + s^2
+        const Real left = speed2(turning + s * s);
+        return left > 0 ? 2 * s / sqrt(left) : Real(0);
+    };
+    const Real within = 2 * integral(pace, Real(sqrt(end - turning)), Real(1e-14));
+    return static_cast<double>(5 + end + time - (5 - end) - within);
+}
+
+// A shell may be far narrower than its distance, and nothing of it be felt elsewhere.
+TEST_P(SceneEncounters, a_narrow_shell_on_the_way_is_not_jumped_over) {
+    for (const double width : {0.02, 0.01, 0.001})
+        for (const double height : {0.15, 0.5, 20.0, -2.0}) {
+            const double exact = behind_shells(height, width, 20);
+            for (const double tolerance : {1e-4, 1e-7, 1e-10})
+                for (const double dt : {0.1, 20.0}) {
+                    Simulation simulation(shell_run(GetParam(), height, width, tolerance, dt));
+                    simulation.advance(static_cast<std::uint64_t>(std::lround(20 / dt)));
+                    const Frame frame = simulation.frame();
+                    EXPECT_NEAR(frame.positions[1].x - frame.positions[0].x, exact, 2 * asked_error(tolerance))
+                        << "height " << height << ", width " << width << ", tolerance " << tolerance << ", dt " << dt;
+                }
+        }
+}
+
 // A series ends where a pair crosses a cut-off; springs have none, however many there are.
 TEST(SceneSeries, are_refused_for_cutoffs_of_many_particles_alone) {
     const auto refusal = [](const std::string& forces) {

@@ -193,6 +193,7 @@ T longest_approach(const System& system, const Approaches& approaches, const Mot
         if (moving && moving->inwards) longest = std::min(longest, table.time_to_growth(*moving, longest));
         if (moving && moving->outwards && table.grows_outwards())
             longest = std::min(longest, table.time_to_growth_outwards(*moving, longest));
+        if (moving && table.has_hidden()) longest = std::min(longest, table.time_to_hidden(*moving));
     }
     return static_cast<T>(std::min(longest, longest_of_many(approaches, now.v, longest, negligible)));
 }

@@ -2,6 +2,7 @@
 
 #include "core/coupling.hpp"
 #include "models/forces/composed_particles.hpp"
+#include "models/forces/hidden_stretches.hpp"
 #include "models/forces/pair_potential.hpp"
 #include "models/forces/pair_sides.hpp"
 
@@ -41,7 +42,7 @@ public:
     ApproachTerm(const ComposedPairs& pairs, const Composition& of)
         : potential_(pairs, of.mass), sides_(pairs, of.count), extremes_(of) {
         if (pairs.expression) {
-            takes_properties_ = pairs.expression->takes_properties;
+            expression_ = pairs.expression.get();
         } else {
             weight_ = built_in_potential(pairs.potential)->weight;
         }
@@ -57,7 +58,9 @@ public:
             }
             return largest;
         };
-        return {force, potential_.cutoff()};
+        ApproachTable table(force, potential_.cutoff());
+        if (expression_) table.add_hidden(hidden_stretches(*expression_, range(), potential_.cutoff()));
+        return table;
     }
 
     /// 0: it does not act between them.
@@ -82,7 +85,7 @@ private:
 
     /// Those for which the table is made; of an expression that asks for them, the extremes.
     std::vector<Properties> properties() const {
-        if (!takes_properties_) return {{1, 1, 1, 1}};
+        if (!takes_properties()) return {{1, 1, 1, 1}};
         std::vector<Properties> all;
         for (const double m : extremes_.masses)
             for (const double n : extremes_.masses)
@@ -91,10 +94,19 @@ private:
         return all;
     }
 
+    bool takes_properties() const { return expression_ && expression_->takes_properties; }
+    RangeOfPairs range() const {
+        const Interval one(1.0);
+        if (!takes_properties()) return {one, one, one, one};
+        const Interval masses(extremes_.masses[0], extremes_.masses[1]),
+            charges(extremes_.charges[0], extremes_.charges[1]);
+        return {masses, masses, charges, charges};
+    }
+
     PairPotential<double> potential_;
     PairSides sides_;
     Extremes extremes_;
-    bool takes_properties_ = false;
+    const ExpressionForce* expression_ = nullptr;  ///< none: built in
     Weight weight_ = Weight::none;
 };
 
