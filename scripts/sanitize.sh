@@ -6,7 +6,7 @@
 # a monkey at the window for ten minutes (scripts/monkey.sh).
 #
 # Its results have to be the same bits there too. It has to build where no OpenGL package is installed: nothing it
-# compiled has read a header of one. Takes half an hour on two cores, with --all 70 minutes: run it before a release and
+# compiled has read a header of one. Takes half an hour on two cores, with --all 47 and the build: run it before a release and
 # after work on memory, threads or files. Of it .ci/run has the monkey, for a minute.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh

@@ -163,16 +163,20 @@ TEST_P(SceneEncounters, two_particles_head_on_follow_the_closed_form) {
     RecordProperty("worst_ratio", std::to_string(worst));
 }
 
+RunDescription tolerant_run(const std::string& text, std::string_view method, double tolerance, double dt) {
+    RunDescription description = with_method(describe(read_scene(text)), method);
+    description.method_parameters.set("tolerance", tolerance);
+    description.dt = dt;
+    return description;
+}
+
 /// A particle that flies along x at a barrier or a well that stands across its way, from 10 m before it.
 RunDescription barrier_run(std::string_view method, double height, double width, double tolerance, double dt) {
     const std::string text = fmt::format(
         "steplab = 1\n[[particles]]\nposition = [-10, 0, 0]\nvelocity = [1, 0, 0]\n[[fields]]\n"
         "potential = \"A*exp(-(x/w)^2)\"\nA = {}\nw = {}\n",
         height, width);
-    RunDescription description = with_method(describe(read_scene(text)), method);
-    description.method_parameters.set("tolerance", tolerance);
-    description.dt = dt;
-    return description;
+    return tolerant_run(text, method, tolerance, dt);
 }
 
 /// Where it is then. Its energy is 0.5: what is higher sends it back.
@@ -210,10 +214,7 @@ RunDescription shell_run(std::string_view method, double height, double width, d
         "steplab = 1\n[[particles]]\n[[particles]]\nposition = [10, 0, 0]\nvelocity = [-1, 0, 0]\n[[pairs]]\n"
         "potential = \"A*exp(-((r-5)/w)^2)\"\nA = {}\nw = {}\n",
         height, width);
-    RunDescription description = with_method(describe(read_scene(text)), method);
-    description.method_parameters.set("tolerance", tolerance);
-    description.dt = dt;
-    return description;
+    return tolerant_run(text, method, tolerance, dt);
 }
 
 /// How far behind the first one the second then is. Their relative energy is 1/4: what is higher sends them back, else
