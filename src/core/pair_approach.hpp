@@ -111,6 +111,12 @@ public:
         }
         return way < never ? time_for(way, std::sqrt(pair.speed2), pair.pull) : never;
     }
+    /// How long a pair that may be at any distance takes for an eighth of the narrowest hidden stretch.
+    double time_within_hidden(const Pair& pair) const {
+        const double way = hidden_way(pair.strength, pair.negligible);
+        return way < never ? time_for(way, std::sqrt(pair.speed2), pair.pull) : never;
+    }
+
     /// Where, from afar inwards, a force of this strength first matters more than `negligible`; 0: nowhere.
     double outermost(double strength, double negligible) const {
         for (std::size_t k = nodes - 1; k-- > 0;) {

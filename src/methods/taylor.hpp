@@ -11,6 +11,7 @@
 #include "methods/engines/encounters.hpp"
 #include "methods/engines/foreseen.hpp"
 #include "methods/engines/integrator.hpp"
+#include "methods/engines/own_steps.hpp"
 #include "methods/engines/series_forces.hpp"
 #include "methods/engines/series_motion.hpp"
 
@@ -114,7 +115,8 @@ public:
             // below this time nothing moves by more than rounding
             lengthen(
                 time_of_rounding(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_->axes()));
-            if (is_stuck(target)) return stop(system, target);
+            const bool still = progress_.watch.stands_still(progress_.begin, static_cast<Time>(system.dt()));
+            if (is_stuck(target) || still) return stop(system, target);
         }
     }
 
@@ -156,6 +158,7 @@ public:
         T unit = T(1);
         std::optional<OwnStop> stop;
         int stuck = 0;  ///< series in a row that ended at once
+        StepWatch<Time> watch;
         typename CollisionGuard<T>::State guard{};
     };
     Progress progress() const { return guard_.saved_in(progress_); }

@@ -208,12 +208,13 @@ TEST_P(SceneEncounters, a_field_on_the_way_is_not_jumped_over) {
         }
 }
 
-/// Two particles of mass 1 that approach each other at 1 m/s from 10 m, with a shell at 5 m around each.
-RunDescription shell_run(std::string_view method, double height, double width, double tolerance, double dt) {
+/// Two particles of mass 1 that approach each other at 1 m/s from 10 m, with a shell at 5 m around each, and others.
+RunDescription shell_run(std::string_view method, double height, double width, double tolerance, double dt,
+                         const std::string& others = {}) {
     const std::string text = fmt::format(
         "steplab = 1\n[[particles]]\n[[particles]]\nposition = [10, 0, 0]\nvelocity = [-1, 0, 0]\n[[pairs]]\n"
-        "potential = \"A*exp(-((r-5)/w)^2)\"\nA = {}\nw = {}\n",
-        height, width);
+        "potential = \"A*exp(-((r-5)/w)^2)\"\nA = {}\nw = {}\n{}",
+        height, width, others);
     return tolerant_run(text, method, tolerance, dt);
 }
 
@@ -250,6 +251,33 @@ TEST_P(SceneEncounters, a_narrow_shell_on_the_way_is_not_jumped_over) {
                         << "height " << height << ", width " << width << ", tolerance " << tolerance << ", dt " << dt;
                 }
         }
+}
+
+// Of the pairs of a crowd no one is asked for alone.
+TEST_P(SceneEncounters, a_narrow_shell_in_a_crowd_is_not_jumped_over) {
+    const std::string crowd = "[[particles]]\nposition = [0, 1000, 0]\nline = { count = 49, step = [10, 0, 0] }\n";
+    for (const double width : {0.1, 0.01})
+        for (const double height : {0.15, 20.0}) {
+            Simulation simulation(shell_run(GetParam(), height, width, 1e-7, 20, crowd));
+            simulation.advance(1);
+            const Frame frame = simulation.frame();
+            EXPECT_NEAR(frame.positions[1].x - frame.positions[0].x, behind_shells(height, width, 20),
+                        2 * asked_error(1e-7))
+                << "height " << height << ", width " << width;
+        }
+}
+
+// A force may be too weak to be felt anywhere, or act nowhere at all.
+TEST_P(SceneEncounters, a_crowd_that_feels_nothing_goes_on) {
+    for (const std::string force : {"potential = \"0*r\"\n", "potential = \"1e-30*exp(-r)\"\n"}) {
+        const std::string crowd =
+            "steplab = 1\n[[particles]]\nvelocity = [0, 1, 0]\n"
+            "line = { count = 60, step = [10, 0, 0] }\n[[pairs]]\n" +
+            force;
+        Simulation simulation(tolerant_run(crowd, GetParam(), 1e-9, 0.5));
+        simulation.advance(4);
+        EXPECT_NEAR(simulation.frame().positions[59].y, 2, 1e-12) << force;
+    }
 }
 
 // A series ends where a pair crosses a cut-off; springs have none, however many there are.

@@ -12,6 +12,7 @@
 #include "methods/engines/compensated.hpp"
 #include "methods/engines/encounters.hpp"
 #include "methods/engines/integrator.hpp"
+#include "methods/engines/own_steps.hpp"
 #include "methods/engines/step_control.hpp"
 
 #include <algorithm>
@@ -160,9 +161,8 @@ public:
         T length = T(0);          ///< of the last step
         T across = T(0);          ///< if it went across a collision: the time from its beginning to there
         std::optional<OwnStop> stop;
-        std::uint32_t watched = 0;  ///< steps since
-        Time watched_from = 0;      ///< this time
-        bool crossed = false;       ///< at its end other pairs act (encounters.hpp)
+        StepWatch<Time> watch;
+        bool crossed = false;  ///< at its end other pairs act (encounters.hpp)
         typename StepControl<T>::State control{};
         typename CollisionGuard<T>::State guard{};
     };
@@ -227,7 +227,8 @@ private:
                 rule_.finish(system, h, next_);
                 if (crossing(system, motion(from_), motion(next_), h) != Crosses::no) continue;
                 take(system, h, error);
-                return stands_still(system.dt()) ? stop(system, h, target) : void();
+                const bool still = progress_.watch.stands_still(progress_.time, static_cast<Time>(system.dt()));
+                return still ? stop(system, h, target) : void();
             }
             if (!(h > shortest_step(target))) return stop(system, h, target);
             control_.rejected(error, h);
@@ -237,17 +238,6 @@ private:
     }
 
     T shortest_step(Time target) const { return static_cast<T>(target * std::numeric_limits<Time>::epsilon()); }
-
-    /// Where rounding is as steep as the force, steps shrink until time hardly goes on: at this rate a frame would take
-    /// more than 1e14 steps.
-    bool stands_still(T dt) {
-        if (++progress_.watched < steps_watched) return false;
-        const Time gone = progress_.time - progress_.watched_from;
-        progress_.watched = 0;
-        progress_.watched_from = progress_.time;
-        return gone < Time(1e-9) * static_cast<Time>(dt);
-    }
-    static constexpr std::uint32_t steps_watched = 131072;
 
     /// No step is short enough, or the motion is lost.
     template <class System>

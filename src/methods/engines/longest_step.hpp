@@ -107,7 +107,8 @@ T longest_within(const System& system, const PairRange<T>& range, const Field<T>
 }
 
 /// How long a step of many particles may be, by the fastest of them: as long as two of them take, from where a force is
-/// no longer negligible, until it has grown; and no farther than the images stay those that were nearest.
+/// no longer negligible, until it has grown, or for a part of the narrowest stretch of the way in which it acts; and no
+/// farther than the images stay those that were nearest.
 template <class T>
 double longest_of_many(const Approaches& approaches, const Field<T>& v, double h, double negligible) {
     if (!approaches.pairs.empty() && approaches.shortest_side == 0) return h;
@@ -124,7 +125,10 @@ double longest_of_many(const Approaches& approaches, const Field<T>& v, double h
         }
         if (!approaches.pairs.empty()) continue;
         const double distance = table.outermost(strongest, negligible * speed2);
-        h = std::min(h, table.time_to_growth({distance, speed2, 0, strongest, negligible * speed2}, h));
+        const ApproachTable::Pair pair{
+            .distance = distance, .speed2 = speed2, .strength = strongest, .negligible = negligible * speed2};
+        if (distance > 0) h = std::min(h, table.time_to_growth(pair, h));
+        h = std::min(h, table.time_within_hidden(pair));
     }
     return h;
 }

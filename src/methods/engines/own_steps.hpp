@@ -74,6 +74,26 @@ T time_scale(System& system, const Field<T>& x, const Field<T>& v, const Field<T
     return system.drag() > T(0) ? std::min(scale, T(1) / system.drag()) : scale;
 }
 
+/// Where rounding is as steep as the force, steps shrink until time hardly goes on. Plain data.
+template <class Time>
+struct StepWatch {
+    std::uint32_t steps = 0;  ///< since
+    Time from = 0;            ///< this time
+
+    /// Asked after each step, with the time at its end: at the rate of the last ones a frame would take more than 1e14
+    /// steps.
+    bool stands_still(Time now, Time dt) {
+        if (++steps < steps_watched) return false;
+        const Time gone = now - from;
+        steps = 0;
+        from = now;
+        return gone < Time(1e-9) * dt;
+    }
+
+private:
+    static constexpr std::uint32_t steps_watched = 131072;
+};
+
 /// The tolerance that a precision can keep.
 template <class T>
 T kept_tolerance(T tolerance) {

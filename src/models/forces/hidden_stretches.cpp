@@ -24,7 +24,7 @@ private:
         double distance, value;
     };
     static constexpr int deepest = 12;               ///< a step of the table is halved so often
-    static constexpr std::size_t patience = 50'000;  ///< bounds, of all steps
+    static constexpr std::size_t patience = 50'000;  ///< bounds: then what may hide in a step counts as found
     static constexpr double nothing = 1e-200;
 
     /// Not less than |F| r at any of these distances.
@@ -36,10 +36,9 @@ private:
     }
 
     void look(End low, End high, int depth) {
-        if (bounds_ > patience) return;
         const double bound = most(low.distance, high.distance), known = std::max(low.value, high.value);
         if (bound <= shown_ || bound < nothing) return;
-        const bool is_narrow = depth == deepest;
+        const bool is_narrow = depth == deepest || bounds_ > patience;
         if (bound <= ApproachTable::growth * known || is_narrow) {
             if (known > shown_ || is_narrow) add(low.distance, high.distance, is_narrow ? bound : known);
             return;
