@@ -35,6 +35,9 @@ public:
     const SceneFile& operator*() const { return *file_; }
     const SceneFile* operator->() const { return file_.get(); }
 
+    /// Tells whether it is still there, without keeping it.
+    std::weak_ptr<const SceneFile> watched() const { return file_; }
+
     friend bool operator==(const SceneOrigin& a, const SceneOrigin& b) {
         if (!a.file_ || !b.file_) return a.file_ == b.file_;
         return a.file_ == b.file_ || a.file_->parts == b.file_->parts;

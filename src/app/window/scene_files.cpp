@@ -111,11 +111,11 @@ SceneFiles::~SceneFiles() {
 }
 
 void SceneFiles::open(const std::string& name) {
-    post([this, name = in_own_folder(name)] { report(opened(name)); });
+    post([this, name = in_own_folder(name)] { report_read(opened(name)); });
 }
 
 void SceneFiles::open_lesson(const std::string& name) {
-    post([this, name] { report({.kind = News::Kind::lesson, .lesson = find_lesson(name)}); });
+    post([this, name] { report_read({.kind = News::Kind::lesson, .lesson = find_lesson(name)}); });
 }
 
 void SceneFiles::save(const RunDescription& run, const SceneView& view) {
@@ -211,9 +211,21 @@ void SceneFiles::read_again() {
         failed_ = false;
         if (!failed && fresh == watched_) return;
         watched_ = fresh;
-        report({.kind = News::Kind::read_again, .scene = scene});
+        report_read({.kind = News::Kind::read_again, .scene = scene});
         if (files_of(*fresh) != watched_files_) watch_files();
     });
+}
+
+/// Scenes that were read before are not kept twice.
+void SceneFiles::report_read(News news) {
+    if (news.scene) scenes_.share(*news.scene);
+    if (news.session) scenes_.share(*news.session);
+    if (news.lesson) {
+        Recording session = *news.lesson->session;
+        scenes_.share(session);
+        news.lesson->session = std::make_shared<const Recording>(std::move(session));
+    }
+    report(std::move(news));
 }
 
 void SceneFiles::report(News news) {

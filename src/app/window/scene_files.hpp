@@ -5,6 +5,7 @@
 #include "io/scene_writer.hpp"
 #include "session/lesson.hpp"
 #include "session/recording.hpp"
+#include "session/shared_scenes.hpp"
 #include "sim/run/run_description.hpp"
 
 #include <condition_variable>
@@ -66,6 +67,7 @@ private:
     void watch_files();
     void read_again();
     void write_new(std::string_view name, std::string_view end, const std::string& text);
+    void report_read(News news);
     void report(News news);
     template <class Work>
     void attempt(const Work& work);
@@ -79,6 +81,7 @@ private:
     bool without_memory_ = false;  ///< for one of them
     bool stopping_ = false;
     // of the thread
+    SharedScenes scenes_;
     FileWatch files_;
     std::vector<std::filesystem::path> watched_files_;
     SceneOrigin watched_;  ///< as it was read last
