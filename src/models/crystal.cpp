@@ -149,6 +149,7 @@ const Model& crystal_model() {
             [](const ParameterValues& values) {
                 return SceneFacts{.mass = values["m"],
                                   .bond = values["r0"],
+                                  .bond_width = std::sqrt(2 * values["D"] / values["k"]),
                                   .pair_frequency = std::sqrt(2 * values["k"] / values["m"]),
                                   .lists_pairs = true};
             },

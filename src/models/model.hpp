@@ -41,9 +41,10 @@ struct SceneFacts {
     double drag = 0;       ///< rate gamma = c / m of the drag -c v; else a bound of all rates of damping
     bool damping = false;  ///< dashpots, or drag that differs between particles
     bool dashpots = false;
-    double bond = 0;            ///< distance of bound neighbours that positions have to resolve; 0: nothing is bound
-    double pair_frequency = 0;  ///< angular, of the bound pair that swings fastest alone; 0: none is known
-    bool lists_pairs = false;   ///< pairs near each other are kept in lists
+    double bond = 0;               ///< distance of bound neighbours that positions have to resolve; 0: nothing is bound
+    double bond_width = infinity;  ///< change of that distance by which the force of a bond changes by a factor e
+    double pair_frequency = 0;     ///< angular, of the bound pair that swings fastest alone; 0: none is known
+    bool lists_pairs = false;      ///< pairs near each other are kept in lists
 };
 
 /// How the window opens a model: a method and a dt that show its motion well at its default parameters

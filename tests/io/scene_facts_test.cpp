@@ -48,6 +48,7 @@ TEST(SceneFacts, of_a_file_are_those_of_the_model) {
         EXPECT_DOUBLE_EQ(file.drag, model.drag) << name;
         EXPECT_EQ(file.damping, model.damping) << name;
         EXPECT_NEAR(file.bond, model.bond, 1e-12 * model.bond) << name;
+        EXPECT_EQ(file.bond_width, model.bond_width) << name;
         EXPECT_NEAR(file.pair_frequency, model.pair_frequency, 1e-12 * model.pair_frequency) << name;
         EXPECT_EQ(file.lists_pairs, model.lists_pairs) << name;
     }

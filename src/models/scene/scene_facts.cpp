@@ -21,15 +21,18 @@ double inverse_mass(const SceneParticle& particle) { return particle.fixed ? 0 :
 /// The shortest bond, and the fastest swing of two particles on one of them alone; those of fixed ones do not count.
 class Bonds {
 public:
-    void add(double length, double stiffness, double inverse_masses) {
+    void add(double length, double stiffness, double inverse_masses, double width = infinity) {
         if (inverse_masses == 0) return;
+        narrowest_ = std::min(narrowest_, width);
         if (length > 0) shortest_ = std::min(shortest_, length);
         frequency_ = std::max(frequency_, std::sqrt(std::max(0.0, stiffness) * inverse_masses));
     }
     double shortest() const { return std::isinf(shortest_) ? 0 : shortest_; }
+    double narrowest() const { return narrowest_; }
     double frequency() const { return frequency_; }
 
 private:
+    double narrowest_ = infinity;
     double shortest_ = std::numeric_limits<double>::infinity();
     double frequency_ = 0;
 };
@@ -76,6 +79,12 @@ Charges charges_of(const SceneParticles& particles, IndexRange range) {
     return charges;
 }
 
+/// Over which the force of a bond changes by a factor e, where that is known.
+double bond_width(const PairTerm& term) {
+    if (term.potential != "morse") return infinity;
+    return std::sqrt(2 * term.values.at("D").value / term.values.at("k").value);
+}
+
 void add_pairs(const PairTerm& term, const SceneParticles& particles, Bonds& bonds) {
     const std::string first = term.between.empty() ? "all" : term.between.front();
     const std::string second = term.between.size() == 2 ? term.between[1] : first;
@@ -86,7 +95,9 @@ void add_pairs(const PairTerm& term, const SceneParticles& particles, Bonds& bon
         for (const auto& [other_charge, other] : others) {
             const auto well = pair_well(term, {one.mass, other.mass, charge, other_charge});
             const bool same = second == first && charge == other_charge;
-            if (well) bonds.add(well->distance, well->stiffness, one.inverse + (same ? one.next : other.inverse));
+            if (well)
+                bonds.add(well->distance, well->stiffness, one.inverse + (same ? one.next : other.inverse),
+                          bond_width(term));
         }
     }
 }
@@ -104,6 +115,7 @@ SceneFacts facts_of(const Scene& scene) {
             .damping = damping.is_of_each(),
             .dashpots = damping.dashpots,
             .bond = bonds.shortest(),
+            .bond_width = bonds.narrowest(),
             .pair_frequency = bonds.frequency(),
             .lists_pairs = std::any_of(scene.pairs.begin(), scene.pairs.end(),
                                        [](const PairTerm& term) { return term.cutoff.has_value(); })};

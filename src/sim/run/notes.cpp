@@ -1,6 +1,7 @@
 #include "sim/run/notes.hpp"
 
 #include "core/number_text.hpp"
+#include "methods/engines/adaptive.hpp"
 
 #include <fmt/format.h>
 
@@ -46,16 +47,27 @@ std::optional<std::string> note_of_increments(const RunDescription& run, const R
 constexpr double resolved_part = 1e-3;
 
 std::optional<std::string> note_of_distance(const RunDescription& run, double farthest) {
-    const double bond = facts_of(run).bond;
+    const SceneFacts facts = facts_of(run);
     const double resolved = farthest * rounding_unit(run.precision);
-    if (!(bond > 0) || !(resolved > resolved_part * bond)) return std::nullopt;
-    return fmt::format("a displacement of {} m is known to {} m in {}, which is too little for bonds of {} m",
-                       typed(farthest), typed(resolved), id(run.precision), typed(bond));
+    if (!(facts.bond > 0) || !(resolved > resolved_part * std::min(facts.bond, facts.bond_width))) return std::nullopt;
+    const std::string bonds = facts.bond_width < facts.bond
+                                  ? fmt::format("bonds whose force changes within {} m", typed(facts.bond_width))
+                                  : fmt::format("bonds of {} m", typed(facts.bond));
+    return fmt::format("a displacement of {} m is known to {} m in {}, which is too little for {}", typed(farthest),
+                       typed(resolved), id(run.precision), bonds);
 }
 
-/// By kind.
-std::array<std::optional<std::string>, 2> notes_by_kind(const RunDescription& run, double farthest, const Rate& rate) {
-    return {note_of_increments(run, rate), note_of_distance(run, farthest)};
+std::optional<std::string> note_of_tolerance(const RunDescription& run) {
+    if (!chooses_its_steps(run)) return std::nullopt;
+    const double tolerance = run.method_parameters["tolerance"], held = rounding_unit(run.precision);
+    // one that was not asked for is none to be missed
+    if (!(tolerance < held) || tolerance == tolerance_parameter.default_value) return std::nullopt;
+    return fmt::format("a tolerance of {} is less than {} holds, which is {}: it is not met", typed(tolerance),
+                       id(run.precision), typed(held));
+}
+
+NotesOfRuns::ByKind notes_by_kind(const RunDescription& run, double farthest, const Rate& rate) {
+    return {note_of_increments(run, rate), note_of_distance(run, farthest), note_of_tolerance(run)};
 }
 
 }  // namespace

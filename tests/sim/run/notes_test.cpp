@@ -53,5 +53,25 @@ TEST(NotesOfRounding, name_distances_at_which_bonds_are_not_resolved) {
     EXPECT_THAT(notes("oscillator", "rk4", Precision::float_, 0.01, 1e9), IsEmpty()) << "it has no bond to resolve";
 }
 
+TEST(NotesOfRounding, name_bonds_too_stiff_to_be_resolved) {
+    const auto of_stiffness = [](double k) {
+        return notes("morse", "dopri5", Precision::double_, 0.01, 10, {{"k", k}});
+    };
+    EXPECT_THAT(of_stiffness(1e26), ElementsAre(AllOf(HasSubstr("10 m"), HasSubstr("1.4e-13 m"))));
+    EXPECT_THAT(of_stiffness(1e20), IsEmpty()) << "1.4e-10 m";
+}
+
+TEST(NotesOfRounding, name_tolerances_that_the_precision_does_not_hold) {
+    for (const MethodCase& c : all_methods()) {
+        RunDescription run = run_of("free", c.id(), c.precision, 0.1);
+        if (!run.method_parameters.contains("tolerance")) continue;
+        const bool single = c.precision == Precision::float_;
+        run.method_parameters.set("tolerance", single ? 1e-6 : 1e-15);
+        EXPECT_THAT(notes_of_rounding(run, 1), IsEmpty()) << c;
+        run.method_parameters.set("tolerance", single ? 1e-7 : 1e-16);
+        EXPECT_THAT(notes_of_rounding(run, 1), ElementsAre(HasSubstr(single ? "1e-7" : "1e-16"))) << c;
+    }
+}
+
 }  // namespace
 }  // namespace steplab::test
