@@ -3,6 +3,7 @@
 #include "core/frame.hpp"
 #include "core/vec3.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -27,6 +28,7 @@ struct FileScene {
 
 FileScene scene_of(const Frame& frame);
 
+inline constexpr std::array role_ids{id(Role::moving), id(Role::fixed), id(Role::kicked), id(Role::bullet)};
 /// The role with this id.
 std::optional<Role> parse_role(std::string_view name);
 

@@ -37,11 +37,21 @@ double not_zero(const toml::node& node, SceneNumbers& numbers) {
     return value;
 }
 
+/// A method that chooses its own steps takes none backward.
+void check_direction(const SceneDefaults& defaults, const toml::node& dt) {
+    RunDescription run = with_method({}, defaults.method.empty() ? Opening{}.method : defaults.method);
+    for (const auto& [name, text] : defaults.method_parameters) run.method_parameters.set_text(name, text);
+    if (*defaults.dt < 0 && (method(run.method).info.adaptive || chooses_its_steps(run)))
+        fail_at(dt, fmt::format("{} chooses its own steps, which go forward in time: dt must be > 0", run.method));
+}
+
 /// The list, or one text, each with its place: runs to be compared with the first, of another method, dt, precision or
-/// parameters of the method.
-void check_compared(const toml::node& node, const std::string& first_method) {
+/// parameters of the method or of the scene.
+void check_compared(const toml::node& node, const std::string& first_method, const ParameterValues& scene) {
+    constexpr std::size_t most = 3;
     const toml::array* const list = node.as_array();
-    const RunDescription first = with_method({}, first_method);
+    RunDescription first = with_method({}, first_method);
+    first.scene = scene;
     const auto check = [&](const toml::node& one) {
         try {
             variant_of(first, text_of(one));
@@ -50,18 +60,24 @@ void check_compared(const toml::node& node, const std::string& first_method) {
         }
     };
     if (!list) return check(node);
+    if (list->size() > most)
+        fail_at(node, fmt::format("at most {} runs are compared with the first: these are {}", most, list->size()));
     for (const toml::node& one : *list) check(one);
 }
 
 }  // namespace
 
 void read_run(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defaults) {
-    const toml::node *compared = nullptr, *until = nullptr;
+    const toml::node *compared = nullptr, *until = nullptr, *step = nullptr;
     const toml::node* parameters = nullptr;  // of the method, which may be named after them
     read_all_keys(
         table_of(node, "[run]"), "[run]",
         {{"method", [&](const toml::node& given) { defaults.method = word_of(given, "method", method_ids()); }},
-         {"dt", [&](const toml::node& given) { defaults.dt = not_zero(given, numbers); }},
+         {"dt",
+          [&](const toml::node& given) {
+              defaults.dt = not_zero(given, numbers);
+              step = &given;
+          }},
          {"precision",
           [&](const toml::node& given) {
               defaults.precision = word_of(given, "precision", {"float", "double"});
@@ -83,7 +99,8 @@ void read_run(const toml::node& node, SceneNumbers& numbers, SceneDefaults& defa
                 fmt::format("until = {} and dt = {} differ in sign: a negative dt goes with a negative end time",
                             exact_text(*defaults.until), exact_text(dt)));
     if (parameters) read_method_parameters(*parameters, defaults);
-    if (compared) check_compared(*compared, defaults.method.empty() ? "rk4" : defaults.method);
+    if (step) check_direction(defaults, *step);
+    if (compared) check_compared(*compared, defaults.method.empty() ? "rk4" : defaults.method, numbers.values());
 }
 
 SceneStart scene_start(const toml::node& node, SceneNumbers& numbers, ParticleFiles& files) {

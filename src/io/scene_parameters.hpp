@@ -74,6 +74,7 @@ public:
     /// The value of a parameter that a potential uses; nothing if there is none of this name.
     std::optional<double> parameter(const std::string& name, const toml::node& place, Use use);
     std::vector<std::string_view> names() const;
+    const ParameterValues& values() const { return values_; }
     /// The parameters that are expressions, as they are written.
     std::map<std::string, std::string> followers() const;
 

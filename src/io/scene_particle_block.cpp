@@ -70,7 +70,7 @@ CrystalArrangement crystal(const toml::node& node, SceneNumbers& numbers) {
     };
     read_all_keys(table_of(node, "lattice"), "lattice",
                   {{"kind", kind}, {"cells", cells}, {"constant", [&](const toml::node& given) {
-                                                          crystal.constant = numbers.quantity(given, Use::start);
+                                                          crystal.constant = numbers.positive(given, Use::start);
                                                       }}});
     if (crystal.cells[0] == 0) fail_at(node, "a lattice needs cells");
     return crystal;

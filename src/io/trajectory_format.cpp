@@ -37,9 +37,10 @@ TrajectoryFormat trajectory_format_of(const std::string& file) {
     if (ending == extended_xyz) return TrajectoryFormat::xyz;
     const auto found = std::find(format_names.begin(), format_names.end(), ending);
     if (found == format_names.end()) {
-        throw UsageError(fmt::format("the extension of '{}' is not a known format: use .{}, or add --format {}",
-                                     shown(file), joined(format_names, " or ."),
-                                     joined(format_names, " or --format ")));
+        throw UsageError(
+            fmt::format("the extension of '{}' is not a known format: use .csv, .xyz or .{}, as they are "
+                        "or with .gz or .zst behind, or .trajectory; or add --format {}",
+                        shown(file), extended_xyz, joined(format_names, " or --format ")));
     }
     return static_cast<TrajectoryFormat>(found - format_names.begin());
 }

@@ -1,4 +1,5 @@
 #include "core/shown.hpp"
+#include "core/text.hpp"
 #include "io/text_trajectory.hpp"
 #include "io/values_of_rows.hpp"
 #include "io/words.hpp"
@@ -18,7 +19,7 @@ namespace steplab {
 namespace {
 
 /// What a word of a row is.
-enum class Word { number, momentum, mass, role, value, other };
+enum class Word { number, momentum, mass, role, perhaps_role, value, other };
 struct Place {
     Word word = Word::other;
     Column column = Column::x;  ///< of a number, or a momentum
@@ -39,7 +40,7 @@ constexpr std::array properties{
     Property{"momenta", 3, Word::momentum, Column::vx},
     Property{"masses", 1, Word::mass},
     Property{"role", 1, Word::role},
-    Property{"type", 1, Word::role},  // of steplab 0.2
+    Property{"type", 1, Word::perhaps_role},  // of steplab 0.2; elsewhere anything
 };
 
 /// "charge"; of a vector "forces_x", of more "tensor_4".
@@ -84,8 +85,10 @@ private:
             if (place.word == Word::number || place.word == Word::momentum) set(frame, place.column, words[i]);
             if (place.word == Word::mass) set_mass(frame, number<double>(words[i]));
             if (place.word == Word::value) values_.add(place.value, words[i]);
-            if (place.word != Word::role) continue;
-            if (const auto role = parse_role(words[i])) frame.roles.push_back(*role);
+            if (place.word != Word::role && place.word != Word::perhaps_role) continue;
+            const auto role = parse_role(words[i]);
+            if (role) frame.roles.push_back(*role);
+            if (!role && place.word == Word::role) input_.fail(unknown_word("role", words[i], role_ids));
         }
     }
 

@@ -52,6 +52,8 @@ TEST(SceneBlocks, refuse_what_makes_no_particles) {
         {"grid = { count = [2], steps = [[1, 0, 0], [0, 1, 0]] }", "must be two numbers"},
         {"grid = { count = [65536, 65536], steps = [[1, 0, 0], [0, 1, 0]] }", "at most 4294967295 particles"},
         {"lattice = { kind = \"fcc\" }", "a lattice needs cells"},
+        {"lattice = { cells = [2, 2, 2], constant = 0 }", "must be > 0"},
+        {"lattice = { cells = [2, 2, 2], constant = -1 }", "must be > 0"},
         {"lattice = { kind = \"hcp\", cells = [1, 1, 1] }", "unknown lattice 'hcp'"},
         {"lattice = { kind = \"fcc\", cells = [1024, 1024, 1024] }", "at most 4294967295 particles"},
         {"line = { count = 2, step = [1, 0, 0] }\nlattice = { cells = [1, 1, 1] }", "at most one of"},
@@ -73,6 +75,9 @@ TEST(SceneBlocks, refuse_what_makes_no_forces) {
         {"[[fix]]\nfixed = true", "[[fix]] needs particles"},
         {"[[fix]]\nparticles = []\nfixed = true", "must name at least one particle"},
         {"[[fix]]\nparticles = \"pair[2]\"\nfixed = true", "a.toml:6:13: group 'pair' has no particle 2"},
+        {"[[particles]]\ngroup = \"g\"\ngrid = { count = [2, 2], steps = [[1, 0, 0], [0, 1, 0]] }\n[[fix]]\n"
+         "particles = \"g[1,]\"\nfixed = true",
+         "'g[1,]': two numbers belong into the brackets"},
         {"[[springs]]\nbetween = \"pair\"", "[[springs]] needs k"},
         {"[[springs]]\nbetween = \"pair\"\nk = 1\ndamping = -1", "must be >= 0"},
         {"[[springs]]\nbetween = \"pair\"\nk = 1\nlength = -1", "must be >= 0"},
@@ -84,6 +89,9 @@ TEST(SceneBlocks, refuse_what_makes_no_forces) {
         {lennard_jones + "between = [\"pair\", \"pair\", \"pair\"]", "between takes one group or two"},
         {lennard_jones + "between = [\"pair[0]\", \"pair[0]\"]", "within one particle"},
         {lennard_jones + "cutoff = 0", "must be > 0"},
+        {"[[pairs]]\npotential = \"moorse\"", "unknown potential 'moorse' (did you mean 'morse'?)"},
+        {"[[pairs]]\npotential = \"-r\"", "read"},
+        {"[[pairs]]\npotential = \"pi\"", "read"},
         {"[[pairs]]\npotential = \"lennard-jones\"\nepsilon = 1\nsigma = 0", "sigma must be > 0"},
         {lennard_jones + "cutoff = 4\n[box]\nsize = [0, 9, 9]", "2.3 times the cutoff"},
         {lennard_jones + "cutoff = 4\n[box]\nsize = [0, 9.2, 0]", "read"},
@@ -240,6 +248,21 @@ ParticleBlock block_of_a_file(const std::string& more) {
                              {.name = "a.xyz", .content = file}},
                             "a.toml"));
     return model_of(run).scene(run.scene).particles.front();
+}
+
+TEST(SceneBlocks, of_a_file_refuse_roles_that_there_are_not) {
+    const auto read = [](const std::string& column) {
+        const std::string scene = with_blocks("[[particles]]\nfile = \"a.xyz\"\n"),
+                          file = "1\nProperties=species:S:1:pos:R:3:" + column + ":S:1\nX 0 0 0 flying\n";
+        scene_from({{.name = "", .content = scene}, {.name = "a.xyz", .content = file}}, "a.toml");
+    };
+    EXPECT_NO_THROW(read("type")) << "elsewhere it is anything";
+    try {
+        read("role");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("unknown role 'flying'; known: moving, fixed, kicked, bullet"));
+    }
 }
 
 TEST(SceneBlocks, of_a_file_have_its_roles_unless_the_block_gives_one) {

@@ -279,7 +279,7 @@ std::vector<std::string> refusals(const std::string& text) {
 TEST(SceneOrder, is_none_of_methods_that_refuse_a_scene_by_name) {
     const std::string as_printed = "it is kept as printed in 2008, for the models of then";
     const std::string seam = "its potential has min, max or abs, whose seams a power series does not see";
-    const std::string damped = "dashpots, and drag that differs between particles, are not in its formulas";
+    const std::string damped = "dashpots, and drag whose rate c / m differs between particles, are not in its formulas";
     EXPECT_THAT(refusals(typed_trap), ElementsAre("verlet-2008: " + as_printed, "stoermer-2008: " + as_printed));
     EXPECT_THAT(refusals(replaced(typed_trap, "0.1*r^2", "0.1*max(r, 1)^2")),
                 ElementsAre("taylor: " + seam, "verlet-2008: " + as_printed, "stoermer-2008: " + as_printed));

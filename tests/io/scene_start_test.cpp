@@ -170,6 +170,15 @@ TEST(SceneRun, compares_only_runs_that_there_can_be) {
         {"\"method=dopri5,tolerance=1e-9\"", "read"}};
     for (const auto& [list, message] : cases)
         EXPECT_THAT(refusal_of_scene(between_walls + "compare = " + list + "\n"), HasSubstr(message)) << list;
+    // the parameters of the scene are those of the runs, too
+    const std::string with_speed =
+        "steplab = 1\n[parameters]\nspeed = 1\n[[particles]]\nvelocity = [\"speed\", 0, 0]\n[run]\ncompare = ";
+    EXPECT_EQ(refusal_of_scene(with_speed + "\"speed=2\"\n"), "read");
+    EXPECT_THAT(refusal_of_scene(with_speed + "\"sped=2\"\n"), HasSubstr("did you mean 'speed'?"));
+    const std::string one = "\"method=rk4\"", three = "[" + one + ", " + one + ", " + one;
+    EXPECT_EQ(refusal_of_scene(between_walls + "compare = " + three + "]\n"), "read");
+    EXPECT_THAT(refusal_of_scene(between_walls + "compare = " + three + ", " + one + "]\n"),
+                HasSubstr("a.toml:13:11: at most 3 runs are compared with the first: these are 4"));
     // where no method is named, the first run is one of rk4, which has no tolerance
     const std::string unnamed = row_between_walls(moving) + "[run]\ncompare = ";
     EXPECT_EQ(refusal_of_scene(unnamed + "\"dt=0.05\"\n"), "read");
@@ -187,6 +196,9 @@ TEST(SceneRun, goes_backward_by_a_negative_dt) {
         {"dt = 0", "a.toml:12:6: must not be 0"},
         {"until = 0", "a.toml:12:9: must not be 0"},
         {"dt = -0.01\nuntil = 2", "a.toml:13:9: until = 2 and dt = -0.01 differ in sign"},
+        {"method = \"dopri5\"\ndt = -0.01", "a.toml:13:6: dopri5 chooses its own steps"},
+        {"method = \"gauss-16\"\ndt = -0.01", "read"},
+        {"method = \"gauss-16\"\nparameters = { tolerance = 1e-9 }\ndt = -0.01", "gauss-16 chooses its own steps"},
         {"until = -2", "a.toml:12:9: until = -2 and dt = 0.1 differ in sign"}};
     for (const auto& [keys, message] : cases)
         EXPECT_THAT(refusal_of_scene(run + keys + "\n"), HasSubstr(message)) << keys;

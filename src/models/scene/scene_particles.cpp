@@ -219,7 +219,9 @@ std::size_t SceneParticles::index_in(std::string_view text, const Group& group) 
     const std::size_t comma = text.find(',');
     const auto begin = text.find_first_not_of(' ', comma + 1);
     const auto i = whole(text.substr(0, comma)), j = whole(begin == std::string_view::npos ? "" : text.substr(begin));
-    if (!i || !j) throw UsageError(fmt::format("'{}[{}]': two numbers belong into the brackets", name, shown(text)));
+    if (!i || !j)
+        throw UsageError(
+            fmt::format("'{}[{}]': two numbers belong into the brackets", shown(group.block.group), shown(text)));
     return counted(*j, grid->rows, name) * grid->columns + counted(*i, grid->columns, name);
 }
 

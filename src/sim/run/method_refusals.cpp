@@ -14,7 +14,7 @@ std::optional<std::string> method_refusal(const Method& method, const RunDescrip
     if (info.curiosity && std::holds_alternative<ComposedForces>(plan.forces))
         return because("it is kept as printed in 2008, for the models of then");
     if (facts_of(description).damping && info.order_with_damping == 0)
-        return because("dashpots, and drag that differs between particles, are not in its formulas");
+        return because("dashpots, and drag whose rate c / m differs between particles, are not in its formulas");
     if (!info.refusal) return std::nullopt;
     const auto refused = std::visit([&](const auto& forces) { return info.refusal(coupling(forces)); }, plan.forces);
     return refused ? std::optional(because(*refused)) : std::nullopt;
