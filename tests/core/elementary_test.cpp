@@ -16,6 +16,7 @@
 namespace steplab::test {
 namespace {
 
+using NumbersOfRuns = testing::Types<float, double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Units in the last place between a result and the value, of double or float.
@@ -86,73 +87,89 @@ void expect_accurate(double most) {
 TEST(Elementary, is_within_two_ulp_of_double) { expect_accurate<double>(2); }
 TEST(Elementary, is_within_one_ulp_of_float) { expect_accurate<float>(1); }
 
+template <class T>
+class ElementaryOf : public testing::Test {};
+TYPED_TEST_SUITE(ElementaryOf, NumbersOfRuns);
+
 // Exponents as large as results allow: an error of the logarithm is multiplied by up to 700.
-TEST(Elementary, powers_are_within_two_ulp) {
+TYPED_TEST(ElementaryOf, powers_are_within_two_ulp) {
+    using T = TypeParam;
+    const double largest = std::log(static_cast<double>(std::numeric_limits<T>::max()));
     std::mt19937_64 random(7);
     double worst = 0;
     for (int i = 0; i < 200000; ++i) {
         const double near = std::uniform_real_distribution<double>(0.9, 1.1)(random);
-        const double any = std::exp(std::uniform_real_distribution<double>(-700, 700)(random));
-        const double base = i % 2 == 0 ? near : any;
-        const double most = 707 / std::max(1e-3, std::abs(std::log(base)));
-        const double exponent = std::uniform_real_distribution<double>(-most, most)(random);
-        worst =
-            std::max(worst, ulps(general_power(base, exponent), std::pow(static_cast<long double>(base), exponent)));
+        const double any = std::exp(std::uniform_real_distribution<double>(-largest, largest)(random));
+        const auto base = static_cast<T>(i % 2 == 0 ? near : any);
+        const double most = (largest - 2) / std::max(1e-3, std::abs(std::log(static_cast<double>(base))));
+        const auto exponent = static_cast<T>(std::uniform_real_distribution<double>(-most, most)(random));
+        const long double value = std::pow(static_cast<long double>(base), static_cast<long double>(exponent));
+        worst = std::max(worst, ulps(general_power(base, exponent), value));
     }
     EXPECT_LE(worst, 2);
 }
 
-TEST(Elementary, ends_of_the_domains) {
-    EXPECT_EQ(natural_logarithm(0.0), -infinity);
-    EXPECT_TRUE(std::isnan(natural_logarithm(-1.0)));
-    EXPECT_EQ(natural_logarithm(infinity), infinity);
-    EXPECT_EQ(natural_logarithm(1.0), 0);
-    for (const double x : {infinity, -infinity, std::nan("")}) {
+TYPED_TEST(ElementaryOf, functions_end_as_those_of_the_language) {
+    using T = TypeParam;
+    constexpr T endless = std::numeric_limits<T>::infinity(), unknown = std::numeric_limits<T>::quiet_NaN();
+    EXPECT_EQ(natural_logarithm(T(0)), -endless);
+    EXPECT_TRUE(std::isnan(natural_logarithm(T(-1))));
+    EXPECT_EQ(natural_logarithm(endless), endless);
+    EXPECT_EQ(natural_logarithm(T(1)), 0);
+    for (const T x : {endless, -endless, unknown})
         EXPECT_TRUE(std::isnan(sine(x)) && std::isnan(cosine(x)) && std::isnan(tangent(x))) << x;
-    }
-    EXPECT_EQ(hyperbolic_tangent(infinity), 1);
-    EXPECT_EQ(hyperbolic_tangent(-infinity), -1);
-    EXPECT_TRUE(std::isnan(hyperbolic_tangent(std::nan(""))));
-    EXPECT_TRUE(std::signbit(sine(-0.0)) && std::signbit(tangent(-0.0)) && std::signbit(hyperbolic_tangent(-0.0)));
+    EXPECT_EQ(hyperbolic_tangent(endless), 1);
+    EXPECT_EQ(hyperbolic_tangent(-endless), -1);
+    EXPECT_TRUE(std::isnan(hyperbolic_tangent(unknown)));
+    const T zero = -T(0);
+    EXPECT_TRUE(std::signbit(sine(zero)) && std::signbit(tangent(zero)) && std::signbit(hyperbolic_tangent(zero)));
 }
 
-TEST(Elementary, ends_of_powers) {
-    EXPECT_EQ(general_power(0.0, 0.0), 1);
-    EXPECT_EQ(general_power(std::nan(""), 0.0), 1);
-    EXPECT_EQ(general_power(0.0, 2.5), 0);
-    EXPECT_EQ(general_power(0.0, -2.5), infinity);
-    EXPECT_EQ(general_power(-2.0, 3.0), -8);
-    EXPECT_EQ(general_power(-2.0, -2.0), 0.25);
-    EXPECT_TRUE(std::isnan(general_power(-2.0, 0.5)));
-    EXPECT_EQ(general_power(2.0, 2000.0), infinity);
-    EXPECT_EQ(general_power(2.0, -2000.0), 0);
-    EXPECT_EQ(general_power(0.5, infinity), 0);
-    EXPECT_EQ(general_power(3.0, infinity), infinity);
-    EXPECT_EQ(general_power(1.5, 1e300), infinity);
-    EXPECT_EQ(general_power(0.75, -1e300), infinity);
-    EXPECT_EQ(general_power(infinity, -1.0), 0);
+TYPED_TEST(ElementaryOf, powers_end_as_those_of_the_language) {
+    using T = TypeParam;
+    constexpr T endless = std::numeric_limits<T>::infinity(), unknown = std::numeric_limits<T>::quiet_NaN(),
+                huge = std::numeric_limits<T>::max() / 4;
+    EXPECT_EQ(general_power(T(0), T(0)), 1);
+    EXPECT_EQ(general_power(unknown, T(0)), 1);
+    EXPECT_EQ(general_power(T(0), T(2.5)), 0);
+    EXPECT_EQ(general_power(T(0), T(-2.5)), endless);
+    EXPECT_EQ(general_power(T(-2), T(3)), -8);
+    EXPECT_EQ(general_power(T(-2), T(-2)), T(0.25));
+    EXPECT_TRUE(std::isnan(general_power(T(-2), T(0.5))));
+    EXPECT_EQ(general_power(T(2), T(2000)), endless);
+    EXPECT_EQ(general_power(T(2), T(-2000)), 0);
+    EXPECT_EQ(general_power(T(0.5), endless), 0);
+    EXPECT_EQ(general_power(T(3), endless), endless);
+    EXPECT_EQ(general_power(T(1.5), huge), endless);
+    EXPECT_EQ(general_power(T(0.75), -huge), endless);
+    EXPECT_EQ(general_power(endless, T(-1)), 0);
 }
 
-template <class T>
+template <class T, std::size_t width>
 void expect_equal_lanes() {
-    using N = RegisterLanes<T, 16>;
+    using N = RegisterLanes<T, width>;
     const std::vector<T> all = arguments<T>();
-    const auto at = [&](std::size_t i) { return all[i * 97 % all.size()]; };
-    const N x = N::each([&](std::size_t lane) { return at(lane); });
-    const N y = N::each([&](std::size_t lane) { return at(lane + 40); });
     const auto same = [](T a, T b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-    for (std::size_t lane = 0; lane < N::count; ++lane) {
-        EXPECT_TRUE(same(natural_logarithm(x)[lane], natural_logarithm(at(lane))));
-        EXPECT_TRUE(same(sine(x)[lane], sine(at(lane))));
-        EXPECT_TRUE(same(cosine(x)[lane], cosine(at(lane))));
-        EXPECT_TRUE(same(tangent(x)[lane], tangent(at(lane))));
-        EXPECT_TRUE(same(hyperbolic_tangent(x)[lane], hyperbolic_tangent(at(lane))));
-        EXPECT_TRUE(same(general_power(x, y)[lane], general_power(at(lane), at(lane + 40))));
+    for (std::size_t first = 0; first < all.size(); first += width) {
+        const auto at = [&](std::size_t i) { return all[(first + i) * 97 % all.size()]; };
+        const N x = N::each([&](std::size_t lane) { return at(lane); });
+        const N y = N::each([&](std::size_t lane) { return at(lane + 40); });
+        const N logarithms = natural_logarithm(x), sines = sine(x), cosines = cosine(x), tangents = tangent(x),
+                hyperbolic = hyperbolic_tangent(x), powers = general_power(x, y);
+        for (std::size_t lane = 0; lane < width; ++lane) {
+            ASSERT_TRUE(same(logarithms[lane], natural_logarithm(at(lane)))) << at(lane);
+            ASSERT_TRUE(same(sines[lane], sine(at(lane)))) << at(lane);
+            ASSERT_TRUE(same(cosines[lane], cosine(at(lane)))) << at(lane);
+            ASSERT_TRUE(same(tangents[lane], tangent(at(lane)))) << at(lane);
+            ASSERT_TRUE(same(hyperbolic[lane], hyperbolic_tangent(at(lane)))) << at(lane);
+            ASSERT_TRUE(same(powers[lane], general_power(at(lane), at(lane + 40)))) << at(lane) << ' ' << at(lane + 40);
+        }
     }
 }
-TEST(Elementary, lanes_have_the_bits_of_single_numbers) {
-    expect_equal_lanes<float>();
-    expect_equal_lanes<double>();
+TYPED_TEST(ElementaryOf, lanes_have_the_bits_of_single_numbers) {
+    expect_equal_lanes<TypeParam, 4>();
+    expect_equal_lanes<TypeParam, 8>();
+    expect_equal_lanes<TypeParam, 16>();
 }
 
 }  // namespace

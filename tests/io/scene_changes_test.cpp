@@ -38,7 +38,7 @@ std::string text_of_scene(const std::string& name) { return find_scene(name)->pa
 
 bool is_answered(const std::string& result) { return result == "read" || result.starts_with("a.toml"); }
 
-// Every shipped one, at every byte.
+// Every shipped one, at every byte; those of many particles at every seventh.
 TEST(SceneChanges, a_file_that_is_cut_anywhere_is_read_or_refused) {
     for (const std::string& name : shipped_scenes()) {
         const std::string text = text_of_scene(name);
