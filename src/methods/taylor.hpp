@@ -70,8 +70,7 @@ struct Taylor {
     class Integrator;
 };
 
-/// Coefficient k of a displacement is stored as x_k unit^k, where unit is a power of two near the step size: exact, and
-/// safe from overflow and underflow.
+/// Coefficient k of a displacement is stored as x_k unit^k, unit being a power of two near the step: exact, in range.
 template <class T>
 class Taylor::Integrator : public CountsDrag {
     /// Times have at least double precision.
@@ -97,8 +96,7 @@ public:
         v_ = state.velocity;
         log_tolerance_ = logarithm(series_tolerance_in(system, tolerance_));
         forces_ = series_forces(system.force(), state, last_ - 1);
-        progress_ = {};
-        progress_.unit = power_of_two_below(system.dt());
+        progress_ = {.unit = power_of_two_below(system.dt())};
         guard_.state({});
         expand(system);
     }
@@ -115,8 +113,7 @@ public:
             // below this time nothing moves by more than rounding
             lengthen(
                 time_of_rounding(std::span<const Field<T>>(x_), progress_.unit, progress_.length, forces_->axes()));
-            const bool still = progress_.watch.stands_still(progress_.begin, static_cast<Time>(system.dt()));
-            if (is_stuck(target) || still) return stop(system, target);
+            if (is_stuck(target, system.dt())) return stop(system, target);
         }
     }
 
@@ -156,9 +153,9 @@ public:
         T length = T(0);                 ///< duration of the series
         T across = T(0);                 ///< time from its beginning to a collision within it, else 0
         T unit = T(1);
-        std::optional<OwnStop> stop;
+        std::optional<OwnStop> stop = {};
         int stuck = 0;  ///< series in a row that ended at once
-        StepWatch<Time> watch;
+        StepWatch<Time> watch = {};
         typename CollisionGuard<T>::State guard{};
     };
     Progress progress() const { return guard_.saved_in(progress_); }
@@ -174,11 +171,11 @@ private:
     using N = Lanes<T>;
 
     /// A series may end at once or not exist, but not one after the other.
-    bool is_stuck(Time target) {
+    bool is_stuck(Time target, T dt) {
         const T least = static_cast<T>(target * (4 * std::numeric_limits<Time>::epsilon()));
         progress_.stuck = progress_.length > least && !forces_->singular() ? 0 : progress_.stuck + 1;
         lengthen(least);
-        return progress_.stuck > 100;
+        return progress_.watch.stands_still(progress_.begin, static_cast<Time>(dt)) || progress_.stuck > 100;
     }
 
     template <class System>

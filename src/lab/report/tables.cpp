@@ -94,7 +94,9 @@ std::string orders_table(const Study& study) {
         std::vector<std::string> row{method_name(id), own_order(study, method(id).info)};
         for (const Precision precision : study.plan.precisions)
             row.push_back(order_cell(measured_order(study.runs, id, precision)));
-        row.push_back(runs > 0 ? std::to_string(runs) : "cannot run it");
+        const bool given_up = std::any_of(study.cut.begin(), study.cut.end(),
+                                          [&](const CutSeries& series) { return series.method == id; });
+        row.push_back(runs > 0 ? std::to_string(runs) : given_up ? "takes too long" : "cannot run it");
         row.push_back(std::to_string(std::count_if(study.runs.begin(), study.runs.end(), failed)));
         table.rows.push_back(std::move(row));
     }

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/interruption.hpp"
+#include "core/watching.hpp"
 #include "lab/study/gain_watch.hpp"
 #include "lab/study/parallel.hpp"
 #include "sim/catalogue.hpp"
@@ -10,9 +11,12 @@
 #include "sim/run/starting.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 namespace steplab {
@@ -35,6 +39,22 @@ public:
 private:
     double most_;
     double seconds_a_step_ = 0;
+};
+
+/// A run that takes much longer than runs may is not waited for: a step of an implicit method may take seconds.
+class PatienceEnds : public std::exception {};
+
+/// Ends what is computed on this thread in so many seconds.
+class Patience {
+public:
+    explicit Patience(double seconds)
+        : watching_([end = Clock::now() + std::chrono::duration<double>(seconds)] {
+              if (Clock::now() > end) throw PatienceEnds();
+          }) {}
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Watching watching_;
 };
 
 class Series {
@@ -64,7 +84,9 @@ private:
              wanted *= plan_.ratio) {
             const auto steps = static_cast<std::uint64_t>(std::ceil(wanted));
             if (cost.too_long(steps)) return false;
-            runs_.push_back(made(run_over(plan_, method_, precision_, steps), steps));
+            auto result = made(run_over(plan_, method_, precision_, steps), steps);
+            if (!result) return false;
+            runs_.push_back(std::move(*result));
             if (!runs_.back().diverged()) cost.ran(steps, runs_.back().rough_seconds);  // else it ended before
             if (gain.gains_no_more(runs_.back())) return true;
         }
@@ -78,16 +100,23 @@ private:
         for (double tolerance = 1e-2; tolerance > least; tolerance /= 10) {
             RunDescription run = run_over(plan_, method_, precision_, 1);
             run.method_parameters.set("tolerance", tolerance);
-            Measurement result = made(run, 1);
-            if (result.rough_seconds > plan_.most_seconds_a_run) return false;
-            runs_.push_back(std::move(result));
+            auto result = made(run, 1);
+            if (!result || result->rough_seconds > plan_.most_seconds_a_run) return false;
+            runs_.push_back(std::move(*result));
             if (gain.gains_no_more(runs_.back())) return true;
         }
         return true;
     }
 
-    Measurement made(const RunDescription& run, std::uint64_t steps) const {
-        return measure(run, steps, reference_, check_interruption, execution_);
+    /// None if it takes too long.
+    std::optional<Measurement> made(const RunDescription& run, std::uint64_t steps) const {
+        constexpr double patience = 30;  // how long a first run takes is not known before
+        try {
+            const Patience until(patience * plan_.most_seconds_a_run);
+            return measure(run, steps, reference_, check_interruption, execution_);
+        } catch (const PatienceEnds&) {
+            return std::nullopt;
+        }
     }
 
     const StudyPlan& plan_;

@@ -17,7 +17,8 @@ struct StudyPlan {
     std::vector<std::string> methods;
     std::map<std::string, double> method_settings;  ///< parameters for the methods that have them
     std::vector<Precision> precisions;
-    double most_seconds_a_run = 0.02;  ///< on its share of the machine; a series ends before a run takes longer
+    double most_seconds_a_run = 0.02;  ///< on its share of the machine; a series ends before a run takes longer,
+                                       ///< and a first one that takes 30 times as long is given up
     std::uint64_t most_steps_a_run = 1'000'000'000;  ///< a series also ends before a run takes more steps
     double ratio = 2;                                ///< of neighbouring dt in a series, > 1
     double reference_effort = 1;                     ///< part of the usual one

@@ -88,6 +88,10 @@ TEST(ReportPage, has_no_diagram_of_what_was_not_measured) {
     EXPECT_EQ(count(page, "class=\"curve\" data-name=\"pefrl\""), 0u);
     EXPECT_THAT(page, Not(HasSubstr("1.4142")));
     EXPECT_THAT(page, HasSubstr("cannot run it"));
+    less.cut = {{"pefrl", Precision::double_}};
+    const std::string cut = page_of(less);
+    EXPECT_THAT(cut, Not(HasSubstr("cannot run it")));
+    EXPECT_THAT(cut, HasSubstr("takes too long"));
 }
 
 TEST(ReportPage, shows_the_orders_measured_by_the_runs) {
