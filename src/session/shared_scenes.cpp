@@ -37,7 +37,7 @@ void SharedScenes::share(Recording& recording) {
 SceneOrigin SharedScenes::first_of(const SceneOrigin& read) {
     std::erase_if(known_, [](const auto& scene) { return scene.expired(); });
     for (const auto& scene : known_) {
-        const SceneOrigin known(scene.lock());
+        SceneOrigin known(scene.lock());
         if (known && known == read && known->given == read->given) return known;
     }
     known_.push_back(read.watched());
