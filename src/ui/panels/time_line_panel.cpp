@@ -127,8 +127,8 @@ void draw_loop(const Context& context, const Track& track) {
 }
 
 /// Before the slider, as what is drawn first is what the pointer is over. True if it is over a mark.
-bool draw_marks(const Context& context, double end) {
-    const RowPlaces places = row_places(context);
+bool draw_marks(const Context& context, double end, std::string_view end_text) {
+    const RowPlaces places = row_places(context, end_text);
     const ImVec2 cursor = ImGui::GetCursorScreenPos();
     const float left = ImGui::GetWindowPos().x;
     const Track track(context, {left + places.control, cursor.y, left + places.value, cursor.y + row_height(context)},
@@ -162,7 +162,8 @@ void draw_time_line(const Context& context) {
     if (area.empty()) return;
     const StripWindow strip(context, "time line", area);
     const double now = context.view.frame.time, end = std::max(now, context.session.line.reached_time);
-    const bool over_mark = draw_marks(context, end);
+    const std::string end_text = with_unit(time_text(end, context.view.dt), "s");
+    const bool over_mark = draw_marks(context, end, end_text);
     slider_row(context, {.widget = "time",
                          .label = "time line",
                          .tooltip = over_mark                  ? ""
@@ -175,7 +176,8 @@ void draw_time_line(const Context& context) {
                          .range = {0, end, false, false},
                          .style = {},
                          .set = [&](double time) { seek(context, time); },
-                         .set_text = [&](std::string_view typed) { go_to(context, typed); }});
+                         .set_text = [&](std::string_view typed) { go_to(context, typed); },
+                         .longest_text = end_text});
     end_scrubbing(context);
 }
 

@@ -115,7 +115,7 @@ std::optional<double> slider(const Context& context, std::string_view widget, do
 
 void slider_row(const Context& context, const SliderRow& row) {
     const WithId id(row.widget);
-    const RowPlaces places = row_places(context);
+    const RowPlaces places = row_places(context, row.longest_text);
     row_label(context, row.label, row.tooltip);
     ImGui::SameLine(places.control);
     if (context.state.entry && context.state.entry->widget == row.widget) {

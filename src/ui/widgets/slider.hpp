@@ -41,6 +41,7 @@ struct SliderRow {
     /// Sets a dragged value; sets a typed one, which may throw UsageError.
     std::function<void(double)> set;
     std::function<void(std::string_view)> set_text;
+    std::string longest_text = {};  ///< for which there has to be room, if it is longer than usual
 };
 void slider_row(const Context& context, const SliderRow& row);
 

@@ -31,10 +31,11 @@ ImTextureID texture_id(std::uint32_t name) {
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(name));
 }
 
-RowPlaces row_places(const Context& context) {
+RowPlaces row_places(const Context& context, std::string_view value) {
     const float left = ImGui::GetStyle().WindowPadding.x;
     const float right = left + ImGui::GetContentRegionAvail().x;
-    return {left + context.px(76), right - context.px(72), right};
+    const float room = std::max(context.px(72), text_size(value).x + context.px(12));
+    return {left + context.px(76), right - room, right};
 }
 
 float row_height(const Context& context) { return context.px(20); }

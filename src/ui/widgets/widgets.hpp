@@ -17,7 +17,8 @@ struct RowPlaces {
     float value = 0;    ///< where the value begins
     float right = 0;    ///< where the row ends
 };
-RowPlaces row_places(const Context& context);
+/// `value`: for which there has to be room, if it is longer than usual.
+RowPlaces row_places(const Context& context, std::string_view value = {});
 /// The height of a row with a slider or a switch.
 float row_height(const Context& context);
 

@@ -93,5 +93,23 @@ TEST(steady_rows, no_rate_moves_what_is_above_it) {
     EXPECT_EQ(top_of(desk, "selection.box"), paused);
 }
 
+// Its text ends where the strip does: what it has more of than usual, the slider leaves to it.
+TEST(time_line, leaves_room_for_long_times) {
+    Desk desk(describe("chain"));
+    const auto right_at = [&](double time, double dt) {
+        desk.view.dt = dt;
+        desk.session.line.reached_time = time;
+        desk.frame();
+        desk.frame();
+        return desk.widget("time").right;
+    };
+    const float usual = right_at(10, 0.1), tiny = right_at(0, 1e-16), small = right_at(10, 1e-9),
+                long_run = right_at(123456.7, 1e-9);
+    EXPECT_EQ(right_at(9, 0.1), usual) << "no digit moves it";
+    EXPECT_LT(tiny, usual - 3);
+    EXPECT_LT(small, tiny - 3);
+    EXPECT_LT(long_run, small - 12) << "four digits more";
+}
+
 }  // namespace
 }  // namespace steplab::ui
