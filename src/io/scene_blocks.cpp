@@ -46,9 +46,8 @@ void check_values_of(const PairTerm& term, const toml::table& table, const Poten
 /// A word that is neither a variable nor a parameter is meant as the name of a potential.
 void check_is_expression(const PairTerm& term, const toml::node& potential, SceneNumbers& numbers) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    const bool word =
-        is_letter(term.potential.front()) &&
-        std::all_of(term.potential.begin(), term.potential.end(), [&](char c) { return is_letter(c) || c == '-'; });
+    const bool word = !term.potential.starts_with('-') && std::all_of(term.potential.begin(), term.potential.end(),
+                                                                      [&](char c) { return is_letter(c) || c == '-'; });
     const bool name = term.potential == "r" || term.potential == "pi" ||
                       numbers.parameter(term.potential, potential, Use::force).has_value();
     if (!word || name) return;

@@ -90,6 +90,7 @@ TEST(SceneBlocks, refuse_what_makes_no_forces) {
         {lennard_jones + "between = [\"pair[0]\", \"pair[0]\"]", "within one particle"},
         {lennard_jones + "cutoff = 0", "must be > 0"},
         {"[[pairs]]\npotential = \"moorse\"", "unknown potential 'moorse' (did you mean 'morse'?)"},
+        {"[[pairs]]\npotential = \"\"", "unknown potential ''"},
         {"[[pairs]]\npotential = \"-r\"", "read"},
         {"[[pairs]]\npotential = \"pi\"", "read"},
         {"[[pairs]]\npotential = \"lennard-jones\"\nepsilon = 1\nsigma = 0", "sigma must be > 0"},
