@@ -7,7 +7,8 @@
 #
 # Its results have to be the same bits there too. It has to build where no OpenGL package is installed: nothing it
 # compiled has read a header of one. Takes half an hour on two cores, with --all 47 and the build: run it before a release and
-# after work on memory, threads or files. Of it .ci/run has the monkey, for a minute.
+# after work on memory, threads or files. Of it .ci/run has the monkey, for a
+# minute, with steppers as they are compiled elsewhere.
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"

@@ -7,6 +7,7 @@
 #include "io/scene_appearance.hpp"
 #include "io/scene_blocks.hpp"
 #include "sim/catalogue.hpp"
+#include "sim/run/method_refusals.hpp"
 #include "sim/run/run_variant.hpp"
 #include "sim/run/starting.hpp"
 
@@ -41,8 +42,8 @@ double not_zero(const toml::node& node, SceneNumbers& numbers) {
 void check_direction(const SceneDefaults& defaults, const toml::node& dt) {
     RunDescription run = with_method({}, defaults.method.empty() ? Opening{}.method : defaults.method);
     for (const auto& [name, text] : defaults.method_parameters) run.method_parameters.set_text(name, text);
-    if (*defaults.dt < 0 && (method(run.method).info.adaptive || chooses_its_steps(run)))
-        fail_at(dt, fmt::format("{} chooses its own steps, which go forward in time: dt must be > 0", run.method));
+    run.dt = *defaults.dt;
+    if (const auto refused = backward_refusal(run)) fail_at(dt, *refused);
 }
 
 /// The list, or one text, each with its place: runs to be compared with the first, of another method, dt, precision or

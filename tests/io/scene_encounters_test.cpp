@@ -193,18 +193,29 @@ double behind_barrier(double height, double width, double time) {
     return static_cast<double>(passes ? behind : -behind);
 }
 
+/// A run over this time ends where it should, whatever the tolerance and dt. `run_of`: the run with these; `end_of`:
+/// what is looked at of its frame.
+template <class RunOf, class EndOf>
+void expect_end(double exact, double time, RunOf run_of, EndOf end_of) {
+    for (const double tolerance : {1e-4, 1e-7, 1e-10})
+        for (const double dt : {0.1, time}) {
+            Simulation simulation(run_of(tolerance, dt));
+            simulation.advance(static_cast<std::uint64_t>(std::lround(time / dt)));
+            EXPECT_NEAR(end_of(simulation.frame()), exact, 2 * asked_error(tolerance))
+                << "tolerance " << tolerance << ", dt " << dt;
+        }
+}
+
 // No length is known of a field that the tolerance could go with: narrow ones cost twice what pairs may.
 TEST_P(SceneEncounters, a_field_on_the_way_is_not_jumped_over) {
     for (const double width : {0.05, 0.5})
         for (const double height : {0.3, 0.6, 5.0, -2.0}) {
-            const double exact = behind_barrier(height, width, 40);
-            for (const double tolerance : {1e-4, 1e-7, 1e-10})
-                for (const double dt : {0.1, 40.0}) {
-                    Simulation simulation(barrier_run(GetParam(), height, width, tolerance, dt));
-                    simulation.advance(static_cast<std::uint64_t>(std::lround(40 / dt)));
-                    EXPECT_NEAR(simulation.frame().positions[0].x, exact, 2 * asked_error(tolerance))
-                        << "height " << height << ", width " << width << ", tolerance " << tolerance << ", dt " << dt;
-                }
+            SCOPED_TRACE(fmt::format("height {}, width {}", height, width));
+            const auto run = [&](double tolerance, double dt) {
+                return barrier_run(GetParam(), height, width, tolerance, dt);
+            };
+            expect_end(behind_barrier(height, width, 40), 40, run,
+                       [](const Frame& frame) { return frame.positions[0].x; });
         }
 }
 
@@ -217,6 +228,8 @@ RunDescription shell_run(std::string_view method, double height, double width, d
         height, width, others);
     return tolerant_run(text, method, tolerance, dt);
 }
+
+double distance_along_x(const Frame& frame) { return frame.positions[1].x - frame.positions[0].x; }
 
 /// How far behind the first one the second then is. Their relative energy is 1/4: what is higher sends them back, else
 /// they go through both shells.
@@ -241,15 +254,11 @@ double behind_shells(double height, double width, double time) {
 TEST_P(SceneEncounters, a_narrow_shell_on_the_way_is_not_jumped_over) {
     for (const double width : {0.02, 0.01, 0.001})
         for (const double height : {0.15, 0.5, 20.0, -2.0}) {
-            const double exact = behind_shells(height, width, 20);
-            for (const double tolerance : {1e-4, 1e-7, 1e-10})
-                for (const double dt : {0.1, 20.0}) {
-                    Simulation simulation(shell_run(GetParam(), height, width, tolerance, dt));
-                    simulation.advance(static_cast<std::uint64_t>(std::lround(20 / dt)));
-                    const Frame frame = simulation.frame();
-                    EXPECT_NEAR(frame.positions[1].x - frame.positions[0].x, exact, 2 * asked_error(tolerance))
-                        << "height " << height << ", width " << width << ", tolerance " << tolerance << ", dt " << dt;
-                }
+            SCOPED_TRACE(fmt::format("height {}, width {}", height, width));
+            const auto run = [&](double tolerance, double dt) {
+                return shell_run(GetParam(), height, width, tolerance, dt);
+            };
+            expect_end(behind_shells(height, width, 20), 20, run, distance_along_x);
         }
 }
 
@@ -260,9 +269,7 @@ TEST_P(SceneEncounters, a_narrow_shell_in_a_crowd_is_not_jumped_over) {
         for (const double height : {0.15, 20.0}) {
             Simulation simulation(shell_run(GetParam(), height, width, 1e-7, 20, crowd));
             simulation.advance(1);
-            const Frame frame = simulation.frame();
-            EXPECT_NEAR(frame.positions[1].x - frame.positions[0].x, behind_shells(height, width, 20),
-                        2 * asked_error(1e-7))
+            EXPECT_NEAR(distance_along_x(simulation.frame()), behind_shells(height, width, 20), 2 * asked_error(1e-7))
                 << "height " << height << ", width " << width;
         }
 }

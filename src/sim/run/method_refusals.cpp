@@ -6,6 +6,14 @@
 
 namespace steplab {
 
+std::optional<std::string> backward_refusal(const RunDescription& description) {
+    const bool own_steps = method(description.method).info.adaptive || chooses_its_steps(description);
+    if (!(description.dt < 0) || !own_steps) return std::nullopt;
+    return fmt::format(
+        "{} chooses its own steps, which go forward in time: dt must be > 0 (--reverse turns the velocities round)",
+        description.method);
+}
+
 std::optional<std::string> method_refusal(const Method& method, const RunDescription& description, const Plan& plan) {
     const MethodInfo& info = method.info;
     const auto because = [&](std::string_view why) {

@@ -11,6 +11,9 @@
 
 namespace steplab {
 
+/// Why the method cannot step with the run's dt, which is negative; nullopt if it can, or dt is not.
+std::optional<std::string> backward_refusal(const RunDescription& description);
+
 /// Why a method cannot run the scene of a description, of which this is the plan: "taylor cannot run this scene: ...";
 /// none if it can.
 std::optional<std::string> method_refusal(const Method& method, const RunDescription& description, const Plan& plan);

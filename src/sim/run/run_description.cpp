@@ -25,11 +25,7 @@ namespace {
 void check_dt(const RunDescription& description) {
     const double dt = description.dt, held = rounded_to(description.precision, dt);
     check_value(dt_parameter, std::abs(dt));
-    if (dt < 0 && (method(description.method).info.adaptive || chooses_its_steps(description)))
-        throw UsageError(
-            fmt::format("{} chooses its own steps, which go forward in time: dt must be > 0 (--reverse "
-                        "turns the velocities round)",
-                        description.method));
+    if (const auto refused = backward_refusal(description)) throw UsageError(*refused);
     if (!std::isfinite(held) || held == 0) {
         throw UsageError(
             fmt::format("dt = {} is lost in float: choose one from 1e-37 to 3e38, or double", exact_text(dt)));
