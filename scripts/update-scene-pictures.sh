@@ -37,6 +37,8 @@ moment() {
         galaxies) echo --until 9 --view 10,50,14,0,0,0.9 ;;
         newtons-cradle) echo --until 0.15 --view -20,8,3,0.3,0.4,0 ;;
         outer-solar-system) echo --until 55 --view 20,50,95,0,-8,-3 ;;
+        polymer) echo --until 60 --view -14,20,42,29,0,0 ;;
+        toda-ring) echo --until 12 --view -14,8,26,31.5,0,0 ;;
         pendulum) echo --until 0.3 --view -14,8,3,0,-0.5,0 ;;
         spring-network) echo --until 0.4 --view 30,20,4.5,0,0,0 ;;
         *) echo --until "$(awk '$1 == "until" { print $3 / 6 }' "$root/assets/scenes/$1.toml")" ;;

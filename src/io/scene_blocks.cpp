@@ -142,8 +142,30 @@ Fix fix_of(const toml::table& table, SceneNumbers& numbers) {
     return fix;
 }
 
-SpringTerm spring_term(const toml::table& table, SceneNumbers& numbers) {
-    SpringTerm term;
+namespace {
+
+/// Reads a block in which every key that is not given here is a value of its potential.
+void read_potential(PairTerm& term, const toml::table& table, std::string_view what, std::vector<KeyHandler> keys,
+                    SceneNumbers& numbers) {
+    keys.push_back({"potential", [&](const toml::node& node) { term.potential = text_of(node); }});
+    read_all_keys(table, what, keys, [&](const std::string& name, const toml::node& node) {
+        term.values[name] = numbers.quantity(node, Use::force);
+    });
+}
+
+/// The potential must be known, or an expression, and its values those that it takes.
+void check_potential(PairTerm& term, const toml::table& table, SceneNumbers& numbers) {
+    const toml::node& potential = *table.get("potential");
+    if (const PotentialInfo* const built_in = built_in_potential(term.potential)) {
+        check_values_of(term, table, *built_in);
+    } else {
+        check_is_expression(term, potential, numbers);
+        read_expression(term, table, potential, variables_of_pairs(), numbers);
+    }
+}
+
+/// The keys of a block of springs that say where they are.
+std::vector<KeyHandler> places_of(SpringTerm& term) {
     const auto along = [&](const toml::node& node) {
         using Along = SpringTerm::Along;
         const std::string word = word_of(node, "direction", {"axes", "diagonals", "both"});
@@ -156,43 +178,58 @@ SpringTerm spring_term(const toml::table& table, SceneNumbers& numbers) {
             term.pairs.emplace_back(both[0], both[1]);
         }
     };
+    return {
+        {"between", [&](const toml::node& node) { term.between = text_of(node); }}, {"along", along}, {"pairs", pairs}};
+}
+
+PairTerm potential_of_springs(const toml::table& table, std::vector<KeyHandler> keys, SceneNumbers& numbers) {
+    PairTerm potential;
+    read_potential(potential, table, "[[springs]]", std::move(keys), numbers);
+    check_potential(potential, table, numbers);
+    return potential;
+}
+
+/// F = -(k e + quadratic e^2 + cubic e^3).
+void read_spring_law(SpringTerm& term, const toml::table& table, std::vector<KeyHandler> keys, SceneNumbers& numbers) {
     bool has_k = false;
-    read_all_keys(
-        table, "[[springs]]",
-        {{"between", [&](const toml::node& node) { term.between = text_of(node); }},
-         {"along", along},
-         {"pairs", pairs},
-         {"k", [&](const toml::node& node) { term.k = numbers.not_negative(node, Use::force), has_k = true; }},
-         {"length", [&](const toml::node& node) { term.length = numbers.not_negative(node, Use::force); }},
-         {"damping", [&](const toml::node& node) { term.damping = numbers.not_negative(node, Use::force); }},
-         {"quadratic", [&](const toml::node& node) { term.quadratic = numbers.quantity(node, Use::force); }},
-         {"cubic", [&](const toml::node& node) { term.cubic = numbers.quantity(node, Use::force); }}});
-    if (!has_k) fail_at(table, "[[springs]] needs k, the force constant");
+    const std::vector<KeyHandler> own{
+        {"k", [&](const toml::node& node) { term.k = numbers.not_negative(node, Use::force), has_k = true; }},
+        {"length", [&](const toml::node& node) { term.length = numbers.not_negative(node, Use::force); }},
+        {"quadratic", [&](const toml::node& node) { term.quadratic = numbers.quantity(node, Use::force); }},
+        {"cubic", [&](const toml::node& node) { term.cubic = numbers.quantity(node, Use::force); }},
+        // known already: named where a key is not
+        {"potential", [](const toml::node&) {}}};
+    keys.insert(keys.end(), own.begin(), own.end());
+    read_all_keys(table, "[[springs]]", keys);
+    if (!has_k) fail_at(table, "[[springs]] needs k, the force constant, or a potential");
+}
+
+}  // namespace
+
+SpringTerm spring_term(const toml::table& table, SceneNumbers& numbers) {
+    SpringTerm term;
+    std::vector<KeyHandler> keys = places_of(term);
+    keys.push_back({"damping", [&](const toml::node& node) { term.damping = numbers.not_negative(node, Use::force); }});
+    if (table.contains("potential"))
+        term.potential = potential_of_springs(table, std::move(keys), numbers);
+    else
+        read_spring_law(term, table, std::move(keys), numbers);
     if (term.between.empty() && term.pairs.empty()) fail_at(table, "[[springs]] needs between or pairs");
     return term;
 }
 
 PairTerm pair_term(const toml::table& table, SceneNumbers& numbers) {
     PairTerm term;
-    const toml::node* potential = nullptr;
-    read_all_keys(table, "[[pairs]]",
-                  {{"between",
-                    [&](const toml::node& node) {
-                        term.between = texts_of(node);
-                        if (term.between.size() > 2) fail_at(node, "between takes one group or two");
-                    }},
-                   {"potential", [&](const toml::node& node) { term.potential = text_of(node), potential = &node; }},
-                   {"cutoff", [&](const toml::node& node) { term.cutoff = numbers.positive(node, Use::force); }}},
-                  [&](const std::string& name, const toml::node& node) {
-                      term.values[name] = numbers.quantity(node, Use::force);
-                  });
-    if (!potential) fail_at(table, "[[pairs]] needs a potential");
-    if (const PotentialInfo* const built_in = built_in_potential(term.potential)) {
-        check_values_of(term, table, *built_in);
-    } else {
-        check_is_expression(term, *potential, numbers);
-        read_expression(term, table, *potential, variables_of_pairs(), numbers);
-    }
+    const auto between = [&](const toml::node& node) {
+        term.between = texts_of(node);
+        if (term.between.size() > 2) fail_at(node, "between takes one group or two");
+    };
+    read_potential(term, table, "[[pairs]]",
+                   {{"between", between},
+                    {"cutoff", [&](const toml::node& node) { term.cutoff = numbers.positive(node, Use::force); }}},
+                   numbers);
+    if (!table.contains("potential")) fail_at(table, "[[pairs]] needs a potential");
+    check_potential(term, table, numbers);
     return term;
 }
 

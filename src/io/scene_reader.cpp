@@ -128,6 +128,11 @@ void Reader::check_meaning() {
 void Reader::check_starts() {
     if (scene_.start.change.from) return;
     const SceneParticles particles(scene_, SceneParticles::Ask::places);
+    for (std::size_t i = 0; i < springs_.tables.size(); ++i) {
+        const toml::node* const potential = springs_.tables[i]->get("potential");
+        if (potential)
+            problems_.attempt_at(*potential, [&] { check_finite(scene_.springs[i], particles, scene_.box.value()); });
+    }
     for (std::size_t i = 0; i < pairs_.tables.size(); ++i)
         problems_.attempt_at(*pairs_.tables[i]->get("potential"),
                              [&] { check_finite(scene_.pairs[i], particles, scene_.box.value()); });

@@ -73,6 +73,12 @@ public:
     void operator()(const SceneStart& start);
 
 private:
+    template <class Term>
+    void potential(const Term& term) {
+        line("potential", toml_string(term.potential));
+        for (const auto& [name, value] : term.values) line(name, value);
+        for (const auto& [name, value] : term.parameters) names.insert(name);
+    }
     void arrangement(const std::monostate&) {}
     void arrangement(const LineArrangement& given) {
         line("line", fmt::format("{{ count = {}, step = {} }}", given.count, vector(given.step)));
@@ -133,9 +139,10 @@ void Writer::operator()(const SpringTerm& term) {
         for (const auto& [one, other] : term.pairs) pairs += (pairs.empty() ? "" : ", ") + list_of({one, other});
         line("pairs", "[" + pairs + "]");
     }
+    unless(WrittenNumber(0), "damping", term.damping);
+    if (term.potential) return potential(*term.potential);
     line("k", term.k);
     if (term.length) line("length", *term.length);
-    unless(WrittenNumber(0), "damping", term.damping);
     unless(WrittenNumber(0), "quadratic", term.quadratic);
     unless(WrittenNumber(0), "cubic", term.cubic);
 }
@@ -143,9 +150,7 @@ void Writer::operator()(const SpringTerm& term) {
 void Writer::operator()(const PairTerm& term) {
     begin("[[pairs]]");
     if (!term.between.empty()) line("between", list_of(term.between));
-    line("potential", toml_string(term.potential));
-    for (const auto& [name, value] : term.values) line(name, value);
-    for (const auto& [name, value] : term.parameters) names.insert(name);
+    potential(term);
     if (term.cutoff) line("cutoff", *term.cutoff);
 }
 
@@ -154,9 +159,7 @@ void Writer::operator()(const FieldTerm& field) {
     if (!field.particles.empty()) line("particles", list_of(field.particles));
     if (field.gravity) line("gravity", *field.gravity);
     if (field.drag) line("drag", *field.drag);
-    if (!field.potential.empty()) line("potential", toml_string(field.potential));
-    for (const auto& [name, value] : field.values) line(name, value);
-    for (const auto& [name, value] : field.parameters) names.insert(name);
+    if (!field.potential.empty()) potential(field);
 }
 
 void Writer::operator()(const SceneStart& start) {

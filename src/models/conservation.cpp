@@ -25,6 +25,11 @@ public:
             note(spring.second, spring.first);
         }
         for (const ComposedPairs& pairs : terms.pairs) {
+            for (const auto& [one, other] : pairs.listed) {
+                note(one, other);
+                note(other, one);
+            }
+            if (!pairs.listed.empty()) continue;
             const auto& others = pairs.second.empty() ? pairs.first : pairs.second;
             note(pairs.first, others);
             note(others, pairs.first);

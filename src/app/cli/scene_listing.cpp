@@ -73,8 +73,14 @@ void add_contents(SceneListing& listing) {
         listing.lightest = std::min(listing.lightest, particle.mass);
         listing.heaviest = std::max(listing.heaviest, particle.mass);
     }
-    for (const SpringTerm& term : scene.springs)
+    for (const SpringTerm& term : scene.springs) {
+        const std::size_t before = listing.springs;
         each_spring(particles, term, [&](const ScenePair&) { ++listing.springs; });
+        if (term.potential)
+            listing.pair_forces.push_back({.potential = term.potential->potential,
+                                           .pairs = static_cast<double>(listing.springs - before),
+                                           .along_springs = true});
+    }
     for (const PairTerm& term : scene.pairs) listing.pair_forces.push_back(pair_force(term, particles));
     listing.fields = scene.fields.size();
     listing.box = scene.box.value();
@@ -91,6 +97,12 @@ std::string parameter_text(const SceneListing& scene) {
         text +=
             fmt::format("{}{}={}", text.empty() ? "" : " ", info.name, format_value(info, scene.run.scene[info.name]));
     return text.empty() ? "none" : text;
+}
+
+std::string pairs_text(const SceneListing::PairForce& force) {
+    const std::string pairs = exact_text(force.pairs);
+    if (force.along_springs) return fmt::format("along {} spring{}", pairs, force.pairs == 1 ? "" : "s");
+    return fmt::format("between {} pair{}", pairs, force.pairs == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -115,7 +127,7 @@ std::string scene_text(const SceneListing& scene) {
     if (scene.reordered)
         rows.insert(rows.begin() + 2, {"order", "along a Z-order curve; files and tables keep the order of the scene"});
     for (const SceneListing::PairForce& force : scene.pair_forces)
-        rows.push_back({"pair force", fmt::format("{} between {} pairs{}", force.potential, exact_text(force.pairs),
+        rows.push_back({"pair force", fmt::format("{} {}{}", force.potential, pairs_text(force),
                                                   force.cutoff ? ", cut-off " + exact_text(*force.cutoff) : "")});
     if (scene.fields > 0) rows.push_back({"fields", fmt::format("{}", scene.fields)});
     if (scene.drag > 0) rows.push_back({"drag", fmt::format("c / m = {} 1/s", short_number(scene.drag))});
@@ -135,6 +147,7 @@ std::string scene_json(const SceneListing& scene) {
     for (const SceneListing::PairForce& force : scene.pair_forces)
         forces.push_back({{"potential", force.potential},
                           {"pairs", force.pairs},
+                          {"along_springs", force.along_springs},
                           {"cutoff", force.cutoff ? Json(*force.cutoff) : Json(nullptr)}});
     const Json json{{"id", run.model},
                     {"title", info.name},

@@ -16,6 +16,7 @@ struct SceneListing {
         std::string potential;
         double pairs = 0;  ///< as a double because there may be many
         std::optional<double> cutoff = {};
+        bool along_springs = false;  ///< between the ends of springs alone
     };
 
     RunDescription run;

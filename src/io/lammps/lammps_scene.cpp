@@ -114,6 +114,7 @@ void LammpsScene::add_fields() {
     }
     for (const SpringTerm& term : scene_.springs) {
         if (term.damping.value != 0) refuse("a spring with damping (a dashpot)");
+        if (term.potential) refuse("a spring with a potential of its own");
     }
 }
 

@@ -118,6 +118,16 @@ double shortest_side(Vec3 box) {
     return shortest;
 }
 
+/// Calls f(i, j) for pairs among which are all that a term joins.
+template <class F>
+void each_pair(const ComposedPairs& pairs, std::size_t count, F f) {
+    for (const auto& [i, j] : pairs.listed) f(i, j);
+    if (!pairs.listed.empty()) return;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        for (std::uint32_t j = i + 1; j < count; ++j) f(i, j);
+    }
+}
+
 }  // namespace
 
 Approaches approaches_of(const std::shared_ptr<const Composition>& of) {
@@ -129,12 +139,10 @@ Approaches approaches_of(const std::shared_ptr<const Composition>& of) {
         all.terms.push_back({term.table(), term.strongest()});
         all.least_way = std::min(all.least_way, all.terms.back().table.least_way());
         if (of->count > Coupling::most_held) continue;
-        for (std::uint32_t i = 0; i < of->count; ++i) {
-            for (std::uint32_t j = i + 1; j < of->count; ++j) {
-                const double strength = term.strength(particles, i, j);
-                if (strength > 0) all.pairs.push_back({i, j, t, strength});
-            }
-        }
+        each_pair(of->pairs[t], of->count, [&](std::uint32_t i, std::uint32_t j) {
+            const double strength = term.strength(particles, i, j);
+            if (strength > 0) all.pairs.push_back({i, j, t, strength});
+        });
     }
     return all;
 }

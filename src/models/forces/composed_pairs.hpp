@@ -31,11 +31,11 @@ class PairForce {
 public:
     /// The team shares the sums by clusters.
     PairForce(const ComposedPairs& pairs, const Composition& of, const std::shared_ptr<Team>& team)
-        : potential_(std::make_shared<const PairPotential<T>>(pairs, of.mass)), sides_(pairs, of.count) {
+        : potential_(std::make_shared<const PairPotential<T>>(pairs, of.mass)),
+          sides_(pairs, of.count),
+          listed_(pairs.listed) {
         if (pairs.cutoff > 0) neighbours_.emplace(pairs.cutoff, of.box);
-        const PotentialInfo* const built_in = built_in_potential(pairs.potential);
-        takes_properties_ =
-            built_in ? built_in->weight != PotentialInfo::Weight::none : pairs.expression->takes_properties;
+        takes_properties_ = steplab::takes_properties(pairs);
         if constexpr (in_batches) {
             rows_ = PairRows<T>::of(pairs, of);
             if (goes_by_clusters(pairs, of)) clusters_.emplace(pairs.cutoff, of.box.x, pulls(pairs.expression), team);
@@ -157,6 +157,7 @@ private:
     /// Calls f(i, j), i < j, for all pairs; of a force with a cut-off at least for those within it.
     template <class F>
     void each_candidate(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
+        if (!listed_.empty()) return each_listed(particles, f);
         if (neighbours_) neighbours_->follow(u);
         for (std::size_t i = 0; i < sides_.count(); ++i) {
             if (!sides_.has(i)) continue;
@@ -170,6 +171,13 @@ private:
             } else {
                 for (std::size_t j = i + 1; j < sides_.count(); ++j) visit(j);
             }
+        }
+    }
+
+    template <class F>
+    void each_listed(const ComposedParticles<T>& particles, F f) const {
+        for (const auto& [i, j] : listed_) {
+            if (acts(particles, i, j)) f(std::size_t{i}, std::size_t{j});
         }
     }
 
@@ -250,6 +258,7 @@ private:
 
     std::shared_ptr<const PairPotential<T>> potential_;
     PairSides sides_;
+    std::vector<std::array<std::uint32_t, 2>> listed_;  ///< the only pairs; empty: all
     std::optional<Neighbours> neighbours_;
     std::optional<std::vector<std::pair<std::uint32_t, std::uint32_t>>> held_;
     bool takes_properties_ = false;  ///< masses or charges

@@ -25,10 +25,10 @@ namespace steplab {
 template <class T>
 class PairRows {
 public:
-    /// Nothing where there is a cut-off, a box or displacements from a reference, or numbers are left out.
+    /// Nothing where there is a cut-off, a box or displacements from a reference, or numbers or pairs are left out.
     static std::optional<PairRows> of(const ComposedPairs& pairs, const Composition& all) {
         const auto first = range_of(pairs.first), second = range_of(pairs.second);
-        const bool open = all.box == Vec3{} && all.reference.empty() && pairs.cutoff == 0;
+        const bool open = all.box == Vec3{} && all.reference.empty() && !pairs.is_short_ranged();
         if (!open || !first || (!second && !pairs.second.empty())) return std::nullopt;
         PairRows rows(*first, second ? *second : *first, pairs.second.empty());
         const bool apart = rows.rows_.end <= rows.columns_.begin || rows.columns_.end <= rows.rows_.begin;

@@ -4,6 +4,7 @@
 #include "models/potentials/expression_potential.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -29,6 +30,11 @@ struct ComposedPairs {
     std::shared_ptr<const ExpressionForce> expression;  ///< instead of a built-in one, its cut-off included
     double cutoff = 0;                                  ///< 0: none
     std::vector<std::uint32_t> first, second;           ///< particles; second empty: pairs within the first
+    /// Where not all of them act on each other, those that do, the lower number first: the ends of springs.
+    std::vector<std::array<std::uint32_t, 2>> listed = {};
+
+    /// A particle feels some others, not all.
+    bool is_short_ranged() const { return cutoff > 0 || !listed.empty(); }
 };
 
 /// A potential that acts on particles from outside.

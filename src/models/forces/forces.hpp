@@ -77,8 +77,9 @@ inline Coupling coupling(const ComposedForces& forces) {
     const bool some_cut = std::any_of(terms.pairs.begin(), terms.pairs.end(), is_cut);
     const auto of_kind = [&](Coupling::Kind kind) { return Coupling{kind, forces.count, all_smooth, some_cut}; };
     if (terms.pairs.empty()) return of_kind(terms.springs.empty() ? Coupling::Kind::none : Coupling::Kind::near);
-    const bool all_cut = std::all_of(terms.pairs.begin(), terms.pairs.end(), is_cut);
-    return of_kind(all_cut ? Coupling::Kind::near : Coupling::Kind::all);
+    const bool all_near = std::all_of(terms.pairs.begin(), terms.pairs.end(),
+                                      [](const ComposedPairs& pairs) { return pairs.is_short_ranged(); });
+    return of_kind(all_near ? Coupling::Kind::near : Coupling::Kind::all);
 }
 
 /// Potential energy of a state in the parts that the tests of energy need.

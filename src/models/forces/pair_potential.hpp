@@ -89,6 +89,12 @@ typename AnyPotentialOf<T, BuiltInPotentials>::Type potential_of(const ComposedP
 
 }  // namespace detail
 
+/// Masses or charges.
+inline bool takes_properties(const ComposedPairs& pairs) {
+    const PotentialInfo* const built_in = built_in_potential(pairs.potential);
+    return built_in ? built_in->weight != PotentialInfo::Weight::none : pairs.expression->takes_properties;
+}
+
 /// Any pair potential in number type T, divided by the unit of mass and multiplied by the product of masses or charges
 /// that it takes.
 template <class T>

@@ -34,7 +34,7 @@ ComposedPairs pairs_of(const PairTerm& term, const SceneParticles& particles) {
 
 /// Where springs hold particles near their positions, displacements are counted from these.
 bool counts_from_positions(const Scene& scene) {
-    return scene.pairs.empty() && !scene.springs.empty() && scene.box.value() == Vec3{};
+    return !scene.has_potentials() && !scene.springs.empty() && scene.box.value() == Vec3{};
 }
 
 ComposedSpring spring_of(const SpringTerm& term, const ScenePair& pair, const SceneParticles& particles, Vec3 box,
@@ -57,11 +57,33 @@ ComposedSpring spring_of(const SpringTerm& term, const ScenePair& pair, const Sc
     return spring;
 }
 
+/// The potential of a term of springs, and the pairs that these join.
+ComposedPairs pairs_of(const SpringTerm& term, const SceneParticles& particles) {
+    ComposedPairs pairs = pair_force_of(*term.potential, particles[0].mass);
+    each_spring(particles, term, [&](const ScenePair& pair) {
+        const auto [lower, upper] = std::minmax(pair.first, pair.second);
+        pairs.listed.push_back({static_cast<std::uint32_t>(lower), static_cast<std::uint32_t>(upper)});
+    });
+    for (const auto& ends : pairs.listed) pairs.first.insert(pairs.first.end(), ends.begin(), ends.end());
+    std::sort(pairs.first.begin(), pairs.first.end());
+    pairs.first.erase(std::unique(pairs.first.begin(), pairs.first.end()), pairs.first.end());
+    return pairs;
+}
+
+SpringTerm dashpots_of(SpringTerm term) {
+    term.potential.reset();
+    term.k = term.quadratic = term.cubic = 0;
+    return term;
+}
+
 void add_springs(const Scene& scene, const SceneParticles& particles, Composition& composition) {
     for (const SpringTerm& term : scene.springs) {
+        if (term.potential) composition.pairs.push_back(pairs_of(term, particles));
+        if (term.potential && term.damping.value == 0) continue;
+        const SpringTerm law = term.potential ? dashpots_of(term) : term;
         each_spring(particles, term, [&](const ScenePair& pair) {
             composition.springs.push_back(
-                spring_of(term, pair, particles, composition.box, counts_from_positions(scene)));
+                spring_of(law, pair, particles, composition.box, counts_from_positions(scene)));
         });
     }
 }

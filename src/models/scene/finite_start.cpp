@@ -6,6 +6,7 @@
 #include "models/potentials/list.hpp"
 #include "models/scene/composer.hpp"
 #include "models/scene/potential_expression.hpp"
+#include "models/scene/spring_list.hpp"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,9 @@ std::vector<IndexRange> ranges_named(const std::vector<std::string>& names, cons
 }
 
 Vec3 start_of(const SceneParticle& particle) { return particle.position + particle.displacement; }
+
+/// Of each set of a pair force: asked for each run of an ensemble, 10 000 pairs take a millisecond.
+constexpr std::size_t most_asked = 100;
 
 /// A pair potential that is asked at single distances.
 class AskedPotential {
@@ -82,6 +86,19 @@ void check_finite(const FieldTerm& term, const SceneParticles& particles) {
     }
 }
 
+void check_finite(const SpringTerm& term, const SceneParticles& particles, Vec3 box) {
+    if (!term.potential || built_in_potential(term.potential->potential)) return;
+    const AskedPotential potential(*term.potential, box);
+    std::size_t asked = 0;
+    each_spring(particles, term, [&](const ScenePair& pair) {
+        const auto [lower, upper] = std::minmax(pair.first, pair.second);
+        const SceneParticle one = particles[lower], other = particles[upper];
+        if (asked == 0 && !potential.is_finite_somewhere(one, other))
+            throw UsageError("the potential is finite at no distance r");
+        if (asked++ < most_asked * most_asked) potential.check(lower, one, upper, other);
+    });
+}
+
 void check_finite(const PairTerm& term, const SceneParticles& particles, Vec3 box) {
     if (built_in_potential(term.potential)) return;
     const std::vector<IndexRange> ranges = ranges_named(term.between, particles);
@@ -92,10 +109,8 @@ void check_finite(const PairTerm& term, const SceneParticles& particles, Vec3 bo
         throw UsageError(
             fmt::format("the potential is not finite at its cutoff, r = {}", exact_text(potential.cutoff())));
     if (!potential.is_finite_somewhere(one, other)) throw UsageError("the potential is finite at no distance r");
-    constexpr std::size_t most =
-        100;  // of each set: asked for each run of an ensemble, 10 000 pairs take a millisecond
-    const std::size_t step = std::max<std::size_t>(1, first.count / most),
-                      other_step = std::max<std::size_t>(1, second.count / most);
+    const std::size_t step = std::max<std::size_t>(1, first.count / most_asked),
+                      other_step = std::max<std::size_t>(1, second.count / most_asked);
     for (std::size_t i = first.first; i < first.first + first.count; i += step) {
         const SceneParticle here = particles[i];
         for (std::size_t j = second.first; j < second.first + second.count; j += other_step) {

@@ -10,6 +10,7 @@ void check_finite(const FieldTerm& term, const SceneParticles& particles);
 
 /// The same of a pair potential that is an expression: where pairs start, of many pairs a part of them, at its cut-off,
 /// and whether there is any distance at which it is finite. In a box of these sides, 0: none.
+void check_finite(const SpringTerm& term, const SceneParticles& particles, Vec3 box);
 void check_finite(const PairTerm& term, const SceneParticles& particles, Vec3 box);
 
 }  // namespace steplab

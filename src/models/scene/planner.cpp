@@ -53,7 +53,7 @@ bool is_open(const Scene& scene) {
 }
 
 bool is_linear(const SpringTerm& term) {
-    return term.damping.value == 0 && term.quadratic.value == 0 && term.cubic.value == 0;
+    return term.damping.value == 0 && term.quadratic.value == 0 && term.cubic.value == 0 && !term.potential;
 }
 
 std::unique_ptr<Plan> made(double mass, double drag, const Forces& forces, const Lattice& reference, Start start) {

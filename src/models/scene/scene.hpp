@@ -5,6 +5,8 @@
 #include "models/scene/starting_values.hpp"
 #include "models/scene/written_number.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -103,19 +105,6 @@ struct Fix {
     bool operator==(const Fix&) const = default;
 };
 
-/// Springs of one kind: F = -(k e + quadratic e^2 + cubic e^3) of the extension e, and -damping times the relative
-/// velocity along the spring.
-struct SpringTerm {
-    enum class Along { axes, diagonals, both };
-    std::string between = {};  ///< a group: neighbours of its line or grid; empty: none
-    Along along = Along::axes;
-    std::vector<std::pair<std::string, std::string>> pairs = {};
-    WrittenNumber k;
-    std::optional<WrittenNumber> length = {};  ///< none: the distance in the reference positions
-    WrittenNumber damping = 0, quadratic = 0, cubic = 0;
-    bool operator==(const SpringTerm&) const = default;
-};
-
 /// A force between all pairs of one group, or across two.
 struct PairTerm {
     std::vector<std::string> between = {};  ///< none: all particles
@@ -124,6 +113,20 @@ struct PairTerm {
     std::map<std::string, double> parameters = {};  ///< of the scene, that the expression uses
     std::optional<WrittenNumber> cutoff = {};
     bool operator==(const PairTerm&) const = default;
+};
+
+/// Springs of one kind: F = -(k e + quadratic e^2 + cubic e^3) of the extension e, and -damping times the relative
+/// velocity along the spring.
+struct SpringTerm {
+    enum class Along { axes, diagonals, both };
+    std::string between = {};  ///< a group: neighbours of its line or grid; empty: none
+    Along along = Along::axes;
+    std::vector<std::pair<std::string, std::string>> pairs = {};
+    WrittenNumber k = 0;
+    std::optional<WrittenNumber> length = {};  ///< none: the distance in the reference positions
+    WrittenNumber damping = 0, quadratic = 0, cubic = 0;
+    std::optional<PairTerm> potential = {};  ///< in place of k, length, quadratic, cubic: V(r), between the ends alone
+    bool operator==(const SpringTerm&) const = default;
 };
 
 /// What acts on each particle from outside.
@@ -167,6 +170,11 @@ struct Scene {
     SceneStart start = {};
 
     std::size_t count() const;
+    /// Forces that follow from distances alone, of pairs or along springs.
+    bool has_potentials() const {
+        return !pairs.empty() || std::any_of(springs.begin(), springs.end(),
+                                             [](const SpringTerm& term) { return term.potential.has_value(); });
+    }
     bool operator==(const Scene&) const = default;
 };
 

@@ -1,14 +1,17 @@
 #include "models/scene/scene_facts.hpp"
 
+#include "models/forces/pair_potential.hpp"
 #include "models/scene/composer.hpp"
 #include "models/scene/pair_well.hpp"
 #include "models/scene/scene_particles.hpp"
 #include "models/scene/spring_list.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace steplab {
@@ -43,10 +46,53 @@ double distance_of(Vec3 first, Vec3 second, const Shape& space) {
     return distance > 1e-12 * (length(first) + length(second)) ? distance : 0;
 }
 
+/// Over which the force of a bond changes by a factor e, where that is known.
+double bond_width(const PairTerm& term) {
+    if (term.potential != "morse") return infinity;
+    return std::sqrt(2 * term.values.at("D").value / term.values.at("k").value);
+}
+
+/// The wells of a potential along springs, each looked for once.
+class SpringWells {
+public:
+    explicit SpringWells(const PairTerm& term) : term_(term), of_each_(takes_properties(pair_force_of(term, 1))) {}
+
+    const std::optional<PairWell>& between(const SceneParticle& one, const SceneParticle& other) {
+        const Key key = of_each_ ? Key{one.mass, other.mass, one.charge, other.charge} : Key{1, 1, 1, 1};
+        const auto found = wells_.find(key);
+        if (found != wells_.end()) return found->second;
+        if (wells_.size() == most) return wells_.begin()->second;
+        return wells_.emplace(key, pair_well(term_, {key[0], key[1], key[2], key[3]})).first->second;
+    }
+
+private:
+    using Key = std::array<double, 4>;
+    static constexpr std::size_t most = 100;  // of as many kinds
+
+    const PairTerm& term_;
+    bool of_each_;
+    std::map<Key, std::optional<PairWell>> wells_;
+};
+
+void add_spring_wells(const SpringTerm& term, const SceneParticles& particles, Bonds& bonds) {
+    SpringWells wells(*term.potential);
+    each_spring(particles, term, [&](const ScenePair& pair) {
+        const auto [lower, upper] = std::minmax(pair.first, pair.second);
+        const SceneParticle one = particles[lower], other = particles[upper];
+        if (const auto& well = wells.between(one, other))
+            bonds.add(well->distance, well->stiffness, inverse_mass(one) + inverse_mass(other),
+                      bond_width(*term.potential));
+    });
+}
+
 void add_springs(const Scene& scene, const SceneParticles& particles, Bonds& bonds) {
     Shape space;
     space.box = scene.box.value();
     for (const SpringTerm& term : scene.springs) {
+        if (term.potential) {
+            add_spring_wells(term, particles, bonds);
+            continue;
+        }
         each_spring(particles, term, [&](const ScenePair& pair) {
             const SceneParticle first = particles[pair.first], second = particles[pair.second];
             const double length =
@@ -77,12 +123,6 @@ Charges charges_of(const SceneParticles& particles, IndexRange range) {
         lightest.inverse = std::max(lightest.inverse, inverse);
     }
     return charges;
-}
-
-/// Over which the force of a bond changes by a factor e, where that is known.
-double bond_width(const PairTerm& term) {
-    if (term.potential != "morse") return infinity;
-    return std::sqrt(2 * term.values.at("D").value / term.values.at("k").value);
 }
 
 void add_pairs(const PairTerm& term, const SceneParticles& particles, Bonds& bonds) {

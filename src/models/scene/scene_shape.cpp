@@ -102,7 +102,7 @@ double mean_nearest(const std::vector<Vec3>& places) {
 
 Shape shape_of(const Scene& scene) {
     const SceneParticles particles(scene, SceneParticles::Ask::places);
-    const bool roaming = scene.springs.empty() || !scene.pairs.empty();
+    const bool roaming = scene.springs.empty() || scene.has_potentials();
     Shape shape;
     for (std::size_t i = 0; i < particles.count(); ++i) {
         const SceneParticle particle = particles[i];

@@ -124,8 +124,9 @@ const ComposedPairs* only_pair(const Plan& plan) {
     if (!alone) return nullptr;
     const ComposedPairs& pair = terms.pairs.front();
     const bool inverse = pair.potential == "gravity" || pair.potential == "coulomb";
-    const bool whole = pair.first.size() + pair.second.size() == 2;                        // not a particle with itself
-    return inverse && whole && pair.values[1] == 0 && pair.cutoff == 0 ? &pair : nullptr;  // 1: the softening
+    const bool whole = pair.first.size() + pair.second.size() == 2;                       // not a particle with itself
+    const bool once = whole && pair.listed.size() < 2;                                    // not two springs
+    return inverse && once && pair.values[1] == 0 && pair.cutoff == 0 ? &pair : nullptr;  // 1: the softening
 }
 
 /// The factor of 1 / r^2 in the force of attraction.

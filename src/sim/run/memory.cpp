@@ -83,6 +83,10 @@ double pairs(const ComposedForces& forces, const Plan& scene) {
     double sum = static_cast<double>(terms.springs.size());
     for (const ComposedPairs& set : terms.pairs) {
         const double first = static_cast<double>(set.first.size()), second = static_cast<double>(set.second.size());
+        if (!set.listed.empty()) {
+            sum += static_cast<double>(set.listed.size());
+            continue;
+        }
         const double all = set.second.empty() ? first * first / 2 : first * second;
         const double near = set.cutoff > 0 ? partners_within(set.cutoff, scene) / static_cast<double>(terms.count) : 1;
         sum += all * std::min(1.0, near);
@@ -90,14 +94,17 @@ double pairs(const ComposedForces& forces, const Plan& scene) {
     return sum;
 }
 
-/// The springs of a scene where nothing else acts between particles, unless there are so many particles that no linear
-/// system of them is solved.
+/// The springs of a scene where nothing else acts between particles, whatever their law, unless there are so many
+/// particles that no linear system of them is solved.
 std::vector<std::array<std::uint32_t, 2>> bonds_of(const ComposedForces& forces) {
     constexpr std::size_t most = 20'000;
     const Composition& terms = *forces.terms;
     std::vector<std::array<std::uint32_t, 2>> bonds;
-    if (!terms.pairs.empty() || terms.count > most) return bonds;
+    const bool all_listed = std::all_of(terms.pairs.begin(), terms.pairs.end(),
+                                        [](const ComposedPairs& set) { return !set.listed.empty(); });
+    if (!all_listed || terms.count > most) return bonds;
     for (const ComposedSpring& spring : terms.springs) bonds.push_back({spring.first, spring.second});
+    for (const ComposedPairs& set : terms.pairs) bonds.insert(bonds.end(), set.listed.begin(), set.listed.end());
     return bonds;
 }
 template <class Other>
@@ -120,17 +127,19 @@ double bytes_of_neighbours(double particles, double within_reach) {
     return particles * (7 * std::min(particles, within_reach) + 100);
 }
 
+/// Of a vector that grows by doubling.
+double grown(std::size_t count) { return static_cast<double>(std::bit_ceil(count)); }
+
+/// Springs with a potential: in the scene, and in the engines of the stepper and of the energy.
 double bytes_of_set(const ComposedPairs& set, const Composition& terms, const Plan& scene) {
     const auto particles = static_cast<double>(terms.count);
+    if (!set.listed.empty()) return 3 * sizeof(set.listed.front()) * grown(set.listed.size());
     if (set.cutoff == 0) return 60 * particles;  // masses and charges of rows
     const double within_reach = partners_within(reach * set.cutoff, scene);
     PairForce<double> engine(set, terms, std::make_shared<Team>(1));
     return engine.clusters() ? bytes_of_clusters(particles, within_reach)
                              : bytes_of_neighbours(particles, within_reach);
 }
-
-/// Of a vector that grows by doubling.
-double grown(std::size_t count) { return static_cast<double>(std::bit_ceil(count)); }
 
 /// Springs of the scene, once more in the order in which they are stepped; their formulas in the engines of the stepper
 /// and of the energy, rows of both ends, and what is held while these are made.

@@ -47,7 +47,11 @@ struct SourceOf {
     }
 };
 
+std::uint32_t first_of(const ComposedPairs& pairs) {
+    return pairs.listed.empty() ? pairs.first.front() : pairs.listed.front()[0];
+}
 std::uint32_t second_of(const ComposedPairs& pairs) {
+    if (!pairs.listed.empty()) return pairs.listed.front()[1];
     return pairs.second.empty() ? pairs.first.at(1) : pairs.second.front();
 }
 
@@ -56,20 +60,15 @@ PairProperties<double> properties_of(const PairSource& source, const ComposedPai
     const auto of = [](const std::vector<double>& values, std::uint32_t particle, double otherwise) {
         return values.empty() ? otherwise : values[particle];
     };
-    const std::uint32_t first = pairs.first.front(), second = second_of(pairs);
+    const std::uint32_t first = first_of(pairs), second = second_of(pairs);
     return {of(source.masses, first, 1), of(source.masses, second, 1), of(source.charges, first, 0),
             of(source.charges, second, 0)};
-}
-
-bool takes_properties(const ComposedPairs& pairs) {
-    const PotentialInfo* const built_in = built_in_potential(pairs.potential);
-    return built_in ? built_in->weight != PotentialInfo::Weight::none : pairs.expression->takes_properties;
 }
 
 std::string name_of(const ComposedPairs& pairs) {
     std::string name = pairs.potential.empty() ? "expression" : pairs.potential;
     if (!takes_properties(pairs)) return name;
-    return fmt::format("{} of particles {} and {}", name, pairs.first.front(), second_of(pairs));
+    return fmt::format("{} of particles {} and {}", name, first_of(pairs), second_of(pairs));
 }
 
 /// Where a minimum below 0 shows what the force is like, around that; else over the distances that the scene has at its
@@ -99,6 +98,7 @@ PairLaw law_of(const PairSource& source, const ComposedPairs& pairs) {
     law.cutoff = pairs.cutoff;
     law.first = pairs.first;
     law.second = pairs.second;
+    law.listed = pairs.listed;
     law.energy = [=, unit = source.unit](double r) {
         return within(r) ? unit * potential->energy(r * r, properties) : 0;
     };
@@ -147,8 +147,24 @@ std::vector<PairLaw> pair_laws(const RunDescription& description) {
     return laws;
 }
 
+namespace {
+
+constexpr std::size_t most_computed = 30'000;  // in about a millisecond
+
+std::vector<double> listed_distances(const PairLaw& law, const Frame& frame) {
+    const std::size_t step = law.listed.size() / most_computed + 1;
+    std::vector<double> distances;
+    for (std::size_t k = 0; k < law.listed.size(); k += step) {
+        const auto [i, j] = law.listed[k];
+        distances.push_back(length(frame.shape->nearest(frame.positions[j] - frame.positions[i])));
+    }
+    return distances;
+}
+
+}  // namespace
+
 std::vector<double> distances_now(const PairLaw& law, const Frame& frame, std::size_t most) {
-    constexpr std::size_t most_computed = 30'000;  // in about a millisecond
+    if (!law.listed.empty()) return thinned(listed_distances(law, frame), most);
     const std::vector<std::uint32_t>& partners = law.second.empty() ? law.first : law.second;
     const std::size_t centres = std::min(law.first.size(), std::max<std::size_t>(1, most_computed / partners.size()));
     const bool all = centres == law.first.size();

@@ -3,6 +3,7 @@
 #include "core/frame.hpp"
 #include "sim/run/run_description.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -19,9 +20,11 @@ struct PairLaw {
     double farthest = 0;  ///< [m] up to where it is worth plotting
     std::function<double(double)> energy, force;  ///< V(r) [J]; -V'(r) [N], positive where particles push each other
     std::vector<std::uint32_t> first, second;     ///< particles; second empty: pairs within the first
+    std::vector<std::array<std::uint32_t, 2>> listed = {};  ///< the only pairs, where it is a law of springs
 };
 
-/// The pair forces of a scene, springs left out. Throws UsageError where the scene cannot be stepped.
+/// The pair forces of a scene, of springs those with a potential of their own. Throws UsageError where the scene cannot
+/// be stepped.
 std::vector<PairLaw> pair_laws(const RunDescription& description);
 
 /// Distances of pairs between which the force acts, nearest images where space is periodic, ascending: of all of them,

@@ -66,46 +66,59 @@ Real change(F f, Real r) {
 
 }  // namespace
 
+void PlainScene::add_law(const SpringTerm& term, std::size_t i, std::size_t j, PlainForces& sum) const {
+    const PlainParticle &a = particles_[i], &b = particles_[j];
+    const Real rest = term.length ? Real(term.length->value) : length(nearest(b.reference - a.reference));
+    const Real3 d = nearest(b.position - a.position);
+    const Real r = length(d), e = r - rest, k = term.k.value, q = term.quadratic.value, c = term.cubic.value;
+    const Real stiffness = k + 2 * std::abs(q * e) + 3 * std::abs(c) * e * e;
+    pull_both(sum, i, j, k * e + q * e * e + c * e * e * e, stiffness * (r + rest), d);
+    sum.energy += k * e * e / 2 + q * e * e * e / 3 + c * e * e * e * e / 4;
+    sum.energy_size += std::abs(e) * stiffness * (r + rest);
+}
+
 void PlainScene::add_springs(const SpringTerm& term, PlainForces& sum) const {
     for (const auto& [first, second] : term.pairs) {
         const std::size_t i = named(first).front(), j = named(second).front();
         const PlainParticle &a = particles_[i], &b = particles_[j];
         if (a.fixed && b.fixed) continue;
-        const Real rest = term.length ? Real(term.length->value) : length(nearest(b.reference - a.reference));
         const Real3 d = nearest(b.position - a.position);
-        const Real r = length(d), e = r - rest, k = term.k.value, q = term.quadratic.value, c = term.cubic.value;
-        const Real stiffness = k + 2 * std::abs(q * e) + 3 * std::abs(c) * e * e;
-        pull_both(sum, i, j, k * e + q * e * e + c * e * e * e, stiffness * (r + rest), d);
+        const Real r = length(d);
+        if (term.potential)
+            add_pair(*term.potential, std::min(i, j), std::max(i, j), sum);
+        else
+            add_law(term, i, j, sum);
         const Real opening = dot(b.velocity - a.velocity, d) / r, damping = term.damping.value;
         pull_both(sum, i, j, damping * opening, damping * length(b.velocity - a.velocity), d);
-        sum.energy += k * e * e / 2 + q * e * e * e / 3 + c * e * e * e * e / 4;
-        sum.energy_size += std::abs(e) * stiffness * (r + rest);
     }
 }
 
-void PlainScene::add_pairs(const PairTerm& term, PlainForces& sum) const {
+void PlainScene::add_pair(const PairTerm& term, std::size_t i, std::size_t j, PlainForces& sum) const {
     const PairFormula& formula = pair_formula(term.potential);
     PlainValues values = formula.values;
     for (const auto& [name, value] : term.values) values[name] = value.value;
+    const Real cutoff = term.cutoff ? Real(term.cutoff->value) : 0;
+    const PlainParticle &a = particles_[i], &b = particles_[j];
+    if (a.fixed && b.fixed) return;
+    const Real3 d = nearest(b.position - a.position);
+    const Real r = length(d);
+    if (cutoff > 0 && r >= cutoff) return;
+    const auto energy = [&](Real at) { return formula.energy(at, values, a, b); };
+    const auto slope = [&](Real at) { return formula.slope(at, values, a, b); };
+    const Real there = cutoff > 0 ? slope(cutoff) : 0, level = cutoff > 0 ? energy(cutoff) : 0;
+    Real size = std::abs(slope(r)) + std::abs(there) + change(slope, r);
+    if (formula.terms) size += formula.terms(r, values, a, b);
+    pull_both(sum, i, j, slope(r) - there, size, d);
+    sum.energy += energy(r) - level - (cutoff > 0 ? (r - cutoff) * there : 0);
+    sum.energy_size += std::abs(energy(r)) + std::abs(level) + std::abs(there) * cutoff + change(energy, r);
+}
+
+void PlainScene::add_pairs(const PairTerm& term, PlainForces& sum) const {
     const std::string first = term.between.empty() ? "all" : term.between[0];
     const std::string second = term.between.size() < 2 ? first : term.between[1];
-    const Real cutoff = term.cutoff ? Real(term.cutoff->value) : 0;
     for (const std::size_t i : named(first)) {
         for (const std::size_t j : named(second)) {
-            if (first == second && j <= i) continue;
-            const PlainParticle &a = particles_[i], &b = particles_[j];
-            if (a.fixed && b.fixed) continue;
-            const Real3 d = nearest(b.position - a.position);
-            const Real r = length(d);
-            if (cutoff > 0 && r >= cutoff) continue;
-            const auto energy = [&](Real at) { return formula.energy(at, values, a, b); };
-            const auto slope = [&](Real at) { return formula.slope(at, values, a, b); };
-            const Real there = cutoff > 0 ? slope(cutoff) : 0, level = cutoff > 0 ? energy(cutoff) : 0;
-            Real size = std::abs(slope(r)) + std::abs(there) + change(slope, r);
-            if (formula.terms) size += formula.terms(r, values, a, b);
-            pull_both(sum, i, j, slope(r) - there, size, d);
-            sum.energy += energy(r) - level - (cutoff > 0 ? (r - cutoff) * there : 0);
-            sum.energy_size += std::abs(energy(r)) + std::abs(level) + std::abs(there) * cutoff + change(energy, r);
+            if (first != second || j > i) add_pair(term, i, j, sum);
         }
     }
 }

@@ -78,6 +78,8 @@ public:
 private:
     std::vector<std::size_t> named(const std::string& name) const;
     void add_springs(const SpringTerm& term, PlainForces& sum) const;
+    void add_law(const SpringTerm& term, std::size_t i, std::size_t j, PlainForces& sum) const;
+    void add_pair(const PairTerm& term, std::size_t i, std::size_t j, PlainForces& sum) const;
     void add_pairs(const PairTerm& term, PlainForces& sum) const;
     void add_field(const FieldTerm& term, PlainForces& sum) const;
     Real3 nearest(Real3 d) const;

@@ -86,6 +86,7 @@ private:
             if (chance(0.3)) term.quadratic = uniform(-1, 1);
             if (chance(0.3)) term.cubic = uniform(0, 2);
             if (wanted_.damped && chance(0.5)) term.damping = uniform(0.1, 2);
+            if (wanted_.laws && chance(0.7)) term.potential = written(any_formula());
             if (first != second) scene_.springs.push_back(std::move(term));
         };
         const int count = static_cast<int>(count_);
@@ -96,21 +97,29 @@ private:
         for (int i = 0; i < (wanted_.network ? 3 : 6); ++i) spring(any_particle(), any_particle());
     }
 
+    const PairFormula& any_formula() {
+        const auto& formulas = pair_formulas();
+        return formulas[static_cast<std::size_t>(whole(0, static_cast<int>(formulas.size()) - 1))];
+    }
+    static PairTerm written(const PairFormula& formula) {
+        PairTerm term;
+        term.potential = std::string(formula.text);
+        for (const auto& [name, value] : formula.values) term.values[name] = value;
+        return term;
+    }
+
     void add_pairs() {
         const int terms = wanted_.plain ? 1 : whole(2, 4);
         for (int t = 0; t < terms; ++t) {
-            const auto& formulas = pair_formulas();
             const PairFormula* formula = nullptr;
             const auto suits = [&] {
                 const bool weighted = formula->text.find_first_of("mq") != std::string_view::npos ||
                                       formula->text == "gravity" || formula->text == "coulomb";
                 return !wanted_.plain || formula->text == "morse" || !weighted;
             };
-            do formula = &formulas[static_cast<std::size_t>(whole(0, static_cast<int>(formulas.size()) - 1))];
+            do formula = &any_formula();
             while (!suits());
-            PairTerm term;
-            term.potential = std::string(formula->text);
-            for (const auto& [name, value] : formula->values) term.values[name] = value;
+            PairTerm term = written(*formula);
             if (formula->sided) {
                 term.between =
                     chance(0.5) ? std::vector<std::string>{"g0", "g1"} : std::vector<std::string>{"g1", "g0"};

@@ -18,6 +18,7 @@ struct RandomScene {
     int periodic = 0;        ///< along how many axes
     bool plain = false;      ///< one pair force without masses or charges, between all
     bool network = false;    ///< springs from each particle to its neighbours in number
+    bool laws = false;       ///< some springs with a pair potential in place of a law of their own
     bool damped = false;
     bool fields = true, fixed = true, spread = true;  ///< spread: masses differ
     bool rounded = true;                              ///< positions that float has exactly
@@ -36,6 +37,15 @@ inline constexpr RandomScene random_scenes[]{
     {.name = "many in a box", .least = 60, .most = 90, .cutoff = 2, .periodic = 3, .network = true, .damped = true},
     {.name = "clusters", .least = 105, .most = 120, .cutoff = 1.8, .plain = true},
     {.name = "clusters in a box", .least = 105, .most = 120, .cutoff = 1.8, .periodic = 3, .plain = true},
+    {.name = "potentials along springs", .most = 20, .pairs = false, .laws = true, .damped = true},
+    {.name = "potentials along springs, and pairs", .least = 4, .cutoff = 1.5, .laws = true},
+    {.name = "potentials along springs in a box",
+     .least = 30,
+     .most = 60,
+     .pairs = false,
+     .periodic = 2,
+     .network = true,
+     .laws = true},
     {.name = "one mass", .least = 10, .most = 40, .damped = true, .spread = false},
 };
 
