@@ -120,8 +120,27 @@ play_round() {
     resized $width $height "$lines" || { check_end && open_for_the_monkey; }
 }
 
+# rest: the window as it would be found at any time, the chain at its start, so that what it takes can be compared.
+rest() {
+    local lines at
+    for ((tries = 0; tries < 5; ++tries)); do
+        lines=$(wc -l <"$folder/trace")
+        resized 1000 700 "$lines" || return 1
+        xdotool mousemove 400 300 key Escape key Escape key Escape key ctrl+o 2>>"$folder/xdotool.log"
+        answered '^widget scenes.path [0-9]' "$lines" 5 || continue
+        at=$(grep -E '^widget scenes.path [0-9]' "$folder/trace" | tail -1 | cut -d' ' -f3,4)
+        lines=$(wc -l <"$folder/trace")
+        # shellcheck disable=SC2086  # two numbers
+        xdotool mousemove $at click 1 key ctrl+a type --delay 5 "$root/assets/scenes/chain.toml"
+        xdotool key Return
+        if answered '^widget scenes.path gone' "$lines" 5; then break; fi
+    done
+    sleep 2 # what is freed a moment later
+    resting+=("$(megabytes)")
+}
+
 number=0
-memory=()
+memory=() resting=()
 start_display 1300x820
 open_for_the_monkey
 begin=$SECONDS
@@ -129,7 +148,9 @@ while ((gestures > 0 ? number * per_round < gestures : SECONDS - begin < minutes
     ((++number))
     play_round
     memory+=("$(megabytes)")
+    if ((number % 25 == 0)) && ! rest; then check_end && open_for_the_monkey; fi
 done
+echo "memory at rest, every 25 rounds: ${resting[*]} MB"
 echo "$((number * per_round)) gestures with seed $seed in $((SECONDS - begin)) s"
 if memory_grows "${memory[@]}"; then give_up "its memory grows"; fi
 xdotool mousemove 400 300 key --clearmodifiers ctrl+q

@@ -52,6 +52,13 @@ public:
                             [](const Step& step) { return step.operation == Operation::choose; });
     }
 
+    /// True if it has roots or powers, which end where their argument is 0.
+    bool has_roots() const {
+        return std::any_of(steps.begin(), steps.end(), [](const Step& step) {
+            return step.operation == Operation::sqrt || step.operation == Operation::power;
+        });
+    }
+
     /// True if it only adds and multiplies: what it does anywhere is seen from everywhere.
     bool is_polynomial() const {
         return std::all_of(steps.begin(), steps.end(), [](const Step& step) {

@@ -1,15 +1,16 @@
 #include "io/shared_files.hpp"
 
+#include "core/installed_folders.hpp"
+
 #include <algorithm>
 #include <system_error>
 
 namespace steplab {
 
 std::vector<std::filesystem::path> shared_folders(const std::string& name) {
-    std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    return {(program.parent_path() / "../share/steplab" / name).lexically_normal(),
-            std::filesystem::path(STEPLAB_ASSETS_IN_SOURCE) / name};
+    std::vector<std::filesystem::path> folders = installed_folders(name);
+    folders.push_back(std::filesystem::path(STEPLAB_ASSETS_IN_SOURCE) / name);
+    return folders;
 }
 
 std::filesystem::path shared_file(const std::string& folder, const std::string& name) {

@@ -4,7 +4,8 @@
 
 namespace steplab::render {
 
-/// The vector font of all texts: Inter if it is installed, otherwise DejaVu Sans.
+/// The vector font of all texts: Inter if it is there, otherwise DejaVu Sans; before those of the system one that came
+/// with the program.
 struct FontFiles {
     std::string regular;  ///< path; empty if no font was found: use the font of Dear ImGui
     std::string strong;

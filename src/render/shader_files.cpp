@@ -1,6 +1,7 @@
 #include "render/shader_files.hpp"
 
 #include "core/error.hpp"
+#include "core/installed_folders.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +10,6 @@
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
-#include <dlfcn.h>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -19,17 +19,6 @@ namespace steplab::render {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The file that contains this code: the module or the program.
-fs::path own_file() {
-    Dl_info info{};
-    std::error_code none;
-    const bool known = dladdr(reinterpret_cast<const void*>(&shader_folders), &info) != 0 && info.dli_fname;
-    const fs::path program = fs::read_symlink("/proc/self/exe", none);
-    // For the program itself, dladdr gives the path on its command line, which is invalid after a change of folder.
-    const bool is_module = known && fs::path(info.dli_fname).is_absolute() && fs::path(info.dli_fname) != program;
-    return is_module ? fs::path(info.dli_fname) : program;
-}
 
 std::optional<std::string> text_of(const fs::path& path) {
     constexpr std::uintmax_t largest = 1 << 20;  // of a text that people write
@@ -127,10 +116,9 @@ void append(ShaderSource& source, const std::string& name, const std::vector<fs:
 
 std::vector<fs::path> shader_folders() {
     if (const char* chosen = std::getenv("STEPLAB_SHADERS")) return {chosen};
-    // Installed, a program is in bin/ and a module in lib/steplab/.
-    const fs::path folder = own_file().parent_path();
-    return {(folder / "../share/steplab/shaders").lexically_normal(),
-            (folder / "../../share/steplab/shaders").lexically_normal(), STEPLAB_SHADERS_IN_SOURCE};
+    std::vector<fs::path> folders = installed_folders("shaders");
+    folders.emplace_back(STEPLAB_SHADERS_IN_SOURCE);
+    return folders;
 }
 
 ShaderSource read_shader(const std::string& name, const std::vector<fs::path>& folders) {

@@ -82,6 +82,8 @@ public:
     explicit TimeOptions(std::uint64_t default_steps, Default given = Default::steps)
         : default_steps_(default_steps), default_(given) {}
     void declare(CLI::App& app);
+    /// Whether an option sets the end.
+    bool is_given() const { return !steps_.empty() || !until_.empty(); }
     /// Number of steps from the start. Throws UsageError.
     std::uint64_t steps(const RunDescription& description) const;
     /// Where the run ends: after --steps, or by run_end() at --until or the scene's end. Throws UsageError.

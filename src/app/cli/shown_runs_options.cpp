@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace steplab {
 namespace {
@@ -36,6 +37,11 @@ void ShownRunsOptions::declare(CLI::App& app) {
                 "Compare");
     text_option(app, "--magnify", magnify_, "F", "Draw ghosts F times as far from the first run (default 1)",
                 "Compare");
+}
+
+bool ShownRunsOptions::are_given() const {
+    const std::array names{"--run", "--layout", "--magnify"};
+    return std::any_of(names.begin(), names.end(), [this](const char* name) { return is_given(*app_, name); });
 }
 
 std::vector<RunDescription> ShownRunsOptions::runs(const RunDescription& scene) const {

@@ -12,6 +12,8 @@ namespace steplab {
 class ShownRunsOptions {
 public:
     void declare(CLI::App& app);
+    /// Whether one of them is given.
+    bool are_given() const;
     /// The runs, the leading one first: that of the scene alone where no --run is given. Throws UsageError.
     std::vector<RunDescription> runs(const RunDescription& scene) const;
     /// Sets what --layout and --magnify say. Throws UsageError, also where one of them is given without --run.

@@ -17,15 +17,20 @@ constexpr double most_frames = 1e8;
 
 }  // namespace
 
-FilmTimes::FilmTimes(const RunDescription& description, const RunEnd& end, double time, double spacing)
-    : dt_(rounded_to(description.precision, description.dt)), end_(end), spacing_(std::copysign(spacing, dt_)) {
-    const double frames = std::floor(time / spacing_ + tolerance) + 1;
+std::uint64_t film_frames(double seconds, double spacing) {
+    const double frames = std::floor(seconds / spacing + tolerance) + 1;
     if (!(frames <= most_frames)) {
         throw UsageError(fmt::format("a film of {} frames: at most {} are written; a larger --speed makes it shorter",
                                      typed(frames, 3), typed(most_frames)));
     }
-    count_ = static_cast<std::uint64_t>(frames);
+    return static_cast<std::uint64_t>(frames);
 }
+
+FilmTimes::FilmTimes(const RunDescription& description, const RunEnd& end, double time, double spacing)
+    : dt_(rounded_to(description.precision, description.dt)),
+      end_(end),
+      spacing_(std::copysign(spacing, dt_)),
+      count_(film_frames(time / std::copysign(1.0, dt_), spacing)) {}
 
 std::uint64_t FilmTimes::step(std::uint64_t frame) const {
     const double time = static_cast<double>(frame) * spacing_;

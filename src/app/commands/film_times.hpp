@@ -8,6 +8,10 @@
 
 namespace steplab {
 
+/// How many frames show so many seconds of a run, one every `spacing` from the first moment on. Throws UsageError for
+/// more frames than anyone can watch.
+std::uint64_t film_frames(double seconds, double spacing);
+
 /// The moments of a film: frame k at time k times a spacing, from 0 to the end of the run.
 class FilmTimes {
 public:

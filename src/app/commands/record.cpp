@@ -10,6 +10,7 @@
 #include "app/commands/film_options.hpp"
 #include "app/commands/film_times.hpp"
 #include "app/commands/pictured_ensemble.hpp"
+#include "app/commands/pictured_frames.hpp"
 #include "app/commands/pictured_runs.hpp"
 #include "app/film/film.hpp"
 #include "app/offscreen/modules.hpp"
@@ -24,6 +25,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,7 +37,8 @@ constexpr const char* record_examples =
     "Examples:\n"
     "  steplab record --model mesh --until 20 --out mesh.mp4\n"
     "  steplab record --model rope --until 5 --run dt=0.01 --run method=euler,dt=0.05 --out rope.webm\n"
-    "  steplab record --scene figure-eight --speed 0.5 --out frames/%05d.png\n\n";
+    "  steplab record --scene figure-eight --speed 0.5 --out frames/%05d.png\n"
+    "  steplab record --trajectory drop.lammpstrj --speed 5 --colour column:c_pe --out drop.mp4\n\n";
 
 class RecordCommand final : public Command {
 public:
@@ -48,10 +51,16 @@ public:
         film_.declare(app);
         runs_.declare(app);
         ensemble_.declare(app);
+        text_option(app, "--trajectory", trajectory_, "FILE",
+                    "Draw the frames of a trajectory, CSV or XYZ file or a LAMMPS dump, up to --steps or --until",
+                    "Scene");
         footer(app, [] { return record_examples + catalogue_hint(); });
     }
 
-    int run() override {
+    int run() override { return trajectory_.empty() ? record_runs() : record_frames(); }
+
+private:
+    int record_runs() {
         const std::vector<RunDescription> runs = runs_.runs(scene_.description());
         const RunDescription& description = runs.front();
         const RunEnd end = time_.end(description);
@@ -65,7 +74,11 @@ public:
         Offscreen offscreen(film_.gl());
         const std::unique_ptr<Film> film = make_film(format);
         PicturedRuns pictured(runs, times.end(), std::move(request), std::move(ensemble), "steplab record");
-        const std::uint64_t frames = write(pictured, times, offscreen, *film);
+        const auto go_to = [&](std::uint64_t frame) -> std::optional<bool> {
+            if (pictured.is_over()) return std::nullopt;
+            return pictured.go_to(times.step(frame));
+        };
+        const std::uint64_t frames = write(pictured, times.count(), go_to, offscreen, *film);
         for (const std::string& note : pictured.notes()) print_note("steplab record", note);
         if (const auto note = times.note()) print_note("steplab record", *note);
         print_result(frames, format.fps, offscreen.kind());
@@ -73,29 +86,52 @@ public:
         return static_cast<int>(ExitCode::done);
     }
 
-private:
-    /// Every frame, to the last or to that of the leading run's last good step. Returns their number.
-    static std::uint64_t write(PicturedRuns& pictured, const FilmTimes& times, Offscreen& offscreen, Film& film) {
+    int record_frames() {
+        if (scene_.any_given() || ensemble_.is_given() || runs_.are_given()) refuse_scene_beside(trajectory_);
+        catch_interruptions();
+        const PlayedStart start = played_start(trajectory_);
+        PictureRequest request = film_.request(start.run);
+        check_column(request.style, start.columns);
+        const FilmFormat format = film_.format(request.size);
+        Offscreen offscreen(film_.gl());
+        PicturedFrames played(trajectory_, std::move(request), "steplab record");
+        const double spacing = film_.spacing();
+        const double length = time_.is_given() ? played.length_to(time_.end(start.run)) : played.length();
+        const std::uint64_t count = film_frames(length, spacing);
+        const std::unique_ptr<Film> film = make_film(format);
+        const auto go_to = [&](std::uint64_t frame) -> std::optional<bool> {
+            return played.go_to(static_cast<double>(frame) * spacing);
+        };
+        print_result(write(played, count, go_to, offscreen, *film), format.fps, offscreen.kind());
+        return static_cast<int>(ExitCode::done);
+    }
+
+    /// Every frame of the film. `go_to` takes the pictures to that of a frame: false where that is the one before,
+    /// nothing where there are no more. Returns the number of frames.
+    template <class Pictures, class GoTo>
+    static std::uint64_t write(Pictures& pictures, std::uint64_t count, GoTo go_to, Offscreen& offscreen, Film& film) {
         Picture picture;
         std::uint64_t frame = 0;
         try {
-            for (; frame < times.count() && !pictured.is_over(); ++frame) {
-                const bool moved = pictured.go_to(times.step(frame));
-                if (moved) picture = offscreen.draw(pictured.request());
+            for (; frame < count; ++frame) {
+                const std::optional<bool> moved = go_to(frame);
+                if (!moved) break;
+                const bool repeated = !*moved && frame > 0;
+                if (!repeated) picture = offscreen.draw(pictures.request());
                 // That of a word such as `default` would be another one for each frame.
-                if (frame == 0) pictured.keep_camera(picture.camera);
-                film.add(picture, !moved);
+                if (frame == 0) pictures.keep_camera(picture.camera);
+                film.add(picture, repeated);
             }
             film.finish();
         } catch (const Interrupted&) {
-            pictured.end_progress();
+            pictures.end_progress();
             print_aside(fmt::format("steplab record: interrupted; {}\n", film.keep()));
             throw;
         } catch (const FileError& error) {
-            pictured.end_progress();
+            pictures.end_progress();
             throw FileError(fmt::format("{}; {}", error.what(), film.keep()));
         }
-        pictured.end_progress();
+        pictures.end_progress();
         return frame;
     }
 
@@ -110,6 +146,7 @@ private:
     FilmOptions film_;
     ShownRunsOptions runs_;
     EnsembleOptions ensemble_;
+    std::string trajectory_;
 };
 
 }  // namespace

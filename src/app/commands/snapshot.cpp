@@ -7,6 +7,7 @@
 #include "app/cli/shown_runs_options.hpp"
 #include "app/cli/standard_streams.hpp"
 #include "app/commands/pictured_ensemble.hpp"
+#include "app/commands/pictured_frames.hpp"
 #include "app/commands/pictured_runs.hpp"
 #include "app/commands/snapshot_options.hpp"
 #include "app/png.hpp"
@@ -15,7 +16,6 @@
 #include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/output_file.hpp"
-#include "session/playback.hpp"
 
 #include <fmt/format.h>
 
@@ -72,40 +72,21 @@ public:
 
 private:
     int draw_frame() {
-        if (scene_.any_given() || ensemble_.is_given())
-            throw UsageError(fmt::format("a frame of '{}' is drawn: the scene is that of its run", shown(trajectory_)));
+        if (scene_.any_given() || ensemble_.is_given() || runs_.are_given()) refuse_scene_beside(trajectory_);
         catch_interruptions();
-        PlayedStart start = played_start(trajectory_);
+        const PlayedStart start = played_start(trajectory_);
         const RunEnd end = time_.end(start.run);
         PictureRequest request = picture_.request(start.run);
         check_column(request.style, start.columns);
         OutputFile file(picture_.out());
         Offscreen offscreen(picture_.gl());
-        put_frame(end, request);
-        const Picture picture = offscreen.draw(request);
+        PicturedFrames frames(trajectory_, std::move(request));
+        frames.go_to(end);
+        const Picture picture = offscreen.draw(frames.request());
         file.write(encode_png(picture.size.width, picture.size.height, picture.rgba));
         file.commit();
-        if (!written_directly(picture_.out())) print_result(request.view, offscreen.kind());
+        if (!written_directly(picture_.out())) print_result(frames.request().view, offscreen.kind());
         return static_cast<int>(ExitCode::done);
-    }
-
-    /// The last one that is no later than this.
-    void put_frame(const RunEnd& end, PictureRequest& request) const {
-        Playback playback(trajectory_);
-        for (; playback.has_more(); playback.look_on()) check_interruption();
-        playback.handle(event::Track{request.style.selected});
-        if (request.style.forces) playback.handle(event::ShowForces{});
-        playback.handle(event::Magnify{request.style.displacements});
-        if (end.time) {
-            playback.handle(event::SeekTime{*end.time});
-        } else {
-            playback.handle(event::Seek{end.step});
-        }
-        SessionView view;
-        playback.observe(view);
-        request.view = std::move(view.leading);
-        request.playback = std::move(view.playback);
-        request.line = std::move(view.line);
     }
 
     void print_result(const RunView& view, const std::string& gl) const {

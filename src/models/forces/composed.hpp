@@ -95,8 +95,10 @@ public:
             if (turned_round(separation(from, i, j), separation(to, i, j)))
                 f(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
         };
-        for (PairForce<T>& force : pairs_)
-            force.each(particles_, from, [&](std::size_t i, std::size_t j, const Vec&, const T&) { look(i, j); });
+        for (PairForce<T>& force : pairs_) {
+            if (force.jumps_at_contact())
+                force.each(particles_, from, [&](std::size_t i, std::size_t j, const Vec&, const T&) { look(i, j); });
+        }
         for (const ComposedSpring& spring : terms().springs) look(spring.first, spring.second);
     }
     Vector<T> separation(const Field<T>& u, std::size_t i, std::size_t j) const {

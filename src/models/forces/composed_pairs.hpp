@@ -36,6 +36,7 @@ public:
           listed_(pairs.listed) {
         if (pairs.cutoff > 0) neighbours_.emplace(pairs.cutoff, of.box);
         takes_properties_ = steplab::takes_properties(pairs);
+        jumps_at_contact_ = PairPotential<double>(pairs, of.mass).jumps_at_contact();
         if constexpr (in_batches) {
             rows_ = PairRows<T>::of(pairs, of);
             if (goes_by_clusters(pairs, of)) clusters_.emplace(pairs.cutoff, of.box.x, pulls(pairs.expression), team);
@@ -43,6 +44,7 @@ public:
     }
 
     const PairPotential<T>& potential() const { return *potential_; }
+    bool jumps_at_contact() const { return jumps_at_contact_; }
 
     /// Of a pair, in the order in which the two sets are named.
     PairProperties<T> properties(const ComposedParticles<T>& particles, std::size_t i, std::size_t j) const {
@@ -150,26 +152,21 @@ private:
             return !condition;
     }
 
-    bool acts(const ComposedParticles<T>& particles, std::size_t i, std::size_t j) const {
-        return sides_.joins(i, j) && (particles.moves(i) || particles.moves(j));
-    }
-
     /// Calls f(i, j), i < j, for all pairs; of a force with a cut-off at least for those within it.
     template <class F>
     void each_candidate(const ComposedParticles<T>& particles, const Field<T>& u, F f) {
         if (!listed_.empty()) return each_listed(particles, f);
-        if (neighbours_) neighbours_->follow(u);
+        const auto visit = [&](std::size_t i, std::size_t j) {
+            if (particles.moves(i) || particles.moves(j)) f(i, j);
+        };
+        if (!neighbours_) return sides_.each(visit);
+        neighbours_->follow(u);
         for (std::size_t i = 0; i < sides_.count(); ++i) {
             if (!sides_.has(i)) continue;
-            const auto visit = [&](std::size_t j) {
-                if (acts(particles, i, j)) f(i, j);
-            };
-            if (neighbours_) {
-                const auto near = neighbours_->of(i);  // ascending
-                const auto behind = std::upper_bound(near.begin(), near.end(), static_cast<std::uint32_t>(i));
-                std::for_each(behind, near.end(), visit);
-            } else {
-                for (std::size_t j = i + 1; j < sides_.count(); ++j) visit(j);
+            const auto near = neighbours_->of(i);  // ascending
+            for (auto j = std::upper_bound(near.begin(), near.end(), static_cast<std::uint32_t>(i)); j != near.end();
+                 ++j) {
+                if (sides_.joins(i, *j)) visit(i, *j);
             }
         }
     }
@@ -177,7 +174,7 @@ private:
     template <class F>
     void each_listed(const ComposedParticles<T>& particles, F f) const {
         for (const auto& [i, j] : listed_) {
-            if (acts(particles, i, j)) f(std::size_t{i}, std::size_t{j});
+            if (particles.moves(i) || particles.moves(j)) f(std::size_t{i}, std::size_t{j});
         }
     }
 
@@ -262,6 +259,7 @@ private:
     std::optional<Neighbours> neighbours_;
     std::optional<std::vector<std::pair<std::uint32_t, std::uint32_t>>> held_;
     bool takes_properties_ = false;  ///< masses or charges
+    bool jumps_at_contact_ = true;
     /// Of number types that are not summed so.
     struct None {
         template <class Potential>

@@ -52,6 +52,12 @@ public:
         return weight_of(pair) * (uncut - N(energy_there_) + (at.length() - N(cutoff_)) * N(force_there_));
     }
 
+    /// What shifts a potential to a cut-off has a direction everywhere.
+    bool jumps_at_contact() const {
+        if constexpr (requires { potential_.jumps_at_contact(); }) return cut_ || potential_.jumps_at_contact();
+        return true;
+    }
+
 private:
     template <class N>
     N weight_of(const PairProperties<N>& pair) const {
@@ -125,6 +131,10 @@ public:
     template <class N>
     N energy(const N& distance2, const PairProperties<N>& pair) const {
         return visit([&](const auto& potential) { return potential.energy(distance2, pair); });
+    }
+    /// Whether the force changes its direction by a jump where two particles meet.
+    bool jumps_at_contact() const {
+        return visit([](const auto& potential) { return potential.jumps_at_contact(); });
     }
     /// V at distance 0, if it is finite there; else 0.
     T energy_of_coincident(const PairProperties<T>& pair) const {

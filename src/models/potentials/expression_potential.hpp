@@ -6,6 +6,7 @@
 #include "core/vector.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -49,6 +50,10 @@ public:
     template <class N>
     N factor(const N& distance2, const PairProperties<N>& pair) const {
         return results_of<T, 1>(of_->force, variables(distance2, pair))[0];
+    }
+    /// A factor that is a smooth function of r^2 is so at 0 if it is finite there.
+    bool jumps_at_contact() const {
+        return of_->force.has_roots() || !of_->force.is_smooth() || !std::isfinite(factor(T(0), {1, 1, 1, 1}));
     }
 
 private:

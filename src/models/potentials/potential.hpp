@@ -12,7 +12,8 @@ namespace steplab {
 /// made of that type,
 ///   energy(at)   V(r)
 ///   factor(at)   -V'(r) / r: the force on a particle is this times its distance vector from the other
-/// and, if it has a weight, factor(at, weight): the same times that.
+/// and, if it has a weight, factor(at, weight): the same times that; and, if the force may go to zero smoothly where
+/// two particles meet, jumps_at_contact(): whether it does not.
 struct PotentialInfo {
     struct Parameter {
         std::string_view name;

@@ -35,6 +35,9 @@ public:
         }
     }
 
+    /// Whether the force changes its direction by a jump where two particles meet.
+    bool jumps_at_contact() const { return !(softening2_ > T(0)); }
+
 private:
     template <class N>
     static constexpr bool is_series = requires(const N& number) {

@@ -26,7 +26,8 @@ void append_reference_error(std::vector<Line>& lines, const SessionErrors& error
     const bool late = errors.time < view.frame.time - 1e-9;
     lines.push_back({fmt::format("position error: {} (against a reference{})", with_unit(rounded_text(lead.error), "m"),
                                  late ? fmt::format(", at t = {} s", typed(errors.time, 4)) : "")});
-    if (lead.reference_error > 0.1 * lead.error)
+    const double rounding = 1e-13 * view.frame.shape->spacing;  // more accurate than that is accurate enough
+    if (lead.reference_error > std::max(rounding, 0.1 * lead.error))
         lines.push_back({"the reference is accurate to " + with_unit(rounded_text(lead.reference_error), "m") + " only",
                          colour::caution});
 }

@@ -1,9 +1,13 @@
 #include "models/forces/layouts.hpp"
+#include "models/scene/composer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,6 +75,46 @@ TEST(PassingPairs, of_pairs_are_any_two_within_reach) {
     EXPECT_EQ(passing(NearPairs<double>(near), from, to), (PairList{{3, 4}}));
     near.cutoff = 0.2;
     EXPECT_EQ(passing(NearPairs<double>(near), from, to), PairList{});
+}
+
+/// The pairs of two particles that change places, of a potential between all.
+PairList passing_of(ComposedPairs between) {
+    between.first = {0, 1};
+    auto terms = std::make_shared<Composition>();
+    terms->count = 2;
+    terms->pairs = {std::move(between)};
+    Field<double> from(2), to(2);
+    from.set(1, {0.5, 0, 0}), to.set(1, {-0.5, 0.1, 0});
+    return passing(Composed<double>(ComposedForces{2, 1, terms}), from, to);
+}
+ComposedPairs built_in(const std::string& potential, std::vector<double> values, double cutoff = 0) {
+    ComposedPairs term;
+    term.potential = potential;
+    term.values = std::move(values);
+    term.cutoff = cutoff;
+    return term;
+}
+ComposedPairs typed(const std::string& potential, std::optional<double> cutoff = {}) {
+    PairTerm term{.potential = potential};
+    if (cutoff) term.cutoff = *cutoff;
+    return pair_force_of(term, 1);
+}
+
+// A force that goes to zero smoothly where two particles meet goes on beyond.
+TEST(PassingPairs, of_composed_scenes_are_those_whose_force_jumps_where_they_meet) {
+    const PairList both{{0, 1}};
+    EXPECT_EQ(passing_of(built_in("gravity", {1, 0})), both);
+    EXPECT_EQ(passing_of(built_in("gravity", {1, 0.1})), PairList{});
+    EXPECT_EQ(passing_of(built_in("coulomb", {1, 0.1})), PairList{});
+    EXPECT_EQ(passing_of(built_in("gravity", {1, 0.1}, 2)), both) << "the shift has a direction";
+    EXPECT_EQ(passing_of(built_in("morse", {1, 1, 1})), both);
+    EXPECT_EQ(passing_of(built_in("lennard-jones", {1, 1})), both);
+    for (const char* const smooth : {"exp(-r^2)", "3*r^2", "-1/(1 + r^2)", "log(1 + r^4)"}) {
+        EXPECT_EQ(passing_of(typed(smooth)), PairList{}) << smooth;
+        EXPECT_EQ(passing_of(typed(smooth, 2)), both) << smooth;
+    }
+    for (const char* const jumping : {"r", "(r - 1)^2", "exp(-r)", "1/r^2", "abs(r^2 - 1)", "log(r)", "r^3", "r^1.5"})
+        EXPECT_EQ(passing_of(typed(jumping)), both) << jumping;
 }
 
 }  // namespace

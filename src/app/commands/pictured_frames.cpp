@@ -1,0 +1,70 @@
+#include "app/commands/pictured_frames.hpp"
+
+#include "core/error.hpp"
+#include "core/interruption.hpp"
+#include "core/shown.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <unistd.h>
+#include <utility>
+
+namespace steplab {
+
+void refuse_scene_beside(const std::string& trajectory) {
+    throw UsageError(fmt::format("frames of '{}' are drawn: the scene is that of its run", shown(trajectory)));
+}
+
+PicturedFrames::PicturedFrames(const std::string& file, PictureRequest request, std::string program)
+    : playback_(file),
+      request_(std::move(request)),
+      first_time_(playback_.frame().time),
+      progress_(1, isatty(STDERR_FILENO) != 0, std::move(program)) {
+    for (; playback_.has_more(); playback_.look_on()) check_interruption();
+    playback_.handle(event::Track{request_.style.selected});
+    if (request_.style.forces) playback_.handle(event::ShowForces{});
+    playback_.handle(event::Magnify{request_.style.displacements});
+    length_ = length_to({.step = std::numeric_limits<std::uint64_t>::max()});
+    if (playback_.frame().time < first_time_) direction_ = -1;
+    arrive(event::Restart{});
+}
+
+double PicturedFrames::length_to(const RunEnd& end) {
+    go_to(end);
+    return std::abs(playback_.frame().time - first_time_);
+}
+
+void PicturedFrames::go_to(const RunEnd& end) {
+    if (end.time)
+        arrive(event::SeekTime{*end.time});
+    else
+        arrive(event::Seek{end.step});
+}
+
+bool PicturedFrames::go_to(double elapsed) {
+    const std::uint64_t before = playback_.number();
+    playback_.handle(event::SeekTime{first_time_ + direction_ * elapsed});
+    if (length_ > 0) progress_.at_part(elapsed / length_);
+    if (playback_.number() == before) return false;
+    show();
+    return true;
+}
+
+void PicturedFrames::arrive(const Event& event) {
+    playback_.handle(event);
+    show();
+}
+
+/// Puts the frame at which it stands into the picture.
+void PicturedFrames::show() {
+    SessionView view;
+    playback_.observe(view);
+    request_.view = std::move(view.leading);
+    request_.playback = std::move(view.playback);
+    request_.line = std::move(view.line);
+}
+
+}  // namespace steplab
