@@ -40,6 +40,26 @@ TEST_F(Record, speed_and_rate_set_the_number_of_frames) {
     EXPECT_THAT(record(joined(recorded_chain, {"--steps", "0", "--out", "b.mp4"})).out, HasSubstr(": 1 frame, "));
 }
 
+// Frame k shows the last frame of the file that is no later than k / fps times the speed.
+TEST_F(Record, a_trajectory_is_drawn_as_its_single_frames_are) {
+    std::string text;
+    for (const int t : {0, 1, 2, 4})
+        text += "2\nProperties=species:S:1:pos:R:3:charge:R:1 Time=" + std::to_string(t) + "\nH 0 0 0 1\nH 1 0 " +
+                std::to_string(t) + " 2\n";
+    put_text(file("a.xyz"), text);
+    const Words look{"--trajectory", "a.xyz",   "--view",   "10,10,20,0,0,0",
+                     "--size",       "200x150", "--colour", "column:charge"};
+    const Outcome outcome = record(joined(look, {"--fps", "2", "--speed", "2", "--out", "film%d.png"}));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(": 5 frames, 2.5 s, 200x150 pixels"));
+    EXPECT_EQ(bytes("film2.png"), bytes("film3.png")) << "nothing new at t = 3";
+    EXPECT_NE(bytes("film3.png"), bytes("film4.png"));
+    EXPECT_THAT(record(joined(look, {"--until", "2", "--out", "b.mp4"})).out, HasSubstr(": 61 frames, "));
+    EXPECT_EQ(record(joined(look, {"--run", "method=rk4", "--out", "c.mp4"})).code, 2) << "it is not run";
+    EXPECT_EQ(record(joined(look, {"--model", "chain", "--out", "c.mp4"})).code, 2);
+    EXPECT_EQ(record({"--trajectory", "none.xyz", "--out", "c.mp4"}).code, 3);
+}
+
 TEST_F(Record, sides_of_a_film_may_be_odd_where_its_format_allows_it) {
     const auto with_size = [&](const std::string& name) {
         return record({"--until", "0.1", "--size", "101x75", "--out", name});

@@ -127,8 +127,8 @@ TEST_F(Scripts, system_without_apt_is_told_what_to_do) {
 TEST_F(Scripts, help_is_given_before_anything_is_installed) {
     put_recorder("apt-get", 1);
     put_recorder("dpkg-query", 1);
-    for (const char* script :
-         {"run.sh", "test.sh", "benchmark.sh", "sanitize.sh", "fuzz.sh", "package.sh", "bare-debian.sh", "docs.sh"}) {
+    for (const char* script : {"run.sh", "test.sh", "benchmark.sh", "sanitize.sh", "fuzz.sh", "package.sh",
+                               "bare-debian.sh", "tarball.sh", "bare-tarball.sh", "docs.sh"}) {
         const auto outcome =
             docs::run(std::string(STEPLAB_SOURCE_DIR "/scripts/") + script + " --help", "/", programs());
         EXPECT_EQ(outcome.code, 0);

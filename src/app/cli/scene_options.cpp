@@ -248,6 +248,11 @@ std::optional<double> TimeOptions::until(const RunDescription& description) cons
     return of_scene ? model_of(description).opening.until : std::nullopt;
 }
 
+RunEnd TimeOptions::moment(const RunDescription& description) const {
+    if (until_.empty() || !steps_.empty()) return end(description);
+    return {.step = 0, .time = end_time(description)};
+}
+
 double TimeOptions::end_time(const RunDescription& description) const {
     return until(description).value_or(static_cast<double>(steps(description)) * description.dt);
 }

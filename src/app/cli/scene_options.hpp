@@ -88,6 +88,8 @@ public:
     std::uint64_t steps(const RunDescription& description) const;
     /// Where the run ends: after --steps, or by run_end() at --until or the scene's end. Throws UsageError.
     RunEnd end(const RunDescription& description) const;
+    /// The step or the time itself that is asked for, of frames that a file holds. Throws UsageError.
+    RunEnd moment(const RunDescription& description) const;
     /// The end time: --until, the scene's end, or the steps times dt. Throws UsageError.
     double end_time(const RunDescription& description) const;
     /// The same. Throws UsageError unless it is > 0.

@@ -96,7 +96,7 @@ private:
         Offscreen offscreen(film_.gl());
         PicturedFrames played(trajectory_, std::move(request), "steplab record");
         const double spacing = film_.spacing();
-        const double length = time_.is_given() ? played.length_to(time_.end(start.run)) : played.length();
+        const double length = time_.is_given() ? played.length_to(time_.moment(start.run)) : played.length();
         const std::uint64_t count = film_frames(length, spacing);
         const std::unique_ptr<Film> film = make_film(format);
         const auto go_to = [&](std::uint64_t frame) -> std::optional<bool> {

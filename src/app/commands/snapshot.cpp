@@ -75,7 +75,7 @@ private:
         if (scene_.any_given() || ensemble_.is_given() || runs_.are_given()) refuse_scene_beside(trajectory_);
         catch_interruptions();
         const PlayedStart start = played_start(trajectory_);
-        const RunEnd end = time_.end(start.run);
+        const RunEnd end = time_.moment(start.run);
         PictureRequest request = picture_.request(start.run);
         check_column(request.style, start.columns);
         OutputFile file(picture_.out());

@@ -2,6 +2,7 @@
 
 #include "core/interruption.hpp"
 #include "io/commit.hpp"
+#include "io/lammps/lammps_bonds.hpp"
 #include "io/number_append.hpp"
 #include "io/output_file.hpp"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace steplab {
 
@@ -72,16 +74,16 @@ void write_head(const LammpsScene& scene, const std::string& title, Lines& lines
     for (std::size_t i = 0; i < scene.types().size(); ++i) lines.numbers(i + 1, scene.types()[i].mass);
 }
 
-/// Energies are K (r - r0)^2, and with class2 K2 (r - r0)^2 + K3 (r - r0)^3 + K4 (r - r0)^4.
 void write_bond_types(const LammpsScene& scene, Lines& lines) {
     lines.text("\nBond Coeffs\n\n");
     std::size_t number = 0;
     for (const LammpsBondType& type : scene.bond_types()) {
+        const std::vector<double> numbers = lammps_coefficients(type, scene.is_nonlinear());
         ++number;
         if (scene.is_nonlinear())
-            lines.numbers(number, type.length, type.k / 2, type.quadratic / 3, type.cubic / 4);
+            lines.numbers(number, numbers[0], numbers[1], numbers[2], numbers[3]);
         else
-            lines.numbers(number, type.k / 2, type.length);
+            lines.numbers(number, numbers[0], numbers[1]);
     }
 }
 
@@ -121,7 +123,7 @@ void write_lammps_data(const LammpsScene& scene, const std::string& title, const
     OutputFile file(name);
     Lines lines(file);
     write_head(scene, title, lines);
-    if (scene.bonds() > 0) write_bond_types(scene, lines);
+    if (scene.bonds() > 0 && !scene.has_bond_tables()) write_bond_types(scene, lines);
     write_atoms(scene, lines);
     if (scene.bonds() > 0) write_bonds(scene, lines);
     lines.flush();

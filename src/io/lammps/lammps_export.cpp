@@ -4,6 +4,7 @@
 #include "core/number_text.hpp"
 #include "core/shown.hpp"
 #include "io/commit.hpp"
+#include "io/lammps/lammps_bonds.hpp"
 #include "io/lammps/lammps_data.hpp"
 #include "io/lammps/lammps_forces.hpp"
 #include "io/lammps/lammps_outside.hpp"
@@ -29,12 +30,13 @@ constexpr std::size_t few_particles = 20000;
 /// A scene and the length of its run as an input script.
 class Script {
 public:
-    Script(const RunDescription& run, const LammpsTime& time, const LammpsScene& scene, const LammpsForces& forces)
-        : run_(run), time_(time), scene_(scene), forces_(forces) {}
+    Script(const RunDescription& run, const LammpsTime& time, const LammpsScene& scene, const LammpsForces& forces,
+           const LammpsBonds& bonds)
+        : run_(run), time_(time), scene_(scene), forces_(forces), bonds_(bonds) {}
 
     std::string text() const {
-        return head() + space() + "read_data scene.data\n\n" + forces_.lines() + neighbours() + groups() +
-               outside_lines(scene_) + limit_of_distance() + output() + motion();
+        return head() + space() + "read_data scene.data\n\n" + bonds_.coefficient_lines() + forces_.lines() +
+               neighbours() + groups() + outside_lines(scene_) + limit_of_distance() + output() + motion();
     }
     bool is_unlimited() const {
         const auto& all = scene_.pair_forces();
@@ -57,10 +59,7 @@ private:
         std::string text = fmt::format("boundary {} {} {}\n", boundary(box.x), boundary(box.y), boundary(box.z));
         if (scene_.is_attractive())
             text += "dielectric -1  # equal charges, which are masses here, attract each other\n";
-        if (scene_.bonds() > 0)
-            text += fmt::format("bond_style {}\nspecial_bonds lj/coul 1 1 1\n",
-                                scene_.is_nonlinear() ? "class2" : "harmonic");
-        return text;
+        return text + bonds_.style_lines();
     }
 
     std::string neighbours() const {
@@ -143,6 +142,7 @@ private:
     const LammpsTime& time_;
     const LammpsScene& scene_;
     const LammpsForces& forces_;
+    const LammpsBonds& bonds_;
 };
 
 /// Settings of Open MPI are given by its environment, which other implementations do not read.
@@ -175,12 +175,14 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 LammpsExport export_to_lammps(const RunDescription& run, const LammpsTime& time, const std::string& folder) {
     const LammpsScene scene(run);
     const LammpsForces forces(scene);
-    const Script script(run, time, scene, forces);
+    const LammpsBonds bonds(scene);
+    const Script script(run, time, scene, forces, bonds);
     const std::string input = script.text();
     make_folder(folder);
     const std::filesystem::path path(folder);
     write_lammps_data(scene, shown(model_of(run).info.name), (path / lammps_files::data).string());
     forces.write_tables((path / lammps_files::tables).string());
+    bonds.write_tables((path / lammps_files::bond_tables).string());
     write_text(path / lammps_files::input, input);
     write_text(path / lammps_files::script, run_script());
     std::error_code ignored;
@@ -190,9 +192,9 @@ LammpsExport export_to_lammps(const RunDescription& run, const LammpsTime& time,
                                  std::filesystem::perm_options::add, ignored);
     LammpsExport result{.particles = scene.count(),
                         .bonds = scene.bonds(),
-                        .table_error = forces.table_error(),
-                        .neighbour_force = forces.neighbour_force(),
-                        .neighbour_acceleration = forces.neighbour_acceleration()};
+                        .table_error = std::max(forces.table_error(), bonds.table_error()),
+                        .neighbour_force = std::max(forces.neighbour_force(), bonds.force()),
+                        .neighbour_acceleration = std::max(forces.neighbour_acceleration(), bonds.acceleration())};
     if (script.is_unlimited()) result.reach = scene.reach();
     if (run.method != "velocity-verlet")
         result.notes.push_back(

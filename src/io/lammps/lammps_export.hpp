@@ -30,6 +30,7 @@ inline constexpr const char* data = "scene.data";
 inline constexpr const char* input = "in.scene";
 inline constexpr const char* script = "run.sh";
 inline constexpr const char* tables = "scene.table";
+inline constexpr const char* bond_tables = "bonds.table";
 inline constexpr const char* trajectory = "trajectory.dump";
 inline constexpr const char* log = "log.lammps";
 }  // namespace lammps_files

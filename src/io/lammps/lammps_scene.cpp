@@ -3,6 +3,8 @@
 #include "core/error.hpp"
 #include "core/interruption.hpp"
 #include "core/shown.hpp"
+#include "models/forces/pair_potential.hpp"
+#include "models/scene/composer.hpp"
 #include "sim/run/starting.hpp"
 
 #include <fmt/format.h>
@@ -114,7 +116,7 @@ void LammpsScene::add_fields() {
     }
     for (const SpringTerm& term : scene_.springs) {
         if (term.damping.value != 0) refuse("a spring with damping (a dashpot)");
-        if (term.potential) refuse("a spring with a potential of its own");
+        of_each_pair_.push_back(term.potential && takes_properties(pair_force_of(*term.potential, 1)));
     }
 }
 
@@ -154,8 +156,26 @@ double LammpsScene::rest_length(const SpringTerm& term, const ScenePair& pair) c
 /// Lengths that differ by no more than the rounding of positions are one.
 std::optional<LammpsScene::BondKey> LammpsScene::bond_key(const SpringTerm& term, const ScenePair& pair) const {
     if (has_fixed() && particles_[pair.first].fixed && particles_[pair.second].fixed) return std::nullopt;
+    if (term.potential) {
+        const auto [first_mass, second_mass, first_charge, second_charge] = properties(term, pair);
+        return BondKey{first_mass, second_mass, first_charge, second_charge, number_of(term) + 1};
+    }
     const double length = rest_length(term, pair);
-    return BondKey{std::round(length / rounding_) * rounding_, term.k.value, term.quadratic.value, term.cubic.value};
+    return BondKey{std::round(length / rounding_) * rounding_, term.k.value, term.quadratic.value, term.cubic.value, 0};
+}
+
+/// Those of the pair, the lower number first, if the potential of the term depends on them.
+PairProperties<double> LammpsScene::properties(const SpringTerm& term, const ScenePair& pair) const {
+    if (!of_each_pair_[number_of(term)]) return {};
+    const auto [lower, upper] = std::minmax(pair.first, pair.second);
+    const SceneParticle one = particles_[lower], other = particles_[upper];
+    return {one.mass, other.mass, one.charge, other.charge};
+}
+
+LammpsBondType LammpsScene::bond_type(const SpringTerm& term, const ScenePair& pair) const {
+    if (!term.potential) return {rest_length(term, pair), term.k.value, term.quadratic.value, term.cubic.value};
+    const double now = length(nearest_image(position(pair.second) - position(pair.first), box()));
+    return {.length = now, .potential = &*term.potential, .pair = properties(term, pair)};
 }
 
 void LammpsScene::scan_bonds() {
@@ -166,11 +186,10 @@ void LammpsScene::scan_bonds() {
             const auto key = bond_key(term, pair);
             if (!key) return;
             if (bonds_++ % 4096 == 0) check_interruption();
-            const auto [rounded, k, quadratic, cubic] = *key;
             if (bond_numbers_.try_emplace(*key, bond_types_.size()).second)
-                bond_types_.push_back({rest_length(term, pair), k, quadratic, cubic});
+                bond_types_.push_back(bond_type(term, pair));
             const double now = length(nearest_image(position(pair.second) - position(pair.first), box()));
-            longest_bond_ = std::max({longest_bond_, now, rounded});
+            longest_bond_ = std::max({longest_bond_, now, rest_length(term, pair)});
         });
     }
 }
@@ -206,6 +225,10 @@ LammpsScene::Atom LammpsScene::atom(std::size_t i) const {
 bool LammpsScene::is_nonlinear() const {
     return std::any_of(bond_types_.begin(), bond_types_.end(),
                        [](const auto& type) { return type.quadratic != 0 || type.cubic != 0; });
+}
+
+bool LammpsScene::has_bond_tables() const {
+    return std::any_of(bond_types_.begin(), bond_types_.end(), [](const auto& type) { return type.potential; });
 }
 
 bool LammpsScene::has_fixed() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/force_layout.hpp"
 #include "io/lammps/particle_set.hpp"
 #include "models/plan.hpp"
 #include "models/scene/scene.hpp"
@@ -34,6 +35,9 @@ struct LammpsType {
 /// What springs of one of LAMMPS' bond types have in common.
 struct LammpsBondType {
     double length = 0, k = 0, quadratic = 0, cubic = 0;
+    const PairTerm* potential =
+        nullptr;                       ///< in place of k, quadratic and cubic; the length is that of one at the start
+    PairProperties<double> pair = {};  ///< what that depends on
 };
 
 /// How a pair force is written for LAMMPS.
@@ -85,7 +89,8 @@ public:
     bool is_charged() const { return charged_; }
     /// Charges attract where their product is positive, as masses do.
     bool is_attractive() const { return attractive_; }
-    bool is_nonlinear() const;  ///< a spring is
+    bool is_nonlinear() const;     ///< a spring is
+    bool has_bond_tables() const;  ///< a spring has a potential of its own
     bool has_fixed() const;
     Vec3 box() const { return scene_.box.value(); }  ///< sides; 0: not along this axis
     Vec3 corner() const;                             ///< of the box
@@ -97,7 +102,8 @@ public:
     double reach() const;
 
 private:
-    using BondKey = std::tuple<double, double, double, double>;
+    /// Length, k, quadratic, cubic; of a term with a potential its masses and charges, and its number.
+    using BondKey = std::tuple<double, double, double, double, std::size_t>;
 
     void add_pair_forces();
     void add_fields();
@@ -108,7 +114,12 @@ private:
     void find_nearest();
     LammpsType type_of(std::size_t i, const SceneParticle& particle) const;
     std::optional<BondKey> bond_key(const SpringTerm& term, const ScenePair& pair) const;
+    LammpsBondType bond_type(const SpringTerm& term, const ScenePair& pair) const;
+    PairProperties<double> properties(const SpringTerm& term, const ScenePair& pair) const;
     double rest_length(const SpringTerm& term, const ScenePair& pair) const;
+    std::size_t number_of(const SpringTerm& term) const {
+        return static_cast<std::size_t>(&term - scene_.springs.data());
+    }
     Vec3 position(std::size_t i) const { return plan_.reference.at(i) + plan_.start[i].displacement; }
 
     struct Outside {
@@ -124,6 +135,7 @@ private:
     std::vector<const FieldTerm*> potentials_;
     std::vector<LammpsType> types_;
     std::map<LammpsType, std::size_t> type_numbers_;
+    std::vector<bool> of_each_pair_;  ///< of each term of springs: whether its potential takes masses or charges
     std::vector<LammpsBondType> bond_types_;
     std::map<BondKey, std::size_t> bond_numbers_;
     std::uint64_t bonds_ = 0;

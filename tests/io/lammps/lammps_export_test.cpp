@@ -10,6 +10,7 @@
 #include "sim/catalogue.hpp"
 #include "sim/run/simulation.hpp"
 #include "support/runs.hpp"
+#include "support/scene_texts.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -105,6 +106,30 @@ void expect_agreement(const RunDescription& run) {
 class ExportedScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(ExportedScene, has_the_energy_and_the_forces_of_steplab) { expect_agreement(describe(find_scene(GetParam()))); }
+
+// Both kinds of springs beside each other, a potential that depends on masses among them.
+TEST(LammpsExport, has_springs_of_every_kind_in_one_scene) {
+    const std::string text =
+        "steplab = 1\n[[particles]]\ngroup = \"row\"\nline = { count = 5, step = [1, 0.2, 0] }\n"
+        "[[fix]]\nparticles = \"row[2]\"\nmass = 3\n[[fix]]\nparticles = \"row[0]\"\nfixed = true\n"
+        "[[springs]]\npairs = [[\"row[0]\", \"row[1]\"]]\nk = 4\nlength = 0.8\n"
+        "[[springs]]\npairs = [[\"row[1]\", \"row[2]\"], [\"row[3]\", \"row[2]\"]]\n"
+        "potential = \"m1*(exp(1 - r) + r)\"\n"
+        "[[springs]]\npairs = [[\"row[3]\", \"row[4]\"]]\npotential = \"morse\"\nD = 2\nk = 9\nr0 = 0.9\n";
+    const RunDescription run = describe(read_scene(text));
+    expect_agreement(run);
+    const Differences wrong =
+        differences(run, [](const std::string& folder) { replace_in(folder + "/in.scene", "BOND_2", "BOND_3"); });
+    EXPECT_GT(wrong.force, 100 * wrong.allowed);
+}
+
+// A force that grows without bound at 1.5 m: as accurate as others up to near there.
+TEST(LammpsExport, of_springs_that_cannot_break_is_accurate) {
+    const TemporaryFolder folder;
+    const LammpsExport written = export_to_lammps(describe(find_scene("polymer")), {.steps = 0}, folder.path());
+    EXPECT_LT(written.table_error, 1e-7);
+    EXPECT_THAT(text_of(folder.file(lammps_files::bond_tables)), testing::Not(HasSubstr("nan")));
+}
 
 std::string with_underscores(std::string name) {
     std::replace(name.begin(), name.end(), '-', '_');
