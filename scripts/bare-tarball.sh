@@ -31,7 +31,7 @@ bootstrap() {
     bare=$(mktemp -d)
     # debootstrap of Debian 12 knows neither this suite nor its keys
     if [[ $1 == noble ]]; then
-        options=(--no-check-gpg --components=main,universe noble "$bare" http://archive.ubuntu.com/ubuntu gutsy)
+        options=(--no-check-gpg "--components=main,universe" noble "$bare" http://archive.ubuntu.com/ubuntu gutsy)
     else
         options=("$1" "$bare")
     fi

@@ -5,6 +5,8 @@
 # OpenGL, X11 and the C++ runtime are the system's. For Debian 12 and newer, Ubuntu 24.04 and newer, and others of their
 # age. With --native with methods for this processor alone, which is quicker, for trying it out.
 # scripts/bare-tarball.sh uses it in bare systems.
+
+# shellcheck disable=SC2016 # $ORIGIN is for the loader of programs
 set -euo pipefail
 # shellcheck source=scripts/lib.sh
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -14,32 +16,36 @@ case ${1:-} in -h | --help) help_of "${BASH_SOURCE[0]}"; exit ;; esac
 sets=("-DSTEPLAB_INSTRUCTION_SETS=avx2;avx512")
 if [[ ${1:-} == --native ]]; then sets=(-DSTEPLAB_INSTRUCTION_SETS=native); fi
 
-# of_system LIBRARY: whether every system that the programs are for has it, and has to be the one to give it.
+# of_system LIBRARY: whether every system that the programs are for has it, and has to be the one to give it. What the
+# drivers of OpenGL link, too, may not come in another version.
 of_system() {
     case $1 in
-        ld-linux* | linux-vdso* | libc.so* | libm.so* | libdl.so* | libpthread.so* | librt.so*) ;;
-        libstdc++.so* | libgcc_s.so*) ;;
-        libGL* | libEGL* | libOpenGL* | libGLX* | libX* | libxcb* | libOSMesa* | libbsd* | libmd.*) [[ $1 != libGLEW* ]] ;;
+        ld-linux* | libc.so* | libm.so* | libdl.so* | libpthread.so* | librt.so*) ;;
+        libstdc++.so* | libgcc_s.so* | libz.so* | libzstd.so*) ;;
+        libGLEW*) false ;;
+        libGL* | libEGL* | libOpenGL* | libX* | libxcb* | libOSMesa*) ;;
         *) false ;;
     esac
 }
 
 # add_library FILE: with what its package says of its licence
 add_library() {
-    local package
-    [[ -e $tree/lib/steplab/$(basename "$1") ]] && return
-    install -m 644 "$(realpath "$1")" "$tree/lib/steplab/$(basename "$1")"
-    patchelf --set-rpath '$ORIGIN' "$tree/lib/steplab/$(basename "$1")"
-    package=$(dpkg-query --search "$(realpath "$1")" | head -1 | cut -d: -f1)
+    local name package
+    name=$(basename "$1")
+    [[ -e $tree/lib/steplab/$name ]] && return
+    install -m 644 "$(realpath "$1")" "$tree/lib/steplab/$name"
+    patchelf --set-rpath '$ORIGIN' "$tree/lib/steplab/$name"
+    package=$(dpkg-query --search "*/$(basename "$(realpath "$1")")" | head -1 | cut -d: -f1)
     install -D -m 644 "/usr/share/doc/$package/copyright" "$tree/share/doc/steplab/licences/$package"
+    add_libraries_of "$1"
 }
 
-# add_libraries_of FILE
+# add_libraries_of FILE: those that it names, and theirs
 add_libraries_of() {
-    local name path
-    while read -r name path; do
-        if ! of_system "$name"; then add_library "$path"; fi
-    done < <(ldd "$1" | awk '/=>/ { print $1, $3 }')
+    local name
+    for name in $(patchelf --print-needed "$1"); do
+        if ! of_system "$name"; then add_library "$(ldd "$1" | awk -v name="$name" '$1 == name { print $3 }')"; fi
+    done
 }
 
 # add_fonts: those that the programs would take here
