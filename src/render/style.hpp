@@ -28,6 +28,9 @@ constexpr std::string_view id(RunLayout layout) { return run_layout_ids[static_c
 
 using Trails = std::vector<std::vector<Vec3>>;
 
+/// Of displacements and of the distances between runs: beyond it a rounding error of double fills the scene.
+inline constexpr double most_magnified = 1e15;
+
 /// Options of drawing a scene.
 struct Style {
     Colouring colouring = Colouring::role;

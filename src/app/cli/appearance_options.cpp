@@ -24,7 +24,7 @@ constexpr ParameterInfo scale_info{
 constexpr ParameterInfo displacements_info{.name = "--displacements",
                                            .unit = "",
                                            .minimum_included = false,
-                                           .maximum = 1e15,  // beyond it a rounding error of double fills the scene
+                                           .maximum = render::most_magnified,
                                            .what = "factor by which displacements are drawn"};
 
 std::size_t parse_particle(std::string_view text, const RunDescription& description) {

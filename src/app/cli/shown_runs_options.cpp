@@ -17,7 +17,7 @@ namespace {
 constexpr ParameterInfo magnify_info{.name = "--magnify",
                                      .unit = "",
                                      .minimum_included = false,
-                                     .maximum = 1e15,  // beyond it a rounding error of double fills the scene
+                                     .maximum = render::most_magnified,
                                      .what = "factor of the differences from the leading run"};
 
 render::RunLayout layout_of(const std::string& word) {

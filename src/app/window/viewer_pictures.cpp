@@ -2,12 +2,14 @@
 #include "app/cli/standard_streams.hpp"
 #include "app/png.hpp"
 #include "app/window/viewer.hpp"
+#include "core/number_text.hpp"
 #include "core/problem_text.hpp"
 #include "io/output_file.hpp"
 #include "ui/plot/plot_files.hpp"
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 
@@ -15,6 +17,7 @@ namespace steplab {
 namespace {
 
 constexpr double film_fps = 30;
+constexpr std::uint64_t most_repeated = 60 * 30;  // of one picture: a minute in which nothing moves
 
 /// The file of a film: numbered pictures go into a folder of their own.
 std::string film_name(const std::string& model, const std::string& ending) {
@@ -107,6 +110,13 @@ void Viewer::take_film_frame() {
     const render::PictureSize size{frame.part.width, frame.part.height + frame.caption_height};
     if (size != film_->format().size) {
         interface_.notify("the film ends: its pictures are of one size");
+        return end_film();
+    }
+    if (film_->frames() > 0 && frames - film_->frames() > most_repeated) {
+        interface_.report_error(fmt::format(
+            "the film ends: until the next step, one picture would be shown for {} s; a larger speed or a smaller dt "
+            "moves it",
+            typed(static_cast<double>(frames - film_->frames()) / film_fps, 3)));
         return end_film();
     }
     film_->add(picture_.read(frame), frames);

@@ -138,7 +138,7 @@ void draw_reference(const Context& context) {
 constexpr ParameterInfo magnify_info{.name = "magnify",
                                      .unit = "",
                                      .minimum = 1,
-                                     .maximum = 1e12,
+                                     .maximum = render::most_magnified,
                                      .default_value = 1,
                                      .what = "how many times the distances to the leading run are drawn"};
 

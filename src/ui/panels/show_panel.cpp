@@ -95,7 +95,7 @@ void draw_following(const Context& context) {
 constexpr ParameterInfo displacements_info{.name = "displacements",
                                            .unit = "",
                                            .minimum_included = false,
-                                           .maximum = 1e12,
+                                           .maximum = render::most_magnified,
                                            .default_value = 1,
                                            .what = "how many times as large as they are displacements are drawn"};
 
