@@ -182,10 +182,11 @@ films_are_completed_when_a_signal_ends_the_window() {
 }
 
 films_in_which_nothing_moves_end() {
-    start_display 640x480
+    start_display 1280x800
     open_window --model free --dt 1e6
     choose_beside pictures films/.png
     xdotool key ctrl+r; expect 'film begun' 'film 1 step 0'
+    click fastest
     xdotool key space; expect 'widget refusal [0-9].*' 'film saved steplab-free-1.frames'
     (($(find "$folder/steplab-free-1.frames" -name '*.png' | wc -l) == 1)) || fail 'there are other pictures'
     xdotool key Escape; expect 'widget refusal gone'

@@ -16,7 +16,7 @@ namespace steplab {
 namespace {
 
 constexpr std::size_t fewest_points = std::size_t{1} << 12, most_points = std::size_t{1} << 16;
-constexpr double wanted_error = 1e-10;
+constexpr double wanted_bond_error = 1e-10;
 constexpr double steepest = 1e4;  ///< times the force at the start: a table that reaches farther is less accurate
 constexpr double longest = 3;     ///< times the length, which the lists of LAMMPS allow
 
@@ -86,7 +86,7 @@ LammpsBonds::LammpsBonds(const LammpsScene& scene) : scene_(scene) {
             table.divide(points_);
             table_error_ = std::max(table_error_, table.error());
         }
-        if (table_error_ <= wanted_error || points_ == most_points) return;
+        if (table_error_ <= wanted_bond_error || points_ == most_points) return;
     }
 }
 
