@@ -82,6 +82,25 @@ void append_point_data(std::string& text, const FrameBlock& frame) {
     text += "</PointData>\n";
 }
 
+/// The springs between particles that are where they are shown, not at the place of an image.
+std::vector<Spring> lines_of(const FrameBlock& frame, const Shape& shape) {
+    std::vector<Spring> lines;
+    for (const Spring& spring : shape.springs) {
+        const Vec3 way = frame.positions[spring.second] - frame.positions[spring.first];
+        if (shape.nearest(way) == way) lines.push_back(spring);
+    }
+    return lines;
+}
+
+void append_cells(std::string& text, std::string_view name, std::size_t count, std::size_t ends, const auto& each) {
+    if (count == 0) return;
+    text += fmt::format("<{}>\n", name);
+    append_array(text, "type=\"Int64\" Name=\"connectivity\"", count, each);
+    append_array(text, "type=\"Int64\" Name=\"offsets\"", count,
+                 [&](std::size_t i) { append_number(text, static_cast<std::uint64_t>(ends * (i + 1))); });
+    text += fmt::format("</{}>\n", name);
+}
+
 void write_whole(const std::filesystem::path& path, const std::string& text) {
     OutputFile file(path.string());
     file.write(text);
@@ -90,23 +109,27 @@ void write_whole(const std::filesystem::path& path, const std::string& text) {
 
 }  // namespace
 
-std::string vtp_text(const FrameBlock& frame) {
+std::string vtp_text(const FrameBlock& frame, const Shape& shape) {
+    const std::vector<Spring> lines = lines_of(frame, shape);
     std::string text = fmt::format(fmt::runtime(head_of_file), "PolyData");
     text += fmt::format(
         "<PolyData>\n<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
         "format=\"ascii\">\n");
     append_number(text, frame.moments.front().time);
-    text +=
-        fmt::format("\n</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\">\n", frame.rows);
+    text += fmt::format("\n</DataArray>\n</FieldData>\n<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\"{1}>\n",
+                        frame.rows, lines.empty() ? "" : fmt::format(" NumberOfLines=\"{}\"", lines.size()));
     append_point_data(text, frame);
     text += "<Points>\n";
     append_vectors(text, "position", frame.positions);
-    text += "</Points>\n<Verts>\n";
-    append_array(text, "type=\"Int64\" Name=\"connectivity\"", frame.rows,
+    text += "</Points>\n";
+    append_cells(text, "Verts", frame.rows, 1,
                  [&](std::size_t i) { append_number(text, static_cast<std::uint64_t>(i)); });
-    append_array(text, "type=\"Int64\" Name=\"offsets\"", frame.rows,
-                 [&](std::size_t i) { append_number(text, static_cast<std::uint64_t>(i + 1)); });
-    return text + "</Verts>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+    append_cells(text, "Lines", lines.size(), 2, [&](std::size_t i) {
+        append_number(text, lines[i].first);
+        text += ' ';
+        append_number(text, lines[i].second);
+    });
+    return text + "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 VtkSeries::VtkSeries(const std::string& pvd) : pvd_(pvd), folder_(std::filesystem::path(pvd).replace_extension()) {
@@ -118,7 +141,7 @@ VtkSeries::VtkSeries(const std::string& pvd) : pvd_(pvd), folder_(std::filesyste
 }
 
 void VtkSeries::add(const FrameBlock& frame) {
-    write_whole(folder_ / fmt::format("{:06}.vtp", times_.size()), vtp_text(frame));
+    write_whole(folder_ / fmt::format("{:06}.vtp", times_.size()), vtp_text(frame, shape_));
     times_.push_back(frame.moments.front().time);
 }
 

@@ -261,6 +261,13 @@ TEST_F(DumpFile, is_a_series_for_vtk) {
     EXPECT_THAT(text, HasSubstr("<Piece NumberOfPoints=\"2\" NumberOfVerts=\"2\">"));
     EXPECT_THAT(text, HasSubstr("0.3333333333333333 -0 1e-300\n-0.6666666666666666 5e+22 0.1\n"));
     EXPECT_THAT(text, HasSubstr("Name=\"particle\" format=\"ascii\">\n0\n4\n"));
+    Shape shape;
+    shape.springs = {{0, 1, 1}};
+    const std::string joined = vtp_text(frame_of_numbers(), shape);
+    EXPECT_THAT(joined, HasSubstr("NumberOfVerts=\"2\" NumberOfLines=\"1\">"));
+    EXPECT_THAT(joined, HasSubstr("<Lines>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n0 1\n"));
+    shape.box = {0, 1, 0};
+    EXPECT_EQ(vtp_text(frame_of_numbers(), shape), text) << "it leads to an image";
     written("c", "a file");
     EXPECT_THROW(VtkSeries(path("c.pvd")), FileError);
 }

@@ -64,8 +64,7 @@ void AppearanceOptions::declare(CLI::App& app, const Help& help) {
         fmt::format("Draw the velocity of each particle as an arrow (default {})", velocities_));
     add("--forces", forces_, "on|off",
         fmt::format("Draw the force on each particle as an arrow (default {})", forces_));
-    add("--displacements", displacements_, "F",
-        "Draw displacements from the rest positions F times as large (default 1)");
+    add("--displacements", displacements_, "F", "Draw displacements F times as large (default 1)");
     add("--ui", panel_, "on|off", help.panel);
     add("--scale", scale_, "X", help.scale);
 }

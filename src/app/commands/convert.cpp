@@ -14,6 +14,7 @@
 #include "io/trajectory_reader.hpp"
 #include "io/vtk_series.hpp"
 #include "io/whole_frames.hpp"
+#include "sim/catalogue.hpp"
 
 #include <fmt/format.h>
 
@@ -87,6 +88,7 @@ private:
         catch_interruptions();
         if (format == FrameFormat::pvd) {
             VtkSeries series(out_);
+            if (const auto shape = known_shape()) series.join(*shape);
             each_frame([&](const FrameBlock& frame) { series.add(frame); });
             series.finish();
         } else {
@@ -99,6 +101,20 @@ private:
             });
         }
         return static_cast<int>(ExitCode::done);
+    }
+
+    /// That of the run that wrote the file, if the file has all of its particles.
+    std::optional<Shape> known_shape() const {
+        InputFile input(file_);
+        if (!TrajectoryReader::reads(input)) return std::nullopt;
+        const TrajectoryReader reader(std::move(input));
+        try {
+            const RunDescription run = reader.run();
+            const Shape shape = model_of(run).shape(run.scene);
+            return shape.rest.size() == reader.rows() ? std::optional(shape) : std::nullopt;
+        } catch (const FileError&) {  // of a scene that this program does not know
+            return std::nullopt;
+        }
     }
 
     /// All that can be read, whole.

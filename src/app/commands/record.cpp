@@ -37,8 +37,7 @@ constexpr const char* record_examples =
     "Examples:\n"
     "  steplab record --model mesh --until 20 --out mesh.mp4\n"
     "  steplab record --model rope --until 5 --run dt=0.01 --run method=euler,dt=0.05 --out rope.webm\n"
-    "  steplab record --scene figure-eight --speed 0.5 --out frames/%05d.png\n"
-    "  steplab record --trajectory drop.lammpstrj --speed 5 --colour column:c_pe --out drop.mp4\n\n";
+    "  steplab record --scene figure-eight --speed 0.5 --out frames/%05d.png\n\n";
 
 class RecordCommand final : public Command {
 public:
@@ -51,8 +50,7 @@ public:
         film_.declare(app);
         runs_.declare(app);
         ensemble_.declare(app);
-        text_option(app, "--trajectory", trajectory_, "FILE",
-                    "Draw the frames of a trajectory, CSV or XYZ file or a LAMMPS dump, up to --steps or --until",
+        text_option(app, "--trajectory", trajectory_, "FILE", "Draw the frames of a trajectory, CSV, XYZ or dump",
                     "Scene");
         footer(app, [] { return record_examples + catalogue_hint(); });
     }
