@@ -143,6 +143,7 @@ void LammpsScene::scan_particles() {
         low_ = lower(low_, at), high_ = upper(high_, at);
         const auto [place, added] = type_numbers_.try_emplace(type_of(i, particles_[i]), types_.size());
         if (added) types_.push_back(place->first);
+        fixed_ = fixed_ || place->first.fixed;
         if (types_.size() > most_types)
             refuse(fmt::format("more than {} kinds of particles, by mass, charge and what acts on them", most_types));
     }
@@ -188,6 +189,8 @@ void LammpsScene::scan_bonds() {
             if (bonds_++ % 4096 == 0) check_interruption();
             if (bond_numbers_.try_emplace(*key, bond_types_.size()).second)
                 bond_types_.push_back(bond_type(term, pair));
+            nonlinear_ = nonlinear_ || term.quadratic.value != 0 || term.cubic.value != 0;
+            bond_tables_ = bond_tables_ || term.potential;
             const double now = length(nearest_image(position(pair.second) - position(pair.first), box()));
             longest_bond_ = std::max({longest_bond_, now, rest_length(term, pair)});
         });
@@ -220,19 +223,6 @@ LammpsScene::Atom LammpsScene::atom(std::size_t i) const {
         atom.charge = std::sqrt(std::abs(strength)) * (masses ? particle.mass : particle.charge);
     }
     return atom;
-}
-
-bool LammpsScene::is_nonlinear() const {
-    return std::any_of(bond_types_.begin(), bond_types_.end(),
-                       [](const auto& type) { return type.quadratic != 0 || type.cubic != 0; });
-}
-
-bool LammpsScene::has_bond_tables() const {
-    return std::any_of(bond_types_.begin(), bond_types_.end(), [](const auto& type) { return type.potential; });
-}
-
-bool LammpsScene::has_fixed() const {
-    return std::any_of(types_.begin(), types_.end(), [](const auto& type) { return type.fixed; });
 }
 
 Vec3 LammpsScene::corner() const {

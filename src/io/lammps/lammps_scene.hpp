@@ -89,9 +89,9 @@ public:
     bool is_charged() const { return charged_; }
     /// Charges attract where their product is positive, as masses do.
     bool is_attractive() const { return attractive_; }
-    bool is_nonlinear() const;     ///< a spring is
-    bool has_bond_tables() const;  ///< a spring has a potential of its own
-    bool has_fixed() const;
+    bool is_nonlinear() const { return nonlinear_; }       ///< a spring is
+    bool has_bond_tables() const { return bond_tables_; }  ///< a spring has a potential of its own
+    bool has_fixed() const { return fixed_; }
     Vec3 box() const { return scene_.box.value(); }  ///< sides; 0: not along this axis
     Vec3 corner() const;                             ///< of the box
     Vec3 low() const { return low_; }                ///< the smallest coordinates of the start
@@ -140,6 +140,7 @@ private:
     std::map<BondKey, std::size_t> bond_numbers_;
     std::uint64_t bonds_ = 0;
     const PairTerm* charges_of_ = nullptr;  ///< the term whose strength is in the charges
+    bool fixed_ = false, nonlinear_ = false, bond_tables_ = false;
     bool charged_ = false, attractive_ = false, types_by_charge_ = false;
     Vec3 low_, high_;
     double longest_bond_ = 0, nearest_ = 0;
