@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <system_error>
 
@@ -72,10 +73,20 @@ private:
             text += fmt::format(" one {} page {}", one, std::max<std::size_t>(100000, 10 * one));
         }
         text += '\n';
-        if (bond > 0) text += fmt::format("atom_modify sort 1000 {:.6g}\n", bond);
+        if (bond > 0) text += fmt::format("atom_modify sort 1000 {:.6g}\n", std::max(bond, fewest_bins()));
         // A bond may stretch to three times its length; LAMMPS ends with a message where one is longer.
         const double halo = bond > 0 ? stretched * bond : 1;
         return text + (halo > cutoff + skin ? fmt::format("comm_modify cutoff {:.6g}\n", halo) : "");
+    }
+    /// The side of bins of which there are two for each particle in the whole box: a mesh is in a plane of it, and
+    /// LAMMPS has an array of all.
+    double fewest_bins() const {
+        const Vec3 way = scene_.high() - scene_.low(), box = scene_.box();
+        const auto side = [room = 0.2 * length(way)](double period, double along) {
+            return period > 0 ? period : along + room;
+        };
+        const double volume = side(box.x, way.x) * side(box.y, way.y) * side(box.z, way.z);
+        return std::cbrt(volume / (2 * static_cast<double>(scene_.count())));
     }
     double longest_cutoff() const {
         double longest = 0;

@@ -131,6 +131,22 @@ TEST(LammpsExport, of_springs_that_cannot_break_is_accurate) {
     EXPECT_THAT(text_of(folder.file(lammps_files::bond_tables)), testing::Not(HasSubstr("nan")));
 }
 
+// LAMMPS has an array of the bins by which it sorts particles, over all of the box: of a mesh of 10^7 particles with
+// bins as long as a spring there were more than it can count.
+TEST(LammpsExport, of_a_plane_sorts_its_particles_into_few_bins) {
+    RunDescription run = describe("mesh");
+    run.scene.set("dim", 200);
+    const TemporaryFolder folder;
+    export_to_lammps(run, {.steps = 0}, folder.path());
+    const std::string input = text_of(folder.file(lammps_files::input)), key = "atom_modify sort 1000 ";
+    const std::size_t at = input.find(key);
+    ASSERT_NE(at, std::string::npos);
+    const double bin = std::stod(input.substr(at + key.size())), length = run.scene["L"] * 199;
+    const double volume = length * length * 1.3 * 1.3 * length * 0.2 * std::sqrt(2.0);
+    EXPECT_LT(volume / (bin * bin * bin), 3 * 200 * 200);
+    EXPECT_GT(bin, run.scene["L"]);
+}
+
 std::string with_underscores(std::string name) {
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
