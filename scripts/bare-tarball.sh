@@ -22,20 +22,19 @@ trap 'leave' EXIT
 leave() {
     [[ -z $bare ]] && return
     umount -q "$bare/proc" || true
-    rm -rf --one-file-system "$bare" "$bare.log"
+    rm -rf --one-file-system "$bare" "$bare.log" "$bare.scripts"
 }
 
 # bootstrap SUITE
 bootstrap() {
     local options=()
     bare=$(mktemp -d)
-    # debootstrap of Debian 12 knows neither this suite nor its keys
-    if [[ $1 == noble ]]; then
-        options=(--no-check-gpg "--components=main,universe" noble "$bare" http://archive.ubuntu.com/ubuntu gutsy)
-    else
-        options=("$1" "$bare")
+    cp -r /usr/share/debootstrap "$bare.scripts"
+    if [[ ! -e $bare.scripts/scripts/$1 ]]; then # debootstrap of Debian 12 knows Ubuntu, but not this suite nor its keys
+        ln -s gutsy "$bare.scripts/scripts/$1"
+        options=(--no-check-gpg "--components=main,universe")
     fi
-    debootstrap --variant=minbase "${options[@]}" >"$bare.log" 2>&1 ||
+    DEBOOTSTRAP_DIR=$bare.scripts debootstrap --variant=minbase "${options[@]}" "$1" "$bare" >"$bare.log" 2>&1 ||
         { tail "$bare.log" >&2; fail "debootstrap failed"; }
     cp /etc/resolv.conf "$bare/etc/resolv.conf"
     mount -t proc proc "$bare/proc"
