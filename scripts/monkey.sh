@@ -122,7 +122,7 @@ play_round() {
 
 # rest: the window as it would be found at any time, the chain at its start, so that what it takes can be compared.
 rest() {
-    local lines at
+    local lines at tries
     for ((tries = 0; tries < 5; ++tries)); do
         lines=$(wc -l <"$folder/trace")
         resized 1000 700 "$lines" || return 1
