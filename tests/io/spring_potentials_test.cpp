@@ -119,7 +119,7 @@ TEST(SpringPotential, of_toda_keeps_what_that_of_its_first_terms_does_not) {
     EXPECT_GT(change("(r - 1)^2/2 - b*(r - 1)^3/6 + b^2*(r - 1)^4/24"), 1e-4);
 }
 
-TEST(SpringPotential, of_two_particles_is_a_pair_force_bit_for_bit) {
+TEST(SpringPotential, of_two_particles_moves_them_as_a_pair_force_does) {
     const std::string two = "steplab = 1\n[[particles]]\ngroup = \"two\"\nline = { count = 2, step = [0.8, 0.1, 0] }\n";
     for (const std::string& values : {exponential, std::string("potential = \"morse\"\nD = 1\nk = 20\nr0 = 1\n")}) {
         for (const MethodCase& c : working_methods()) {

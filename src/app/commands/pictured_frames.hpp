@@ -16,8 +16,8 @@ namespace steplab {
 /// The frames of a trajectory file as pictures (--trajectory).
 class PicturedFrames {
 public:
-    /// Looks through the whole file, and stands at its first frame. `request`: the picture without its run. Progress of a
-    /// film is shown on standard error, as PicturedRuns show it. Throws FileError, UsageError, Interrupted.
+    /// Looks through the whole file, and stands at its first frame. `request`: the picture without its run. Progress of
+    /// a film is shown on standard error, as PicturedRuns show it. Throws FileError, UsageError, Interrupted.
     PicturedFrames(const std::string& file, PictureRequest request, std::string program = {});
 
     /// Time from the first frame to the last one that is no later than this end, in seconds of the run.
