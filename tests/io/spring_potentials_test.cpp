@@ -178,6 +178,25 @@ TEST(SpringPotential, is_drawn_listed_and_written_as_springs) {
     EXPECT_THAT(distances_now(laws[0], frame_after(run, 0), 10), ElementsAre(1, 1));
 }
 
+// One spring of gravity is a Kepler pair; two between the same ends pull twice as much, and are none.
+TEST(SpringPotential, of_gravity_is_an_ellipse_if_it_is_one_spring) {
+    const auto exact = [](const std::string& pairs) {
+        const std::string text =
+            "steplab = 1\n[[particles]]\n[[particles]]\nposition = [1, 0, 0]\nvelocity = [0, 1, 0]\n"
+            "[[springs]]\npairs = [" +
+            pairs + "]\npotential = \"gravity\"\nG = 1\n";
+        RunDescription run = with_method(describe(read_scene(text)), "dop853");
+        run.dt = 0.01;
+        Simulation simulation(run);
+        simulation.advance(100);
+        return simulation.diagnostics().error;
+    };
+    const auto once = exact("[0, 1]");
+    ASSERT_TRUE(once);
+    EXPECT_LT(*once, 1e-6);
+    EXPECT_FALSE(exact("[0, 1], [0, 1]"));
+}
+
 // Its particles feel those at its ends: linear systems of many stay sparse.
 TEST(SpringPotential, couples_neighbours_alone) {
     const RunDescription run = describe(read_scene(row_and("[[springs]]\nbetween = \"row\"\n" + exponential)));
