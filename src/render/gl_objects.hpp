@@ -68,6 +68,8 @@ const void* byte_offset(std::size_t offset);
 void float_attribute(GLuint location, int components, std::size_t stride, std::size_t offset);
 /// Defines an attribute of four bytes, read as numbers from 0 to 1.
 void colour_attribute(GLuint location, std::size_t stride, std::size_t offset);
+/// Draws vertices of the bound vertex array as points.
+void draw_bound_points(std::size_t first, std::size_t count);
 /// Makes the attribute advance per instance instead of per vertex.
 void per_instance(GLuint location);
 

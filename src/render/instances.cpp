@@ -34,7 +34,7 @@ void DotList::upload(std::span<const Dot> dots) {
 void DotList::draw_points() const {
     if (count_ == 0) return;
     glBindVertexArray(per_vertex_.id());
-    glDrawArrays(GL_POINTS, 0, count_);
+    draw_bound_points(0, static_cast<std::size_t>(count_));
 }
 
 void DotList::draw_quads() const { draw_quad_each(per_instance_, count_); }

@@ -7,20 +7,17 @@
 namespace steplab::render {
 namespace {
 
-// A software renderer does the work of other contexts, the panels' among them, between two such portions.
-constexpr std::size_t most_at_once = 1 << 15;
-
 /// Adds one of `one_of` numbers from `begin` to `end`.
-void pick(std::vector<GLuint>& picked, std::size_t begin, std::size_t end, std::size_t one_of) {
+void pick(std::vector<std::uint32_t>& picked, std::size_t begin, std::size_t end, std::size_t one_of) {
     std::minstd_rand random(static_cast<std::minstd_rand::result_type>(begin + 1));
     for (std::size_t i = begin + random() % one_of; i < end; i += 1 + random() % (2 * one_of - 1))
-        picked.push_back(static_cast<GLuint>(i));
+        picked.push_back(static_cast<std::uint32_t>(i));
 }
 
 }  // namespace
 
-std::vector<GLuint> sample_of(std::span<const IndexRange> ranges, std::size_t one_of) {
-    std::vector<GLuint> some;
+std::vector<std::uint32_t> sample_of(std::span<const IndexRange> ranges, std::size_t one_of) {
+    std::vector<std::uint32_t> some;
     for (const auto& [first, count] : ranges) {
         // Blocks begin at the same places in every picture, so that the same particles are drawn.
         for (std::size_t block = first; block < first + count; block += ParticleBlocks::block_size)
@@ -63,19 +60,7 @@ void ParticleArrays::bind(const VertexArray& vertex_array, std::size_t first) co
 void ParticleArrays::draw_points(std::span<const IndexRange> ranges) const {
     if (ranges.empty()) return;
     bind(points_, 0);
-    for (const auto& [first, count] : ranges) {
-        for (std::size_t begin = first; begin < first + count; begin += most_at_once) {
-            const std::size_t size = std::min(most_at_once, first + count - begin);
-            glDrawArrays(GL_POINTS, static_cast<GLint>(begin), static_cast<GLsizei>(size));
-            if (size == most_at_once) glFlush();
-        }
-    }
-}
-
-void ParticleArrays::draw_points(std::span<const GLuint> particles) const {
-    bind(points_, 0);
-    render::upload(some_, GL_ELEMENT_ARRAY_BUFFER, particles);
-    glDrawElements(GL_POINTS, static_cast<GLsizei>(particles.size()), GL_UNSIGNED_INT, nullptr);
+    for (const auto& [first, count] : ranges) draw_bound_points(first, count);
 }
 
 void ParticleArrays::draw_quads(std::span<const IndexRange> ranges) const {

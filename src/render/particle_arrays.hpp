@@ -12,7 +12,7 @@
 namespace steplab::render {
 
 /// One of `one_of` particles, at uneven distances: even ones would make stripes of a grid. In every picture the same.
-std::vector<GLuint> sample_of(std::span<const IndexRange> ranges, std::size_t one_of);
+std::vector<std::uint32_t> sample_of(std::span<const IndexRange> ranges, std::size_t one_of);
 
 /// Particles on the GPU, in the order of the run. Ranges of them are drawn by the current program as points or as one
 /// quad each. Attribute 0 is the centre, attribute 1 the colour.
@@ -27,14 +27,12 @@ public:
     void colour(VertexColour colour);
 
     void draw_points(std::span<const IndexRange> ranges) const;
-    /// Draws these particles.
-    void draw_points(std::span<const GLuint> particles) const;
     void draw_quads(std::span<const IndexRange> ranges) const;
 
 private:
     void bind(const VertexArray& vertex_array, std::size_t first) const;
 
-    Buffer centres_, colours_, some_;
+    Buffer centres_, colours_;
     VertexArray points_, quads_;
     bool one_colour_ = true;
     VertexColour colour_{};

@@ -50,6 +50,33 @@ private:
     std::array<glm::vec3, 4> inwards_;
 };
 
+/// True where particles are drawn at their positions themselves: no box and no magnification moves them.
+bool drawn_in_place(const Frame& frame) { return !frame.cell && !frame.shape->is_periodic() && frame.magnified == 1; }
+
+constexpr Bounds nothing{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+/// Adds a position; none that is not a number.
+void include(Bounds& bounds, Vec3 at) {
+    const auto smaller = [](double a, double b) { return a < b ? a : b; };
+    const auto larger = [](double a, double b) { return a > b ? a : b; };
+    bounds.low = {smaller(at.x, bounds.low.x), smaller(at.y, bounds.low.y), smaller(at.z, bounds.low.z)};
+    bounds.high = {larger(at.x, bounds.high.x), larger(at.y, bounds.high.y), larger(at.z, bounds.high.z)};
+}
+
+/// The vertices of positions where they are, and the box around them. None if one of them cannot be drawn.
+std::optional<Bounds> place_all(std::span<const Vec3> positions, Vec3 focus, double scale, glm::vec3* vertex) {
+    Bounds bounds = nothing;
+    double numbers = 0;  // not even 0 once one is no number
+    for (const Vec3& position : positions) {
+        const Vec3 seen = scale * (position - focus);
+        numbers += 0 * (position.x + position.y + position.z);
+        include(bounds, position);
+        *vertex++ = {static_cast<float>(seen.x), static_cast<float>(seen.y), static_cast<float>(seen.z)};
+    }
+    if (numbers != 0 || !drawable(bounds.low) || !drawable(bounds.high)) return std::nullopt;
+    return bounds;
+}
+
 }  // namespace
 
 Detail detail_of(double radius) {
@@ -78,7 +105,11 @@ std::optional<Bounds> ParticleBlocks::place_block(const Frame& frame, const Proj
                                                   std::size_t count) {
     const Vec3 focus = projection.camera().focus;
     const double scale = 1 / projection.camera().distance;
-    Bounds bounds{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    if (drawn_in_place(frame)) {
+        const auto all = place_all(std::span(frame.positions).subspan(first, count), focus, scale, &vertices_[first]);
+        if (all) return all;
+    }
+    Bounds bounds = nothing;
     for (std::size_t i = first; i < first + count; ++i) {
         const Vec3 position = frame.seen(i);
         if (!drawable(position)) {
@@ -86,7 +117,7 @@ std::optional<Bounds> ParticleBlocks::place_block(const Frame& frame, const Proj
             continue;
         }
         vertices_[i] = in_float(scale * (position - focus));
-        bounds = joined(bounds, {position, position});
+        include(bounds, position);
     }
     if (bounds.low.x > bounds.high.x) return std::nullopt;
     return bounds;

@@ -41,6 +41,12 @@ VertexColour own_colour(const Shot& shot, std::size_t i) {
     return vertex_colour(particle_colour(shot.frame, shot.style, shot.scale, i), part);
 }
 
+/// Of all moving particles; none where they differ.
+std::optional<VertexColour> one_colour(const Shot& shot) {
+    if (differs_by_particle(shot.frame, shot.style) || !shot.known.parts.empty()) return std::nullopt;
+    return vertex_colour(role_colour(shot.style, Role::moving));
+}
+
 /// Of the window, for each of the picture.
 std::size_t pixels_of(const Style& style) {
     const auto side = static_cast<std::size_t>(style.enlarged);
@@ -78,28 +84,38 @@ void Particles::prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& tak
     const auto& dots = chosen_[index(Detail::dot)];
     one_of_ = share_of(shot.style, count_of(dots));
     const std::size_t one_of = std::max(one_of_, pixels_of(shot.style));
-    sample_ = one_of > 1 ? sample_of(dots, one_of) : std::vector<GLuint>();
     for (const Detail detail : {Detail::dot, Detail::point, Detail::body})
         blocks.mark(shot.projection, chosen_[index(detail)], radius, taken, detail == Detail::dot ? one_of : 1);
-    moving_.upload(blocks.vertices());
-    colour_moving(shot);
+    list_sample(shot, blocks, one_of);
+    upload_moving(shot, blocks);
     gather_special(shot, taken);
     prepare_rings(shot);
 }
 
-void Particles::colour_moving(const Shot& shot) {
-    if (!differs_by_particle(shot.frame, shot.style) && shot.known.parts.empty()) {
-        return moving_.colour(vertex_colour(role_colour(shot.style, Role::moving)));
+/// In place of all that are dots; they are few, and all others need not be uploaded then.
+void Particles::list_sample(const Shot& shot, const ParticleBlocks& blocks, std::size_t one_of) {
+    listed_sample_.clear();
+    if (one_of > 1) {
+        std::vector<IndexRange>& dots = chosen_[index(Detail::dot)];
+        const auto colour = one_colour(shot);
+        for (const std::uint32_t i : sample_of(dots, one_of))
+            listed_sample_.push_back({blocks.vertices()[i], colour ? *colour : own_colour(shot, i)});
+        dots.clear();
     }
+    sample_.upload(std::span<const Dot>(listed_sample_));
+}
+
+void Particles::upload_moving(const Shot& shot, const ParticleBlocks& blocks) {
+    const bool wanted = std::any_of(chosen_.begin(), chosen_.end(), [](const auto& ranges) { return !ranges.empty(); });
+    if (!wanted) return;
+    moving_.upload(blocks.vertices());
+    if (const auto colour = one_colour(shot)) return moving_.colour(*colour);
     colours_.resize(shot.frame.positions.size());
-    const bool all_dots = one_of_ == 1 && shot.style.enlarged == 1;
-    for (const Detail detail : {Detail::dot, Detail::point, Detail::body}) {
-        if (detail == Detail::dot && !all_dots) continue;
-        for (const auto& [first, count] : chosen_[index(detail)]) {
+    for (const std::vector<IndexRange>& ranges : chosen_) {
+        for (const auto& [first, count] : ranges) {
             for (std::size_t i = first; i < first + count; ++i) colours_[i] = own_colour(shot, i);
         }
     }
-    for (const GLuint i : sample_) colours_[i] = own_colour(shot, i);
     moving_.colour(colours_);
 }
 
@@ -155,7 +171,7 @@ void Particles::prepare_rings(const Shot& shot) {
     }
 }
 
-void Particles::draw(const ViewUniforms& view, const RenderTarget& target, const Style& style) const {
+void Particles::draw(const ViewUniforms& view, const RenderTarget& target) const {
     const bool sampled = target.samples() > 1;
     // The alpha of outlines determines the covered samples; the picture itself is opaque.
     const float least_coverage = sampled ? 0.0F : 0.5F;
@@ -179,8 +195,8 @@ void Particles::draw(const ViewUniforms& view, const RenderTarget& target, const
     glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     use(dot_, view, radius, least_coverage);
-    if (one_of_ == 1 && style.enlarged == 1) return moving_.draw_points(chosen_[index(Detail::dot)]);
-    moving_.draw_points(sample_);
+    moving_.draw_points(chosen_[index(Detail::dot)]);
+    sample_.draw_points();
 }
 
 void Particles::draw_rings(const ViewUniforms& view, double pixel_scale) const {

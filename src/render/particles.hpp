@@ -22,7 +22,7 @@ public:
     /// Uploads the particles, chooses those that the picture shows, and marks what they cover in `taken`.
     void prepare(const Shot& shot, ParticleBlocks& blocks, Occupancy& taken);
     /// Draws the particles.
-    void draw(const ViewUniforms& view, const RenderTarget& target, const Style& style) const;
+    void draw(const ViewUniforms& view, const RenderTarget& target) const;
     /// One of so many of those that are but dots is drawn, besides what a coarse picture leaves out.
     std::size_t one_of() const { return one_of_; }
     /// Draws the rings; blended, so after everything opaque.
@@ -43,15 +43,16 @@ private:
     };
 
     void gather_special(const Shot& shot, Occupancy& taken);
-    void colour_moving(const Shot& shot);
+    void list_sample(const Shot& shot, const ParticleBlocks& blocks, std::size_t one_of);
+    void upload_moving(const Shot& shot, const ParticleBlocks& blocks);
     void prepare_rings(const Shot& shot);
-    void draw_special(const ViewUniforms& view) const;
 
     ShaderProgram sphere_, cube_, octahedron_, point_, dot_, ring_;
     ParticleArrays moving_;
     std::array<std::vector<IndexRange>, details> chosen_;  ///< of the moving ones, by Detail
     std::size_t one_of_ = 1;
-    std::vector<GLuint> sample_;         ///< of the dots, if not all of them are drawn
+    DotList sample_;                     ///< of those that are dots, if not all of them are drawn
+    std::vector<Dot> listed_sample_;     ///< kept to reuse its memory
     std::vector<VertexColour> colours_;  ///< kept to reuse its memory
     std::array<Kind, 4> kinds_;          ///< by Role
     DotList kicked_ring_;

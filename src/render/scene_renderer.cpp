@@ -255,7 +255,7 @@ void SceneRenderer::Body::draw_space(const Style& style, const AxesBox& box, con
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     if (style.springs) springs.draw(view, style.pixel_scale);
-    particles.draw(view, target, style);
+    particles.draw(view, target);
     lines.draw(arrows, view, 1.5 * style.pixel_scale);
     lines.draw(trail, view, 1.5 * style.pixel_scale);
     if (with_ghosts) ghosts->draw_lines(view, style);

@@ -114,6 +114,19 @@ TEST_F(PanelDrawing, nothing_is_drawn_where_nothing_changes) {
     EXPECT_LT(changed, size.width * size.height / 4);
 }
 
+TEST_F(PanelDrawing, data_differs_also_where_it_is_covered) {
+    const PictureArea all{0, 0, size};
+    draw_changes(panel("step 1"), all);
+    EXPECT_TRUE(changes_.differs()) << "from nothing";
+    draw_changes(panel("step 1"), all);
+    EXPECT_FALSE(changes_.differs());
+    EXPECT_TRUE(draw_changes(panel("step 2"), all).empty());
+    EXPECT_TRUE(changes_.differs());
+    changes_.forget();
+    draw_changes(panel("step 2"), all);
+    EXPECT_TRUE(changes_.differs());
+}
+
 TEST_F(PanelDrawing, after_forgetting_all_is_drawn) {
     draw_changes(panel("step 1"));
     changes_.forget();

@@ -98,13 +98,14 @@ TEST(ParticleBlocks, those_that_cannot_be_drawn_spoil_nothing) {
     Frame frame = heaps_at({{0, 0, 0}, {0, 0, 0}});
     const double infinite = std::numeric_limits<double>::infinity();
     frame.positions[3] = {0, std::nan(""), 0};
+    frame.positions[5] = {1e120, 0, 0};
     for (std::size_t i = block; i < 2 * block; ++i) frame.positions[i] = {infinite, 0, 0};
     EXPECT_THAT(chosen(frame, front_view, Detail::body), testing::ElementsAre(IndexRange{0, block}));
     const Projection projection(front_view, size_of_blocks);
     ParticleBlocks blocks;
     blocks.place(frame, projection);
     const Vec3 eye = (1 / front_view.distance) * (projection.eye() - front_view.focus);
-    for (const std::size_t hidden : {std::size_t{3}, block})
+    for (const std::size_t hidden : {std::size_t{3}, std::size_t{5}, block})
         EXPECT_GT(static_cast<double>(blocks.vertices()[hidden].z), eye.z);
     EXPECT_LT(blocks.bounds().high.x, 0.2);
 }

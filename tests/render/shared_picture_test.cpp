@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace steplab::render {
@@ -78,6 +79,19 @@ Frame grid_of_dots() {
         for (int column = -40; column <= 40; ++column) places.push_back({column * 0.04, row * 0.04, 0});
     }
     return particles_at(places, {}, 0.01);
+}
+
+TEST_F(SharedPicture, of_more_dots_than_are_drawn_at_once_has_them_all) {
+    std::vector<Vec3> places;
+    for (int row = -100; row < 100; ++row) {
+        for (int column = -105; column < 105; ++column) places.push_back({column * 0.008, row * 0.008, 0});
+    }
+    const PictureSize without_texts{150, 100};
+    const Image image = draw(particles_at(places, {}, 0.002), straight, bare(), without_texts);
+    const Image empty = draw(particles_at({{100, 100, 0}}, {}, 0.002), straight, bare(), without_texts);
+    EXPECT_GT(differing_pixels(image, empty), 6500) << "42 000 dots lie closer than pixels, over half of 15 000";
+    std::reverse(places.begin(), places.end());
+    EXPECT_EQ(differing_pixels(draw(particles_at(places, {}, 0.002), straight, bare(), without_texts), image), 0);
 }
 
 TEST_F(SharedPicture, coarse_ones_have_some_of_the_dots_and_the_same_every_time) {
