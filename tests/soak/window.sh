@@ -32,18 +32,36 @@ idle() {
     echo "paused and untouched: $(($(processor_time) - before)) hundredths of a second of processor time in 20 s"
 }
 
-latency() {
+# answers X Y AWAY_X AWAY_Y PIXEL_X PIXEL_Y SIDE
+answers() {
+    "$build/bin/window_latency" "$@" 30
+}
+
+panels() {
     start_display 1280x800
     open_window "$@"
     sleep 10
     local x y
-    read -r x y <<<"${place[picture]}"
-    "$build/bin/window_latency" "$x" "$y" 800 500 $((x - 25)) $((y - 8)) 30
+    [[ -n ${place[snapshot]:-} ]] || expect 'widget snapshot [0-9].*'
+    read -r x y <<<"${place[snapshot]}"
+    answers "$x" "$y" 800 500 $((x - 25)) $((y - 8)) 1
+}
+
+# The grid at the edge of the scene stands still unless the camera moves.
+camera() {
+    start_display 1280x800
+    open_window "$@"
+    sleep 10
+    xdotool mousemove 800 300 mousedown 1
+    answers 760 300 800 300 320 440 60
+    xdotool mouseup 1
 }
 
 echo "load of the machine: $(cut -d' ' -f1-3 /proc/loadavg) on $(nproc) processors"
 measured idle
 echo "panels of the paused window:"
-measured latency
+measured panels
 echo "panels while a mesh of 1000 x 1000 is stepping:"
-measured latency --model mesh --set dim=1000 --play
+measured panels --model mesh --set dim=1000 --play
+echo "camera while a mesh of 1000 x 1000 is stepping:"
+measured camera --model mesh --set dim=1000 --play

@@ -1,7 +1,8 @@
-// How long a window takes to answer: moves the pointer onto a widget and away from it, and waits for the widget's pixel
-// to change. Not a test: the numbers depend on the machine. Used by window.sh.
+// How long a window takes to answer: moves the pointer to a place and away from it, and waits until the square of SIDE
+// pixels whose corner is at PIXEL_X, PIXEL_Y has changed. Not a test: the numbers depend on the machine. Used by
+// window.sh.
 //
-//     window_latency X Y AWAY_X AWAY_Y PIXEL_X PIXEL_Y ROUNDS
+//     window_latency X Y AWAY_X AWAY_Y PIXEL_X PIXEL_Y SIDE ROUNDS
 
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
@@ -37,24 +38,29 @@ public:
         XWarpPointer(display_, None, DefaultRootWindow(display_), 0, 0, 0, 0, to.x, to.y);
         XSync(display_, False);
     }
-    unsigned long pixel(Point at) const {
-        XImage* image = XGetImage(display_, DefaultRootWindow(display_), at.x, at.y, 1, 1, AllPlanes, ZPixmap);
-        const unsigned long value = XGetPixel(image, 0, 0);
+    std::vector<unsigned long> pixels(Point corner, int side) const {
+        const auto length = static_cast<unsigned>(side);
+        XImage* image =
+            XGetImage(display_, DefaultRootWindow(display_), corner.x, corner.y, length, length, AllPlanes, ZPixmap);
+        std::vector<unsigned long> values;
+        for (int y = 0; y < side; ++y) {
+            for (int x = 0; x < side; ++x) values.push_back(XGetPixel(image, x, y));
+        }
         XDestroyImage(image);
-        return value;
+        return values;
     }
 
 private:
     Display* display_;
 };
 
-/// Milliseconds from moving the pointer until the pixel is another one; negative if it stays for five seconds.
-double answer_time(const Desktop& screen, Point to, Point watched) {
-    const unsigned long before = screen.pixel(watched);
+/// Milliseconds from moving the pointer until the pixels are others; negative if they stay for five seconds.
+double answer_time(const Desktop& screen, Point to, Point watched, int side) {
+    const std::vector<unsigned long> before = screen.pixels(watched, side);
     const auto begin = Clock::now();
     screen.move_pointer(to);
     while (Clock::now() - begin < std::chrono::seconds(5)) {
-        if (screen.pixel(watched) != before) {
+        if (screen.pixels(watched, side) != before) {
             return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
         }
         // Uncounted without a pause would take the processor from the window it looks at.
@@ -66,8 +72,8 @@ double answer_time(const Desktop& screen, Point to, Point watched) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 8) {
-        std::fputs("usage: window_latency X Y AWAY_X AWAY_Y PIXEL_X PIXEL_Y ROUNDS\n", stderr);
+    if (argc != 9) {
+        std::fputs("usage: window_latency X Y AWAY_X AWAY_Y PIXEL_X PIXEL_Y SIDE ROUNDS\n", stderr);
         return 2;
     }
     const auto number = [&](int i) { return std::atoi(argv[i]); };
@@ -76,8 +82,8 @@ int main(int argc, char** argv) {
     const Point watched{number(5), number(6)};
     const Desktop screen;
     std::vector<double> times;
-    for (int round = 0; round < number(7); ++round) {
-        for (const Point to : {widget, away}) times.push_back(answer_time(screen, to, watched));
+    for (int round = 0; round < number(8); ++round) {
+        for (const Point to : {widget, away}) times.push_back(answer_time(screen, to, watched, number(7)));
     }
     std::sort(times.begin(), times.end());
     const auto part = [&](double share) {
