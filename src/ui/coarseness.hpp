@@ -10,9 +10,9 @@ namespace steplab::ui {
 class Coarseness {
 public:
     static constexpr int coarsest = 4;
-    /// Seconds that a picture may take while the camera moves; together with a frame of the window it is on the screen
-    /// within 50 ms.
-    static constexpr double enough = 0.033;
+    /// Seconds that a picture may take while the camera moves: after the one that is under way, and with a frame of the
+    /// window, it is on the screen within 50 ms.
+    static constexpr double enough = 0.02;
 
     /// A picture that is enlarged so many times took so long to draw.
     void took(int enlarged, double seconds);

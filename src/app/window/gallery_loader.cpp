@@ -32,7 +32,7 @@ void GalleryLoader::begin(void (*wake)()) {
     };
     try {
         reading_ = std::async(std::launch::async, [work] {
-            lower_priority();
+            lower_priority(ThreadWork::pictures);
             work();
         });
     } catch (const std::system_error&) {

@@ -103,7 +103,7 @@ bool ScenePainter::take(Painted& picture) {
 }
 
 void ScenePainter::work() {
-    lower_priority();
+    lower_priority(ThreadWork::pictures);
     context_.make_current();
     try {
         Painting painting;

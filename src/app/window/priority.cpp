@@ -7,12 +7,12 @@ namespace steplab {
 
 namespace {
 
-/// Below the panels, but high enough that the scene is drawn while the machine does other work.
-constexpr int nice_value = 5;
+/// High enough that scenes play while the machine does other work.
+int nice_value(ThreadWork work) { return work == ThreadWork::pictures ? 5 : 10; }
 
 }  // namespace
 
 /// On Linux each thread has its own priority.
-void lower_priority() { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nice_value); }
+void lower_priority(ThreadWork work) { setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nice_value(work)); }
 
 }  // namespace steplab

@@ -2,7 +2,14 @@
 
 namespace steplab {
 
-/// Lowers the priority of this thread, and of threads it starts, below that of the thread that answers the user.
-void lower_priority();
+/// What a thread does.
+enum class ThreadWork {
+    pictures,  ///< after the panels, but before the runs, so that the camera follows the pointer while they play
+    runs       ///< the runs and all that is computed of them
+};
+
+/// Lowers the priority of the calling thread, and of those that it starts from then on: the thread of the window, and
+/// the rasteriser of a software renderer, go before it.
+void lower_priority(ThreadWork work);
 
 }  // namespace steplab

@@ -41,7 +41,7 @@ std::unique_ptr<Worker> start_worker(const RunDescription& description, const Gi
         session.record_to.empty() ? Worker::most_hashed : std::numeric_limits<std::size_t>::max();
     return std::async(std::launch::async,
                       [&] {
-                          lower_priority();
+                          lower_priority(ThreadWork::runs);
                           return std::make_unique<Worker>(beginning_of(description, session), hashed);
                       })
         .get();
@@ -73,7 +73,7 @@ Viewer::Viewer(const RunDescription& description, const WindowRequest& request)
 void Viewer::run(EndWatch& watch) {
     while (!quit_ && !window_.closing() && !watch.signal()) {
         take_news();
-        if (frames_wanted_ > 0 && Clock::now() - drawn_ >= frame_time) {
+        if (frames_wanted_ > 0 && Clock::now() >= due()) {
             window_.wait(0);  // where frames take longer than their time there is no other wait
             draw_frame();
         } else {
@@ -129,6 +129,8 @@ void Viewer::take_news() {
         if (std::exchange(was_moved_, false) && painted_.enlarged > 1) moved_ = Clock::now();  // for the next movement
         if (delayed_) save_snapshot(*std::exchange(delayed_, std::nullopt));
         frames_wanted_ = std::max(frames_wanted_, 1);
+        urgent_ = true;
+        picture_.forget_scene();
     }
 }
 
@@ -188,14 +190,27 @@ void Viewer::take_gallery() {
     frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
+/// When the next frame is due. What waits for one does not wait for those that looked as before, which take little
+/// time.
+Viewer::Clock::time_point Viewer::due() const {
+    const auto after = [](Clock::time_point time, std::chrono::duration<double> duration) {
+        return time + std::chrono::duration_cast<Clock::duration>(duration);
+    };
+    if (!urgent_) return after(drawn_, frame_time);
+    return std::max(after(shown_, frame_time), after(drawn_, frame_time / 4));
+}
+
 void Viewer::wait() {
     const auto now = Clock::now();
     if (frames_wanted_ > 0) {
-        window_.wait(std::max(1e-4, frame_time.count() - seconds(now - drawn_)));
+        window_.wait(std::max(1e-4, seconds(due() - now)));
     } else {
         window_.wait(change_ == Clock::time_point::max() ? 1e9 : std::max(1e-3, seconds(change_ - now)));
     }
-    if (window_.take_touched()) frames_wanted_ = frames_after_input;
+    if (window_.take_touched()) {
+        frames_wanted_ = frames_after_input;
+        urgent_ = true;
+    }
     if (Clock::now() >= change_) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
@@ -203,6 +218,7 @@ void Viewer::draw_frame() {
     const auto now = Clock::now();
     measured_.since_last_frame = std::max(1e-4, seconds(now - drawn_));
     drawn_ = now;
+    urgent_ = false;
     --frames_wanted_;
     const ui::Display display = window_.display();
     trace_.report("size", std::to_string(display.width) + "x" + std::to_string(display.height));
@@ -211,17 +227,27 @@ void Viewer::draw_frame() {
     interface_.draw(*view_, *worker_, {camera_, style_, painted_.view.get()}, measured_);
     if (!opened_choices_) opened_choices_ = choices();
     ask_for_scene(now);
-    picture_.draw(painted_.texture, interface_.scene(), interface_.draw_data());
+    show(now);
     take_film_frame();
     for (const ui::Request& request : interface_.take_requests()) carry_out(request);
-    window_.show_picture();
-    counted_.drew_frame();
     const double still = interface_.seconds_until_change();
     if (still <= 0) frames_wanted_ = frames_after_input;
     change_ = still < 1e6 ? now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(still))
                           : Clock::time_point::max();
     change_ = std::min(change_, rest_);
     report();
+}
+
+/// Not what looks as it did, unless the window has lost it.
+void Viewer::show(Clock::time_point now) {
+    const bool exposed = window_.take_exposed();
+    if (!picture_.draw(painted_.texture, interface_.scene(), interface_.draw_data())) {
+        if (!exposed) return;
+        picture_.repeat();
+    }
+    window_.show_picture();
+    shown_ = now;
+    counted_.drew_frame();
 }
 
 void Viewer::ask_for_scene(Clock::time_point now) {

@@ -101,9 +101,9 @@ struct Window::Events {
         window.touched_ = true;
         window.dropped_.insert(window.dropped_.end(), paths, paths + count);
     }
-    static void refresh(GLFWwindow* handle) { of(handle).touched_ = true; }
-    static void size(GLFWwindow* handle, int, int) { of(handle).touched_ = true; }
-    static void minimised(GLFWwindow* handle, int) { of(handle).touched_ = true; }
+    static void expose(GLFWwindow* handle) { of(handle).touched_ = of(handle).exposed_ = true; }
+    static void size(GLFWwindow* handle, int, int) { expose(handle); }
+    static void minimised(GLFWwindow* handle, int) { expose(handle); }
 
     static void connect(GLFWwindow* handle) {
         glfwSetKeyCallback(handle, key);
@@ -114,7 +114,7 @@ struct Window::Events {
         glfwSetCharCallback(handle, character);
         glfwSetWindowFocusCallback(handle, focus);
         glfwSetDropCallback(handle, dropped);
-        glfwSetWindowRefreshCallback(handle, refresh);
+        glfwSetWindowRefreshCallback(handle, expose);
         glfwSetFramebufferSizeCallback(handle, size);
         glfwSetWindowIconifyCallback(handle, minimised);
     }

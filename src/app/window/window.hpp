@@ -44,6 +44,8 @@ public:
     std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
     /// True if there was input, a change of size or an exposure since the last call.
     bool take_touched();
+    /// True if what it shows may have been lost since the last call.
+    bool take_exposed() { return std::exchange(exposed_, false); }
     /// Sleeps until an event or wake(), at most `seconds`.
     void wait(double seconds);
     /// Ends a wait(); may be called from any thread.
@@ -69,7 +71,7 @@ private:
     std::unique_ptr<GLFWwindow, Deleter> window_;
     std::optional<float> scale_;
     ui::Input* input_ = nullptr;
-    bool touched_ = true;
+    bool touched_ = true, exposed_ = true;
     std::vector<std::string> dropped_;
     Place windowed_;  ///< place to restore after full screen
 };

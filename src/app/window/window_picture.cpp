@@ -32,7 +32,7 @@ void WindowPicture::upload_fonts(ImFontAtlas& fonts) {
     changes_.forget();
 }
 
-void WindowPicture::draw(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels) {
+bool WindowPicture::draw(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels) {
     const render::PictureSize size = size_of(panels);
     if (kept_.size() != size) {
         kept_.reserve(size);
@@ -40,12 +40,14 @@ void WindowPicture::draw(const render::PictureTexture& scene, const ui::PixelRec
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, kept_.name(), 0);
         changes_.forget();
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, kept_framebuffer_.id());
     const bool has_scene = scene.size().width > 0;
     if (!has_scene) changes_.forget();
     const render::PictureArea covered{area.x, area.y, {area.width, area.height}};
     std::vector<render::PictureArea> areas =
         changes_.take(panels, has_scene ? covered : render::PictureArea{0, 0, {0, 0}});
+    if (!changes_.differs() && scene_area_ == area) return false;
+    scene_area_ = area;
+    glBindFramebuffer(GL_FRAMEBUFFER, kept_framebuffer_.id());
     clear(areas, size.height);
     if (has_scene) {
         copy_scene(scene, area, size.height, kept_framebuffer_.id());
@@ -53,6 +55,7 @@ void WindowPicture::draw(const render::PictureTexture& scene, const ui::PixelRec
     }
     panels_.draw(panels, areas);
     show(size);
+    return true;
 }
 
 void WindowPicture::show(render::PictureSize size) const {

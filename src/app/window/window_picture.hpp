@@ -21,8 +21,13 @@ public:
     void upload_fonts(ImFontAtlas& fonts);
     /// To be called when another texture of the panels has other content.
     void forget_panels() { changes_.forget(); }
-    /// Draws it in the window. The scene is stretched to its area where its picture has another size.
-    void draw(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels);
+    /// To be called when the scene has another picture.
+    void forget_scene() { scene_area_.reset(); }
+    /// Draws it in the window unless it looks as it did: false, then. The scene is stretched to its area where its
+    /// picture has another size.
+    bool draw(const render::PictureTexture& scene, const ui::PixelRect& area, const ImDrawData& panels);
+    /// Draws it as it was drawn last.
+    void repeat() const { show(kept_.size()); }
     /// What a picture shows.
     struct Shot {
         const render::PictureTexture& scene;
@@ -45,6 +50,7 @@ private:
     render::PanelChanges changes_;
     render::PictureTexture kept_;
     render::Framebuffer kept_framebuffer_;
+    std::optional<ui::PixelRect> scene_area_;  ///< of the scene as it was drawn last
 };
 
 }  // namespace steplab
