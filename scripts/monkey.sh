@@ -64,11 +64,16 @@ open_for_the_monkey() {
     window=$(xdotool search --name steplab | head -1)
 }
 
+# said REGEX LINES: the last such line of the trace behind its first LINES.
+said() {
+    awk -v wanted="$1" -v from="$2" 'NR > from && $0 ~ wanted { line = $0 } END { print line; exit line == "" }' "$folder/trace" 2>/dev/null
+}
+
 # answered REGEX LINES [SECONDS]: waits until the trace has such a line behind its first LINES.
 answered() {
     # shellcheck disable=SC2154  # of the driver
     local end=$((SECONDS + ${3:-$patience}))
-    until tail -n "+$(($2 + 1))" "$folder/trace" 2>/dev/null | grep -qE "$1"; do
+    until said "$1" "$2" >"$folder/line"; do
         kill -0 "$window_pid" 2>/dev/null || return 1
         ((SECONDS < end)) || return 1
         sleep 0.05
@@ -120,21 +125,48 @@ play_round() {
     resized $width $height "$lines" || { check_end && open_for_the_monkey; }
 }
 
-# rest: the window as it would be found at any time, the chain at its start, so that what it takes can be compared.
+# prepare_rest: a session of which nothing is known but its start.
+prepare_rest() {
+    (cd "$folder" && exec "$program" --trace "$folder/trace" --config none --model chain --session rest.session) 2>"$folder/errors" &
+    window_pid=$!
+    answered '^widget step ' 0 || give_up "it does not open"
+    xdotool key ctrl+q
+    check_end
+    [[ -s $folder/rest.session ]] || give_up "it records no session"
+}
+
+# clicked WIDGET LINES: waits until the trace has its place behind its first LINES, and clicks its middle.
+clicked() {
+    answered "^widget $1 [0-9]" "$2" 5 || return 1
+    local at
+    at=$(awk '{ print int(($(NF - 3) + $(NF - 1)) / 2), int(($(NF - 2) + $NF) / 2) }' "$folder/line")
+    # shellcheck disable=SC2086  # two numbers
+    xdotool mousemove $at click 1 2>>"$folder/xdotool.log"
+}
+
+# at_rest HEIGHT: opens the session of prepare_rest in place of the one that there is, with the usual panels and plots, so that what
+# the window takes can be compared: what could be undone until then is gone.
+at_rest() {
+    local lines
+    lines=$(wc -l <"$folder/trace")
+    resized 1000 "$1" "$lines" || return 1
+    xdotool mousemove 400 300 key Escape key Escape key Escape key ctrl+o 2>>"$folder/xdotool.log"
+    clicked scenes.path "$lines" || return 1
+    lines=$(wc -l <"$folder/trace")
+    xdotool key ctrl+a type --delay 5 rest.session
+    xdotool key Return
+    answered '^widget scenes.path gone' "$lines" 5 || return 1
+    clicked menu 0 || return 1
+    clicked 'menu/reset layout' "$lines"
+}
+
 rest() {
-    local lines at tries
+    local tries
     for ((tries = 0; tries < 5; ++tries)); do
-        lines=$(wc -l <"$folder/trace")
-        resized 1000 700 "$lines" || return 1
-        xdotool mousemove 400 300 key Escape key Escape key Escape key ctrl+o 2>>"$folder/xdotool.log"
-        answered '^widget scenes.path [0-9]' "$lines" 5 || continue
-        at=$(grep -E '^widget scenes.path [0-9]' "$folder/trace" | tail -1 | cut -d' ' -f3,4)
-        lines=$(wc -l <"$folder/trace")
-        # shellcheck disable=SC2086  # two numbers
-        xdotool mousemove $at click 1 key ctrl+a type --delay 5 "$root/assets/scenes/chain.toml"
-        xdotool key Return
-        if answered '^widget scenes.path gone' "$lines" 5; then break; fi
+        if at_rest $((700 + tries)); then break; fi
+        kill -0 "$window_pid" 2>/dev/null || return 1
     done
+    ((tries < 5)) || give_up "it does not come to rest"
     sleep 2 # what is freed a moment later
     resting+=("$(megabytes)")
 }
@@ -142,6 +174,7 @@ rest() {
 number=0
 memory=() resting=()
 start_display 1300x820
+prepare_rest
 open_for_the_monkey
 begin=$SECONDS
 while ((gestures > 0 ? number * per_round < gestures : SECONDS - begin < minutes * 60)); do
