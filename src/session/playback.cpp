@@ -335,8 +335,8 @@ PlayedStart played_start(const std::string& file) {
 }
 
 RunDescription continued(const SessionView& view) {
-    if (!view.playback || !view.playback->measured)
-        throw UsageError("only a trajectory with all particles of its scene can be continued");
+    if (!view.playback || !view.playback->measured || view.leading.description.dt < 0)
+        throw UsageError("only a trajectory with all particles of its scene, forward in time, can be continued");
     const Frame& frame = view.leading.frame;
     RunDescription run = view.leading.description;
     run.start = {.from = std::make_shared<const StartingValues>(

@@ -118,7 +118,7 @@ struct PlayedStart {
 PlayedStart played_start(const std::string& file);
 
 /// A run from the moment of a trajectory that is shown, of the scene and with the method of the file.
-/// Throws UsageError if the file does not hold all of its scene.
+/// Throws UsageError if the file does not hold all of its scene, or goes backward in time as no session does.
 RunDescription continued(const SessionView& view);
 
 }  // namespace steplab

@@ -75,6 +75,13 @@ std::vector<Alteration> alterations_of(const toml::node& node) {
     return all;
 }
 
+/// A session is played forward in time.
+double forward_dt_of(const toml::node& node) {
+    const double dt = number_of(node);
+    if (dt < 0) fail_at(node, "a session goes forward in time: dt must be > 0");
+    return dt;
+}
+
 /// The runs of a file, with the scenes and starting values that they share.
 class Runs {
 public:
@@ -96,7 +103,7 @@ public:
         if (const auto* const values = table.get("method-parameters"))
             set_parameters(*values, run.method, run.method_parameters);
         run.precision = *parse_precision(word_of(needed(table, what, "precision"), "precision", {"float", "double"}));
-        run.dt = number_of(needed(table, what, "dt"));
+        run.dt = forward_dt_of(needed(table, what, "dt"));
         if (const auto* const from = table.get("from")) run.start.from = chosen(*from, starts_, "starts");
         if (const auto* const reverse = table.get("reverse")) run.start.reverse = flag_of(*reverse);
         if (const auto* const alterations = table.get("alterations"))

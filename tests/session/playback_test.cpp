@@ -323,5 +323,13 @@ TEST(Playback, is_continued_by_a_run_from_the_frame_that_is_shown) {
     }
 }
 
+// A session goes forward in time: it would never come to its next step.
+TEST(Playback, of_a_run_backward_in_time_cannot_be_continued) {
+    const Written written(played_chain(-0.1));
+    Playback playback(written.path);
+    go_to(playback, 6);
+    EXPECT_THROW(continued(view_of(playback)), UsageError);
+}
+
 }  // namespace
 }  // namespace steplab::test

@@ -96,6 +96,7 @@ TEST(SessionFile, says_what_is_wrong_and_where) {
     refuses("steplab-session = 1\n", "needs 'start'");
     refuses(head + "dt = 0.2\n", "a.session:8:");
     refuses(replaced(head, "0.1", "0.0"), "a.session:2:1: dt must be");
+    refuses(replaced(head, "0.1", "-0.1"), "a.session:7:6: a session goes forward in time: dt must be > 0");
     refuses(replaced(head, "\"chain\"", "\"chian\""), "a.session:3:9: unknown model 'chian' (did you mean 'chain'?)");
     refuses(replaced(head, "{}", "{ m = 0 }"), "a.session:4:20: ");
     refuses(replaced(head, "{}", "{ fixd = 1 }"), "unknown parameter 'fixd' of chain (did you mean 'fixed'?)");
