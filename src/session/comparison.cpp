@@ -23,9 +23,8 @@ RunDescription RunComparison::sampled(RunDescription description) const {
     return description;
 }
 
-/// In double, whatever the precision of the run: that of float is one of the errors to be seen.
-std::size_t RunComparison::reference_of(RunDescription description) {
-    description.precision = Precision::double_;
+/// It ignores the precision of the run: that of float is one of the errors to be seen.
+std::size_t RunComparison::reference_of(const RunDescription& description) {
     const auto same = [&](const Reference& known) { return known.of.scene == description.scene; };
     const auto found = std::find_if(references_.begin(), references_.end(), same);
     if (found != references_.end()) return static_cast<std::size_t>(found - references_.begin());

@@ -46,7 +46,7 @@ private:
     };
 
     RunDescription sampled(RunDescription description) const;
-    std::size_t reference_of(RunDescription description);
+    std::size_t reference_of(const RunDescription& description);
 
     double duration_;
     std::uint64_t samples_;

@@ -41,8 +41,7 @@ void Pace::took(std::uint64_t steps, std::uint64_t evaluations, double simulated
         const auto paid = clamped_seconds(simulated / rate.seconds_per_second, longest);
         paid_until_ = std::min(paid_until_, end + clamped_seconds(longest, longest)) + paid;
     }
-    if (rate.as_fast_as_possible || end - paid_until_ > most_behind)
-        paid_until_ = std::max(paid_until_, end - most_behind);
+    paid_until_ = std::max(paid_until_, end - most_behind);
     const double fading = std::exp(-spent.count() / memory_seconds);
     steps_ = steps_ * fading + static_cast<double>(steps);
     evaluations_ = evaluations_ * fading + static_cast<double>(evaluations);

@@ -179,8 +179,7 @@ std::uint64_t TimeLine::step_at(double time) const {
     const auto next = std::find_if(std::next(changes_.begin()), changes_.end(),
                                    [&](const SegmentBegin& change) { return change.time > time; });
     const SegmentBegin& segment = *std::prev(next);
-    const std::uint64_t step = segment.step + steps_within(time - segment.time, segment.description);
-    return next == changes_.end() ? step : std::min(step, next->step);
+    return segment.step + steps_within(time - segment.time, segment.description);
 }
 
 double TimeLine::time_of(std::uint64_t step) const {
