@@ -12,7 +12,7 @@
 namespace steplab::test {
 namespace {
 
-constexpr auto never = [] { return false; };
+constexpr auto never_enough = [] { return false; };
 
 void step_on_to(Session& session, std::uint64_t step) {
     session.handle(event::Seek{step});
@@ -30,7 +30,7 @@ void play(Session& session, Hashes& hashes, int steps) {
     for (int i = 0; i < steps; ++i) {
         session.advance(1);
         session.keep_moment();
-        session.catch_up(never);
+        session.catch_up(never_enough);
         hashes[session.run().step()] = session.run().hash();
     }
 }
@@ -142,7 +142,7 @@ TEST(Hands, runs_beside_the_leading_one_follow) {
         session.finish();
         EXPECT_EQ(session.followers()[1].run().hash(), session.run().hash()) << "the same run: " << scene.model;
         FollowerRun fresh(beside, TimeLine::usual_bytes);
-        fresh.follow(session.line(), never);
+        fresh.follow(session.line(), never_enough);
         EXPECT_EQ(session.followers()[0].run().hash(), fresh.run().hash()) << scene.model;
         EXPECT_EQ(session.followers()[0].run().description().alterations, session.run().description().alterations);
         Simulation alone(beside);
@@ -187,7 +187,7 @@ TEST(Hands, a_hold_takes_all_runs_to_one_place) {
     for (int i = 0; i < 200; ++i) {
         session.handle(event::Do{Tug{0, {2, 1, 0}, 4, i > 0}});
         session.advance(5);
-        session.catch_up(never);
+        session.catch_up(never_enough);
     }
     EXPECT_LT(length(session.run().frame().positions[0] - Vec3{2, 1, 0}), 0.05);
     EXPECT_LT(length(session.followers()[0].run().frame().positions[0] - Vec3{2, 1, 0}), 0.05);

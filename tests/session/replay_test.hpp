@@ -5,6 +5,7 @@
 #include "session/replayed.hpp"
 #include "session/session_file.hpp"
 #include "support/runs.hpp"
+#include "support/scene_texts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,12 +30,6 @@ inline void expect_answer(const std::string& text) {
     } catch (const FileError&) {
     } catch (const UsageError&) {
     }
-}
-
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t place = text.find(from);
-    EXPECT_NE(place, std::string::npos) << from << " in " << text;
-    return place == std::string::npos ? text : text.replace(place, from.size(), to);
 }
 
 inline RunDescription replayed_chain(Precision precision = Precision::double_) {
