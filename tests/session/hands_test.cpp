@@ -273,6 +273,18 @@ TEST(Hands, a_tug_without_time_in_between_does_nothing) {
     EXPECT_EQ(session.line().changes().size(), 2u) << "particle 0 is fixed";
 }
 
+TEST(Hands, a_hold_is_over_where_something_else_was_done) {
+    Session session(replayed_chain());
+    session.handle(event::Do{Tug{5, {9, 1, 0}, 4}});
+    session.handle(event::Step{20});
+    session.handle(event::Do{Kick{3, {0.1, 0, 0}}});
+    session.handle(event::Step{20});
+    session.handle(event::Do{Tug{5, {9, 1, 0}, 4, true}});
+    const Tug tug = std::get<Tug>(session.line().past().back().act.value());
+    EXPECT_FALSE(tug.goes_on);
+    EXPECT_EQ(tug.duration, session.run().dt()) << "not the 20 steps since the kick";
+}
+
 TEST(Hands, long_holds_keep_their_history_within_bounds) {
     Session session(replayed_chain());
     session.handle(event::Play{});

@@ -66,6 +66,7 @@ TEST(Session, plays_a_loop_in_which_the_run_diverges_to_where_it_does) {
     const std::uint64_t last = session.run().step();
     session.handle(event::Loop{StepRange{last / 2, last + 1000}});
     session.handle(event::Play{true});
+    EXPECT_TRUE(session.playing()) << "from where it ended, too";
     std::uint64_t first = last, furthest = 0;
     for (int i = 0; i < 300; ++i) {
         session.play_on(8);
