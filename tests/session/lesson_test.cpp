@@ -226,6 +226,21 @@ TEST(LessonCheck, leaves_what_is_not_reached_unknown) {
     EXPECT_FALSE(check_facts(lesson)[0].holds());
 }
 
+// At step 5 the session goes back and kicks: at step 3 it is then elsewhere.
+TEST(LessonCheck, measures_a_step_where_it_is_passed_first) {
+    const std::string session = std::string(small_session).substr(0, std::string(small_session).find("[[events]]")) +
+                                "[[events]]\nstep = 5\ndo = \"seek\"\nto = 0\n[[events]]\nstep = 0\ndo = \"kick\"\n"
+                                "particle = 1\nvelocity = [1, 0, 0]\n[[events]]\nstep = 9\ndo = \"bookmark\"\n"
+                                "text = \"five\"\n";
+    Lesson lesson = parse_lesson(small_lesson, "a.toml", parse_session(session, "a.session"));
+    LessonFact& fact = lesson.pages[0].facts[0];
+    fact.quantity = "distance from start";
+    fact.step = 3;
+    EXPECT_NEAR(check_facts(lesson)[0].value, std::sin(0.3), 1e-6);  // sin t for v0 = 1, ω = 1, to the error of rk4
+    fact.step.reset();
+    EXPECT_GT(check_facts(lesson)[0].value, 1) << "kicked, it swings twice as far";
+}
+
 // Each quantity of a swing of rk4 in double at dt = 0.1 is a number; exact ones are compared.
 TEST(LessonCheck, knows_every_quantity) {
     Lesson lesson = parsed(small_lesson);

@@ -219,6 +219,61 @@ TEST(Replay, takes_what_is_done_to_a_run_that_diverged) {
     EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
 }
 
+TEST(Replay, knows_how_many_steps_it_takes_forward) {
+    Session session(replayed_chain());
+    session.record();
+    session.advance(40);
+    session.handle(event::Seek{0});
+    session.handle(event::Bookmark{"here"});
+    session.advance(15);
+    const Recording recording = *session.recorded();
+    Session again(recording.start);
+    Replay replay(recording, again);
+    EXPECT_EQ(replay.all_steps(), 40u + 15u);
+    while (!replay.is_done()) {
+        replay.approach(7);
+        if (!replay.is_due()) continue;
+        EXPECT_EQ(replay.perform(), std::nullopt);
+    }
+    EXPECT_EQ(replay.steps(), 40u + 15u);
+}
+
+// The end is where the run stood, not where it was on its way to.
+TEST(Replay, of_a_run_that_was_on_its_way_ends_where_it_was) {
+    Session session(replayed_chain());
+    session.record();
+    session.handle(event::AddRun{with(replayed_chain(), "dt", 0.05)});
+    session.handle(event::Seek{1000});
+    session.advance(100);
+    session.catch_up([] { return false; });
+    ASSERT_EQ(session.goal(), 1000u);
+    const Recording recording = *session.recorded();
+    ASSERT_EQ(recording.end->hashes.size(), 2u);
+    EXPECT_EQ(replayed_from_text(recording), "the same");
+}
+
+TEST(Replay, misses_a_run_that_was_recorded) {
+    Session session(replayed_chain());
+    session.record();
+    session.handle(event::AddRun{with(replayed_chain(), "dt", 0.05)});
+    session.advance(40);
+    session.finish();
+    Recording recording = *session.recorded();
+    recording.end->hashes.push_back(recording.end->hashes.back());
+    EXPECT_THAT(replayed(recording), HasSubstr("the end at step 40: there are 2 runs, but 3 were recorded"));
+}
+
+// The other run has not caught up: where it stands says nothing.
+TEST(Replay, of_runs_that_are_not_together_has_the_hash_of_the_first_alone) {
+    Session session(replayed_chain());
+    session.record();
+    session.handle(event::AddRun{with(replayed_chain(), "dt", 0.05)});
+    session.advance(40);
+    ASSERT_TRUE(session.is_behind());
+    EXPECT_EQ(session.recorded()->end->hashes.size(), 1u);
+    EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
+}
+
 TEST(SessionFile, with_changed_bytes_is_answered) {
     const std::string text = session_text(of_every_kind(replayed_chain()));
     std::mt19937 random(7);

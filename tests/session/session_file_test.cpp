@@ -32,6 +32,31 @@ TEST(Recording, keeps_one_event_of_a_drag) {
     EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
 }
 
+TEST(Recording, keeps_what_was_done_to_a_particle_at_two_steps) {
+    Session session(replayed_chain());
+    session.record();
+    session.handle(event::Do{Pull{3, {2.25, 0, 0}}});
+    session.advance(10);
+    session.handle(event::Do{Pull{3, {2.5, 0, 0}}});
+    session.advance(10);
+    EXPECT_EQ(session.recorded()->events.size(), 2u);
+    EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
+}
+
+TEST(Recording, keeps_both_of_two_moments_between_which_it_played) {
+    Session session(replayed_chain());
+    session.record();
+    session.handle(event::Step{100});
+    session.handle(event::Play{true});
+    for (const std::uint64_t step : {50u, 20u}) {
+        session.handle(event::Seek{step});
+        session.finish();
+        session.advance(10);
+    }
+    EXPECT_EQ(session.recorded()->events.size(), 4u) << "there was something to see from 50 to 60";
+    EXPECT_EQ(replayed_from_text(*session.recorded()), "the same");
+}
+
 TEST(Recording, is_bounded) {
     Recording recording{.start = replayed_chain()};
     for (std::size_t i = 0; i < Recording::most_events + 10; ++i) recording.add({event::Step{1}, i}, false);
@@ -126,8 +151,24 @@ TEST(SessionFile, names_a_shipped_scene_alone) {
     };
     const Recording recording = parse_session(with_scene("double-well"), "a.session");
     EXPECT_EQ(recording.start.origin, find_scene("double-well"));
+    EXPECT_THAT(refusal_of(replaced(with_scene("double-well"), "rk4", "verlet-2008")),
+                HasSubstr("a.session:4:1: verlet-2008 cannot run this scene"));
     EXPECT_EQ(refusal_of(with_scene("double-wel")),
               "a.session:2:1: 'double-wel' is no scene that comes with the program: [[scenes.files]] must have it");
+}
+
+TEST(SessionFile, has_equal_scenes_of_two_names_and_every_byte_of_their_files) {
+    const auto named = [](const std::string& name) {
+        const std::string particles = replaced(particles_text, "Step=0", "Step=0 note=\"a\x7f\x01\t\"");
+        return describe(
+            scene_from({{.name = "", .content = scene_text}, {.name = "a.xyz", .content = particles}}, name));
+    };
+    Recording recording{.start = named("one.toml")};
+    recording.events.push_back({event::Begin{named("other.toml")}});
+    const Recording read = parse_session(session_text(recording), "a.session");
+    EXPECT_EQ(read.start.origin->parts, recording.start.origin->parts);
+    EXPECT_EQ(read.start.origin->given, "one.toml");
+    EXPECT_EQ(std::get<event::Begin>(read.events[0].event).description.origin->given, "other.toml");
 }
 
 TEST(SessionFile, truncated_anywhere_is_answered) {
