@@ -73,6 +73,17 @@ TEST_F(FilmPartTest, begins_in_the_middle_of_the_recording) {
     EXPECT_EQ(session.line.bookmarks.size(), 2u);
 }
 
+TEST_F(FilmPartTest, begins_again_where_an_earlier_one_is_played) {
+    worker.play_part(part(0, 2));
+    ASSERT_TRUE(stands_at(20));
+    worker.play_part(part(2, 4));
+    ASSERT_TRUE(stands_at(40));
+    worker.play_part(part(0, 2));
+    ASSERT_TRUE(stands_at(20));
+    EXPECT_TRUE(session.line.changes.empty());
+    EXPECT_EQ(session.line.bookmarks.size(), 1u);
+}
+
 // At a thousandth of real time, step 20 would be 2000 s away.
 TEST_F(FilmPartTest, hastens_to_where_it_begins) {
     worker.send(event::SetRate{{.as_fast_as_possible = false, .seconds_per_second = 1e-3}});

@@ -106,6 +106,15 @@ TEST_F(FilmTest, pauses_and_ends_where_something_else_is_done) {
     EXPECT_EQ(session.line.changes.size(), 1u) << "no pull came";
 }
 
+TEST_F(FilmTest, ends_where_it_is_played_backwards) {
+    worker.send(event::Play{true, true});
+    worker.send(event::Magnify{2});
+    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.frame.magnified == 2; }));
+    worker.send(event::Play{true});
+    ASSERT_TRUE(see([](const SessionView& now) { return now.leading.frame.step > 150; }));
+    EXPECT_TRUE(session.line.changes.empty()) << "no pull came";
+}
+
 TEST(Film, of_another_run_says_so) {
     Recording other = recorded();
     other.start.scene.set("k", 1.5);

@@ -73,5 +73,28 @@ TEST(Playback, plays_in_simulated_time_and_stops_at_the_last_frame) {
     EXPECT_TRUE(playback.playing());
 }
 
+TEST(Playback, waits_at_the_ends_of_a_loop_as_long_as_at_any_frame) {
+    for (const double dt : {0.1, -0.1}) {
+        const Written written(played_chain(dt));
+        Playback playback(written.path);
+        go_to(playback, 23);
+        EXPECT_DOUBLE_EQ(playback.next_elapsed(), 4.6) << "behind the last frame comes none";
+        playback.handle(event::Loop{StepRange{0, 46}});
+        EXPECT_DOUBLE_EQ(playback.next_elapsed(), 4.8);
+        playback.handle(event::Play{true, true});
+        while (playback.number() > 0) playback.play_next();
+        EXPECT_DOUBLE_EQ(playback.next_elapsed(), -0.2);
+    }
+}
+
+TEST(Playback, goes_to_a_frame_whose_time_is_given_in_ten_digits) {
+    const Written written(played_chain());
+    Playback playback(written.path);
+    playback.handle(event::SeekTime{0.6 - 1e-10});
+    EXPECT_EQ(playback.number(), 3u);
+    playback.handle(event::SeekTime{0.6 - 1e-6});
+    EXPECT_EQ(playback.number(), 2u);
+}
+
 }  // namespace
 }  // namespace steplab::test

@@ -102,5 +102,52 @@ TEST(Playback, of_damaged_text_shows_the_frames_before_and_says_why) {
     EXPECT_THROW(Playback{Kept("step,time,particle,x,y,z\n").name()}, FileError);
 }
 
+TEST(Playback, of_text_has_the_box_of_each_frame) {
+    const auto frame = [](const std::string& side) {
+        return "1\nLattice=\"" + side + " 0 0 0 " + side + " 0 0 0 " + side + "\" pbc=\"T T T\"\nH 1 2 3\n";
+    };
+    const Kept file(frame("4") + frame("5"));
+    Playback playback(file.name());
+    for (const std::size_t number : {0u, 1u, 0u}) {
+        go_to(playback, number);
+        const double side = number == 0 ? 4 : 5;
+        EXPECT_EQ(view_of(playback).leading.frame.shape->box, (Vec3{side, side, side}));
+    }
+}
+
+TEST(Playback, of_text_knows_how_far_particles_and_frames_are_apart) {
+    const Kept file("2\nStep=100\nH 0 0 0\nH 0 3 0\n2\nStep=120\nH 0 0 0\nH 0 4 0\n");
+    Playback playback(file.name());
+    const SessionView view = view_of(playback);
+    EXPECT_EQ(view.leading.frame.shape->spacing, 3) << "in the first frame";
+    EXPECT_EQ(view.leading.dt, 20);
+}
+
+TEST(Playback, of_text_that_grows_waits_for_the_time_of_its_next_frame) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("a.xyz"), two = "1\nTime=0\nH 1 2 3\n1\nTime=1\nH 2 3 4\n";
+    put_text(path, two);
+    Playback playback(path);
+    go_to(playback, 1);
+    EXPECT_EQ(playback.next_elapsed(), 1);
+    put_text(path, two + "1\nTime=4\nH 3 4 5\n");
+    EXPECT_TRUE(playback.look_on());
+    EXPECT_EQ(playback.frames(), 3u);
+    EXPECT_EQ(playback.next_elapsed(), 4);
+}
+
+TEST(Playback, of_a_dump_draws_the_bonds_between_the_particles_that_it_has) {
+    const TemporaryFolder folder;
+    put_text(folder.file("a.dump"),
+             "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n"
+             "ITEM: ATOMS id x y z\n1 0 0 0\n3 2 0 0\n");
+    put_text(folder.file("a.data"), "with atom 2\n\n2 bonds\n\nBonds\n\n1 1 1 2\n2 1 1 3\n");
+    Playback playback(folder.file("a.dump"));
+    const std::vector<Spring>& springs = view_of(playback).leading.frame.shape->springs;
+    ASSERT_EQ(springs.size(), 1u);
+    EXPECT_EQ(springs.front().first, 0u);
+    EXPECT_EQ(springs.front().second, 1u);
+}
+
 }  // namespace
 }  // namespace steplab::test

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <future>
@@ -48,6 +49,19 @@ TEST_F(PlaybackWorker, plays_to_the_end_at_any_rate) {
         return now.playback->frame == 23 && !now.leading.playing;
     }));
     EXPECT_GT(frames, 3u) << "some are seen on the way";
+}
+
+// A loop cannot be faster than its frames; how much longer it takes is a matter of the machine.
+TEST_F(PlaybackWorker, plays_each_turn_of_a_loop_in_its_time) {
+    const auto begin = std::chrono::steady_clock::now();
+    worker.send(event::SetRate{{.seconds_per_second = 4}});  // 50 ms for a frame
+    worker.send(event::Loop{StepRange{0, 2}});
+    worker.send(event::Play{true});
+    for (int turn = 0; turn < 4; ++turn) {
+        for (const std::uint64_t frame : {1u, 0u})
+            ASSERT_TRUE(see([=](const SessionView& now) { return now.playback->frame == frame; }));
+    }
+    EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(8 * 50));
 }
 
 TEST_F(PlaybackWorker, reports_what_it_refuses) {
