@@ -140,6 +140,25 @@ TEST(RunComparison, knows_what_a_scene_lets_a_method_keep) {
     EXPECT_FALSE(one(variant_of(scene_of("rope"), "method=rkn-12-10")).energy_error);
 }
 
+// One of ten particles is 3 m off, one is fixed: the root of 9 m^2 over nine.
+TEST(Compared, has_the_mean_over_particles_that_move) {
+    const Simulation run(scene_of("chain"));
+    RunMoment moment = moment_of(run, {});
+    moment.displacement.set(5, moment.displacement.at(5) + Vec3{3, 0, 0});
+    const Compared found = compared(moment, {0, run.state(), 0}, true);
+    EXPECT_DOUBLE_EQ(found.error, 3);
+    EXPECT_DOUBLE_EQ(found.rms_error, 1);
+}
+
+TEST(Compared, has_no_error_of_the_momentum_that_a_kick_gave) {
+    Simulation run(scene_of("chain", {{"fixed", 0}}));
+    const Vec3 start = run.diagnostics().momentum;
+    run.advance(3);
+    EXPECT_TRUE(moment_of(run, start).momentum_error);
+    run.act(Kick{5, {0.5, 0, 0}});
+    EXPECT_FALSE(moment_of(run, start).momentum_error);
+}
+
 TEST(RunComparison, goes_on_without_a_run_that_diverged) {
     RunComparison comparison(variants(scene_of("chain"), {"method=rk4,dt=2", "method=rk4,dt=0.1"}), 600, 300);
     const std::uint64_t last_good = [&] {

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
+#include <vector>
 
 namespace steplab::test {
 namespace {
@@ -75,6 +77,23 @@ TEST(LiveCosts, of_another_scene_replace_those_of_before_at_once) {
     const auto view = told.wait(costs, [](const CostsView& now) { return !now.points.empty(); });
     ASSERT_TRUE(view && !view->points.empty());
     EXPECT_EQ(view->points.front().run.scene["k"], 4);
+}
+
+TEST(LiveCosts, of_a_heavier_particle_are_those_of_another_scene) {
+    Told told;
+    LiveCosts costs([&] { told.tell(); });
+    costs.ask({oscillator()});
+    told.wait(costs, [](const CostsView& now) { return !now.points.empty(); });
+    const std::size_t last = Simulation(oscillator()).particles() - 1;
+    const RunDescription heavy = with_alterations(oscillator(), std::vector<Alteration>{{last, std::nullopt, 4.0}});
+    costs.ask({heavy});
+    const auto first = costs.newest();
+    if (first && !first->points.empty()) {
+        EXPECT_EQ(first->points.front().run.alterations, heavy.alterations);
+    }
+    const auto view = told.wait(costs, [](const CostsView& now) { return !now.points.empty(); });
+    ASSERT_TRUE(view && !view->points.empty());
+    EXPECT_EQ(view->points.front().run.alterations, heavy.alterations);
 }
 
 TEST(LiveCosts, keep_their_points_when_a_run_changes) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <vector>
 
 namespace steplab::test {
@@ -96,6 +97,20 @@ TEST_F(LiveErrorsTest, go_on_after_a_pull_and_a_change_of_the_scene) {
     EXPECT_GT(session.errors->runs[0]->error, 1e-12);
     EXPECT_LT(session.errors->runs[0]->reference_error, 1e-13);
     EXPECT_FALSE(session.errors->runs[0]->momentum_error);
+}
+
+// The motion that the errors are told of is that of the leading run.
+TEST(LiveErrors, say_how_the_motion_of_the_first_run_is_known) {
+    const TimeLine exact(run_of("chain", "rk4", Precision::double_, 0.1)), other(mesh("rk4", 0.1));
+    std::vector<LiveErrors::Shown> shown;
+    for (const TimeLine* line : {&exact, &other})
+        shown.push_back({moment_of(line->run(), line->start_momentum()), {line->past().begin(), line->past().end()}});
+    LiveErrors errors([] {});
+    errors.ask(0, shown);
+    const auto found = errors.newest(std::chrono::seconds(60));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->runs.size(), 2u);
+    EXPECT_TRUE(found->exact);
 }
 
 }  // namespace

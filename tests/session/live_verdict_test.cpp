@@ -1,7 +1,12 @@
+#include "session/live_verdict.hpp"
+
+#include "session/time_line.hpp"
 #include "session/worker_test.hpp"
+#include "support/allocations.hpp"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 
 namespace steplab::test {
@@ -63,6 +68,32 @@ TEST_F(LiveVerdictTest, of_a_scene_too_large_for_it_is_none) {
     EXPECT_FALSE(session.present);
     EXPECT_TRUE(view.frame.oscillation.empty());
     EXPECT_TRUE(view.limit) << "that at rest is known";
+}
+
+LiveVerdict::Moment moment_at(const Simulation& run) {
+    return {run.description(), run.step(), run.segment(), run.time(), run.state()};
+}
+
+// The answer does not come while there is no memory for it: until then nothing is known of the other run.
+TEST(LiveVerdict, of_another_run_is_not_that_of_the_one_before) {
+    const Simulation one(run_of("chain", "rk4", Precision::double_, 0.1)),
+        other(run_of("chain", "velocity-verlet", Precision::double_, 0.1));
+    LiveVerdict verdict(News::wake);
+    verdict.ask(moment_at(one));
+    ASSERT_TRUE(verdict.limit(std::chrono::seconds(60)));
+    const NoMemoryElsewhere none;
+    verdict.ask(moment_at(other));
+    EXPECT_FALSE(verdict.limit(std::chrono::seconds(0)));
+}
+
+TEST(LiveVerdict, of_a_blow_up_is_forgotten_with_it) {
+    TimeLine line(run_of("chain", "rk4", Precision::double_, 2));
+    while (!line.is_over()) line.advance(100);
+    LiveVerdict verdict(News::wake);
+    verdict.ask_why(line, *line.run().divergence());
+    while (!verdict.blow_up()) ASSERT_TRUE(News::wait());
+    verdict.forget_why();
+    EXPECT_FALSE(verdict.blow_up());
 }
 
 }  // namespace

@@ -141,6 +141,26 @@ TEST(ErrorSamples, follow_a_run_on_another_way) {
     for (std::size_t i = 0; i < now.size(); ++i) EXPECT_EQ(now[i].error, right[i].error) << i;
 }
 
+// Of so many particles every second step has a sample: what was done between two of them is known at the next one.
+TEST(ErrorSamples, follow_a_run_that_was_changed_between_two_of_them) {
+    const RunDescription large = run_of("chain", "verlet", Precision::double_, 0.1, {{"n", 10000}});
+    ASSERT_EQ(first_spacing(10000), 2u);
+    TimeLine line(large);
+    line.advance(20);
+    ErrorSamples samples(large), fresh(large);
+    samples.follow(line.changes(), line.reached());
+    ASSERT_EQ(taken(samples).size(), 11u);
+    line.turn_to(15);
+    line.advance(15 - line.step());
+    line.act(Kick{5, {0.25, 0.5, 0}});
+    line.advance(5);
+    samples.follow(line.changes(), line.reached());
+    fresh.follow(line.changes(), line.reached());
+    const std::vector<ErrorSample> now = taken(samples), right = taken(fresh);
+    ASSERT_EQ(now.size(), right.size());
+    for (std::size_t i = 0; i < now.size(); ++i) EXPECT_EQ(now[i].error, right[i].error) << i;
+}
+
 TEST(ErrorSamples, take_bounded_memory_and_end_where_the_run_does) {
     StepSamples<ErrorSample> rows(1);
     for (std::uint64_t step = 0; step < 1'000'000'000; step += rows.to_next(step)) rows.put({.step = step});
@@ -152,6 +172,56 @@ TEST(ErrorSamples, take_bounded_memory_and_end_where_the_run_does) {
     ErrorSamples samples(diverging);
     samples.follow(session.line().changes(), session.line().reached());
     EXPECT_EQ(taken(samples).back().step, session.line().reached());
+}
+
+SpreadSeries spread_of(Session& session) {
+    session.finish();
+    SessionView view;
+    session.observe(view);
+    return view.leading.spread;
+}
+
+TEST(SpreadSamples, of_another_particle_are_taken_where_they_are_gone_through_again) {
+    Session session(mesh());
+    session.handle(event::ShowSamples{true});
+    session.handle(event::ShowEnsemble{{.runs = 3, .spread = "k", .width = 0.01}});
+    session.handle(event::Step{10});
+    session.handle(event::Track{3});
+    ASSERT_EQ(spread_of(session).samples.size(), 11u);
+    EXPECT_FALSE(spread_of(session).samples[5].reach);
+    session.handle(event::Seek{0});
+    session.finish();
+    session.handle(event::Step{10});
+    EXPECT_TRUE(spread_of(session).samples[5].reach);
+    session.handle(event::Track{5});
+    EXPECT_FALSE(spread_of(session).samples[5].reach) << "that was the reach of particle 3";
+}
+
+TEST(SpreadSamples, behind_something_that_was_done_are_forgotten) {
+    Session session(mesh());
+    session.handle(event::ShowSamples{true});
+    session.handle(event::ShowEnsemble{{.runs = 3, .spread = "k", .width = 0.01}});
+    session.handle(event::Step{20});
+    ASSERT_EQ(spread_of(session).samples.size(), 21u);
+    session.handle(event::Seek{10});
+    session.finish();
+    session.handle(event::Do{Kick{4, {0.25, 0.5, 0}}});
+    EXPECT_LE(spread_of(session).samples.size(), 11u) << "that of step 10 may be taken again";
+}
+
+// Verlet of mass m is stable up to dt = sqrt(m): the first of three masses is 0.5 kg.
+TEST(SpreadSamples, leave_out_a_run_that_is_lost) {
+    Session session(run_of("chain", "velocity-verlet", Precision::double_, 0.9));
+    session.handle(event::Track{5});
+    session.handle(event::ShowSamples{true});
+    session.handle(event::ShowEnsemble{{.runs = 3, .spread = "m", .width = 0.5}});
+    session.handle(event::Step{1000});
+    const SpreadSeries spread = spread_of(session);
+    ASSERT_EQ(spread.samples.size(), 1001u);
+    ASSERT_TRUE(spread.samples.back().reach);
+    const auto [low, high] = *spread.samples.back().reach;
+    EXPECT_LE(low.x, high.x);
+    EXPECT_LT(high.x - low.x, 10) << "neither of the others is anywhere else";
 }
 
 TEST(RunSamples, begin_with_what_was_done_at_step_0) {

@@ -96,6 +96,9 @@ TEST_F(WorkerTest, plays_until_it_is_paused) {
     const Frame paused = view.frame;
     EXPECT_EQ(paused.positions, frame_after(view.description, paused.step).positions)
         << "the same bits as without a window";
+    worker.send(event::Change{with_method(view.description, "verlet")});
+    ASSERT_TRUE(see([](const RunView& v) { return v.description.method == "verlet"; }));
+    EXPECT_EQ(*view.steps_per_second, 0) << "that of another method is not known yet";
 }
 
 TEST_F(WorkerTest, goes_on_with_another_method_and_restarts_with_another_model) {
