@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -167,6 +168,9 @@ TEST(Session, lets_the_run_that_led_begin_again_as_it_began) {
     session.handle(event::AddRun{chain("verlet")});
     session.handle(event::Step{10});
     session.handle(event::Change{with(chain("rk4"), "k", 2)});
+    session.handle(event::Step{10});
+    session.handle(
+        event::Change{with_alterations(session.run().description(), std::vector<Alteration>{{5, std::nullopt, 3.0}})});
     session.handle(event::Step{10});
     const std::string led = session.run().hash();
     session.handle(event::Lead{1});

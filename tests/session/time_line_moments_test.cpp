@@ -1,6 +1,7 @@
 // What a time line keeps to come back to, and what it forgets.
 
 #include "session/changed_run.hpp"
+#include "session/same_way.hpp"
 #include "session/time_line.hpp"
 #include "support/runs.hpp"
 
@@ -8,7 +9,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace steplab::test {
 namespace {
@@ -132,6 +135,25 @@ TEST(TimeLine, forgets_what_its_steps_cost_where_they_become_others) {
     EXPECT_FALSE(line.cost());
 }
 
+// Its energy swings about the bound: behind the last good step there are steps at which it is possible again.
+TEST(TimeLine, keeps_nothing_beyond_the_end_of_a_run_that_diverged) {
+    const RunDescription run = run_of("chain", "velocity-verlet", Precision::double_, 0.9874);
+    Simulation alone(run);
+    alone.advance(1000);
+    ASSERT_TRUE(alone.divergence());
+    TimeLine line(run);
+    line.advance(alone.step() + 1);
+    while (!line.run().is_plausible()) line.advance(1);
+    const std::uint64_t beyond = line.step();
+    ASSERT_FALSE(line.is_over()) << "it is not known yet";
+    line.keep_moment();
+    ASSERT_EQ(last_kept(line, beyond), beyond);
+    line.advance(1000);
+    ASSERT_EQ(line.step(), alone.step());
+    line.turn_to(beyond);
+    EXPECT_EQ(line.step(), alone.step());
+}
+
 // Told to go on, a run that has ended is not known to have got any farther.
 TEST(TimeLine, ended_where_it_was_found_on_the_way) {
     TimeLine line(kept_chain(2));
@@ -143,6 +165,15 @@ TEST(TimeLine, ended_where_it_was_found_on_the_way) {
         EXPECT_TRUE(line.ended_beyond(2999));
         EXPECT_FALSE(line.ended_beyond(3000));
     }
+}
+
+TEST(SameWay, ends_with_the_first_step_at_which_either_is_another) {
+    const std::vector<SegmentBegin> plain{{0, kept_chain()}}, early{{0, kept_chain()}, {5, kept_chain(0.2)}},
+        late{{0, kept_chain()}, {10, kept_chain(0.2)}};
+    EXPECT_EQ(first_difference(early, late), 5u);
+    EXPECT_EQ(first_difference(late, early), 5u);
+    EXPECT_EQ(first_difference(plain, late), 10u);
+    EXPECT_EQ(first_difference(late, late), std::nullopt);
 }
 
 }  // namespace
