@@ -113,5 +113,21 @@ TEST(LiveErrors, say_how_the_motion_of_the_first_run_is_known) {
     EXPECT_TRUE(found->exact);
 }
 
+// It stands before the time of the others.
+TEST(LiveErrors, of_a_run_that_ended_are_none) {
+    const TimeLine line(mesh("rk4", 0.1));
+    const LiveErrors::Shown shown{moment_of(line.run(), line.start_momentum()),
+                                  {line.past().begin(), line.past().end()}};
+    LiveErrors errors([] {});
+    for (const bool over : {false, true}) {
+        std::vector<LiveErrors::Shown> runs{shown};
+        runs.front().over = over;
+        errors.ask(0, runs);
+        const auto found = errors.newest(std::chrono::seconds(60));
+        ASSERT_TRUE(found && found->runs.size() == 1);
+        EXPECT_EQ(found->runs.front().has_value(), !over);
+    }
+}
+
 }  // namespace
 }  // namespace steplab::test

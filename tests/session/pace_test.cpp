@@ -32,6 +32,7 @@ TEST(Pace, takes_as_many_whole_steps_as_time_has_passed) {
     Pace pace = measured();
     EXPECT_EQ(pace.steps_due(at(99), real_time, 0.1, slice), 0u);
     EXPECT_EQ(pace.steps_due(at(100), real_time, 0.1, slice), 1u);
+    EXPECT_EQ(pace.steps_due(at(300), real_time, 0.1, slice), 3u) << "although 0.3 / 0.1 is rounded below 3";
     EXPECT_EQ(pace.steps_due(at(350), real_time, 0.1, slice), 3u);
     EXPECT_EQ(pace.steps_due(at(100), {false, 5}, 0.1, slice), 5u);
 }
